@@ -1,5 +1,6 @@
-/* The crawling-scallop library: two bodies on dry friction, joined by a mechanism that pushes them apart and pulls them together; their
- * exact motion, and the published series said to describe it. `pkg-config --cflags --libs scallop-core` prints the compiler's options.
+/* The crawling-scallop library: two bodies on dry friction, joined by a mechanism that pushes them apart and pulls them
+ * together; their exact motion, and the published series said to describe it. `pkg-config --cflags --libs scallop-core`
+ * prints the compiler's options.
  *
  *     struct scallop_crawler crawler = scallop_crawler_default();
  *     struct scallop_steady_result steady;
@@ -16,13 +17,13 @@
  *     asymptotics/asymptotics.h        the formulas of the paper as published, and formulas of one's own
  *     asymptotics/observed/order.h     the observed order of a table of h and err, with a verdict; knows no crawler
  * In libscallop alone, and not included here:
- *     numerics/certified/certified.h   any number of proven digits (FLINT), with model/exact/ball.h for exact parameters
+ *     numerics/certified/certified.h   any number of proven digits (FLINT), with exact parameters
  *     asymptotics/derived/expansion.h  the derived series, term by term, and formulas in balls (FLINT)
- *     numerics/rivals/rival.h          general-purpose methods to compare with: odeiv.h and smoothed.h (GSL), cvode.h and
- *                                      arkode.h (SUNDIALS), moreau.h
+ *     numerics/rivals/rival.h          general-purpose methods to compare with: odeiv.h and smoothed.h (GSL),
+ *                                      cvode.h and arkode.h (SUNDIALS), moreau.h
  *
- * No function prints, exits or holds state. Only the rivals, the functions that need FLINT, and scallop_formula_read allocate memory.
- * All functions can be called from several threads at once. */
+ * No function prints, exits or holds state. Only the rivals, the functions that need FLINT, and scallop_formula_read
+ * allocate memory. All functions can be called from several threads at once. */
 #ifndef SCALLOP_H
 #define SCALLOP_H
 

@@ -21,7 +21,9 @@ struct parser {
 
 static const char *const texts[] = { "a number", "a name", "pi", "-", "abs", "sqrt", "exp", "log", "log10", "sin",
                                      "cos",      "asin",   "+",  "-", "*",   "/",    "^",   "min", "max" };
-static const char *const functions[] = { "abs", "sqrt", "exp", "log", "log10", "sin", "cos", "asin", "min", "max", NULL };
+static const char *const functions[] = {
+  "abs", "sqrt", "exp", "log", "log10", "sin", "cos", "asin", "min", "max", NULL
+};
 
 const char *formula_operation_text(enum formula_operation operation) { return texts[operation]; }
 
@@ -148,7 +150,8 @@ static bool read_arguments(struct parser *p, enum formula_operation function, co
   if (!read_close(p, open))
     return false;
   if (of_many ? count < 2 : count != 1)
-    return fail(p, start, "%s takes %s, not %d", texts[function], of_many ? "two arguments or more" : "one argument", count);
+    return fail(p, start, "%s takes %s, not %d", texts[function], of_many ? "two arguments or more" : "one argument",
+                count);
   return of_many || add(p, start, function);
 }
 
@@ -221,8 +224,8 @@ static bool read_factor(struct parser *p)
   bool is_negative = next(p) == '-';
   const char *sign = p->at;
   if (p->nested == FORMULA_NESTED)
-    return fail(p, sign, "too much within one another: %d parentheses, minus signs and powers are allowed%s", FORMULA_NESTED,
-                p->part ? "; does the part use itself?" : "");
+    return fail(p, sign, "too much within one another: %d parentheses, minus signs and powers are allowed%s",
+                FORMULA_NESTED, p->part ? "; does the part use itself?" : "");
   p->nested++;
   p->at += is_negative;
   bool read = is_negative ? read_factor(p) && add(p, sign, FORMULA_NEGATE) : read_value(p);

@@ -1,4 +1,5 @@
-/* What an exact answer costs: beside the arithmetic floor, and beside what the general-purpose rival takes for the same one.
+/* What an exact answer costs: beside the arithmetic floor, and beside what the general-purpose rival takes for the same
+ * one.
  *
  * A batch is a number of passes over a set of seeded crawlers, long enough for the clock; the methods of
  * a case take turns, batch by batch, so that a machine that slows down slows all of them; the table has
@@ -79,8 +80,8 @@ static struct scallop_crawler any_crawler(const struct scallop_gait *gait, enum 
   return c;
 }
 
-/* The regular case of the paper: each phase begins and ends with both bodies moving forward, and in between they move apart or
- * together, turning while the separation speeds up and while it slows down. */
+/* The regular case of the paper: each phase begins and ends with both bodies moving forward, and in between they move
+ * apart or together, turning while the separation speeds up and while it slows down. */
 static bool is_regular(const struct scallop_crawler *c, const struct scallop_period_result *r, double *worst)
 {
   struct floor_result f;
@@ -121,8 +122,9 @@ static void put(struct set *set, int i, const struct scallop_crawler *c)
   set->gait[i] = c->gait;
 }
 
-/* Crawlers of the wanted kind. With starts: and a velocity within a fifth of the steady one, from which a period is of the same
- * regime and its results are not small. Returns how far the floor is from the exact solver, where it applies. */
+/* Crawlers of the wanted kind. With starts: and a velocity within a fifth of the steady one, from which a period is of
+ * the same regime and its results are not small. Returns how far the floor is from the exact solver, where it
+ * applies. */
 static double fill(struct set *set, int count, const struct scallop_gait *gait, enum choice choice, bool starts)
 {
   struct scallop_steady_result steady;
@@ -324,8 +326,8 @@ static void bench_steady(void)
   }
   printf("# quadratic steady state, times the floor: regular %.1f, stick-slip %.1f, any %.1f; in a batch %.1f, %.1f, "
          "%.1f\n",
-         ratio(&m[ONE], m), ratio(&m[ONE_HELD], m), ratio(&m[ONE_ANY], m), ratio(&m[BATCH], m), ratio(&m[BATCH_HELD], m),
-         ratio(&m[BATCH_ANY], m));
+         ratio(&m[ONE], m), ratio(&m[ONE_HELD], m), ratio(&m[ONE_ANY], m), ratio(&m[BATCH], m),
+         ratio(&m[BATCH_HELD], m), ratio(&m[BATCH_ANY], m));
   printf("# sinusoidal steady state, times the quadratic one: regular %.1f, stick-slip %.1f, any %.1f\n",
          ratio(&m[SINE], &m[ONE]), ratio(&m[SINE_HELD], &m[ONE_HELD]), ratio(&m[SINE_ANY], &m[ONE_ANY]));
 }
@@ -352,8 +354,8 @@ static void bench_period(const struct set *set, const char *choice)
   for (int k = 0; k < METHODS; k++)
     print_row("period", choice, &m[k], m);
   const struct method *best = m[1].spread.median < m[2].spread.median ? &m[1] : &m[2];
-  printf("# %s %s period: the best GSL at error <= %g is %s: %.1f times the exact solver's time\n", choice, gait, best->goal,
-         best->name, ratio(best, m));
+  printf("# %s %s period: the best GSL at error <= %g is %s: %.1f times the exact solver's time\n", choice, gait,
+         best->goal, best->name, ratio(best, m));
   scallop_odeiv_destroy(rkf45);
   scallop_odeiv_destroy(rk8pd);
 }
@@ -365,15 +367,15 @@ static void bench_periods(void)
   static struct set sets[METHODS];
   struct method m[METHODS];
   for (int k = 0; k < METHODS; k++) {
-    fill(&sets[k], FEW_CRAWLERS, k < SINE ? &scallop_gait_quadratic : &scallop_gait_sinusoidal, k % 2 ? STICK_SLIP : REGULAR,
-         true);
+    fill(&sets[k], FEW_CRAWLERS, k < SINE ? &scallop_gait_quadratic : &scallop_gait_sinusoidal,
+         k % 2 ? STICK_SLIP : REGULAR, true);
     m[k] = (struct method){ .name = "exact", .pass = exact_periods, .set = &sets[k], .tolerance = NAN };
   }
   measure(m, METHODS);
   for (int k = 0; k < METHODS; k++)
     print_row("period", choice_text[k % 2], &m[k], &m[k % 2]);
-  printf("# sinusoidal period, times the quadratic one: regular %.1f, stick-slip %.1f\n", ratio(&m[SINE], &m[QUADRATIC]),
-         ratio(&m[SINE_HELD], &m[QUADRATIC_HELD]));
+  printf("# sinusoidal period, times the quadratic one: regular %.1f, stick-slip %.1f\n",
+         ratio(&m[SINE], &m[QUADRATIC]), ratio(&m[SINE_HELD], &m[QUADRATIC_HELD]));
 }
 
 /* The same crawlers at ever smaller T: it must not cost more. */
@@ -403,7 +405,8 @@ static void bench_start(const char *own_path)
   enum { NOTHING, STEADY, PROGRAMS };
   static const char *const names[PROGRAMS] = { "nothing", "scallop" };
   static char paths[PROGRAMS][PATH_MAX], steady[] = "steady";
-  char *const nothing_arguments[] = { paths[NOTHING], NULL }, *const steady_arguments[] = { paths[STEADY], steady, NULL };
+  char *const nothing_arguments[] = { paths[NOTHING], NULL }, *const steady_arguments[] = { paths[STEADY], steady,
+                                                                                            NULL };
   char *const *const arguments[PROGRAMS] = { nothing_arguments, steady_arguments };
   const char *base = strrchr(own_path, '/');
   struct stopwatch_spread s[PROGRAMS];
@@ -432,7 +435,8 @@ static void print_head(void)
   printf("# ns: median and quartiles over the batches, for one answer\n");
   printf("# error: steady: how far one period moves the steady velocity, over L/T (floor: its largest relative\n");
   printf("#        difference from exact); period: largest relative difference of v_end and displacement from exact\n");
-  printf("# ratio: of the medians, to the floor; period: to exact in the same case and gait, or to the quadratic one; small "
+  printf("# ratio: of the medians, to the floor; period: to exact in the same case and gait, or to the quadratic one; "
+         "small "
          "T: to T=1\n");
   printf("# start: a process from being made to its end, %d times; ratio: to one that does nothing\n", START_RUNS);
   printf("# tolerance: GSL's, the cheapest of 1e-2, 3e-3 ... 1e-15 with error <= 1e-12, or 1e-6 as said\n");

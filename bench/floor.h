@@ -8,9 +8,9 @@ struct floor_result {
   double froude, v_start, v_mid, displacement, mean_velocity, multiplier;
 };
 
-/* The steady state of a crawler with the quadratic gait and the modes ++ -+ ++ | ++ +- ++, F1 > F2 and alpha > 1/2 or both the
- * other way round: the numbers that scallop_steady gives, from a closed form written out by hand. It checks nothing, and is wrong
- * for any other crawler. */
+/* The steady state of a crawler with the quadratic gait and the modes ++ -+ ++ | ++ +- ++, F1 > F2 and alpha > 1/2 or
+ * both the other way round: the numbers that scallop_steady gives, from a closed form written out by hand. It checks
+ * nothing, and is wrong for any other crawler. */
 void floor_steady(const struct scallop_crawler *crawler, struct floor_result *result);
 
 #endif

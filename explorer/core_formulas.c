@@ -112,8 +112,8 @@ static struct solved of_steady(const struct scallop_crawler *c, enum scallop_qua
   return (struct solved){ steady_number(c, &s, quantity), modes, NAN, NAN, NAN };
 }
 
-static struct solved of_phase(const struct scallop_crawler *c, enum scallop_quantity quantity, enum scallop_phase_kind kind,
-                              double v0)
+static struct solved of_phase(const struct scallop_crawler *c, enum scallop_quantity quantity,
+                              enum scallop_phase_kind kind, double v0)
 {
   bool extension = kind == SCALLOP_EXTENSION;
   struct scallop_phase_result p;
@@ -150,9 +150,8 @@ void formulas_along(int formulas, int kind, double v0, int count)
     explorer_rows[1][k] = s.exact;
     explorer_rows[2][k] = s.modes;
     for (int j = 0; j < formulas; j++)
-      explorer_rows[3 + j][k] = isnan(s.modes)
-                                    ? NAN
-                                    : scallop_formula_double(read[j], &c, phase, is_steady ? 0 : v0, s.t1, s.dT, s.last);
+      explorer_rows[3 + j][k] =
+          isnan(s.modes) ? NAN : scallop_formula_double(read[j], &c, phase, is_steady ? 0 : v0, s.t1, s.dT, s.last);
   }
   explorer_digits = EXPLORER_ALL_DIGITS;
   for (int j = 0; j < formulas; j++)
@@ -184,7 +183,12 @@ static long double phase_in_wide(const struct scallop_formula *f, const struct s
   if (scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &p) != SCALLOP_OK)
     return NAN;
   const struct scallop_phase_result parts[2] = {
-    { .t1 = p.t1.high, .dT = p.dT.high, .v_end = p.v_end.high, .dx1 = p.dx1.high, .dx2 = p.dx2.high, .dxC = p.dxC.high },
+    { .t1 = p.t1.high,
+      .dT = p.dT.high,
+      .v_end = p.v_end.high,
+      .dx1 = p.dx1.high,
+      .dx2 = p.dx2.high,
+      .dxC = p.dxC.high },
     { .t1 = p.t1.low, .dT = p.dT.low, .v_end = p.v_end.low, .dx1 = p.dx1.low, .dx2 = p.dx2.low, .dxC = p.dxC.low },
   };
   *modes = modes_number(&p.modes, 0);
@@ -192,7 +196,8 @@ static long double phase_in_wide(const struct scallop_formula *f, const struct s
          + phase_number(&parts[1], &none, kind, 0, c->L, f->quantity);
 }
 
-/* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences, expanded in their place. */
+/* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences,
+ * expanded in their place. */
 static void interpolate(int count, const long double *x, long double *y)
 {
   for (int k = 1; k < count; k++)
@@ -232,10 +237,9 @@ void formula_over(int i, int count)
   char message[SCALLOP_FORMULA_MESSAGE];
   struct scallop_read_formula *read = scallop_formula_read(formula_at(i), message);
   for (int k = 0; k < count; k++) {
-    const struct scallop_crawler c = {
-      explorer_rows[0][k], explorer_rows[1][k], explorer_rows[2][k], explorer_rows[3][k],
-      explorer_rows[4][k], explorer_rows[5][k], explorer_rows[6][k], explorer_crawler.gait
-    };
+    const struct scallop_crawler c = { explorer_rows[0][k], explorer_rows[1][k],  explorer_rows[2][k],
+                                       explorer_rows[3][k], explorer_rows[4][k],  explorer_rows[5][k],
+                                       explorer_rows[6][k], explorer_crawler.gait };
     explorer_rows[15][k] = scallop_formula_double(read, &c, SCALLOP_EXTENSION, 0, NAN, NAN, NAN);
   }
   scallop_formula_free(read);

@@ -24,7 +24,8 @@ static int class_of(enum scallop_regime regime, const struct scallop_modes modes
   static int last;
   for (int k = 0; k < classes; k++) {
     int i = (last + k) % classes; /* as a rule that of the neighbour */
-    if (class_regime[i] == regime && same_modes(&modes[0], &class_modes[i][0]) && same_modes(&modes[1], &class_modes[i][1]))
+    if (class_regime[i] == regime && same_modes(&modes[0], &class_modes[i][0])
+        && same_modes(&modes[1], &class_modes[i][1]))
       return last = i;
   }
   if (classes >= CLASSES - 1) {

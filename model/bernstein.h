@@ -1,4 +1,5 @@
-/* A Bernstein law (struct scallop_law) in the type `real`, which is to be defined before. No header in the usual sense, and not public. */
+/* A Bernstein law (struct scallop_law) in the type `real`, which is to be defined before. No header in the usual sense,
+ * and not public. */
 #include "model/model.h"
 
 struct bernstein { /* sum of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), x = (u - near)/(far - near) */
@@ -23,7 +24,8 @@ static inline struct bernstein bernstein_of(const struct scallop_law *law)
   return f;
 }
 
-/* The part between two offsets, low <= high, by de Casteljau's rule: the mean of its coefficients is that of the polynomial there. */
+/* The part between two offsets, low <= high, by de Casteljau's rule: the mean of its coefficients is that of the
+ * polynomial there. */
 static inline void bernstein_cut(struct bernstein *f, real low, real high)
 {
   real range = f->far - f->near, x = (high - f->near) / range, y = (f->far - high) / range;

@@ -27,7 +27,8 @@ struct scallop_crawler scallop_crawler_default(void)
   };
 }
 
-static enum scallop_status complain(struct scallop_complaint *complaint, const char *name, double given, const char *allowed)
+static enum scallop_status complain(struct scallop_complaint *complaint, const char *name, double given,
+                                    const char *allowed)
 {
   if (complaint)
     *complaint = (struct scallop_complaint){ name, given, allowed };
@@ -77,9 +78,10 @@ static double inverse_froude(double T, double F, double M, double L)
 
 static void from_scaling(const struct scallop_crawler *crawler, const struct scaling *s, struct scallop_scaled *scaled)
 {
-  *scaled = (struct scallop_scaled){ s->mu1,      s->mu2,       s->mu_difference, s->f1,
-                                     s->f2,       s->delta,     s->eps,           { crawler->alpha, 1 - crawler->alpha },
-                                     s->velocity, crawler->gait };
+  *scaled = (struct scallop_scaled){
+    s->mu1,      s->mu2,       s->mu_difference, s->f1, s->f2, s->delta, s->eps, { crawler->alpha, 1 - crawler->alpha },
+    s->velocity, crawler->gait
+  };
 }
 
 enum scallop_status scallop_scale(const struct scallop_crawler *c, struct scallop_scaled *scaled)

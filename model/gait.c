@@ -30,7 +30,8 @@ static double linear_acceleration(const struct scallop_piece *p, double u)
 
 static double linear_when(const struct scallop_piece *p, double a) { return a == p->acceleration ? p->begin : NAN; }
 
-const struct scallop_curve scallop_curve_linear = { linear_length, linear_velocity, linear_acceleration, linear_when, NULL };
+const struct scallop_curve scallop_curve_linear = { linear_length, linear_velocity, linear_acceleration, linear_when,
+                                                    NULL };
 
 static const struct scallop_piece quadratic_extension[] = { SCALLOP_RAMP(0, 0.5, SCALLOP_FROM_START, 1, 4),
                                                             SCALLOP_RAMP(0.5, 0, SCALLOP_FROM_END, 1, -4) };

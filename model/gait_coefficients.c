@@ -15,9 +15,9 @@ const struct scallop_gait_family scallop_family_polynomial = {
   .name = "polynomial",
   .numbers = "C1,C2,...",
   .allowed = "polynomial:C1,C2,... of degree 3 to 16 with l' = 0 at both ends and C1 + C2 + ... > 0",
-  .sentence =
-      "l/L = (C1 s + C2 s^2 + ...)/(C1 + C2 + ...), up to s^16, s the part of the extension that has passed; l' = 0 at both "
-      "ends",
+  .sentence = "l/L = (C1 s + C2 s^2 + ...)/(C1 + C2 + ...), up to s^16, s the part of the extension that has passed; "
+              "l' = 0 at both "
+              "ends",
   .sample = "polynomial:0,0,0,35,-84,70,-20",
   .make = make
 };

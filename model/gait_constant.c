@@ -1,4 +1,5 @@
-/* The family constant: l' is constant out and back, but for short ramps at the ends of each phase; without them it jumps there. */
+/* The family constant: l' is constant out and back, but for short ramps at the ends of each phase; without them it
+ * jumps there. */
 #include "model/families.h"
 
 static const struct scallop_law level = { SCALLOP_LAW_RAMP, 1, .ramp = { 1, 0, 1, { 1, 0, 0 } } };
@@ -51,12 +52,12 @@ static enum scallop_status make(union scallop_made_gait *made, const char *name,
 const struct scallop_gait_family scallop_family_constant = {
   .name = "constant",
   .numbers = "R",
-  .allowed =
-      "constant:R or constant:R,R, the fraction of each phase, or of the extension and of the contraction, that each of two "
-      "ramps takes: 0, or from 2^-100 to 0.5",
-  .sentence =
-      "l' is constant out and back but for ramps that each take R of a phase; with R = 0 it jumps; R,R: the second is for "
-      "the contraction",
+  .allowed = "constant:R or constant:R,R, the fraction of each phase, or of the extension and of the contraction, that "
+             "each of two "
+             "ramps takes: 0, or from 2^-100 to 0.5",
+  .sentence = "l' is constant out and back but for ramps that each take R of a phase; with R = 0 it jumps; R,R: the "
+              "second is for "
+              "the contraction",
   .sample = "constant:0",
   .each = 1,
   .make = make

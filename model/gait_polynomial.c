@@ -16,7 +16,8 @@ static long double binomial(int n, int k)
   return value;
 }
 
-/* Of the sum of (i + 1) c[i + 1] s^i, i <= n, up to a factor; 0 where they may be but for half an ulp of each c. Returns NULL, or why that is no gait. */
+/* Of the sum of (i + 1) c[i + 1] s^i, i <= n, up to a factor; 0 where they may be but for half an ulp of each c.
+ * Returns NULL, or why that is no gait. */
 static const char *coefficients_of(long double *b, const double *c, int n)
 {
   double top = 0;
@@ -89,7 +90,8 @@ static void divide(const long double *b, int n, long double x, long double *befo
   }
 }
 
-/* Changes of sign along the coefficients, as many as roots or an even number more (Descartes' rule); -1: noise may hide some. */
+/* Changes of sign along the coefficients, as many as roots or an even number more (Descartes' rule); -1: noise may hide
+ * some. */
 static int variations(const long double *b, int n, long double noise)
 {
   int count = 0, last = 0;
@@ -194,7 +196,8 @@ static double distance(const struct place *p, const struct place *q)
   return p->late == q->late ? fabs(p->offset - q->offset) : fabs(s - t);
 }
 
-/* Adds a place, unless one is there. Where l' turns it must be exact; one for the sake of l'' may as well be next to it. */
+/* Adds a place, unless one is there. Where l' turns it must be exact; one for the sake of l'' may as well be next to
+ * it. */
 static void add_place(struct plan *plan, struct place place)
 {
   for (int i = 0; i < plan->count; i++)
@@ -219,8 +222,8 @@ static bool add_roots(struct plan *plan, const long double *b, int n, bool turns
   return r.all;
 }
 
-/* The ends and the middle, the sign changes of l', and those of l''', so that l'' is monotone in between: where they are too near to
- * each other to be told, l'' is so all the same but for rounding. */
+/* The ends and the middle, the sign changes of l', and those of l''', so that l'' is monotone in between: where they
+ * are too near to each other to be told, l'' is so all the same but for rounding. */
 static bool make_plan(struct plan *plan)
 {
   long double bend[MOST + 1];
@@ -236,7 +239,8 @@ static bool make_plan(struct plan *plan)
   return true;
 }
 
-/* The largest of the coefficients that are not at the ends: rounding does least to it where it follows from the others. */
+/* The largest of the coefficients that are not at the ends: rounding does least to it where it follows from the
+ * others. */
 static int largest(const double *b, int degree)
 {
   int at = 1;
@@ -246,7 +250,8 @@ static int largest(const double *b, int degree)
   return at;
 }
 
-static struct scallop_law law_of(int degree, const double *b, int implied, double near, double far, double way, double base)
+static struct scallop_law law_of(int degree, const double *b, int implied, double near, double far, double way,
+                                 double base)
 {
   struct scallop_bernstein_law law = { .near = near, .far = far, .way = way, .implied = implied };
   for (int j = 0; j <= degree; j++)
@@ -281,7 +286,8 @@ static double speed_at(const struct plan *plan, const struct place *place)
   return place->turns ? 0 : (double)law_bernstein(plan->b[place->late], plan->n, u, 1 - u);
 }
 
-/* The law of one piece, for which l' is 0 exactly where it changes its sign; its way is to the last digit, however short it is. */
+/* The law of one piece, for which l' is 0 exactly where it changes its sign; its way is to the last digit, however
+ * short it is. */
 static void set_own_law(struct scallop_polynomial *g, int at, const struct plan *plan, int direction, bool late,
                         const struct place *begin, const struct place *end)
 {
@@ -296,7 +302,8 @@ static void set_own_law(struct scallop_polynomial *g, int at, const struct plan 
   b[plan->n] = direction * speed_at(plan, far);
   for (int j = 0; j <= plan->n; j++)
     sum += b[j];
-  g->laws[at] = law_of(plan->n, b, largest(b, plan->n), near->offset, far->offset, (double)(sum * (v - u) / (plan->n + 1)),
+  g->laws[at] = law_of(plan->n, b, largest(b, plan->n), near->offset, far->offset,
+                       (double)(sum * (v - u) / (plan->n + 1)),
                        (double)(direction * (late ? -1 : 1) * way_to(plan, near)));
 }
 
@@ -307,8 +314,8 @@ static int direction_between(const struct plan *plan, const struct place *begin,
   return law_bernstein(plan->b[late], plan->n, u, 1 - u) > 0 ? 1 : -1;
 }
 
-/* The ways are rounded, each to its own last digit; the longest one is what they leave of the amplitude, to all digits. False: one is
- * not positive, so short is its piece. */
+/* The ways are rounded, each to its own last digit; the longest one is what they leave of the amplitude, to all digits.
+ * False: one is not positive, so short is its piece. */
 static bool share_amplitude(struct scallop_polynomial *g, const struct plan *plan)
 {
   const struct scallop_piece *pieces = g->pieces[SCALLOP_EXTENSION];

@@ -117,7 +117,8 @@ static bool is_concave(const struct scallop_shape *shape, int kind)
     struct bernstein f = bernstein_of(p->law);
     bool forward = p->anchor == SCALLOP_FROM_START;
     const long double *b = f.b, range = f.far - f.near;
-    long double first = (forward ? b[1] - b[0] : b[1] - b[2]) / range, then = (forward ? b[2] - b[1] : b[0] - b[1]) / range;
+    long double first = (forward ? b[1] - b[0] : b[1] - b[2]) / range,
+                then = (forward ? b[2] - b[1] : b[0] - b[1]) / range;
     if (first > last || then > first)
       return false;
     last = then;

@@ -107,7 +107,8 @@ static enum scallop_status make_trapezoidal(union scallop_made_gait *made, const
 {
   (void)count;
   (void)why;
-  return scallop_make_trapezoidal(&made->straight, name, (const double[]){ x[0], x[2] }, (const double[]){ x[1], x[3] });
+  return scallop_make_trapezoidal(&made->straight, name, (const double[]){ x[0], x[2] },
+                                  (const double[]){ x[1], x[3] });
 }
 
 static enum scallop_status make_skewed(union scallop_made_gait *made, const char *name, const double *x, int count,
@@ -125,9 +126,9 @@ const struct scallop_gait_family scallop_family_trapezoidal = {
   .allowed =
       "trapezoidal:UP,DOWN or trapezoidal:UP,DOWN,UP,DOWN, fractions of the extension and of the contraction in which "
       "|l'| rises and falls: from 2^-100, UP + DOWN at most 1",
-  .sentence =
-      "|l'| rises for a fraction UP of each phase, stays, and falls for DOWN; UP,DOWN,UP,DOWN: the second pair is for the "
-      "contraction",
+  .sentence = "|l'| rises for a fraction UP of each phase, stays, and falls for DOWN; UP,DOWN,UP,DOWN: the second pair "
+              "is for the "
+              "contraction",
   .sample = "trapezoidal:0.2,0.3",
   .each = 2,
   .make = make_trapezoidal
@@ -137,10 +138,11 @@ const struct scallop_gait_family scallop_family_skewed = {
   .name = "skewed",
   .numbers = "BETA",
   .usual = "0.25",
-  .allowed = "skewed:BETA or skewed:BETA,BETA, fractions of the extension and of the contraction in which |l'| rises: from "
-             "2^-100, below 1",
-  .sentence =
-      "|l'| rises for a fraction BETA of each phase and falls for the rest; BETA,BETA: the second is for the contraction",
+  .allowed =
+      "skewed:BETA or skewed:BETA,BETA, fractions of the extension and of the contraction in which |l'| rises: from "
+      "2^-100, below 1",
+  .sentence = "|l'| rises for a fraction BETA of each phase and falls for the rest; BETA,BETA: the second is for the "
+              "contraction",
   .sample = "skewed:0.3",
   .each = 1,
   .make = make_skewed

@@ -58,7 +58,8 @@ static long double way(const struct place *at)
   return (at->of.far - at->of.near) / (n + 1) * law_bernstein(sums, n + 1, at->x, at->y);
 }
 
-/* The mean of the slope between from and to is formed without a difference of two speeds, which may be much larger than what they differ by. */
+/* The mean of the slope between from and to is formed without a difference of two speeds, which may be much larger than
+ * what they differ by. */
 double law_rise(const struct scallop_law *law, double from, double to)
 {
   struct bernstein f = bernstein_of(law);
@@ -140,9 +141,10 @@ double scallop_fourth_derivative(const struct scallop_shape *shape, bool at_end)
   return piece->direction * law_sense(piece) * third_derivative(piece, at_end ? piece->end : piece->begin);
 }
 
-/* Where d|l'|/du = wanted between lo and hi, on either side of which it differs in sign from that; it is monotone there. Regula falsi
- * in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971). Where the slope goes with a power of u and the root is far below hi, a step only
- * doubles lo, or halves the value at hi: after a few such steps the logarithm of u is halved, until hi is less than twice lo. */
+/* Where d|l'|/du = wanted between lo and hi, on either side of which it differs in sign from that; it is monotone
+ * there. Regula falsi in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971). Where the slope goes with a power of
+ * u and the root is far below hi, a step only doubles lo, or halves the value at hi: after a few such steps the
+ * logarithm of u is halved, until hi is less than twice lo. */
 static double slope_root(const struct scallop_law *law, long double wanted, double lo, double hi, long double f_lo,
                          long double f_hi)
 {
@@ -175,7 +177,8 @@ static double slope_root(const struct scallop_law *law, long double wanted, doub
 static double bernstein_when(const struct scallop_piece *p, double a)
 {
   const struct scallop_law *law = p->law;
-  double lo = p->anchor == SCALLOP_FROM_START ? p->begin : p->end, hi = p->anchor == SCALLOP_FROM_START ? p->end : p->begin;
+  double lo = p->anchor == SCALLOP_FROM_START ? p->begin : p->end,
+         hi = p->anchor == SCALLOP_FROM_START ? p->end : p->begin;
   long double wanted = (long double)(p->direction * law_sense(p)) * a;
   struct place low = place_at(law, lo), high = place_at(law, hi);
   long double f_lo = slope(&low) - wanted, f_hi = slope(&high) - wanted;
@@ -216,7 +219,8 @@ bool law_same(const struct scallop_law *a, const struct scallop_law *b)
     return false;
   switch (a->kind) {
   case SCALLOP_LAW_POLYNOMIAL:
-    return a->polynomial.denominator == b->polynomial.denominator && same(a->polynomial.c, b->polynomial.c, a->degree + 1);
+    return a->polynomial.denominator == b->polynomial.denominator
+           && same(a->polynomial.c, b->polynomial.c, a->degree + 1);
   case SCALLOP_LAW_RAMP: return same_ramp(&a->ramp, &b->ramp);
   case SCALLOP_LAW_BERNSTEIN: return same_bernstein(&a->bernstein, &b->bernstein, a->degree);
   case SCALLOP_LAW_SINE: break;

@@ -1,10 +1,10 @@
 /* model/: what a crawler, a gait and a phase ARE.
  *
- * Two bodies, masses m1 and m2, Coulomb friction forces F1 and F2 (isotropic, static = sliding),
- * with the separation l(t) = x2 - x1 prescribed and periodic. Nothing here moves anything: this
- * room holds parameters, l(t) and its derivatives, validation and scaling. It prints nothing and holds no state.
- * What this header and gaits.h declare depends on libm only and allocates nothing; ball.h and fractions.h have the same in balls
- * and in fractions, through FLINT, which allocates.
+ * Two bodies, masses m1 and m2, Coulomb friction forces F1 and F2 (isotropic, static = sliding), with the separation
+ * l(t) = x2 - x1 prescribed and periodic. Nothing here moves anything: this room holds parameters, l(t) and its
+ * derivatives, validation and scaling. It prints nothing and holds no state. What this header and gaits.h declare
+ * depends on libm only and allocates nothing; ball.h and fractions.h have the same in balls and in fractions, through
+ * FLINT, which allocates.
  */
 #ifndef SCALLOP_MODEL_MODEL_H
 #define SCALLOP_MODEL_MODEL_H
@@ -50,8 +50,8 @@ struct scallop_curve {
   void (*rates)(const struct scallop_piece *, double u, double *velocity, double *acceleration);
 };
 
-/* |l'| of a piece exactly, as a function of the offset u, for those who need more digits than a double has: doubles stand for exactly
- * what they are. Polynomial: sum over k <= degree of c[k] u^k / denominator. */
+/* |l'| of a piece exactly, as a function of the offset u, for those who need more digits than a double has: doubles
+ * stand for exactly what they are. Polynomial: sum over k <= degree of c[k] u^k / denominator. */
 enum { SCALLOP_LAW_MOST_DEGREE = 15 };
 struct scallop_polynomial_law {
   double c[SCALLOP_LAW_MOST_DEGREE + 1], denominator;
@@ -60,9 +60,10 @@ struct scallop_polynomial_law {
 struct scallop_ramp_law {
   double start, slope, divisor, parts[3];
 };
-/* sum over j <= degree of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), with x = (u - near)/(far - near). The coefficient b[implied] is
- * given by the way instead, which is what |l'| covers from near to far, (far - near) times the mean of all b[j]. It is way + more[0] +
- * more[1] + ..., so that the ways of all pieces can add up to 1 exactly though each is right to its last digit. */
+/* sum over j <= degree of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), with x = (u - near)/(far - near). The
+ * coefficient b[implied] is given by the way instead, which is what |l'| covers from near to far, (far - near) times
+ * the mean of all b[j]. It is way + more[0] + more[1] + ..., so that the ways of all pieces can add up to 1 exactly
+ * though each is right to its last digit. */
 struct scallop_bernstein_law {
   double b[SCALLOP_LAW_MOST_DEGREE + 1];
   double near, far, way;
@@ -79,16 +80,15 @@ struct scallop_law {
     struct scallop_ramp_law ramp;
     struct scallop_bernstein_law bernstein;
   };
-  /* For struct scallop_curve, rounded: l where u is 0, or near, as the piece would have it there, minus l at the anchor; times the piece's
-   * direction, where that is not 0. */
+  /* For struct scallop_curve, rounded: l where u is 0, or near, as the piece would have it there, minus l at the
+   * anchor; times the piece's direction, where that is not 0. */
   double base;
 };
 
-/* One smooth piece of a phase. Promises the solver relies on: l' keeps the sign `direction` and l''
- * is monotone inside the piece; pieces follow each other without a gap and cover the phase. Where l' is 0 at
- * an end of a piece, and does not jump there, velocity says exactly 0.
- * A dwell, where l rests, is a piece (or some in a row) with direction = 0 and linear = true, velocity = acceleration = 0, and a curve whose
- * length stays what it is there. */
+/* One smooth piece of a phase. Promises the solver relies on: l' keeps the sign `direction` and l'' is monotone inside
+ * the piece; pieces follow each other without a gap and cover the phase. Where l' is 0 at an end of a piece, and does
+ * not jump there, velocity says exactly 0. A dwell, where l rests, is a piece (or some in a row) with direction = 0 and
+ * linear = true, velocity = acceleration = 0, and a curve whose length stays what it is there. */
 struct scallop_piece {
   double begin, end; /* offsets from the anchor, in the order of time, within [0, 1]     */
   enum scallop_anchor anchor;
@@ -99,8 +99,8 @@ struct scallop_piece {
   double acceleration; /* linear pieces: l''; others likewise */
   const struct scallop_curve *curve;
   const struct scallop_law *law; /* NULL: a linear piece is exactly what its numbers say; others have no exact law */
-  const struct scallop_fractions
-      *exact; /* NULL, or what the piece is in fractions (fractions.h), where doubles are only near */
+  /* NULL, or what the piece is in fractions (fractions.h), where doubles are only near */
+  const struct scallop_fractions *exact;
 };
 
 struct scallop_shape { /* one phase of a gait, duration 1, amplitude 1                      */
@@ -124,7 +124,8 @@ struct scallop_gait {
 extern const struct scallop_gait scallop_gait_quadratic, scallop_gait_sinusoidal;
 /* For pieces with linear = true. One that neither begins nor ends at its anchor needs a law, for its base. */
 extern const struct scallop_curve scallop_curve_linear;
-/* Such a piece, at rest (l' = 0) at its anchor: it begins and ends at these offsets, l' has this sign, l'' this value. */
+/* Such a piece, at rest (l' = 0) at its anchor: it begins and ends at these offsets, l' has this sign, l'' this
+ * value. */
 #define SCALLOP_RAMP(from, to, anchored, sign, slope) \
   { \
     .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .linear = true, .acceleration = (slope), \
@@ -139,7 +140,8 @@ const char *scallop_gait_name(int i);
 bool scallop_gait_is_exact(const struct scallop_gait *gait);
 /* Whether |l'| of the contraction is that of the extension, piece by piece. */
 bool scallop_gait_mirrors(const struct scallop_gait *gait);
-/* Whether |l'| of each phase is symmetric about its middle: the motion of the separation looks the same backward in time. */
+/* Whether |l'| of each phase is symmetric about its middle: the motion of the separation looks the same backward in
+ * time. */
 bool scallop_gait_is_reversible(const struct scallop_gait *gait);
 
 /* l, l' and l'' of one phase at s = t/tau in [0, 1], from its start. length: l itself, so 0 at the
@@ -193,7 +195,8 @@ enum scallop_status scallop_scale(const struct scallop_crawler *crawler, struct 
  * L for the quadratic gait, pi^2 L / 8 for the sinusoidal one. */
 double scallop_kinematic_length(const struct scallop_gait *gait, enum scallop_phase_kind kind, double L);
 
-/* l'''' at the start, or at the end, of a phase, in units where it lasts 1 and the amplitude is 1; nan where the gait has no exact law. */
+/* l'''' at the start, or at the end, of a phase, in units where it lasts 1 and the amplitude is 1; nan where the gait
+ * has no exact law. */
 double scallop_fourth_derivative(const struct scallop_shape *shape, bool at_end);
 
 #ifdef __cplusplus

@@ -1,4 +1,5 @@
-/* The arithmetic of scallop_scale, inline and without a branch, for those who scale many crawlers in a row. Not public. */
+/* The arithmetic of scallop_scale, inline and without a branch, for those who scale many crawlers in a row. Not
+ * public. */
 #ifndef SCALLOP_MODEL_SCALING_H
 #define SCALLOP_MODEL_SCALING_H
 
@@ -6,7 +7,8 @@
 
 #include "model/model.h"
 
-/* Into loops over many crawlers: a call would keep them from vector instructions. (make coverage wants each function once.) */
+/* Into loops over many crawlers: a call would keep them from vector instructions. (make coverage wants each function
+ * once.) */
 #ifndef SCALLOP_INLINE
 #define SCALLOP_INLINE static inline __attribute__((always_inline))
 #endif
@@ -30,16 +32,16 @@ SCALLOP_INLINE int scaling_keeps(double scaled, double result)
   return (b < DBL_MAX) & ((a < 0x1p-960) | (b >= DBL_MIN));
 }
 
-/* A result scaled back, which scaling_keeps judges; 0 for one below the normal doubles, whose only digit would be that of the rounding
- * mode. */
+/* A result scaled back, which scaling_keeps judges; 0 for one below the normal doubles, whose only digit would be that
+ * of the rounding mode. */
 SCALLOP_INLINE double scaling_back(double scaled, double unit)
 {
   double result = scaled * unit, size = result < 0 ? -result : result;
   return size >= DBL_MIN ? result : 0 * scaled;
 }
 
-/* True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False: scallop_scale
- * will tell what is the matter, and what it is. */
+/* True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False:
+ * scallop_scale will tell what is the matter, and what it is. */
 SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double L, double T, double alpha,
                               struct scaling *s)
 {
@@ -55,10 +57,10 @@ SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double
   s->velocity = L / T;
   double shorter = alpha < rest ? alpha : rest, square = shorter * shorter;
   int positive = (m1 > 0) & (m2 > 0) & (F1 > 0) & (F2 > 0) & (L > 0) & (T > 0) & (alpha > 0) & (alpha < 1);
-  int normal = scaling_is_normal(s->mu1) & scaling_is_normal(s->mu2) & scaling_is_normal(s->f1) & scaling_is_normal(s->f2)
-               & scaling_is_normal(slowness) & scaling_is_normal(friction) & scaling_is_normal(speed) & (square >= DBL_MIN)
-               & scaling_is_normal(s->eps * square) & (s->eps < DBL_MAX) & (s->velocity >= DBL_MIN)
-               & (s->velocity < DBL_MAX * shorter);
+  int normal = scaling_is_normal(s->mu1) & scaling_is_normal(s->mu2) & scaling_is_normal(s->f1)
+               & scaling_is_normal(s->f2) & scaling_is_normal(slowness) & scaling_is_normal(friction)
+               & scaling_is_normal(speed) & (square >= DBL_MIN) & scaling_is_normal(s->eps * square)
+               & (s->eps < DBL_MAX) & (s->velocity >= DBL_MIN) & (s->velocity < DBL_MAX * shorter);
   return positive & normal;
 }
 

@@ -7,17 +7,19 @@
 #include "numerics/event/regular.h"
 #include "numerics/threads.h"
 
-/* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be held to the
- * end of a phase, are put in a row each and solved by vector instructions; the rest, and what turns out to be something
- * else, one by one. A block is the same work whichever thread does it.
+/* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be
+ * held to the end of a phase, are put in a row each and solved by vector instructions; the rest, and what turns out to
+ * be something else, one by one. A block is the same work whichever thread does it.
  *
- * What it saves, in instructions an answer (make instructions; else one call each): 285 for 909 for the regular modes, 1136 for 1594 for
- * stick-slip. */
+ * What it saves, in instructions an answer (make instructions; else one call each): 285 for 909 for the regular modes,
+ * 1136 for 1594 for stick-slip. */
 enum { BLOCK = 64 };
 
-/* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or reordered. */
+/* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or
+ * reordered. */
 #if defined VECTOR
-#elif defined __x86_64__ && defined __gnu_linux__ && defined __GNUC__ && !defined __clang__ && !defined __SANITIZE_ADDRESS__
+#elif defined __x86_64__ && defined __gnu_linux__ && defined __GNUC__ && !defined __clang__ \
+    && !defined __SANITIZE_ADDRESS__
 #define VECTOR __attribute__((target_clones("avx2", "default")))
 #else
 #define VECTOR
@@ -51,8 +53,9 @@ static void collect(struct row *row, const struct scallop_crawlers *c, long i, d
   row->alpha[at] = c->alpha[i];
 }
 
-/* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the extension
- * only, 0 none. Roughly, as nothing depends on it but speed: nan where it is too close to call, which is left to the call for one. */
+/* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the
+ * extension only, 0 none. Roughly, as nothing depends on it but speed: nan where it is too close to call, which is left
+ * to the call for one. */
 static double holds(const struct scallop_crawlers *c, long i, double slope_e, double slope_c)
 {
   static const double close = 1e-12;
@@ -77,7 +80,8 @@ SCALLOP_INLINE int answer(struct answers *out, int i, const struct row *row, con
   out->mean_velocity[i] = mean;
   out->multiplier[i] = multiplier;
   return scaling_keeps(1, 1 / s->eps) & scaling_keeps(c_start, c_start * s->velocity)
-         & scaling_keeps(c_mid, c_mid * s->velocity) & scaling_keeps(travel, displacement) & scaling_keeps(travel, mean);
+         & scaling_keeps(c_mid, c_mid * s->velocity) & scaling_keeps(travel, displacement)
+         & scaling_keeps(travel, mean);
 }
 
 VECTOR static void solve_regular(const struct row *row, const struct scallop_gait *gait, struct answers *out)
@@ -209,8 +213,8 @@ static bool solve_one(const struct scallop_crawlers *c, const struct scallop_ste
 }
 
 /* What is not of the row's kind after all is solved alone. Returns how many have no answer. */
-static long store_row(const struct scallop_crawlers *c, const struct scallop_steady_states *states, const struct row *row,
-                      const struct answers *answers,
+static long store_row(const struct scallop_crawlers *c, const struct scallop_steady_states *states,
+                      const struct row *row, const struct answers *answers,
                       void (*put_one)(const struct scallop_steady_states *, long, const struct answers *, int))
 {
   long failed = 0;
@@ -223,7 +227,8 @@ static long store_row(const struct scallop_crawlers *c, const struct scallop_ste
 }
 
 /* Returns how many of count have no answer. */
-static long solve_block(const struct scallop_crawlers *c, const struct scallop_steady_states *states, long first, int count)
+static long solve_block(const struct scallop_crawlers *c, const struct scallop_steady_states *states, long first,
+                        int count)
 {
   struct row regular = { .count = 0 }, held = { .count = 0 };
   struct answers answers;
@@ -282,7 +287,9 @@ static long solve_states(const struct job *job, long first, int count)
 
 static long solve_phases(const struct job *job, long first, int count)
 {
-  static const struct scallop_phase_result none = { .t1 = NAN, .dT = NAN, .v_end = NAN, .dx1 = NAN, .dx2 = NAN, .dxC = NAN };
+  static const struct scallop_phase_result none = {
+    .t1 = NAN, .dT = NAN, .v_end = NAN, .dx1 = NAN, .dx2 = NAN, .dxC = NAN
+  };
   long failed = 0;
   for (long i = first; i < first + count; i++) {
     const struct scallop_crawler one = crawler_at(job->crawlers, i);
@@ -321,7 +328,8 @@ static long solve_all(const struct job *job, int threads)
   return failed;
 }
 
-long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads)
+long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,
+                          int threads)
 {
   const struct job job = { .solve = solve_states, .crawlers = crawlers, .states = states };
   return solve_all(&job, threads);

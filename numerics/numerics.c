@@ -1,4 +1,5 @@
-/* The solves in double (solve.h), joined with those in wider arithmetic (wide_parts.h), which tell what rounding has spoilt. */
+/* The solves in double (solve.h), joined with those in wider arithmetic (wide_parts.h), which tell what rounding has
+ * spoilt. */
 #include "numerics/numerics.h"
 
 #include <math.h>
@@ -34,12 +35,14 @@ struct scallop_span scallop_interval_span(const struct scallop_interval *i, cons
                                           enum scallop_phase_kind kind)
 {
   const struct scallop_piece *p = i->piece;
-  const double tau = scallop_phase_duration(crawler, kind), L = crawler->L, unit = L / tau, M = crawler->m1 + crawler->m2;
+  const double tau = scallop_phase_duration(crawler, kind), L = crawler->L, unit = L / tau,
+               M = crawler->m1 + crawler->m2;
   const double mu1 = crawler->m1 / M, mu2 = crawler->m2 / M;
   const double begin = p->curve->velocity(p, i->u_begin), end = p->curve->velocity(p, i->u_end);
   const double gain = p->curve->length(p, i->u_end) - p->curve->length(p, i->u_begin);
   bool forward = p->anchor == SCALLOP_FROM_START, stuck_1 = i->mode.s1 == 0, stuck_2 = i->mode.s2 == 0;
-  double way = fabs(i->u_end - i->u_begin) * (i->c_begin / 2 + i->c_end / 2); /* of the centre of mass, while both slide */
+  double way = fabs(i->u_end - i->u_begin)
+               * (i->c_begin / 2 + i->c_end / 2); /* of the centre of mass, while both slide */
   return (struct scallop_span){
     .t_begin = (forward ? i->u_begin : 1 - i->u_begin) * tau,
     .t_end = (forward ? i->u_end : 1 - i->u_end) * tau,
@@ -72,7 +75,8 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
   return status;
 }
 
-enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result)
+enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0,
+                                   struct scallop_period_result *result)
 {
   struct doubt doubt;
   struct scallop_wide_period wider;

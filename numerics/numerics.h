@@ -78,12 +78,13 @@ enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum sc
 
 /* The same phase as its intervals of constant mode, in the order of time; visit is called for each.
  * Intervals of no duration are left out. Statuses as scallop_phase, and then visit is not called. */
-enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
-                                            scallop_visitor *visit, void *context);
+enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
+                                            double v0, scallop_visitor *visit, void *context);
 
-/* An interval in the units of the parameters: in seconds, metres and metres a second, if they are. Bodies have the velocities of just after
- * the beginning and just before the end. Times are good to an ulp or two of tau; velocities and displacements, which may be differences of
- * larger numbers, to a few ulp of L/tau and of what c comes to, and of L. What a stuck body does is exactly 0. A number beyond the doubles is infinite, or 0. */
+/* An interval in the units of the parameters: in seconds, metres and metres a second, if they are. Bodies have the
+ * velocities of just after the beginning and just before the end. Times are good to an ulp or two of tau; velocities
+ * and displacements, which may be differences of larger numbers, to a few ulp of L/tau and of what c comes to, and of
+ * L. What a stuck body does is exactly 0. A number beyond the doubles is infinite, or 0. */
 struct scallop_span {
   double t_begin, t_end; /* since the phase began                                                */
   double duration;       /* > 0, to its own last digits, also where t_end - t_begin is rounded to 0 */
@@ -92,8 +93,8 @@ struct scallop_span {
   struct scallop_mode mode;
 };
 /* Of an interval that scallop_phase_intervals visits, with the same crawler and kind. */
-struct scallop_span scallop_interval_span(const struct scallop_interval *interval, const struct scallop_crawler *crawler,
-                                          enum scallop_phase_kind kind);
+struct scallop_span scallop_interval_span(const struct scallop_interval *interval,
+                                          const struct scallop_crawler *crawler, enum scallop_phase_kind kind);
 
 struct scallop_period_result {
   double v_start, v_mid; /* velocity at the start of the extension and of the contraction         */
@@ -106,7 +107,8 @@ struct scallop_period_result {
 };
 
 /* The period map P(v0): extension, then contraction. Accuracy and statuses as scallop_phase. */
-enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result);
+enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0,
+                                   struct scallop_period_result *result);
 
 struct scallop_steady_result {
   double froude;        /* M L / (T^2 (F1 + F2))                                                 */
@@ -123,11 +125,12 @@ struct scallop_steady_result {
  * Source of the interval: Gidoni, Margheri & Rebelo, arXiv 2210.06131. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 
-/* The energy that friction takes in a period of the steady state: the sum over the bodies of F_i times how far body i slides, one way
- * and the other. It takes a second walk through the period, so that scallop_steady does without. v_start and v_mid: of that state.
- * Accuracy as scallop_phase. SCALLOP_ERANGE: scaling overflows, or the energy is no normal number; SCALLOP_EDOMAIN: a bad crawler, or a
- * velocity that is not finite. */
-enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler, double v_start, double v_mid, double *work);
+/* The energy that friction takes in a period of the steady state: the sum over the bodies of F_i times how far body i
+ * slides, one way and the other. It takes a second walk through the period, so that scallop_steady does without.
+ * v_start and v_mid: of that state. Accuracy as scallop_phase. SCALLOP_ERANGE: scaling overflows, or the energy is no
+ * normal number; SCALLOP_EDOMAIN: a bad crawler, or a velocity that is not finite. */
+enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler, double v_start, double v_mid,
+                                          double *work);
 
 /* Many crawlers: column by column, count values in each. */
 struct scallop_crawlers {
@@ -135,8 +138,8 @@ struct scallop_crawlers {
   const double *m1, *m2, *F1, *F2, *L, *T, *alpha;
   const struct scallop_gait *const *gait;
 };
-/* What is wanted of them: arrays of count, each NULL where it is not wanted. Where a crawler has no steady state its numbers are
- * nan, its modes none and its regime is untouched. */
+/* What is wanted of them: arrays of count, each NULL where it is not wanted. Where a crawler has no steady state its
+ * numbers are nan, its modes none and its regime is untouched. */
 struct scallop_steady_states {
   double *froude, *v_start, *v_mid, *displacement, *mean_velocity, *multiplier, *v_low, *v_high;
   enum scallop_regime *regime;
@@ -144,13 +147,15 @@ struct scallop_steady_states {
   enum scallop_status *status;
 };
 
-/* The steady states of many crawlers, bit for bit what scallop_steady gives for each, whatever the number of threads (>= 1; no more
- * than there are processors, and 1 where the library is built without OpenMP). Where the compiler may fuse multiplications and additions (-ffp-contract=fast; the Makefile
- * forbids it) the last bits may differ. Returns how many have a negative status. Allocates nothing. */
-long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states, int threads);
+/* The steady states of many crawlers, bit for bit what scallop_steady gives for each, whatever the number of threads
+ * (>= 1; no more than there are processors, and 1 where the library is built without OpenMP). Where the compiler may
+ * fuse multiplications and additions (-ffp-contract=fast; the Makefile forbids it) the last bits may differ. Returns
+ * how many have a negative status. Allocates nothing. */
+long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,
+                          int threads);
 
-/* What is wanted of one phase of many crawlers, as in struct scallop_phase_result: arrays of count, each NULL where it is not
- * wanted. Where there is no answer the numbers are nan, the modes none and the regime is untouched. */
+/* What is wanted of one phase of many crawlers, as in struct scallop_phase_result: arrays of count, each NULL where it
+ * is not wanted. Where there is no answer the numbers are nan, the modes none and the regime is untouched. */
 struct scallop_phases {
   double *t1, *dT, *v_end, *dx1, *dx2, *dxC;
   enum scallop_regime *regime;
@@ -158,8 +163,8 @@ struct scallop_phases {
   enum scallop_status *status;
 };
 
-/* That phase of many crawlers from the start velocities v0, count of them: bit for bit what scallop_phase gives for each,
- * with fused multiplications and additions too. Threads, return value and memory as scallop_steady_batch. */
+/* That phase of many crawlers from the start velocities v0, count of them: bit for bit what scallop_phase gives for
+ * each, with fused multiplications and additions too. Threads, return value and memory as scallop_steady_batch. */
 long scallop_phase_batch(const struct scallop_crawlers *crawlers, enum scallop_phase_kind kind, const double *v0,
                          const struct scallop_phases *phases, int threads);
 
@@ -172,11 +177,11 @@ struct scallop_sample {
 /* Return false to end the trajectory early. */
 typedef bool scallop_sampler(void *context, const struct scallop_sample *sample);
 
-/* periods >= 1 periods from start velocity v0, each sampled at samples >= 1 equally spaced times
- * t = (n + j/samples) T, and once more at the very end. Velocity and position at the period starts
- * are carried in compensated arithmetic: their error does not grow with the number of periods.
- * Statuses as scallop_phase; SCALLOP_STOPPED where the sampler ended it; SCALLOP_EDOMAIN also for periods or samples < 1;
- * SCALLOP_ERANGE, after the samples before, where a position overflows. */
+/* periods >= 1 periods from start velocity v0, each sampled at samples >= 1 equally spaced times t = (n + j/samples) T,
+ * and once more at the very end. Velocity and position at the period starts are carried in compensated arithmetic:
+ * their error does not grow with the number of periods. Statuses as scallop_phase; SCALLOP_STOPPED where the sampler
+ * ended it; SCALLOP_EDOMAIN also for periods or samples < 1; SCALLOP_ERANGE, after the samples before, where a position
+ * overflows. */
 enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods, long samples,
                                        scallop_sampler *sampler, void *context);
 

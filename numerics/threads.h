@@ -6,8 +6,9 @@
 #include <omp.h>
 #endif
 
-/* As many as are wanted, but no more than there are items or processors: more gain nothing, and OpenMP ends the process where it cannot
- * start them, or has no room on the stack for a list of them. wanted = 0: as many as OMP_NUM_THREADS says. */
+/* As many as are wanted, but no more than there are items or processors: more gain nothing, and OpenMP ends the process
+ * where it cannot start them, or has no room on the stack for a list of them. wanted = 0: as many as OMP_NUM_THREADS
+ * says. */
 static inline int threads_for(int wanted, long items)
 {
 #ifdef _OPENMP

@@ -89,7 +89,9 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
   struct sum c = { v0 / unit, 0 }, x = { 0, 0 }; /* where periods begin */
   if (!start_is_kept(v0, c.high, scaled.eps))
     return SCALLOP_ERANGE;
-  struct recorder r = { .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples };
+  struct recorder r = {
+    .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples
+  };
   for (long n = 0; n < periods && !r.stopped; n++) {
     struct period p = { .c_start = value(&c) };
     r.period_number = (double)n;

@@ -23,8 +23,8 @@ struct straight { /* c = a + b s                                                
   arb_t a, b, a_slope;
 };
 
-/* u becomes a ball that holds the crossing for every line within the balls of line: Newton's interval operator maps it into
- * itself. u comes in as a place near it. */
+/* u becomes a ball that holds the crossing for every line within the balls of line: Newton's interval operator maps it
+ * into itself. u comes in as a place near it. */
 static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const struct straight *line, bool same,
                     slong precision)
 {
@@ -74,8 +74,8 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
 }
 
 /* After the crossing at time s with ds/d(unknown) = s_slope, from region r to region `to`. */
-static void bend(struct base *base, struct straight *line, const struct phase_constants *p, int r, int to, const arb_t eps,
-                 const arb_t s, const arb_t s_slope, slong precision)
+static void bend(struct base *base, struct straight *line, const struct phase_constants *p, int r, int to,
+                 const arb_t eps, const arb_t s, const arb_t s_slope, slong precision)
 {
   arb_t term;
   fmpq_t drop;

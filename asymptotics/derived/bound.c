@@ -92,8 +92,8 @@ static bool lift_around(struct around *a, struct limit *l, const arb_t eps, slon
   return found;
 }
 
-/* The coefficient c_n at eps + h, |h| <= r: sum over k < MORE of binomial(n + k, n) c_(n+k) h^k, from the middle, and the last
- * term with c_(n+MORE) from anywhere in the ball. */
+/* The coefficient c_n at eps + h, |h| <= r: sum over k < MORE of binomial(n + k, n) c_(n+k) h^k, from the middle, and
+ * the last term with c_(n+MORE) from anywhere in the ball. */
 static void carry(arb_t value, const struct series *middle, const struct series *all, slong n, const mag_t r,
                   slong precision)
 {
@@ -119,7 +119,8 @@ static void carry(arb_t value, const struct series *middle, const struct series 
   arb_clear(term);
 }
 
-/* A ball for all of them becomes as narrow as the expansion says. False: the two exclude each other, so one is of another branch. */
+/* A ball for all of them becomes as narrow as the expansion says. False: the two exclude each other, so one is of
+ * another branch. */
 static bool narrow(arb_t ball, const struct series *middle, const struct series *all, const mag_t r, slong precision)
 {
   arb_t value;
@@ -132,7 +133,8 @@ static bool narrow(arb_t ball, const struct series *middle, const struct series 
 
 static const char *const not_smooth = "the steady state is not shown to be smooth in T";
 
-/* Crossings and start velocities, enclosed by plain ball arithmetic, are narrowed, and the modes looked at. NULL, or why not. */
+/* Crossings and start velocities, enclosed by plain ball arithmetic, are narrowed, and the modes looked at. NULL, or
+ * why not. */
 static const char *modes_around(const struct around *a, struct limit *l, const arb_t eps, slong precision)
 {
   const mag_struct *r = arb_radref(eps);
@@ -162,10 +164,10 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
   return why;
 }
 
-/* The largest eps up to which the modes are shown to be those of the branch, by steps down to 2^FINEST of it and MOST_FINE attempts with finer
- * ones, which come no nearer than their number; *ends: what happens there. */
-static void find_end(arf_t end, const char **ends, const struct limit *from, const struct scallop_rational_crawler *crawler,
-                     slong precision)
+/* The largest eps up to which the modes are shown to be those of the branch, by steps down to 2^FINEST of it and
+ * MOST_FINE attempts with finer ones, which come no nearer than their number; *ends: what happens there. */
+static void find_end(arf_t end, const char **ends, const struct limit *from,
+                     const struct scallop_rational_crawler *crawler, slong precision)
 {
   enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4, MOST_FINE = 64 };
   int failures = 0, fine = 0;
@@ -186,8 +188,9 @@ static void find_end(arf_t end, const char **ends, const struct limit *from, con
     arf_add(next, end, step, precision, ARF_RND_NEAR);
     arb_set_interval_arf(eps, end, next, precision);
     copy_branches(&trial, &here);
-    const char *why = lift_around(&around, &trial, eps, MORE + 1, precision) ? modes_around(&around, &trial, eps, precision)
-                                                                             : not_smooth;
+    const char *why = lift_around(&around, &trial, eps, MORE + 1, precision)
+                          ? modes_around(&around, &trial, eps, precision)
+                          : not_smooth;
     if (!why) {
       copy_branches(&here, &trial);
       arf_set(end, next);
@@ -220,8 +223,8 @@ struct cover {
   arb_t most[2]; /* the largest |coefficient of x^power[i]| so far, of w and of the displacement over L */
 };
 
-/* The absolute values of the coefficients for every eps in the ball; false if the branch could not be followed there, or is not shown
- * to be the steady state, and cover is then as before. */
+/* The absolute values of the coefficients for every eps in the ball; false if the branch could not be followed there,
+ * or is not shown to be the steady state, and cover is then as before. */
 static bool coefficients(struct cover *cover, arb_t value[2], const arb_t eps)
 {
   slong most = cover->power[0] > cover->power[1] ? cover->power[0] : cover->power[1];
@@ -277,7 +280,8 @@ static bool is_tight(const arb_t value, const arb_t most, const arf_t end, slong
   return tight;
 }
 
-/* Covers [0, end] by intervals, which are halved while they are wide or their balls are: more than twice the value at points. */
+/* Covers [0, end] by intervals, which are halved while they are wide or their balls are: more than twice the value at
+ * points. */
 static bool take_intervals(struct cover *cover, arb_t value[2], const arf_t end)
 {
   enum { MOST = 6000, NARROW = -11 };
@@ -316,7 +320,8 @@ static bool take_intervals(struct cover *cover, arb_t value[2], const arf_t end)
   return found;
 }
 
-/* The largest |coefficient of x^power[i]| of w and of the displacement over L, for all eps in [0, end]: an upper bound. */
+/* The largest |coefficient of x^power[i]| of w and of the displacement over L, for all eps in [0, end]: an upper
+ * bound. */
 static bool largest_coefficients(arb_t most[2], const slong power[2], const arf_t end, const struct limit *from,
                                  const struct scallop_rational_crawler *crawler, slong precision)
 {
@@ -365,8 +370,8 @@ static void time_of(arb_t T, const arf_t eps, const arb_t kappa, slong precision
   arb_sqrt(T, T, precision);
 }
 
-static enum scallop_status bounds_from(const struct limit *l, const struct scallop_rational_crawler *crawler, slong order,
-                                       slong precision, struct scallop_bound bounds[2], const char **why)
+static enum scallop_status bounds_from(const struct limit *l, const struct scallop_rational_crawler *crawler,
+                                       slong order, slong precision, struct scallop_bound bounds[2], const char **why)
 {
   slong of_displacement = (order + 1) / 2;
   if (l->even)
@@ -396,7 +401,8 @@ static enum scallop_status bounds_from(const struct limit *l, const struct scall
     time_of(b->T_end, end, kappa, precision);
   }
   if (!found && why) /* GCOVR_EXCL_LINE: as above, no limit is known to */
-    *why = "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary"; /* GCOVR_EXCL_LINE */
+    /* GCOVR_EXCL_LINE */
+    *why = "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary";
   arf_clear(end);
   arf_clear(eps0);
   arb_clear(kappa);

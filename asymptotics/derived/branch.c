@@ -36,7 +36,8 @@ void gap_at(arb_t gap, arb_t slope, const struct scallop_piece *piece, const fmp
   arb_clear(s);
 }
 
-void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
+void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c,
+                          enum scallop_phase_kind kind)
 {
   bool extension = kind == SCALLOP_EXTENSION;
   fmpq_t total;
@@ -126,8 +127,9 @@ bool branch_is_possible(const struct scallop_gait *gait)
   return true;
 }
 
-const char *const branch_without_ends = "l'' = 0 at an end of a phase: the switching times go as fractional powers of T; or "
-                                        "the piece there is anchored elsewhere";
+const char *const branch_without_ends =
+    "l'' = 0 at an end of a phase: the switching times go as fractional powers of T; or "
+    "the piece there is anchored elsewhere";
 
 static void add_crossing(struct branch *b, const struct scallop_piece *piece, int curve, int to, bool tangent)
 {
@@ -139,7 +141,8 @@ static void add_crossing(struct branch *b, const struct scallop_piece *piece, in
   series_set_si(&at->offset, 0);
 }
 
-/* A crossing at one end of the phase, which is at that offset of the piece: its anchor. Where l' jumps there is none: c is small. */
+/* A crossing at one end of the phase, which is at that offset of the piece: its anchor. Where l' jumps there is none: c
+ * is small. */
 static bool add_end(struct branch *b, const struct scallop_piece *piece, bool at_end, int curve, int to)
 {
   piece_place *place = at_end ? scallop_ball_end : scallop_ball_begin;

@@ -29,10 +29,12 @@ struct phase_constants { /* of one phase of a crawler                           
   fmpq_t curve[2]; /* q_0 = m_front/M > 0, q_1 = -m_rear/M < 0                                    */
   fmpq_t beta[3];  /* slope of c in each region over eps: -1, (F_rear - F_front)/(F1 + F2), 1     */
 };
-void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind);
+void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c,
+                          enum scallop_phase_kind kind);
 void phase_constants_clear(struct phase_constants *p);
 
-/* tangent: not a crossing, but where a body that was held from the start is let go, and c leaves its curve, that one. Only the first */
+/* tangent: not a crossing, but where a body that was held from the start is let go, and c leaves its curve, that one.
+ * Only the first */
 struct crossing {
   bool tangent;
   const struct scallop_piece *piece; /* in which it happens                                        */
@@ -48,15 +50,15 @@ void branch_init(struct branch *b);
 void branch_clear(struct branch *b);
 int branch_region(const struct branch *b, int segment); /* 0 <= segment <= count */
 
-/* Whether l' has one sign in each phase, that of its net gain, and is 0 at its ends at most: else the motion for T -> 0 has modes
- * that no branch has. */
+/* Whether l' has one sign in each phase, that of its net gain, and is 0 at its ends at most: else the motion for T -> 0
+ * has modes that no branch has. */
 bool branch_is_possible(const struct scallop_gait *gait);
 extern const char *const branch_impossible;
 
-/* Adds the crossings of the ends of a phase, where |l'| = 0: sign +1 or -1 is that of c there, 0 at the end for none, 0 at the start for a
- * phase from rest. That begins with a tangent point where l'' = 0: friction holds a body until l'' exceeds it.
- * False: l'' = 0 at such an end, or l''' too at the start from rest, where the crossing moves as a fractional power of T; or the piece there
- * has its anchor elsewhere. */
+/* Adds the crossings of the ends of a phase, where |l'| = 0: sign +1 or -1 is that of c there, 0 at the end for none, 0
+ * at the start for a phase from rest. That begins with a tangent point where l'' = 0: friction holds a body until l''
+ * exceeds it. False: l'' = 0 at such an end, or l''' too at the start from rest, where the crossing moves as a
+ * fractional power of T; or the piece there has its anchor elsewhere. */
 extern const char *const branch_without_ends;
 bool branch_from_ends(struct branch *b, const struct phase_constants *p, int sign_at_start, int sign_at_end);
 
@@ -70,13 +72,13 @@ struct base {                       /* what a phase does to c, in balls         
 };
 void base_init(struct base *b);
 void base_clear(struct base *b);
-/* Encloses every crossing anew for these balls, from where it was before. c_slope: derivative of c. same: it must be the very
- * crossing that the offset's ball holds, shown by its lying where there is only one.
- * False: no enclosure was found; the offsets are then as before. */
+/* Encloses every crossing anew for these balls, from where it was before. c_slope: derivative of c. same: it must be
+ * the very crossing that the offset's ball holds, shown by its lying where there is only one. False: no enclosure was
+ * found; the offsets are then as before. */
 bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
                  const arb_t c_slope, bool same, slong precision);
 
-struct lift {                         /* the same as series in x                                                       */
+struct lift { /* the same as series in x                                                       */
   struct series when[MOST_CROSSINGS]; /* times of the crossings, from the start of the phase   */
   struct series left[MOST_CROSSINGS]; /* 1 minus that                                          */
   struct series travel_to[MOST_CROSSINGS];

@@ -2,7 +2,8 @@
 #include "asymptotics/derived/continuation.h"
 
 /* before: the crossing before in the same phase, of to[-1], that it may be joined with; or NULL. */
-static void set_law(struct continued_crossing *to, const struct crossing *at, const struct crossing *before, slong precision)
+static void set_law(struct continued_crossing *to, const struct crossing *at, const struct crossing *before,
+                    slong precision)
 {
   const struct scallop_piece *piece = at->piece;
   arb_t u;
@@ -45,8 +46,9 @@ static void add_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t a,
   acb_clear(ball);
 }
 
-/* Adds share times what c has gained over eps, up to crossing `until` of the phase (its count: up to the end), to a row: the drops of the
- * slope times the times of the crossings before, and the slope there times the time of this one (1 at the end). */
+/* Adds share times what c has gained over eps, up to crossing `until` of the phase (its count: up to the end), to a
+ * row: the drops of the slope times the times of the crossings before, and the slope there times the time of this one
+ * (1 at the end). */
 static void add_gain(struct continuation *c, acb_mat_t matrix, slong row, const struct branch *b,
                      const struct phase_constants *p, slong first, slong until, const fmpq_t share, slong precision)
 {
@@ -61,7 +63,8 @@ static void add_gain(struct continuation *c, acb_mat_t matrix, slong row, const 
   fmpq_clear(drop);
 }
 
-/* The rows of a phase whose crossings are those from `first` on; c at its start is fraction w, and what the phase before has added. */
+/* The rows of a phase whose crossings are those from `first` on; c at its start is fraction w, and what the phase
+ * before has added. */
 static void add_phase(struct continuation *c, const struct branch *b, const struct phase_constants *p, slong first,
                       slong count, const fmpq_t fraction, bool join, slong precision)
 {
@@ -281,8 +284,9 @@ void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, 
   _acb_vec_clear(jet, JET);
 }
 
-/* With the direction u, the drops d_i of the slope over eps at the crossings and f_i the fraction of the phase of crossing i: after the first
- * phase u_0 + eps sum of f_0 d_i u_i over its crossings; travel u_0 + eps sum of f_i d_i u_i (f_i (1 - s_i) + (f_1 in the first phase)). */
+/* With the direction u, the drops d_i of the slope over eps at the crossings and f_i the fraction of the phase of
+ * crossing i: after the first phase u_0 + eps sum of f_0 d_i u_i over its crossings; travel u_0 + eps sum of f_i d_i
+ * u_i (f_i (1 - s_i) + (f_1 in the first phase)). */
 void continued_gain(acb_t gain, const struct continuation *c, enum continued_value value, acb_srcptr v, acb_srcptr u,
                     slong precision)
 {

@@ -1,15 +1,16 @@
 /* A branch continued to complex z. Not public: singularity.h is.
  *
- * The unknowns are w, the velocity of the centre of mass at the start, and the times s_1, ..., s_m of the crossings, each since the
- * start of its phase. With eps = kappa z^power they solve (docs/theory.md)
+ * The unknowns are w, the velocity of the centre of mass at the start, and the times s_1, ..., s_m of the crossings,
+ * each since the start of its phase. With eps = kappa z^power they solve (docs/theory.md)
  *
- *     q_i lambda_i(s_i) = f w + eps (sum over j of A_ij s_j + A_i),                             crossing i, f the fraction of its phase,
+ *     q_i lambda_i(s_i) = f w + eps (sum over j of A_ij s_j + A_i),   crossing i, f the fraction of its phase,
  *     sum over i of B_i s_i + B = 0   (steady state: z = T^2)   or   w = (v0/L) z   (one phase: z = T).
  *
- * If two crossings in a row are of the same curve and the same analytic law, s_i = s_(i-1) solves the second equation too, and means nothing:
- * q_i (lambda_i(s_i) - lambda_i(s_(i-1)))/(s_i - s_(i-1)) = f^2 eps beta_i takes its place. Each lambda_i is a polynomial or a sine, so all
- * these are entire functions of v = (w, s_1, ..., s_m, z). The solutions are a curve; any coordinate v_p can be the parameter on a part of
- * it: z where the branch is an analytic function of z, another one around a branch point.
+ * If two crossings in a row are of the same curve and the same analytic law, s_i = s_(i-1) solves the second equation
+ * too, and means nothing: q_i (lambda_i(s_i) - lambda_i(s_(i-1)))/(s_i - s_(i-1)) = f^2 eps beta_i takes its place.
+ * Each lambda_i is a polynomial or a sine, so all these are entire functions of v = (w, s_1, ..., s_m, z). The
+ * solutions are a curve; any coordinate v_p can be the parameter on a part of it: z where the branch is an analytic
+ * function of z, another one around a branch point.
  */
 #ifndef SCALLOP_ASYMPTOTICS_DERIVED_CONTINUATION_H
 #define SCALLOP_ASYMPTOTICS_DERIVED_CONTINUATION_H
@@ -40,7 +41,8 @@ void continue_phase(struct continuation *c, const struct branch *branch, const s
                     const fmpq_t velocity, const fmpq_t kappa, bool join, slong precision);
 void continuation_clear(struct continuation *c);
 
-/* q_i lambda_i(b), or of a joined crossing q_i (lambda_i(b) - lambda_i(a))/(b - a), with first and second derivatives */
+/* q_i lambda_i(b), or of a joined crossing q_i (lambda_i(b) - lambda_i(a))/(b - a), with first and second
+ * derivatives */
 enum { JET_VALUE, JET_A, JET_B, JET_AA, JET_AB, JET_BB, JET };
 void continued_law(acb_ptr jet, const struct continued_crossing *at, const acb_t a, const acb_t b, slong precision);
 
@@ -54,18 +56,19 @@ void continued_jacobian(acb_mat_t jacobian, const struct continuation *c, acb_sr
 /* minus the second derivative of the equations in a direction */
 void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, acb_srcptr direction, slong precision);
 /* The derivative of a value in a direction in which z rests */
-void continued_gain(acb_t gain, const struct continuation *c, enum continued_value value, acb_srcptr v, acb_srcptr direction,
-                    slong precision);
+void continued_gain(acb_t gain, const struct continuation *c, enum continued_value value, acb_srcptr v,
+                    acb_srcptr direction, slong precision);
 
-/* v[p] is a ball, the others are a place near: they become balls that hold a solution for every value of v[p], the only one within
- * `around` (v[p] the same there). By Krawczyk's operator, see docs/theory.md. False: not shown. */
+/* v[p] is a ball, the others are a place near: they become balls that hold a solution for every value of v[p], the only
+ * one within `around` (v[p] the same there). By Krawczyk's operator, see docs/theory.md. False: not shown. */
 bool continuation_enclose(acb_ptr v, acb_ptr around, const struct continuation *c, slong p, slong precision);
 /* The derivatives by v[p] of what v encloses: all first ones, and the second one of z. False: not found. */
 bool continuation_derivatives(acb_ptr first, acb_t second, const struct continuation *c, acb_srcptr v, slong p,
                               slong precision);
 
-/* Where z as a function of v_p has a simple critical point: the branch point. Up to the distance `size` of v_p from there it has no other,
- * and at that distance |z - v[n]| >= clear: so in the disc of that radius around v[n] the solutions within `around` are analytic but at v[n]. */
+/* Where z as a function of v_p has a simple critical point: the branch point. Up to the distance `size` of v_p from
+ * there it has no other, and at that distance |z - v[n]| >= clear: so in the disc of that radius around v[n] the
+ * solutions within `around` are analytic but at v[n]. */
 struct fold {
   const struct continuation *c;
   slong p;

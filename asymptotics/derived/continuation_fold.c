@@ -1,4 +1,5 @@
-/* Branch points. With v_p as the parameter t all is analytic in t, also z; the branch, a function of z, is not where z'(t) = 0. */
+/* Branch points. With v_p as the parameter t all is analytic in t, also z; the branch, a function of z, is not where
+ * z'(t) = 0. */
 #include <math.h>
 
 #include "asymptotics/derived/continuation.h"
@@ -81,7 +82,8 @@ static bool approach(struct fold *f, acb_t second, double far, slong precision)
   return close;
 }
 
-/* Newton's interval operator for z' in a ball of t: t - z'(t)/z''(ball) lies inside it, and holds the only zero of z'. */
+/* Newton's interval operator for z' in a ball of t: t - z'(t)/z''(ball) lies inside it, and holds the only zero of
+ * z'. */
 static bool prove(struct fold *f, acb_t second, slong precision)
 {
   acb_t zero, rate;
@@ -105,8 +107,8 @@ static bool prove(struct fold *f, acb_t second, slong precision)
   return proven;
 }
 
-/* min |z''|/2 over the square |Re t|, |Im t| <= size around the branch point, times size^2; 0: not shown to be positive. By Taylor's theorem
- * |z - z*| is at least that at distance size. */
+/* min |z''|/2 over the square |Re t|, |Im t| <= size around the branch point, times size^2; 0: not shown to be
+ * positive. By Taylor's theorem |z - z*| is at least that at distance size. */
 static double clearance(acb_ptr around, const struct fold *f, double size)
 {
   slong n = f->c->n;
@@ -123,7 +125,8 @@ static double clearance(acb_ptr around, const struct fold *f, double size)
   if (continuation_enclose(v, around, f->c, f->p, NEIGHBOURHOOD_BITS)
       && continuation_derivatives(first, second, f->c, v, f->p, NEIGHBOURHOOD_BITS))
     acb_get_abs_lbound_arf(least, second, NEIGHBOURHOOD_BITS);
-  double clear = arf_get_d(least, ARF_RND_DOWN) * size * size / 2 * (1 - 0x1p-20); /* t* is known to far less than that */
+  double clear = arf_get_d(least, ARF_RND_DOWN) * size * size / 2
+                 * (1 - 0x1p-20); /* t* is known to far less than that */
   _acb_vec_clear(v, n + 1);
   _acb_vec_clear(first, n + 1);
   acb_clear(second);

@@ -1,8 +1,9 @@
 /* The curves of a branch at complex times. */
 #include "asymptotics/derived/continuation.h"
 
-/* As many terms of the sum over k of y^k/(2k + 1)! as leave out less than 2^-precision of it and of its first two derivatives. *rest: what they
- * leave out, at most twice k^2 max(1, |y|)^k/(2k)! of the first term, for |y| < 400, where k^2 terms fall by half and more from k = 16 on. */
+/* As many terms of the sum over k of y^k/(2k + 1)! as leave out less than 2^-precision of it and of its first two
+ * derivatives. *rest: what they leave out, at most twice k^2 max(1, |y|)^k/(2k)! of the first term, for |y| < 400,
+ * where k^2 terms fall by half and more from k = 16 on. */
 static slong terms_needed(mag_t rest, const acb_t y, slong precision)
 {
   enum { LEAST = 8, BOUND = 400, ENOUGH = 16 };
@@ -74,8 +75,8 @@ static void sine_quotient_jet(acb_ptr S, const acb_t h, const arb_t pi_squared, 
   _acb_vec_clear(g, 3);
 }
 
-/* D = (sin(pi b) - sin(pi a))/(b - a) = pi cos(pi m) S(h), m = (a + b)/2, h = (b - a)/2: D_a = (D_m - D_h)/2, D_b = (D_m + D_h)/2,
- * D_aa = (D_mm - 2 D_mh + D_hh)/4, D_ab = (D_mm - D_hh)/4, D_bb = (D_mm + 2 D_mh + D_hh)/4 */
+/* D = (sin(pi b) - sin(pi a))/(b - a) = pi cos(pi m) S(h), m = (a + b)/2, h = (b - a)/2: D_a = (D_m - D_h)/2, D_b =
+ * (D_m + D_h)/2, D_aa = (D_mm - 2 D_mh + D_hh)/4, D_ab = (D_mm - D_hh)/4, D_bb = (D_mm + 2 D_mh + D_hh)/4 */
 static void joined_sine(acb_ptr jet, const acb_t a, const acb_t b, slong precision)
 {
   acb_ptr S = _acb_vec_init(3), t = _acb_vec_init(7);

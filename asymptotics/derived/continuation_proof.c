@@ -1,10 +1,10 @@
-/* Krawczyk's operator for the equations of a branch: for v_p in a ball, the others around a middle m, and C about the inverse of the
- * derivative J of the equations F by the others, both at the middle,
+/* Krawczyk's operator for the equations of a branch: for v_p in a ball, the others around a middle m, and C about the
+ * inverse of the derivative J of the equations F by the others, both at the middle,
  *
  *     K(V) = m - C F(m) - C dF/dv_p (v_p - m_p) + (1 - C J(V)) (V - m).
  *
- * If K(V) lies inside V, F has exactly one zero in V for each v_p. 1 - C J(V) is summed from differences to the middle, so that what the
- * entries of J share cancels before it becomes a width. */
+ * If K(V) lies inside V, F has exactly one zero in V for each v_p. 1 - C J(V) is summed from differences to the middle,
+ * so that what the entries of J share cancels before it becomes a width. */
 #include "asymptotics/derived/continuation.h"
 
 struct krawczyk {
@@ -79,7 +79,8 @@ static bool newton_step(struct krawczyk *k, acb_ptr v, mag_t size)
   return sound;
 }
 
-/* Newton's method for the middle of v[p], until a step is small beside the ball of v[p] or, the next one being its square, beside rounding */
+/* Newton's method for the middle of v[p], until a step is small beside the ball of v[p] or, the next one being its
+ * square, beside rounding */
 static bool find_middle(struct krawczyk *k, acb_ptr v)
 {
   enum { STEPS = 20, SMALL = 3 };
@@ -137,8 +138,8 @@ static void subtract_change(acb_ptr to, struct krawczyk *k, acb_srcptr middle, a
 {
   const struct continuation *c = k->c;
   slong n = k->n, precision = k->precision;
-  acb_ptr here = _acb_vec_init(JET), there = _acb_vec_init(JET), t = _acb_vec_init(4), eps = t, rate = t + 1, sum = t + 2,
-          other_sum = t + 3;
+  acb_ptr here = _acb_vec_init(JET), there = _acb_vec_init(JET), t = _acb_vec_init(4), eps = t, rate = t + 1,
+          sum = t + 2, other_sum = t + 3;
   continued_eps(eps, c, around + n, 0, precision);
   continued_eps(sum, c, middle + n, 0, precision);
   acb_sub(eps, eps, sum, precision);

@@ -1,4 +1,5 @@
-/* A disk of complex z covered with boxes, in each of which the branch is proven to be analytic or is divided further. */
+/* A disk of complex z covered with boxes, in each of which the branch is proven to be analytic or is divided
+ * further. */
 #include "asymptotics/derived/cover.h"
 
 #include <math.h>
@@ -34,7 +35,8 @@ static bool is_within(acb_srcptr around, acb_srcptr v, slong count)
   return true;
 }
 
-/* The equations to use around v: joined where crossings that may be joined are close; elsewhere the others, whose balls stay smaller. */
+/* The equations to use around v: joined where crossings that may be joined are close; elsewhere the others, whose balls
+ * stay smaller. */
 static const struct continuation *equations_at(const struct search *s, acb_srcptr v)
 {
   const struct continuation *use = s->apart;
@@ -113,8 +115,8 @@ static bool advance(struct search *s, struct sector *sector)
   acb_ptr v = _acb_vec_init(s->n + 1), around = _acb_vec_init(s->n + 1);
   _acb_vec_set(v, sector->at, s->n);
   polar(v + s->n, sector->r, to, sector->from, sector->to);
-  bool done = continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS) && is_within(around, sector->at, s->n)
-              && point_within(v, v, around, s, to, middle);
+  bool done = continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS)
+              && is_within(around, sector->at, s->n) && point_within(v, v, around, s, to, middle);
   if (done) {
     _acb_vec_swap(sector->at, v, s->n + 1);
     _acb_vec_swap(sector->around, around, s->n + 1);
@@ -175,7 +177,8 @@ static double direction_of(const acb_t z)
 {
   const double pi = 3.14159265358979323846;
   bool real = arb_contains_zero(acb_imagref(z));
-  double re = arf_get_d(arb_midref(acb_realref(z)), ARF_RND_NEAR), im = arf_get_d(arb_midref(acb_imagref(z)), ARF_RND_NEAR);
+  double re = arf_get_d(arb_midref(acb_realref(z)), ARF_RND_NEAR),
+         im = arf_get_d(arb_midref(acb_imagref(z)), ARF_RND_NEAR);
   return atan2(real ? 0 : im, re) / pi;
 }
 

@@ -1,10 +1,12 @@
-/* The proof that a branch is analytic up to its nearest branch points, and the search for these. Not public: singularity.h is. */
+/* The proof that a branch is analytic up to its nearest branch points, and the search for these. Not public:
+ * singularity.h is. */
 #ifndef SCALLOP_ASYMPTOTICS_DERIVED_COVER_H
 #define SCALLOP_ASYMPTOTICS_DERIVED_COVER_H
 
 #include "asymptotics/derived/continuation.h"
 
-/* Part of the proof: for |z| up to r, in the directions from `from` pi to `to` pi, the branch is an analytic function of z. */
+/* Part of the proof: for |z| up to r, in the directions from `from` pi to `to` pi, the branch is an analytic function
+ * of z. */
 struct sector {
   double r, step, from, to;
   double looked;      /* the step at which a branch point was last looked for                         */
@@ -30,7 +32,8 @@ struct search {
 /* both: the equations without and with joined crossings; last: the direction over pi that the others mirror */
 struct search *search_new(const struct continuation both[2], double last, slong precision);
 void search_free(struct search *s);
-/* Carries that sector on which has come least far, until all reach the nearest fold. Returns |z| up to where the proof has come. */
+/* Carries that sector on which has come least far, until all reach the nearest fold. Returns |z| up to where the proof
+ * has come. */
 double search_cover(struct search *s);
 
 #endif

@@ -21,7 +21,8 @@ static void modes_text(char *text, size_t size, const struct branch *b, enum sca
 
 #define PHASE_SERIES(e) \
   { \
-    &(e)->t1, &(e)->dT, &(e)->v_end, &(e)->dx1, &(e)->dx2, &(e)->dxC, &(e)->at_first, &(e)->at_last, &(e)->turning_velocity \
+    &(e)->t1, &(e)->dT, &(e)->v_end, &(e)->dx1, &(e)->dx2, &(e)->dxC, &(e)->at_first, &(e)->at_last, \
+        &(e)->turning_velocity \
   }
 enum { PHASE_QUANTITIES = 9 };
 
@@ -63,9 +64,11 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
   series_clear(&speed);
 }
 
-/* L (travel - q_0 way): the rear body goes back while the separation grows, and so does its counterpart in a contraction */
+/* L (travel - q_0 way): the rear body goes back while the separation grows, and so does its counterpart in a
+ * contraction */
 static void rear_position(struct series *to, const struct lift *l, int i, const struct branch *b,
-                          const struct phase_constants *p, const fmpq_t L, const fmpq_t pi_squared, const struct ring *ring)
+                          const struct phase_constants *p, const fmpq_t L, const fmpq_t pi_squared,
+                          const struct ring *ring)
 {
   struct series way;
   series_init(&way);
@@ -224,7 +227,8 @@ void scallop_steady_expansion_clear(struct scallop_steady_expansion *e)
 }
 
 /* From a series in T^2 and units of L to one in T, times T^power */
-static void in_period(struct series *to, const struct series *from, const fmpq_t L, slong power, const struct ring *ring)
+static void in_period(struct series *to, const struct series *from, const fmpq_t L, slong power,
+                      const struct ring *ring)
 {
   const struct ring longer = { 2 * ring->length, ring->precision };
   series_inflate(to, from, 2);

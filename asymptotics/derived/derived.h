@@ -27,9 +27,9 @@ struct scallop_phase_expansion {
 void scallop_phase_expansion_init(struct scallop_phase_expansion *e);
 void scallop_phase_expansion_clear(struct scallop_phase_expansion *e);
 
-/* All coefficients below T^order, 1 <= order <= SCALLOP_MOST_TERMS; balls have `precision` bits, less what is lost. T and alpha
- * of the crawler are not used. pi_squared: NULL, or a rational number that takes the place of pi^2 in a sinusoidal
- * gait, which makes its coefficients exact: for proving identities (see model/exact/ball.h).
+/* All coefficients below T^order, 1 <= order <= SCALLOP_MOST_TERMS; balls have `precision` bits, less what is lost. T
+ * and alpha of the crawler are not used. pi_squared: NULL, or a rational number that takes the place of pi^2 in a
+ * sinusoidal gait, which makes its coefficients exact: for proving identities (see model/exact/ball.h).
  * SCALLOP_EDOMAIN: an argument outside its domain, l' that is 0 or changes its sign within a phase, or l'' = 0 where a
  * phase begins or ends, so that the switching times go as fractional powers of T. *why (may be NULL) says which. */
 enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
@@ -38,23 +38,23 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
 
 /* The steady state, in powers of the period T. */
 struct scallop_steady_expansion {
-  struct series v_start, v_mid;        /* odd powers from T^-1 on: the first coefficient is the limit U of v_start T */
-  struct series displacement;          /* of the geometric centre; even powers, and for reversible gaits only those of T^4
+  struct series v_start, v_mid; /* odd powers from T^-1 on: the first coefficient is the limit U of v_start T */
+  struct series displacement;   /* of the geometric centre; even powers, and for reversible gaits only those of T^4
                                           unless alpha = 1/2                                               */
-  struct series mean_velocity;         /* displacement / T                                                    */
-  struct series friction_work;         /* sum over the bodies of F_i times how far body i slides; powers as displacement */
+  struct series mean_velocity;  /* displacement / T                                                    */
+  struct series friction_work;  /* sum over the bodies of F_i times how far body i slides; powers as displacement */
   char modes[2 * SCALLOP_BRANCH_TEXT]; /* for T -> 0, as in "++ -+ ++ | ++ +- ++"                   */
 };
 void scallop_steady_expansion_init(struct scallop_steady_expansion *e);
 void scallop_steady_expansion_clear(struct scallop_steady_expansion *e);
 
-/* All coefficients below T^order. SCALLOP_EDOMAIN as above; SCALLOP_EUNDECIDED: in the limit a body touches v = 0 without
- * turning, where no power series exists, or is too close to that for this precision. */
+/* All coefficients below T^order. SCALLOP_EDOMAIN as above; SCALLOP_EUNDECIDED: in the limit a body touches v = 0
+ * without turning, where no power series exists, or is too close to that for this precision. */
 enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler *crawler, slong order, slong precision,
                                           struct scallop_steady_expansion *expansion, const char **why);
 
-/* The expansion of one of the quantities that the formulas are about, of the right setting; NULL if there is none, as of switching
- * times where no body turns. */
+/* The expansion of one of the quantities that the formulas are about, of the right setting; NULL if there is none, as
+ * of switching times where no body turns. */
 const struct series *scallop_phase_quantity(const struct scallop_phase_expansion *e, enum scallop_phase_kind kind,
                                             enum scallop_quantity quantity);
 const struct series *scallop_steady_quantity(const struct scallop_steady_expansion *e, enum scallop_quantity quantity);
@@ -73,8 +73,8 @@ void scallop_bound_clear(struct scallop_bound *b);
 enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler *crawler, slong order, slong precision,
                                           struct scallop_bound bounds[2], const char **why);
 
-/* That bound's T_end alone: for every T from 0 to there the steady state is proven to have the modes of T -> 0; T is the lower end. Some
- * thousandths below where they end. Statuses as scallop_expand_steady. */
+/* That bound's T_end alone: for every T from 0 to there the steady state is proven to have the modes of T -> 0; T is
+ * the lower end. Some thousandths below where they end. Statuses as scallop_expand_steady. */
 enum scallop_status scallop_steady_modes_hold(const struct scallop_rational_crawler *crawler, slong precision, arb_t T,
                                               const char **ends, const char **why);
 

@@ -28,7 +28,8 @@ bool scallop_exact_speed_series(struct series *speed, const struct scallop_piece
   fmpq_poly_init(terms);
   bool rational = scallop_rational_speed_series(terms, piece, u, ring->length, pi_squared);
   bool exact = rational
-               || (ring->length <= SERIES_PI_TERMS && scallop_rational_speed_series(terms, piece, u, ring->length, one));
+               || (ring->length <= SERIES_PI_TERMS
+                   && scallop_rational_speed_series(terms, piece, u, ring->length, one));
   if (rational)
     series_set_rational_poly(speed, terms, whole ? SERIES_ALL : ring->length);
   else if (exact)
@@ -82,7 +83,8 @@ static void set_shape(struct series *value, const struct scallop_shape *shape, c
   fmpq_clear(factor);
 }
 
-/* l_0 l_T / (2 (l_T - l_0)) of an extension, minus that of a contraction; 0 where l0 and lT vanish, and nothing is said of it */
+/* l_0 l_T / (2 (l_T - l_0)) of an extension, minus that of a contraction; 0 where l0 and lT vanish, and nothing is said
+ * of it */
 static void set_kinematic_length(struct series *value, enum scallop_phase_kind kind, const struct ring *ring)
 {
   struct series *L_kin = &value[SCALLOP_SYMBOL_L_kin];
@@ -96,8 +98,9 @@ static void set_kinematic_length(struct series *value, enum scallop_phase_kind k
   series_clear(&difference);
 }
 
-void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind,
-                         const fmpq_t v0, const fmpq_t pi_squared, const struct ring *ring)
+void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *c,
+                         enum scallop_phase_kind kind, const fmpq_t v0, const fmpq_t pi_squared,
+                         const struct ring *ring)
 {
   struct series *v = s->value;
   bool extension = kind == SCALLOP_EXTENSION;
@@ -128,8 +131,9 @@ static void set_meant(struct series *value, const struct scallop_symbols *s, int
     series_neg(value, value);
 }
 
-const char *scallop_formula_expand(struct series *value, const struct scallop_formula *f, const struct scallop_symbols *s,
-                                   enum scallop_phase_kind kind, const struct ring *ring, char message[FORMULA_MESSAGE])
+const char *scallop_formula_expand(struct series *value, const struct scallop_formula *f,
+                                   const struct scallop_symbols *s, enum scallop_phase_kind kind,
+                                   const struct ring *ring, char message[FORMULA_MESSAGE])
 {
   struct formula formula;
   int places[FORMULA_STEPS];
@@ -164,8 +168,8 @@ static void set_names(arb_ptr values, const struct scallop_symbols *symbols, arb
 }
 
 void scallop_formula_in_balls(arb_t value, const struct formula *read, const struct scallop_formula *formula,
-                              const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind, const fmpq_t v0,
-                              const fmpq_t T, arb_srcptr given, slong precision)
+                              const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
+                              const fmpq_t v0, const fmpq_t T, arb_srcptr given, slong precision)
 {
   const bool is_steady = formula->setting == SCALLOP_STEADY;
   const enum scallop_phase_kind phase = is_steady ? SCALLOP_EXTENSION : kind;

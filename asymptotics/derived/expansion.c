@@ -41,7 +41,8 @@ static enum scallop_status give(struct scallop_series **series, struct scallop_s
   return status;
 }
 
-enum scallop_status scallop_series_of_phase(struct scallop_series **series, const struct scallop_rational_crawler *crawler,
+enum scallop_status scallop_series_of_phase(struct scallop_series **series,
+                                            const struct scallop_rational_crawler *crawler,
                                             enum scallop_phase_kind kind, const fmpq_t v0, slong order, slong precision,
                                             const char **why)
 {
@@ -50,8 +51,9 @@ enum scallop_status scallop_series_of_phase(struct scallop_series **series, cons
   return give(series, made, scallop_expand_phase(crawler, kind, v0, order, precision, NULL, &made->phase, why));
 }
 
-enum scallop_status scallop_series_of_steady(struct scallop_series **series, const struct scallop_rational_crawler *crawler,
-                                             slong order, slong precision, const char **why)
+enum scallop_status scallop_series_of_steady(struct scallop_series **series,
+                                             const struct scallop_rational_crawler *crawler, slong order,
+                                             slong precision, const char **why)
 {
   struct scallop_series *made = begin(order, precision);
   made->is_steady = true;
@@ -61,7 +63,8 @@ enum scallop_status scallop_series_of_steady(struct scallop_series **series, con
 /* NULL: the motion has no such quantity. */
 static const struct series *of_quantity(const struct scallop_series *s, enum scallop_quantity quantity)
 {
-  return s->is_steady ? scallop_steady_quantity(&s->steady, quantity) : scallop_phase_quantity(&s->phase, s->kind, quantity);
+  return s->is_steady ? scallop_steady_quantity(&s->steady, quantity)
+                      : scallop_phase_quantity(&s->phase, s->kind, quantity);
 }
 
 /* v_change shares the series of v_end, which begins with v0. */
@@ -70,7 +73,8 @@ static bool is_start(enum scallop_quantity quantity, slong power)
   return quantity == SCALLOP_VELOCITY_CHANGE && power == 0;
 }
 
-bool scallop_series_rational(fmpq_t coefficient, const struct scallop_series *s, enum scallop_quantity quantity, slong power)
+bool scallop_series_rational(fmpq_t coefficient, const struct scallop_series *s, enum scallop_quantity quantity,
+                             slong power)
 {
   const struct series *terms = of_quantity(s, quantity);
   if (!terms || power >= s->order)
@@ -103,7 +107,10 @@ slong scallop_series_first(const struct scallop_series *s, enum scallop_quantity
   return power < s->order ? power : s->order;
 }
 
-const char *scallop_series_modes(const struct scallop_series *s) { return s->is_steady ? s->steady.modes : s->phase.modes; }
+const char *scallop_series_modes(const struct scallop_series *s)
+{
+  return s->is_steady ? s->steady.modes : s->phase.modes;
+}
 
 enum scallop_status scallop_formula_ball(arb_t value, const struct scallop_read_formula *read,
                                          const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,

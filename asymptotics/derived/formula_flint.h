@@ -11,7 +11,8 @@ void formula_number(fmpq_t number, const struct formula_step *step);
 /* The value, where values + place is that of the quantity at a place; value is none of them. */
 void formula_ball(arb_t value, const struct formula *formula, arb_srcptr values, slong precision);
 
-/* Likewise as a series. Returns NULL, or `message`: what a series cannot do and at which character; value is then unchanged. */
+/* Likewise as a series. Returns NULL, or `message`: what a series cannot do and at which character; value is then
+ * unchanged. */
 const char *formula_series(struct series *value, const struct formula *formula, const struct series *values,
                            const struct ring *ring, char message[FORMULA_MESSAGE]);
 

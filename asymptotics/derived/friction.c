@@ -1,8 +1,9 @@
-/* The energy that friction takes in a period of the steady state, as a series. By the energy balance, not by the lengths of paths,
- * which numerics/ adds up. */
+/* The energy that friction takes in a period of the steady state, as a series. By the energy balance, not by the
+ * lengths of paths, which numerics/ adds up. */
 #include "asymptotics/derived/limit.h"
 
-/* The power of friction in a region, over F1 + F2, less what the centre of mass pays for from its energy, is this times |l'|. */
+/* The power of friction in a region, over F1 + F2, less what the centre of mass pays for from its energy, is this times
+ * |l'|. */
 static void power_of_region(fmpq_t power, const struct phase_constants *p, int region)
 {
   fmpq_t rear, front; /* twice the friction of that body times its curve */
@@ -38,11 +39,12 @@ static void way_to_base(struct series *way, const struct crossing *at, const str
   _arb_vec_clear(t, 4);
 }
 
-/* Adds to work what the friction of a phase takes, over (F1 + F2) L, but for the loss of kinetic energy of the centre of mass, which is 0
- * over the period. c, at the start (overwritten), and eps are those of the phase. |l'| is c/q at a crossing, so that what it covers up to there is the
- * integral of (c/q) dt over the variable of the series. */
+/* Adds to work what the friction of a phase takes, over (F1 + F2) L, but for the loss of kinetic energy of the centre
+ * of mass, which is 0 over the period. c, at the start (overwritten), and eps are those of the phase. |l'| is c/q at a
+ * crossing, so that what it covers up to there is the integral of (c/q) dt over the variable of the series. */
 static void add_friction_work(struct series *work, const struct branch *b, const struct phase_constants *p,
-                              const struct lift *lift, struct series *c, const struct series *eps, const struct ring *ring)
+                              const struct lift *lift, struct series *c, const struct series *eps,
+                              const struct ring *ring)
 {
   struct series since, term, way;
   fmpq_t power, next;
@@ -81,8 +83,8 @@ static void add_friction_work(struct series *work, const struct branch *b, const
   fmpq_clear(next);
 }
 
-void steady_friction_work(struct series *work, const struct limit *l, const struct steady_lift *s, const struct series *eps,
-                          const struct ring *ring)
+void steady_friction_work(struct series *work, const struct limit *l, const struct steady_lift *s,
+                          const struct series *eps, const struct ring *ring)
 {
   struct series c, here;
   series_init(&c);

@@ -14,7 +14,8 @@ struct segment { /* c = a + b s in one region of one phase                      
 };
 
 /* How far c is inside the region from curve j at offset u, and the derivative of that by u */
-static void room(arb_t gap, arb_t slope, const struct segment *g, const struct scallop_piece *piece, int j, const arb_t u)
+static void room(arb_t gap, arb_t slope, const struct segment *g, const struct scallop_piece *piece, int j,
+                 const arb_t u)
 {
   gap_at(gap, slope, piece, g->p->curve[j], g->a, g->b, u, g->precision);
   if (g->region <= j) { /* above it */
@@ -65,7 +66,8 @@ static void edge_at_end(struct edge *e, int piece, double offset)
 }
 
 /* Where a crossing is by now: a crossing may have moved on into the next piece, or back, if l' has no corner there. */
-static void edge_at_crossing(struct edge *e, const struct crossing *at, const struct phase_constants *p, slong precision)
+static void edge_at_crossing(struct edge *e, const struct crossing *at, const struct phase_constants *p,
+                             slong precision)
 {
   const struct scallop_shape *shape = p->shape;
   e->curve = at->curve;
@@ -151,7 +153,8 @@ static const char *const starts[2] = { "the velocity at the start of the extensi
 static const char *const leaves[2] = { "a switching time of the extension reaches a corner of l'",
                                        "a switching time of the contraction reaches a corner of l'" };
 
-/* The curve is crossed, not followed: its slope lies beyond those of c on both of its sides. And it happens in its piece. */
+/* The curve is crossed, not followed: its slope lies beyond those of c on both of its sides. And it happens in its
+ * piece. */
 static const char *crossing_holds(const struct edge *at, const struct phase_constants *p, int from, int into,
                                   const arb_t eps, slong precision)
 {
@@ -205,7 +208,8 @@ static double nearest_event(const struct edge *e, const struct phase_constants *
   scallop_ball_rate(rate, piece, e->offset, 64);
   double along = arf_get_d(arb_midref(rate), ARF_RND_NEAR) * fmpq_get_d(p->curve[e->curve]);
   double drive = arf_get_d(arb_midref(eps), ARF_RND_NEAR);
-  double margin = fmin(fabs(along - drive * fmpq_get_d(p->beta[into])), fabs(along - drive * fmpq_get_d(p->beta[from])));
+  double margin = fmin(fabs(along - drive * fmpq_get_d(p->beta[into])),
+                       fabs(along - drive * fmpq_get_d(p->beta[from])));
   arb_clear(rate);
   if (margin / (fabs(along) + drive) < near) {
     near = margin / (fabs(along) + drive);
@@ -233,7 +237,8 @@ static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
 }
 
 /* Why c is not shown to keep off the curves: a crossing is about to end, or a body begins or ceases to turn */
-static const char *likely_event(const struct branch *b, const struct phase_constants *p, const arb_t eps, slong precision)
+static const char *likely_event(const struct branch *b, const struct phase_constants *p, const arb_t eps,
+                                slong precision)
 {
   static const double NEAR = 0.04;
   const char *what = grazes[p->kind], *candidate = what;

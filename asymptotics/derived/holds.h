@@ -5,8 +5,9 @@
 
 #include "asymptotics/derived/limit.h"
 
-/* For every eps and the start velocities w and w_mid of the two phases within the balls, the branches' offsets enclosing the
- * crossings for them. NULL, or what keeps it from being shown (static text): just before the end of a branch, what happens there. */
+/* For every eps and the start velocities w and w_mid of the two phases within the balls, the branches' offsets
+ * enclosing the crossings for them. NULL, or what keeps it from being shown (static text): just before the end of a
+ * branch, what happens there. */
 const char *limit_holds(const struct limit *l, const arb_t w, const arb_t w_mid, const arb_t eps, slong precision);
 
 #endif

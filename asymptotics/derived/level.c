@@ -13,8 +13,8 @@ static void excess(arb_t f, const struct scallop_piece *p, const arb_t u, const 
 }
 
 /* Halves [lo, hi] until it is narrow enough for Newton's method: the sign of the excess differs at its ends. */
-static void approach(arb_t u, const struct scallop_piece *p, const arb_t level, const arf_t lo, const arf_t hi, int sign_lo,
-                     slong precision)
+static void approach(arb_t u, const struct scallop_piece *p, const arb_t level, const arf_t lo, const arf_t hi,
+                     int sign_lo, slong precision)
 {
   enum { HALVINGS = 24 };
   arf_t a, b;
@@ -74,8 +74,8 @@ static bool add_root(struct search *s, const arf_t lo, const arf_t hi, int sign_
   return true;
 }
 
-/* The roots between offsets lo and hi, in the order of time: none where the excess keeps its sign, one where it is monotone
- * and changes it. */
+/* The roots between offsets lo and hi, in the order of time: none where the excess keeps its sign, one where it is
+ * monotone and changes it. */
 static bool search_between(struct search *s, const arf_t lo, const arf_t hi, int depth)
 {
   arb_t u, f, rate;

@@ -134,7 +134,8 @@ static bool solve_crossing(struct series *x, struct series *closing, const struc
     series_mul(&term, &term, &line->b, &part);
     series_add(&term, &term, &line->a, &part);
     series_sub(&gap, &gap, &term, &part);
-    for (slong k = 0; gap.kind == SERIES_BALLS && k < length / 2; k++) /* x solves the equation so far, whatever its balls */
+    for (slong k = 0; gap.kind == SERIES_BALLS && k < length / 2;
+         k++) /* x solves the equation so far, whatever its balls */
       series_set_zero(&gap, k);
     series_sub(closing, closing, &line->b, &part);
     solved = series_div(&gap, &gap, closing, &part);

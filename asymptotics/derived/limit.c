@@ -29,7 +29,8 @@ void limit_clear(struct limit *l)
 }
 
 /* The balance and its derivative by w, with the branches as they are. same: as for base_follow */
-static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, const arb_t eps, bool same, slong precision)
+static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, const arb_t eps, bool same,
+                   slong precision)
 {
   struct base base;
   arb_t c, c_slope, here;

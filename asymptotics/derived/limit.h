@@ -33,12 +33,13 @@ void steady_lift_clear(struct steady_lift *s);
 /* eps: the series eps0 + x, or any other in x. Starts from l->w and the branches' offsets at the base point. */
 bool steady_lift(struct steady_lift *s, const struct limit *l, const struct series *eps, const struct ring *ring);
 
-/* The energy that friction takes in a period, in units of (F1 + F2) L. s: what steady_lift made of l, unless l->at_rest. */
-void steady_friction_work(struct series *work, const struct limit *l, const struct steady_lift *s, const struct series *eps,
-                          const struct ring *ring);
+/* The energy that friction takes in a period, in units of (F1 + F2) L. s: what steady_lift made of l, unless
+ * l->at_rest. */
+void steady_friction_work(struct series *work, const struct limit *l, const struct steady_lift *s,
+                          const struct series *eps, const struct ring *ring);
 
-/* The same in balls, at eps: encloses the w of every eps in the ball, and the crossings with it. w: comes in as a place near it.
- * False: not found, and the branches are as before. */
+/* The same in balls, at eps: encloses the w of every eps in the ball, and the crossings with it. w: comes in as a place
+ * near it. False: not found, and the branches are as before. */
 bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision);
 
 #endif

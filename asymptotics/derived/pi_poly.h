@@ -1,5 +1,5 @@
-/* Polynomials whose coefficients are rational functions of pi: as exact as fractions, because pi is transcendental, so that a coefficient is 0
- * only if it is 0 as a function. Needs FLINT. Not public. */
+/* Polynomials whose coefficients are rational functions of pi: as exact as fractions, because pi is transcendental, so
+ * that a coefficient is 0 only if it is 0 as a function. Needs FLINT. Not public. */
 #ifndef SCALLOP_ASYMPTOTICS_DERIVED_PI_POLY_H
 #define SCALLOP_ASYMPTOTICS_DERIVED_PI_POLY_H
 

@@ -164,8 +164,10 @@ static enum series_kind common(const struct series *a, const struct series *b)
   return large ? SERIES_BALLS : kind;
 }
 
-/* s with coefficients of a kind that its own can be: itself, or converted into spare, which the caller has initialised. */
-static const struct series *as_kind(struct series *spare, const struct series *s, enum series_kind kind, slong precision)
+/* s with coefficients of a kind that its own can be: itself, or converted into spare, which the caller has
+ * initialised. */
+static const struct series *as_kind(struct series *spare, const struct series *s, enum series_kind kind,
+                                    slong precision)
 {
   if (s->kind == kind)
     return s;
@@ -187,7 +189,8 @@ static void set_from(struct series *to, const struct series *s, slong first, enu
   to->first = first;
 }
 
-static void add_or_sub(struct series *to, const struct series *a, const struct series *b, bool sub, const struct ring *ring)
+static void add_or_sub(struct series *to, const struct series *a, const struct series *b, bool sub,
+                       const struct ring *ring)
 {
   const slong first = least(a->first, b->first), known = least(a->known, b->known);
   const enum series_kind kind = common(a, b);
@@ -223,7 +226,8 @@ void series_mul(struct series *product, const struct series *a, const struct ser
   struct series spare[2];
   series_init(&spare[0]);
   series_init(&spare[1]);
-  const struct series *p = as_kind(&spare[0], a, kind, ring->precision), *q = as_kind(&spare[1], b, kind, ring->precision);
+  const struct series *p = as_kind(&spare[0], a, kind, ring->precision),
+                      *q = as_kind(&spare[1], b, kind, ring->precision);
   bool cut = series_terms(p) > 0 && series_terms(q) > 0 && series_terms(p) + series_terms(q) - 1 > length;
   BY_KIND(kind, fmpq_poly_mullow(product->rational, p->rational, q->rational, length),
           pi_poly_mullow(&product->in_pi, &p->in_pi, &q->in_pi, length),
@@ -442,7 +446,8 @@ void series_value(arb_t value, const struct series *s, const arb_t x, slong befo
 slong series_bits(const struct series *s)
 {
   const fmpq_poly_struct *p = s->rational;
-  return s->kind == SERIES_FRACTIONS ? labs(_fmpz_vec_max_bits(p->coeffs, p->length)) + (slong)fmpz_bits(fmpq_poly_denref(p))
-         : s->kind == SERIES_IN_PI   ? pi_poly_bits(&s->in_pi)
-                                     : 0;
+  return s->kind == SERIES_FRACTIONS
+             ? labs(_fmpz_vec_max_bits(p->coeffs, p->length)) + (slong)fmpz_bits(fmpq_poly_denref(p))
+         : s->kind == SERIES_IN_PI ? pi_poly_bits(&s->in_pi)
+                                   : 0;
 }

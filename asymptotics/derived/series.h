@@ -1,5 +1,6 @@
-/* Truncated Laurent series in one variable x, with coefficients that are fractions, or rational functions of pi, as long as everything
- * that went in was exact, and balls otherwise. Rational functions of pi become balls where they need more than SERIES_PI_BITS.
+/* Truncated Laurent series in one variable x, with coefficients that are fractions, or rational functions of pi, as
+ * long as everything that went in was exact, and balls otherwise. Rational functions of pi become balls where they need
+ * more than SERIES_PI_BITS.
  *
  * A series knows the terms from x^first up to, not including, x^known; beyond that it says nothing. An exact
  * constant is known to all orders. Needs FLINT.
@@ -28,7 +29,8 @@ struct series {
 enum {
   SERIES_EXACT_POWER = 64, /* the largest numerator, and denominator, of an exact power           */
   SERIES_BITS =
-      1 << 20, /* what an exact power has at most, but for rounding up: powers of powers would take all time and memory */
+      1
+      << 20, /* what an exact power has at most, but for rounding up: powers of powers would take all time and memory */
   SERIES_PI_BITS = 1 << 22,
   SERIES_PI_TERMS = 42,  /* longer expansions of sinusoidal gaits have balls                         */
   SERIES_FARTHEST = 4096 /* the largest power of x that series_power makes: products do not run out of memory */
@@ -66,7 +68,8 @@ void series_shift(struct series *to, const struct series *a, slong power);   /* 
 void series_inflate(struct series *to, const struct series *a, slong power); /* x becomes x^power */
 /* outer(inner(x)): outer has no negative powers, inner begins with x or later. */
 void series_compose(struct series *to, const struct series *outer, const struct series *inner, const struct ring *ring);
-void series_integral(struct series *to, const struct series *a, const struct ring *ring);   /* from 0; no negative powers */
+void series_integral(struct series *to, const struct series *a,
+                     const struct ring *ring); /* from 0; no negative powers */
 void series_derivative(struct series *to, const struct series *a, const struct ring *ring); /* no negative powers */
 /* Forgets everything from x^known on. */
 void series_truncate(struct series *s, slong known);
@@ -76,12 +79,15 @@ void series_tidy(struct series *s, const struct ring *ring);
 void series_set_coefficient(struct series *to, const struct series *s, slong power);
 slong series_terms(const struct series *s); /* coefficients that it keeps, from x^first on */
 
-/* Functions (series_functions.c), for x -> 0 from above. Each returns NULL, or what a series cannot do, as words that follow the function's
- * name; `to` is then unchanged. A sign, or an order of two, is that of the first coefficient that is not exactly 0, and must be proven.
- * Coefficients stay exact where those of the result are fractions because the constant term (of a log: 1; of a power: p/q: a q-th power of
- * a fraction; of exp, sin, cos, asin: 0) is one for which they are. */
-const char *series_exp(struct series *to, const struct series *a, const struct ring *ring); /* no negative powers       */
-const char *series_log(struct series *to, const struct series *a, const struct ring *ring); /* begins with c x^0, c > 0 */
+/* Functions (series_functions.c), for x -> 0 from above. Each returns NULL, or what a series cannot do, as words that
+ * follow the function's name; `to` is then unchanged. A sign, or an order of two, is that of the first coefficient that
+ * is not exactly 0, and must be proven. Coefficients stay exact where those of the result are fractions because the
+ * constant term (of a log: 1; of a power: p/q: a q-th power of a fraction; of exp, sin, cos, asin: 0) is one for which
+ * they are. */
+const char *series_exp(struct series *to, const struct series *a,
+                       const struct ring *ring); /* no negative powers       */
+const char *series_log(struct series *to, const struct series *a,
+                       const struct ring *ring); /* begins with c x^0, c > 0 */
 const char *series_log10(struct series *to, const struct series *a, const struct ring *ring);
 const char *series_sin(struct series *to, const struct series *a, const struct ring *ring);
 const char *series_cos(struct series *to, const struct series *a, const struct ring *ring);
@@ -90,9 +96,10 @@ const char *series_asin(struct series *to, const struct series *a,
 const char *series_abs(struct series *to, const struct series *a, const struct ring *ring);
 const char *series_min(struct series *to, const struct series *a, const struct series *b, const struct ring *ring);
 const char *series_max(struct series *to, const struct series *a, const struct series *b, const struct ring *ring);
-/* base^exponent = c^y x^(k y) (1 + u)^y of base = c x^k (1 + u), with a whole power k y, at most SERIES_FARTHEST in size. A whole y of at
- * most SERIES_EXACT_POWER in size is a product: any base, finite sums stay finite. Other whole y: c must not be 0; other constants y: c > 0,
- * or the base is 0 and y > 0. An exponent that varies: exp(exponent log(base)). */
+/* base^exponent = c^y x^(k y) (1 + u)^y of base = c x^k (1 + u), with a whole power k y, at most SERIES_FARTHEST in
+ * size. A whole y of at most SERIES_EXACT_POWER in size is a product: any base, finite sums stay finite. Other whole y:
+ * c must not be 0; other constants y: c > 0, or the base is 0 and y > 0. An exponent that varies: exp(exponent
+ * log(base)). */
 const char *series_power(struct series *to, const struct series *base, const struct series *exponent,
                          const struct ring *ring);
 const char *series_sqrt(struct series *to, const struct series *a, const struct ring *ring); /* the power 1/2 */
@@ -102,7 +109,8 @@ void series_coefficient(arb_t value, const struct series *s, slong power, slong 
 /* false: it is a ball, or depends on pi */
 bool series_rational_coefficient(fmpq_t value, const struct series *s, slong power);
 bool series_coefficient_is_zero(const struct series *s, slong power); /* exactly            */
-/* Bits of the largest exact numerator and the denominator, in pi of all of them; 0 of balls, which have as many as their ring. */
+/* Bits of the largest exact numerator and the denominator, in pi of all of them; 0 of balls, which have as many as
+ * their ring. */
 slong series_bits(const struct series *s);
 /* States that this coefficient is exactly 0, which the caller has proven. */
 void series_set_zero(struct series *s, slong power);

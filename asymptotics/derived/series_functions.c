@@ -68,7 +68,8 @@ static const char *not_for_asin(const struct series *a, slong precision)
   return wrong;
 }
 
-/* The integral of f'/sqrt(1 - f^2), f = 0 at x = 0. fmpq_poly_asin_series of FLINT 2.9 reads beyond a short f with large fractions. */
+/* The integral of f'/sqrt(1 - f^2), f = 0 at x = 0. fmpq_poly_asin_series of FLINT 2.9 reads beyond a short f with
+ * large fractions. */
 static void set_asin(fmpq_poly_t to, const fmpq_poly_t f, slong terms)
 {
   fmpq_poly_t root, one;
@@ -124,7 +125,8 @@ static const char *set_terms(struct series *to, const struct series *a, const st
   slong known = is_constant(a) ? SERIES_ALL : least(a->known, terms);
   fmpq_t constant;
   fmpq_init(constant);
-  if (a->kind == SERIES_FRACTIONS && series_rational_coefficient(constant, a, 0) && fmpq_equal_si(constant, f->exact_at)) {
+  if (a->kind == SERIES_FRACTIONS && series_rational_coefficient(constant, a, 0)
+      && fmpq_equal_si(constant, f->exact_at)) {
     fmpq_poly_t poly;
     fmpq_poly_init(poly);
     fmpq_poly_shift_left(poly, a->rational, a->first);
@@ -398,7 +400,8 @@ static const char *set_small_power(struct series *to, const struct series *base,
   return raised ? NULL : "divides by what may be 0";
 }
 
-static const char *set_power(struct series *to, struct series *base, const struct series *exponent, const struct ring *ring)
+static const char *set_power(struct series *to, struct series *base, const struct series *exponent,
+                             const struct ring *ring)
 {
   if (!is_constant(exponent)) {
     const char *wrong = series_log(base, base, ring);

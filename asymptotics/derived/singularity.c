@@ -17,7 +17,8 @@ void scallop_singularity_clear(struct scallop_singularity *s)
   acb_clear(s->place);
 }
 
-/* Which values have a branch point at a fold. Of an even one at its mirror image: v_mid there is v_start here, and the other way round. */
+/* Which values have a branch point at a fold. Of an even one at its mirror image: v_mid there is v_start here, and the
+ * other way round. */
 static void add_shown(struct scallop_singularity *to, const struct search *s, const struct fold *f)
 {
   acb_t gain;
@@ -102,8 +103,9 @@ static void set_kappa(fmpq_t kappa, const struct scallop_rational_crawler *c)
   fmpq_clear(M);
 }
 
-enum scallop_status scallop_steady_singularity(struct scallop_singularity *s, const struct scallop_rational_crawler *crawler,
-                                               slong precision, const char **why)
+enum scallop_status scallop_steady_singularity(struct scallop_singularity *s,
+                                               const struct scallop_rational_crawler *crawler, slong precision,
+                                               const char **why)
 {
   struct limit l;
   const char *reason = NULL;
@@ -127,9 +129,10 @@ enum scallop_status scallop_steady_singularity(struct scallop_singularity *s, co
   return status;
 }
 
-enum scallop_status scallop_phase_singularity(struct scallop_singularity *s, const struct scallop_rational_crawler *crawler,
-                                              enum scallop_phase_kind kind, const fmpq_t v0, int crossings, slong precision,
-                                              const char **why)
+enum scallop_status scallop_phase_singularity(struct scallop_singularity *s,
+                                              const struct scallop_rational_crawler *crawler,
+                                              enum scallop_phase_kind kind, const fmpq_t v0, int crossings,
+                                              slong precision, const char **why)
 {
   struct phase_constants p;
   struct branch b;

@@ -75,7 +75,8 @@ bool steady_lift(struct steady_lift *s, const struct limit *l, const struct seri
     const struct ring part = { last ? ring->length : length, ring->precision };
     s->w.known = SERIES_ALL;
     lifted = lift_period(s, l, eps, &balance, &slope, &part);
-    for (slong k = 0; balance.kind == SERIES_BALLS && k < (length + 1) / 2; k++) /* w is right so far, whatever its balls */
+    for (slong k = 0; balance.kind == SERIES_BALLS && k < (length + 1) / 2;
+         k++) /* w is right so far, whatever its balls */
       series_set_zero(&balance, k);
     lifted = lifted && series_div(&balance, &balance, &slope, &part);
     series_sub(&s->w, &s->w, &balance, &part);

@@ -60,13 +60,15 @@ const char *scallop_order_verdict_text(enum scallop_order_verdict verdict);
 /* What low and high are. */
 enum scallop_order_interval {
   SCALLOP_ORDER_NO_INTERVAL,
-  SCALLOP_ORDER_CONFIDENCE, /* 95 % confidence interval of the order, with room for a second term C h^(p + 1) or higher that the
-                               scatter hides                                                                        */
-  SCALLOP_ORDER_SLOPE, /* 95 % confidence interval of the slope of log|err| over log h: of the order, too, if nothing but independent
-                          scatter of one relative size separates the errors from C h^p                              */
-  SCALLOP_ORDER_LIMIT, /* the limit of the local order, give or take the largest of what separates it from the local order at
-                               the finest h, from the limit without the coarsest point, and from the limits of other bends that fit
-                               as well, and of its 95 % confidence interval                                         */
+  /* 95 % confidence interval of the order, with room for a second term C h^(p + 1) or higher that the scatter hides */
+  SCALLOP_ORDER_CONFIDENCE,
+  /* 95 % confidence interval of the slope of log|err| over log h: of the order, too, if nothing but independent
+   * scatter of one relative size separates the errors from C h^p */
+  SCALLOP_ORDER_SLOPE,
+  /* the limit of the local order, give or take the largest of what separates it from the local order at the finest
+   * h, from the limit without the coarsest point, and from the limits of other bends that fit as well, and of its 95
+   * % confidence interval */
+  SCALLOP_ORDER_LIMIT,
   SCALLOP_ORDER_PAIRWISE /* the pairwise orders from the least to the largest                                      */
 };
 const char *scallop_order_interval_text(enum scallop_order_interval interval);
@@ -78,15 +80,17 @@ struct scallop_order_result {
   double order, low, high; /* nan where there is none                                                       */
   enum scallop_order_interval interval;
   int used; /* points behind the order                                                        */
-  /* Of values, from the three finest, with f1 the finest, r21 = h2/h1 and p from (f3 - f2)/(f2 - f1) (ASME V&V 20): nan where those do
-   * not converge monotonically. gci = 1.25 |f2 - f1|/(|f1| (r21^q - 1)) with q = p; asymptotic_ratio = gci_32/(r21^q gci_21) with q the
-   * order that is expected. With q = p it is |f1/f2| whatever the values: so it is where none is expected. */
+  /* Of values, from the three finest, with f1 the finest, r21 = h2/h1 and p from (f3 - f2)/(f2 - f1) (ASME V&V 20): nan
+   * where those do not converge monotonically. gci = 1.25 |f2 - f1|/(|f1| (r21^q - 1)) with q = p; asymptotic_ratio =
+   * gci_32/(r21^q gci_21) with q the order that is expected. With q = p it is |f1/f2| whatever the values: so it is
+   * where none is expected. */
   double gci, asymptotic_ratio;
-  char reason[SCALLOP_ORDER_REASON]; /* of the verdict, one line in words                                              */
+  /* of the verdict, one line in words */
+  char reason[SCALLOP_ORDER_REASON];
 };
 
-/* Sorts points[0..*count) by falling h, says which of them are used, and judges. Values are replaced by the differences of neighbours,
- * rescaled to errors, and *count is one less. Allocates nothing. */
+/* Sorts points[0..*count) by falling h, says which of them are used, and judges. Values are replaced by the differences
+ * of neighbours, rescaled to errors, and *count is one less. Allocates nothing. */
 void scallop_order(struct scallop_order_point *points, int *count, const struct scallop_order_wanted *wanted,
                    struct scallop_order_result *result);
 

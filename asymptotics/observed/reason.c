@@ -48,7 +48,8 @@ void reason_add_rows(const struct judged *j, reason_picks *picks, int first, int
     long from = j->points[i].row, to = j->points[end].row;
     reason_add(j, "%s %ld", written == 0 ? "" : left == 0 ? " and" : ",", from < to ? from : to);
     if (end > i)
-      reason_add(j, end == i + 1 ? (left == 0 && written == 0 ? " and %ld" : ", %ld") : " to %ld", from < to ? to : from);
+      reason_add(j, end == i + 1 ? (left == 0 && written == 0 ? " and %ld" : ", %ld") : " to %ld",
+                 from < to ? to : from);
     written++;
   }
   if (left > 0)

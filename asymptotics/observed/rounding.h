@@ -12,7 +12,8 @@ struct rounding {
 
 /* Of the used points from first on. */
 struct rounding rounding_of(const struct scallop_order_point *points, int count, int first);
-/* Half a unit of the last place of err, as a part of it: of so many digits, or of so many decimals, whichever is more. */
+/* Half a unit of the last place of err, as a part of it: of so many digits, or of so many decimals, whichever is
+ * more. */
 double rounding_share(const struct rounding *rounding, double err);
 
 #endif

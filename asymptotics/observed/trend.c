@@ -230,7 +230,8 @@ static bool explained_by_rounding(const struct run *r, const struct bend *line)
   for (int i = 0; i < r->count && explained; i++) {
     double most = 0;
     for (int k = 0; k < r->count; k++)
-      most += r->entry[k].moved * fabs((i == k) - r->entry[k].weight * (1 / r->weight + x_of(r, i) * x_of(r, k) / r->xx));
+      most += r->entry[k].moved
+              * fabs((i == k) - r->entry[k].weight * (1 / r->weight + x_of(r, i) * x_of(r, k) / r->xx));
     explained = fabs(y_of(r, i) - line->slope * x_of(r, i)) <= most;
   }
   return explained;

@@ -1,9 +1,9 @@
 /* How log|err| depends on x = log h over a run of used points: on a line, or on a line and a bend.
  *
- * The bends: a second term, err = C h^p (1 + c h^q) with the best c, of which q > 0 dies away as h -> 0 (p is the limit) and q < 0 takes
- * over; and what changes as slowly as a logarithm, a multiple of x^2 or of log|log h|. The bend is taken for real if it explains so much
- * more than it leaves that scatter would do so once in 200 times (F test), the local order changes by more than a little, and the
- * rounding of printed errors does not explain it. */
+ * The bends: a second term, err = C h^p (1 + c h^q) with the best c, of which q > 0 dies away as h -> 0 (p is the
+ * limit) and q < 0 takes over; and what changes as slowly as a logarithm, a multiple of x^2 or of log|log h|. The bend
+ * is taken for real if it explains so much more than it leaves that scatter would do so once in 200 times (F test), the
+ * local order changes by more than a little, and the rounding of printed errors does not explain it. */
 #ifndef SCALLOP_ASYMPTOTICS_OBSERVED_TREND_H
 #define SCALLOP_ASYMPTOTICS_OBSERVED_TREND_H
 
@@ -22,7 +22,8 @@ struct trend {
   double coarsest_order, finest_order; /* local, by the line and the term; the slope where it is straight       */
 };
 
-/* Of the used points[first..count), of which there are three or more. level: of a rough floor, by which errors are off; 0 for none. */
+/* Of the used points[first..count), of which there are three or more. level: of a rough floor, by which errors are off;
+ * 0 for none. */
 struct trend trend_of(const struct scallop_order_point *points, int count, int first, double level);
 
 #endif

@@ -23,8 +23,8 @@ double points_order_of_three(const struct scallop_order_point *p)
   return low;
 }
 
-/* What the differences of values that are doubles are wrong by, and where a difference is 0 what the values are resolved to: no
- * difference other than 0 is smaller than that. */
+/* What the differences of values that are doubles are wrong by, and where a difference is 0 what the values are
+ * resolved to: no difference other than 0 is smaller than that. */
 static void note_noise(struct scallop_order_point *values, int count)
 {
   double least = INFINITY;
@@ -51,7 +51,8 @@ static double middle_order(const struct scallop_order_point *values, int count)
   double orders[MOST];
   int n = 0;
   for (int i = 0; i + 2 < count && n < MOST; i++) {
-    double here = is_above_noise(&values[i]) && is_above_noise(&values[i + 1]) ? points_order_of_three(&values[i]) : NAN;
+    double here = is_above_noise(&values[i]) && is_above_noise(&values[i + 1]) ? points_order_of_three(&values[i])
+                                                                               : NAN;
     if (isfinite(here) && fabs(here) < 49)
       orders[n++] = here;
   }

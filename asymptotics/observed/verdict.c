@@ -265,7 +265,8 @@ static struct answer answer_of(const struct judged *j, int first, const struct t
   double off = fmax(t->half_width, fabs(t->slope - t->finest_order));
   double limit_off = fmax(t->limit_half_width, finer->points >= LEAST ? fabs(finer->limit - t->limit) : 0);
   if (t->kind == TREND_SETTLING && limit_off <= j->wanted->tolerance)
-    return (struct answer){ SCALLOP_ORDER_LIMIT, t->limit, limit_off, t->limit - limit_off, t->limit + limit_off, first };
+    return (
+        struct answer){ SCALLOP_ORDER_LIMIT, t->limit, limit_off, t->limit - limit_off, t->limit + limit_off, first };
   if (t->kind == TREND_SETTLING) /* a slope that bends towards another order is none */
     off = fmax(off, fabs(t->slope - t->limit));
   struct answer a = { SCALLOP_ORDER_SLOPE, t->slope, off, t->slope - off, t->slope + off, first };
@@ -318,7 +319,8 @@ static void judge_trend(struct judged *j)
   struct trend t = whole, finer;
   struct answer all = { .interval = SCALLOP_ORDER_NO_INTERVAL }, best = all;
   for (int first = 0, next; t.points >= least || (t.points == 3 && t.half_width < ALIGNED); first = next, t = finer) {
-    bool known = best.interval != SCALLOP_ORDER_NO_INTERVAL, drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
+    bool known = best.interval != SCALLOP_ORDER_NO_INTERVAL,
+         drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
     drifts = drifts && (first == 0 || t.points > LEAST); /* few points bend by chance */
     if (known && (best.interval != SCALLOP_ORDER_LIMIT || drifts))
       break;

@@ -64,8 +64,8 @@ bool scallop_formula_is_exchanged(const struct scallop_formula *formula, enum sc
          && (formula->setting == SCALLOP_AT_REST_START || formula->setting == SCALLOP_MOVING_EXTENSION);
 }
 
-double scallop_formula_value(const struct formula *read, const struct scallop_formula *formula, enum scallop_phase_kind kind,
-                             const struct scallop_values *values)
+double scallop_formula_value(const struct formula *read, const struct scallop_formula *formula,
+                             enum scallop_phase_kind kind, const struct scallop_values *values)
 {
   struct scallop_values exchanged;
   bool exchange = scallop_formula_is_exchanged(formula, kind);
@@ -115,7 +115,8 @@ bool scallop_condition_is_equal_forces(const char *condition)
 }
 
 /* nan: it cannot be read */
-static double side_in_double(const char *text, const struct scallop_formula *formula, const struct scallop_values *values)
+static double side_in_double(const char *text, const struct scallop_formula *formula,
+                             const struct scallop_values *values)
 {
   struct formula side;
   char message[FORMULA_MESSAGE];

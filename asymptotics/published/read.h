@@ -5,8 +5,9 @@
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/formula.h"
 
-/* Reads the text of a formula, which may use its parts; the place of a name is that in enum scallop_symbol. near_to, which may be NULL: the name
- * that an unknown one resembles, as formula_names has it. Returns NULL, or `message` (formula_read). */
+/* Reads the text of a formula, which may use its parts; the place of a name is that in enum scallop_symbol. near_to,
+ * which may be NULL: the name that an unknown one resembles, as formula_names has it. Returns NULL, or `message`
+ * (formula_read). */
 typedef const char *near_name(const struct scallop_formula *formula, const char *name, const char *const *functions);
 const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, near_name *near_to,
                                  char message[FORMULA_MESSAGE]);
@@ -15,11 +16,11 @@ const char *scallop_formula_text(struct formula *read, const struct scallop_form
 bool scallop_formula_is_exchanged(const struct scallop_formula *formula, enum scallop_phase_kind kind);
 
 /* The value of a formula that was read */
-double scallop_formula_value(const struct formula *read, const struct scallop_formula *formula, enum scallop_phase_kind kind,
-                             const struct scallop_values *values);
+double scallop_formula_value(const struct formula *read, const struct scallop_formula *formula,
+                             enum scallop_phase_kind kind, const struct scallop_values *values);
 
-/* The sides of a condition "LEFT < RIGHT", each at its place: what is left of right is blank. Returns the < > or = between them; '\0': there is none,
- * or the condition is too long. */
+/* The sides of a condition "LEFT < RIGHT", each at its place: what is left of right is blank. Returns the < > or =
+ * between them; '\0': there is none, or the condition is too long. */
 enum { SCALLOP_CONDITION = 400 }; /* characters of a condition and its NUL */
 struct scallop_sides {
   char left[SCALLOP_CONDITION], right[SCALLOP_CONDITION];

@@ -5,7 +5,8 @@
 
 #include "asymptotics/published/read.h"
 
-_Static_assert((int)SCALLOP_FORMULA_MESSAGE == (int)FORMULA_MESSAGE, "a message of the public face is one of formula.h");
+_Static_assert((int)SCALLOP_FORMULA_MESSAGE == (int)FORMULA_MESSAGE,
+               "a message of the public face is one of formula.h");
 
 /* Appends a copy of the text, which the operations then refer to. */
 static void keep_text(struct formula *operations, char **end, const char *text)

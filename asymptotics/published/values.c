@@ -20,7 +20,8 @@ static void set_shape(double *of, const struct scallop_crawler *c, enum scallop_
   of[SCALLOP_SYMBOL_L_kin] = scallop_kinematic_length(c->gait, kind, c->L);
 }
 
-static struct scallop_values values_of(const struct scallop_crawler *c, enum scallop_phase_kind kind, double T, double v0)
+static struct scallop_values values_of(const struct scallop_crawler *c, enum scallop_phase_kind kind, double T,
+                                       double v0)
 {
   struct scallop_values values = { .of = { [SCALLOP_SYMBOL_m1] = c->m1,
                                            [SCALLOP_SYMBOL_m2] = c->m2,

@@ -6,10 +6,10 @@ struct bodies bodies_of(struct symbols *s, enum scallop_phase_kind kind)
   bool extension = kind == SCALLOP_EXTENSION;
   symbolic F1 = symbolic_named(s, NAMED_F1), F2 = symbolic_named(s, NAMED_F2), both = symbolic_add(s, F1, F2);
   symbolic m1 = symbolic_named(s, NAMED_m1), m2 = symbolic_named(s, NAMED_m2), none = symbolic_number(s, 0, 1);
-  return (
-      struct bodies){ extension ? m1 : m2,
-                      extension ? m2 : m1,
-                      { symbolic_sub(s, none, both), extension ? symbolic_sub(s, F1, F2) : symbolic_sub(s, F2, F1), both } };
+  return (struct bodies){ extension ? m1 : m2,
+                          extension ? m2 : m1,
+                          { symbolic_sub(s, none, both), extension ? symbolic_sub(s, F1, F2) : symbolic_sub(s, F2, F1),
+                            both } };
 }
 
 symbolic bodies_curve(struct symbols *s, const struct bodies *bodies, int curve)
@@ -75,8 +75,8 @@ struct symbolic_series way_to(struct symbols *s, const struct end *end, const st
   struct symbolic_series way = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, length),
                          rest = symbolic_series_set(s, all, 0, length);
   for (int k = end->degree; k >= 0; k--) { /* Horner's scheme */
-    struct symbolic_series term = symbolic_series_set(s, symbolic_mul(s, end->law[k], symbolic_number(s, 1, (ulong)k + 1)),
-                                                      0, length);
+    struct symbolic_series term = symbolic_series_set(
+        s, symbolic_mul(s, end->law[k], symbolic_number(s, 1, (ulong)k + 1)), 0, length);
     way = symbolic_series_mul(s, &way, y, length);
     way = symbolic_series_add(s, &way, &term, length);
   }

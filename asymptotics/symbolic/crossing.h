@@ -1,7 +1,9 @@
-/* What the expansions share: the bodies of a phase as symbols, and a crossing near an end of a phase as a series. Not public.
+/* What the expansions share: the bodies of a phase as symbols, and a crossing near an end of a phase as a series. Not
+ * public.
  *
- * Momentum is in the place of velocity: Pi = M c T, which meets the curve mu |f'(s)|, mu = m_front where the rear body turns and -m_rear
- * where the front body does; s is the time in units of the phase, T its duration, and l(t) = f(t/T). */
+ * Momentum is in the place of velocity: Pi = M c T, which meets the curve mu |f'(s)|, mu = m_front where the rear body
+ * turns and -m_rear where the front body does; s is the time in units of the phase, T its duration, and l(t) =
+ * f(t/T). */
 #ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_CROSSING_H
 #define SCALLOP_ASYMPTOTICS_SYMBOLIC_CROSSING_H
 
@@ -16,8 +18,8 @@ struct bodies bodies_of(struct symbols *s, enum scallop_phase_kind kind);
 /* mu of curve 0 or 1 */
 symbolic bodies_curve(struct symbols *s, const struct bodies *bodies, int curve);
 
-/* Adds the derivatives of l at the end of a phase where its first or last piece has its anchor: f^(n), 2 <= n < order, that are not 0, and
- * n = 2 in any case. */
+/* Adds the derivatives of l at the end of a phase where its first or last piece has its anchor: f^(n), 2 <= n < order,
+ * that are not 0, and n = 2 in any case. */
 void add_derivatives(struct symbols *s, const struct scallop_piece *piece, enum scallop_phase_kind kind, slong order);
 
 struct end { /* of a phase: |f'| = law(y), y the time from there, a polynomial in the derivatives of the list */

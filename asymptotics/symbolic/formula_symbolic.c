@@ -44,8 +44,8 @@ symbolic symbolic_laurent_term(struct symbols *s, const struct symbolic_laurent 
   return k < 0 ? symbolic_number(s, 0, 1) : k < a->count ? a->term[k] : NULL;
 }
 
-static struct symbolic_laurent sum(struct symbols *s, const struct symbolic_laurent *a, const struct symbolic_laurent *b,
-                                   bool sub)
+static struct symbolic_laurent sum(struct symbols *s, const struct symbolic_laurent *a,
+                                   const struct symbolic_laurent *b, bool sub)
 {
   struct symbolic_laurent value = { .first = smaller(a->first, b->first) };
   slong known = smaller(smaller(a->first + a->count, b->first + b->count), value.first + SYMBOLIC_TERMS);
@@ -70,8 +70,8 @@ static struct symbolic_series terms_of(const struct symbolic_laurent *a, slong l
   return series;
 }
 
-typedef struct symbolic_series combine(struct symbols *s, const struct symbolic_series *a, const struct symbolic_series *b,
-                                       slong length);
+typedef struct symbolic_series combine(struct symbols *s, const struct symbolic_series *a,
+                                       const struct symbolic_series *b, slong length);
 
 /* A product, or a quotient whose divisor is not 0 */
 static struct symbolic_laurent combined(struct symbols *s, const struct symbolic_laurent *a,
@@ -85,7 +85,8 @@ static struct symbolic_laurent combined(struct symbols *s, const struct symbolic
   return symbolic_laurent_of(s, &series, first);
 }
 
-static struct symbolic_laurent product(struct symbols *s, const struct symbolic_laurent *a, const struct symbolic_laurent *b)
+static struct symbolic_laurent product(struct symbols *s, const struct symbolic_laurent *a,
+                                       const struct symbolic_laurent *b)
 {
   return combined(s, a, b, symbolic_series_mul, a->first + b->first);
 }
@@ -154,8 +155,8 @@ static const char *raise_to(struct symbolic_laurent *a, const struct symbolic_la
 }
 
 /* a becomes a OPERATION b. NULL, or what cannot be done */
-static const char *of_two(struct symbolic_laurent *a, const struct symbolic_laurent *b, enum formula_operation operation,
-                          struct symbols *s)
+static const char *of_two(struct symbolic_laurent *a, const struct symbolic_laurent *b,
+                          enum formula_operation operation, struct symbols *s)
 {
   switch (operation) {
   case FORMULA_ADD: *a = sum(s, a, b, false); return NULL;
@@ -191,7 +192,8 @@ static const char *set_operand(struct symbolic_laurent *value, const struct form
 }
 
 const char *formula_symbolic(struct symbolic_laurent *value, const struct formula *formula,
-                             const struct symbolic_laurent *const *values, struct symbols *s, char message[FORMULA_MESSAGE])
+                             const struct symbolic_laurent *const *values, struct symbols *s,
+                             char message[FORMULA_MESSAGE])
 {
   struct symbolic_laurent *stack = flint_calloc(FORMULA_DEPTH, sizeof *stack), *top = stack, zero;
   const char *wrong = NULL;

@@ -30,22 +30,23 @@ const struct language language_latex = { .name = "latex",
                                          .rest = "(1 - \\alpha)",
                                          .letter = { "", "" },
                                          .ten = { " \\cdot 10^{", "}" } };
-const struct language language_mathml = { .name = "mathml",
-                                          .plus = "<mo>+</mo>",
-                                          .minus = "<mo>&#x2212;</mo>",
-                                          .sign = "<mo>&#x2212;</mo>",
-                                          .times = "<mo>&#x2062;</mo>",
-                                          .number = { "<mn>", "</mn>" },
-                                          .brackets = { "<mrow><mo>(</mo>", "<mo>)</mo></mrow>" },
-                                          .power = { "<msup>", "<mn>", "</mn></msup>" },
-                                          .fraction = { "<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>" },
-                                          .subscript = { "<msub>", "<mi>", "</mi></msub>" },
-                                          .alpha = "<mi>&#x3B1;</mi>",
-                                          .difference = "<mi>&#x394;</mi>",
-                                          .rest =
-                                              "<mrow><mo>(</mo><mn>1</mn><mo>&#x2212;</mo><mi>&#x3B1;</mi><mo>)</mo></mrow>",
-                                          .letter = { "<mi>", "</mi>" },
-                                          .ten = { "<mo>&#xB7;</mo><msup><mn>10</mn><mn>", "</mn></msup>" } };
+const struct language language_mathml = {
+  .name = "mathml",
+  .plus = "<mo>+</mo>",
+  .minus = "<mo>&#x2212;</mo>",
+  .sign = "<mo>&#x2212;</mo>",
+  .times = "<mo>&#x2062;</mo>",
+  .number = { "<mn>", "</mn>" },
+  .brackets = { "<mrow><mo>(</mo>", "<mo>)</mo></mrow>" },
+  .power = { "<msup>", "<mn>", "</mn></msup>" },
+  .fraction = { "<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>" },
+  .subscript = { "<msub>", "<mi>", "</mi></msub>" },
+  .alpha = "<mi>&#x3B1;</mi>",
+  .difference = "<mi>&#x394;</mi>",
+  .rest = "<mrow><mo>(</mo><mn>1</mn><mo>&#x2212;</mo><mi>&#x3B1;</mi><mo>)</mo></mrow>",
+  .letter = { "<mi>", "</mi>" },
+  .ten = { "<mo>&#xB7;</mo><msup><mn>10</mn><mn>", "</mn></msup>" }
+};
 
 struct writer {
   FILE *out;
@@ -171,8 +172,8 @@ static void put_by_powers(struct writer *w, const fmpz_mpoly_t polynomial)
   fmpz_mpoly_clear(coefficient, ring);
 }
 
-/* Factors of a polynomial in which beta is written as 1 - alpha, where they have no other symbols than alpha and beta. Those that become 1
- * are left out. */
+/* Factors of a polynomial in which beta is written as 1 - alpha, where they have no other symbols than alpha and beta.
+ * Those that become 1 are left out. */
 static void write_in_alpha(fmpz_mpoly_factor_t factors, const struct symbols *s)
 {
   const fmpz_mpoly_ctx_struct *ring = s->ring;
@@ -212,7 +213,8 @@ static slong count_factors(const fmpz_mpoly_factor_t factors, slong power)
   return count;
 }
 
-/* The number, then the symbols in the order of the list, T^power, and the sums. held: nothing stands beside it that brackets keep off. */
+/* The number, then the symbols in the order of the list, T^power, and the sums. held: nothing stands beside it that
+ * brackets keep off. */
 static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slong power, bool held)
 {
   const struct symbols *s = w->symbols;
@@ -308,7 +310,8 @@ struct written decimal_written(const char *decimal, slong power, const struct la
   struct writer w = writer_of(&none, language, &written.text, &size);
   const char *digits = decimal + written.negative, *e = language->slash ? NULL : strchr(digits, 'e');
   bool any = true;
-  fprintf(w.out, "%s%.*s", language->slash ? "" : language->number[0], (int)(e ? e - digits : (long)strlen(digits)), digits);
+  fprintf(w.out, "%s%.*s", language->slash ? "" : language->number[0], (int)(e ? e - digits : (long)strlen(digits)),
+          digits);
   put(&w, language->slash ? "" : language->number[1]);
   if (e)
     fprintf(w.out, "%s%s%s", language->ten[0], e + 1, language->ten[1]);

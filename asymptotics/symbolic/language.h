@@ -1,10 +1,12 @@
-/* Values of symbolic.h written down, in factored form: as text in the language of asymptotics/formula.h, in C, Python, LaTeX or MathML. */
+/* Values of symbolic.h written down, in factored form: as text in the language of asymptotics/formula.h, in C, Python,
+ * LaTeX or MathML. */
 #ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_LANGUAGE_H
 #define SCALLOP_ASYMPTOTICS_SYMBOLIC_LANGUAGE_H
 
 #include "asymptotics/symbolic/symbolic.h"
 
-/* How a language writes what formulas are made of; the strings of an array stand before, between and behind its operands. */
+/* How a language writes what formulas are made of; the strings of an array stand before, between and behind its
+ * operands. */
 struct language {
   const char *name;
   const char *plus, *minus, *sign, *times; /* sign: in front of a first term that is negative        */

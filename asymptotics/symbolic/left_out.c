@@ -126,7 +126,8 @@ static bool derive(struct symbolic_laurent *derived, struct motion *m, enum scal
   struct symbols *s = &m->symbols;
   const struct symbolic_phase *p = &m->phase;
   const bool extension = m->kind == SCALLOP_EXTENSION;
-  const struct symbolic_series *series = NULL, none = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, SYMBOLIC_TERMS);
+  const struct symbolic_series *series = NULL,
+                               none = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, SYMBOLIC_TERMS);
   symbolic closed = NULL;
   slong first = 0;
   switch (quantity) {
@@ -149,7 +150,8 @@ static bool derive(struct symbolic_laurent *derived, struct motion *m, enum scal
   }
   if (closed) {
     const slong before = quantity == SCALLOP_STEADY_MEAN_VELOCITY ? 0 : first;
-    const struct symbolic_series of_closed = symbolic_series_of(s, closed, before, power < first ? 1 : power - first + 1);
+    const struct symbolic_series of_closed = symbolic_series_of(s, closed, before,
+                                                                power < first ? 1 : power - first + 1);
     *derived = symbolic_laurent_of(s, &of_closed, first);
   } else if (series)
     *derived = symbolic_laurent_of(s, series, 0);
@@ -181,7 +183,8 @@ static void set_kinematic_length(struct names *names, struct motion *m, symbolic
   struct symbols *s = &m->symbols;
   symbolic difference = symbolic_sub(s, lT, l0), twice = symbolic_number(s, m->kind == SCALLOP_EXTENSION ? 2 : -2, 1);
   if (!symbolic_is_zero(difference, s))
-    set_symbol(names, s, SCALLOP_SYMBOL_L_kin, symbolic_div(s, symbolic_mul(s, l0, lT), symbolic_mul(s, twice, difference)));
+    set_symbol(names, s, SCALLOP_SYMBOL_L_kin,
+               symbolic_div(s, symbolic_mul(s, l0, lT), symbolic_mul(s, twice, difference)));
 }
 
 /* The bodies exchanged, and with them the sign of l */
@@ -257,8 +260,8 @@ static slong length_of(symbolic a, const struct symbols *s)
   return fmpz_mpoly_length(a->over, s->ring) + fmpz_mpoly_length(a->under, s->ring);
 }
 
-/* The coefficient of T^power, NULL: it is not known. of_gait: as this gait has the derivatives of l. With M and beta as they stand, if that is
- * shorter */
+/* The coefficient of T^power, NULL: it is not known. of_gait: as this gait has the derivatives of l. With M and beta as
+ * they stand, if that is shorter */
 static symbolic coefficient_of(struct motion *m, const struct symbolic_laurent *difference, slong power, bool of_gait)
 {
   struct replacement replaced[MOST_SYMBOLS];
@@ -271,11 +274,13 @@ static symbolic coefficient_of(struct motion *m, const struct symbolic_laurent *
   reduced = symbolic_reduced(s, term, replaced);
   other = symbolic_replaced(s, term, replaced);
   replacements_clear(replaced);
-  return reduced && other && !symbolic_is_zero(reduced, s) && length_of(other, s) < length_of(reduced, s) ? other : reduced;
+  return reduced && other && !symbolic_is_zero(reduced, s) && length_of(other, s) < length_of(reduced, s) ? other
+                                                                                                          : reduced;
 }
 
 /* The first power up to T^most whose coefficient is not 0, or most + 1. False: one is not known. */
-static bool first_power(slong *power, struct motion *m, const struct symbolic_laurent *difference, slong most, bool of_gait)
+static bool first_power(slong *power, struct motion *m, const struct symbolic_laurent *difference, slong most,
+                        bool of_gait)
 {
   symbolic found = NULL;
   for (*power = difference->first < most ? difference->first : most; *power <= most; ++*power)
@@ -302,8 +307,8 @@ static void evaluate(fmpq_t coefficient, const struct motion *m, symbolic found,
   _fmpq_vec_clear(values, m->symbols.count);
 }
 
-static const char *find(struct left_out *l, struct motion *m, const struct formula *formula, enum scallop_quantity quantity,
-                        const fmpq_t v0, slong most, char message[FORMULA_MESSAGE])
+static const char *find(struct left_out *l, struct motion *m, const struct formula *formula,
+                        enum scallop_quantity quantity, const fmpq_t v0, slong most, char message[FORMULA_MESSAGE])
 {
   struct symbolic_laurent derived, value;
   struct names *names = flint_malloc(sizeof *names);
@@ -345,8 +350,8 @@ void left_out_clear(struct left_out *l)
 }
 
 const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *f,
-                              const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind, const fmpq_t v0,
-                              slong most, char message[FORMULA_MESSAGE])
+                              const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
+                              const fmpq_t v0, slong most, char message[FORMULA_MESSAGE])
 {
   struct motion m = { .crawler = crawler,
                       .kind = kind,

@@ -58,8 +58,8 @@ static void set_image(fmpq_mpoly_t image, const struct symbols *s, int place, co
   fmpq_mpoly_clear(other, ring);
 }
 
-static void compose(fmpq_mpoly_t value, const fmpz_mpoly_t polynomial, const struct symbols *s, const struct change *change,
-                    const fmpq_mpoly_ctx_t ring)
+static void compose(fmpq_mpoly_t value, const fmpz_mpoly_t polynomial, const struct symbols *s,
+                    const struct change *change, const fmpq_mpoly_ctx_t ring)
 {
   fmpq_mpoly_struct images[MOST_SYMBOLS], *list[MOST_SYMBOLS];
   fmpq_mpoly_t from;

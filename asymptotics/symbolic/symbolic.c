@@ -28,7 +28,8 @@ static void name_symbol(struct symbol *symbol, bool second)
 int symbols_place(const struct symbols *s, enum symbol_meaning meaning, int derivative, enum scallop_phase_kind kind)
 {
   for (int i = 0; i < s->count; i++)
-    if (s->list[i].meaning == meaning && s->list[i].derivative == derivative && (derivative == 0 || s->list[i].kind == kind))
+    if (s->list[i].meaning == meaning && s->list[i].derivative == derivative
+        && (derivative == 0 || s->list[i].kind == kind))
       return i;
   return -1;
 }
@@ -82,8 +83,8 @@ static void derivative_value(fmpq_t value, const struct symbol *symbol, const st
   fmpz_clear(factorial);
 }
 
-void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler, const fmpq_t v0,
-                    const fmpq_t pi_squared)
+void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler,
+                    const fmpq_t v0, const fmpq_t pi_squared)
 {
   for (int i = 0; i < s->count; i++) {
     fmpq *value = values + i;
@@ -157,7 +158,10 @@ static int place_of(const struct symbols *s, enum symbol_meaning meaning)
   return place;
 }
 
-symbolic symbolic_named(struct symbols *s, enum symbol_meaning meaning) { return symbolic_place(s, place_of(s, meaning)); }
+symbolic symbolic_named(struct symbols *s, enum symbol_meaning meaning)
+{
+  return symbolic_place(s, place_of(s, meaning));
+}
 
 symbolic symbolic_coefficient(struct symbols *s, symbolic a, bool under, slong power)
 {
@@ -177,7 +181,8 @@ static symbolic counted(struct symbols *s, symbolic value)
   return value;
 }
 
-/* Takes the greatest common divisor out of a and b. FLINT finds one unless exponents overflow; without it the value is the same. */
+/* Takes the greatest common divisor out of a and b. FLINT finds one unless exponents overflow; without it the value is
+ * the same. */
 static void cancel(fmpz_mpoly_t a, fmpz_mpoly_t b, const struct symbols *s)
 {
   fmpz_mpoly_t common;
@@ -189,7 +194,8 @@ static void cancel(fmpz_mpoly_t a, fmpz_mpoly_t b, const struct symbols *s)
   fmpz_mpoly_clear(common, s->ring);
 }
 
-/* a + b or a - b: with under_a = g p and under_b = g q, (over_a q +- over_b p)/(g p q), where only g can have more to cancel */
+/* a + b or a - b: with under_a = g p and under_b = g q, (over_a q +- over_b p)/(g p q), where only g can have more to
+ * cancel */
 static symbolic sum(struct symbols *s, symbolic a, symbolic b, bool sub)
 {
   if (is_given_up(s))
@@ -248,9 +254,15 @@ static symbolic product(struct symbols *s, const fmpz_mpoly_t a, const fmpz_mpol
   return counted(s, value);
 }
 
-symbolic symbolic_mul(struct symbols *s, symbolic a, symbolic b) { return product(s, a->over, a->under, b->over, b->under); }
+symbolic symbolic_mul(struct symbols *s, symbolic a, symbolic b)
+{
+  return product(s, a->over, a->under, b->over, b->under);
+}
 
-symbolic symbolic_div(struct symbols *s, symbolic a, symbolic b) { return product(s, a->over, a->under, b->under, b->over); }
+symbolic symbolic_div(struct symbols *s, symbolic a, symbolic b)
+{
+  return product(s, a->over, a->under, b->under, b->over);
+}
 
 bool symbolic_is_zero(symbolic a, const struct symbols *s) { return fmpz_mpoly_is_zero(a->over, s->ring); }
 

@@ -1,7 +1,9 @@
-/* asymptotics/symbolic: the expansions of derived.h as formulas: their coefficients are rational functions of named symbols, exact.
+/* asymptotics/symbolic: the expansions of derived.h as formulas: their coefficients are rational functions of named
+ * symbols, exact.
  *
- * A crawler says which motion a formula is about: the modes that it has for T -> 0, and which derivatives of l at the ends of a phase are
- * not 0. The formula holds for every crawler of these modes. Never looks at numerics/. Needs FLINT; prints nothing.
+ * A crawler says which motion a formula is about: the modes that it has for T -> 0, and which derivatives of l at the
+ * ends of a phase are not 0. The formula holds for every crawler of these modes. Never looks at numerics/. Needs FLINT;
+ * prints nothing.
  *
  * Values never change once they are made: each belongs to the struct symbols that made it, and ends with that. */
 #ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_SYMBOLIC_H
@@ -40,8 +42,8 @@ struct symbol {
   enum symbol_meaning meaning;
   int derivative; /* n >= 2, else 0                                                               */
   enum scallop_phase_kind kind;
-  char name
-      [SYMBOL_NAME]; /* l0, l3_0, k0, l5_0, l6_0, ... for n = 2, 3, ..., and lT, l3_T, kT, ... at the end; _c of a second phase */
+  /* l0, l3_0, k0, l5_0, l6_0, ... for n = 2, 3, ..., and lT, l3_T, kT, ... at the end; _c of a second phase */
+  char name[SYMBOL_NAME];
 };
 
 /* A rational function of the symbols: over/under, without a common divisor, the leading coefficient of under > 0. */
@@ -57,7 +59,8 @@ struct symbols {
   size_t made_count, made_room;
   slong terms, most_terms; /* of all sums and products; 0: of any number, else more of them give the work up */
 };
-/* An empty list; symbols_add appends what is not in the list, and symbols_begin makes the ring of what is then in the list. symbols_end ends all three. */
+/* An empty list; symbols_add appends what is not in the list, and symbols_begin makes the ring of what is then in the
+ * list. symbols_end ends all three. */
 void symbols_init(struct symbols *s);
 void symbols_add(struct symbols *s, enum symbol_meaning meaning, int derivative, enum scallop_phase_kind kind);
 /* The place in the list, -1: it is not there. kind: of a derivative */
@@ -65,10 +68,10 @@ int symbols_place(const struct symbols *s, enum symbol_meaning meaning, int deri
 void symbols_begin(struct symbols *s);
 void symbols_end(struct symbols *s);
 
-/* What the symbols are for a crawler: values, _fmpq_vec_init(s->count). v0 may be NULL where it is no symbol; pi_squared as in
- * scallop_expand_phase. */
-void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler, const fmpq_t v0,
-                    const fmpq_t pi_squared);
+/* What the symbols are for a crawler: values, _fmpq_vec_init(s->count). v0 may be NULL where it is no symbol;
+ * pi_squared as in scallop_expand_phase. */
+void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler,
+                    const fmpq_t v0, const fmpq_t pi_squared);
 
 typedef const struct symbolic *symbolic;
 
@@ -109,7 +112,8 @@ struct symbolic_series symbolic_series_scale(struct symbols *s, const struct sym
 struct symbolic_series symbolic_series_div(struct symbols *s, const struct symbolic_series *a,
                                            const struct symbolic_series *b, slong length);
 /* times T^power; for power < 0 what comes before T^0 is dropped */
-struct symbolic_series symbolic_series_shift(struct symbols *s, const struct symbolic_series *a, slong power, slong length);
+struct symbolic_series symbolic_series_shift(struct symbols *s, const struct symbolic_series *a, slong power,
+                                             slong length);
 /* value T^-first as a series in T, where it has no negative power; T must be in the list. */
 struct symbolic_series symbolic_series_of(struct symbols *s, symbolic value, slong first, slong length);
 
@@ -119,30 +123,35 @@ struct symbolic_phase {
   struct symbolic_series t1, dT, v_end, dx1, dx2, dxC, at_first, at_last;
   char modes[SCALLOP_BRANCH_TEXT];
 };
-/* All coefficients below T^order, 1 <= order <= SYMBOLIC_ORDERS, in m1, m2, M, F1, F2, L, v0 and the derivatives of l at the ends that are
- * not 0 for this gait. s: from symbols_init on, made here. v0: its sign counts. Statuses and why as scallop_expand_phase. */
+/* All coefficients below T^order, 1 <= order <= SYMBOLIC_ORDERS, in m1, m2, M, F1, F2, L, v0 and the derivatives of l
+ * at the ends that are not 0 for this gait. s: from symbols_init on, made here. v0: its sign counts. Statuses and why
+ * as scallop_expand_phase. */
 enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallop_rational_crawler *crawler,
                                           enum scallop_phase_kind kind, const fmpq_t v0, slong order,
                                           struct symbolic_phase *phase, const char **why);
 
-/* The steady state in closed form: rational functions of m1, m2, M, F1, F2, L, alpha, beta and T, where l' is linear at every crossing. */
+/* The steady state in closed form: rational functions of m1, m2, M, F1, F2, L, alpha, beta and T, where l' is linear at
+ * every crossing. */
 struct symbolic_steady {
   symbolic v_start, v_mid, displacement;
   char modes[2 * SCALLOP_BRANCH_TEXT];
 };
-/* s: as above. For 0 < T up to where the steady state leaves the modes that the crawler has for T -> 0. Statuses as scallop_expand_steady;
- * SCALLOP_EDOMAIN also where a crossing is in a piece of l' that is not linear, and for alpha = 1/2 or F1 = F2. */
+/* s: as above. For 0 < T up to where the steady state leaves the modes that the crawler has for T -> 0. Statuses as
+ * scallop_expand_steady; SCALLOP_EDOMAIN also where a crossing is in a piece of l' that is not linear, and for alpha =
+ * 1/2 or F1 = F2. */
 enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallop_rational_crawler *crawler,
                                           struct symbolic_steady *steady, const char **why);
 
-/* U = v_start T of the limit T -> 0, for any gait. With F_a, F_b = F1, F2 where U > 0 and F2, F1 where U < 0, it is the root of
+/* U = v_start T of the limit T -> 0, for any gait. With F_a, F_b = F1, F2 where U > 0 and F2, F1 where U < 0, it is the
+ * root of
  *
  *     |(F1 - F2)(2 alpha - 1)| = 2 F_a alpha share_e + 2 F_b (1 - alpha) share_c,
  *
- * share_e the part of the extension, and share_c of the contraction, in which both bodies move alike: mu |l'| < M |U|, mu = m2 and m1 where
- * U > 0, m1 and m2 where U < 0. */
+ * share_e the part of the extension, and share_c of the contraction, in which both bodies move alike: mu |l'| < M |U|,
+ * mu = m2 and m1 where U > 0, m1 and m2 where U < 0. */
 enum limit_parameter {
-  LIMIT_IN_PRODUCT, /* (F1 - F2)(2 alpha - 1)/(F1 + F2), all else fixed: the first term is (26), and (27) for the paper's gaits */
+  /* (F1 - F2)(2 alpha - 1)/(F1 + F2), all else fixed: the first term is (26), and (27) for the paper's gaits */
+  LIMIT_IN_PRODUCT,
   LIMIT_IN_ALPHA,    /* 2 alpha - 1                                                         */
   LIMIT_IN_FRICTION, /* (F1 - F2)/(F1 + F2)                                                 */
   LIMIT_PARAMETERS
@@ -154,13 +163,14 @@ struct symbolic_limit {
   symbolic small;              /* the parameter                                                        */
   struct symbolic_series term; /* the expansion's terms, the powers of the parameter included          */
 };
-/* The equation of which U is the root, as text "LEFT = RIGHT": in the language of formula.h for the sinusoidal gait, where share = 2/pi
- * asin(...) with asin = pi/2 beyond 1; else with a sentence that says what share_e and share_c are. NULL: alpha = 1/2 or F1 = F2, and U = 0. */
+/* The equation of which U is the root, as text "LEFT = RIGHT": in the language of formula.h for the sinusoidal gait,
+ * where share = 2/pi asin(...) with asin = pi/2 beyond 1; else with a sentence that says what share_e and share_c are.
+ * NULL: alpha = 1/2 or F1 = F2, and U = 0. */
 const char *symbolic_limit_equation(const struct scallop_rational_crawler *crawler);
-/* All terms below parameter^order, 1 <= order <= SYMBOLIC_LIMIT_ORDERS, in m1, m2, M, F1, F2, L, alpha, beta and the derivatives of l at the ends of
- * the extension, or at its start alone where the gait is reversible, and with names that end in _c at those of the contraction unless the phases
- * mirror each other. s: from symbols_init on, made
- * here. SCALLOP_EDOMAIN also where l'' = 0 or l' jumps at an end of a phase, and for alpha = 1/2 or F1 = F2. */
+/* All terms below parameter^order, 1 <= order <= SYMBOLIC_LIMIT_ORDERS, in m1, m2, M, F1, F2, L, alpha, beta and the
+ * derivatives of l at the ends of the extension, or at its start alone where the gait is reversible, and with names
+ * that end in _c at those of the contraction unless the phases mirror each other. s: from symbols_init on, made here.
+ * SCALLOP_EDOMAIN also where l'' = 0 or l' jumps at an end of a phase, and for alpha = 1/2 or F1 = F2. */
 enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallop_rational_crawler *crawler,
                                           enum limit_parameter in, slong order, struct symbolic_limit *limit,
                                           const char **why);

@@ -9,8 +9,8 @@
 #define TEXT_OF(number) TEXT_AS(number)
 #define TEXT_AS(number) #number
 
-/* The part of a phase in which mu |l'| < M U, as a series in y = M U f/mu, f the fraction of the phase: the inverses of |l'| near both ends,
- * which are the same where the phase is reversible */
+/* The part of a phase in which mu |l'| < M U, as a series in y = M U f/mu, f the fraction of the phase: the inverses of
+ * |l'| near both ends, which are the same where the phase is reversible */
 static struct symbolic_series share_of(struct symbols *s, enum scallop_phase_kind kind, bool reversible, slong length)
 {
   symbolic one = symbolic_number(s, 1, 1), none = symbolic_number(s, 0, 1);
@@ -24,8 +24,8 @@ static struct symbolic_series share_of(struct symbols *s, enum scallop_phase_kin
   return share;
 }
 
-struct
-    weights { /* F1/(F1 + F2), F2/(F1 + F2), alpha, beta, and (F1 - F2)(2 alpha - 1)/(F1 + F2), as series in the small parameter */
+/* F1/(F1 + F2), F2/(F1 + F2), alpha, beta, and (F1 - F2)(2 alpha - 1)/(F1 + F2), as series in the small parameter */
+struct weights {
   struct symbolic_series force[2], fraction[2], drive;
 };
 
@@ -71,11 +71,12 @@ static struct weights weights_of(struct symbols *s, enum limit_parameter in, slo
 }
 
 /* Adds 2 F f share(M U f/mu) of a phase and its derivative by U; sign: of U, which is |U| here. */
-static void add_phase(struct symbols *s, struct symbolic_series *sum, struct symbolic_series *slope, const struct weights *w,
-                      enum scallop_phase_kind kind, int sign, const struct symbolic_series *share,
-                      const struct symbolic_series *U, slong length)
+static void add_phase(struct symbols *s, struct symbolic_series *sum, struct symbolic_series *slope,
+                      const struct weights *w, enum scallop_phase_kind kind, int sign,
+                      const struct symbolic_series *share, const struct symbolic_series *U, slong length)
 {
-  int rear = kind == SCALLOP_EXTENSION ? 0 : 1, turns = sign > 0 ? rear : 1 - rear; /* which body turns back and forth */
+  int rear = kind == SCALLOP_EXTENSION ? 0 : 1,
+      turns = sign > 0 ? rear : 1 - rear; /* which body turns back and forth */
   symbolic mu = symbolic_named(s, turns == 0 ? NAMED_m2 : NAMED_m1);
   symbolic per_mu = symbolic_div(s, symbolic_named(s, NAMED_M), mu);
   struct symbolic_series scale = symbolic_series_scale(s, &w->fraction[kind], per_mu, length);
@@ -119,7 +120,8 @@ static struct symbolic_series solve(struct symbols *s, const struct weights *w, 
   return U;
 }
 
-static void list_symbols(struct symbols *s, const struct scallop_gait *gait, const struct symbolic_limit *limit, slong order)
+static void list_symbols(struct symbols *s, const struct scallop_gait *gait, const struct symbolic_limit *limit,
+                         slong order)
 {
   static const enum symbol_meaning first[] = { NAMED_m1, NAMED_m2, NAMED_M,     NAMED_F1,
                                                NAMED_F2, NAMED_L,  NAMED_alpha, NAMED_beta };
@@ -164,13 +166,15 @@ const char *symbolic_limit_equation(const struct scallop_rational_crawler *crawl
     "F1*alpha*asin(2*alpha*M*U/(pi*m2*L)) + F2*(1 - alpha)*asin(2*(1 - alpha)*M*U/(pi*m1*L))"
     " = pi/4*(F1 - F2)*(2*alpha - 1)"
   };
-  static const char *const of_any[] = { "2*F2*alpha*share_e + 2*F1*(1 - alpha)*share_c = -(F1 - F2)*(2*alpha - 1), share_e "
-                                        "being the part of the extension in which "
-                                        "m1 |l'| < -M U/T, share_c the part of the contraction in which m2 |l'| < -M U/T",
-                                        NULL,
-                                        "2*F1*alpha*share_e + 2*F2*(1 - alpha)*share_c = (F1 - F2)*(2*alpha - 1), share_e "
-                                        "being the part of the extension in which "
-                                        "m2 |l'| < M U/T, share_c the part of the contraction in which m1 |l'| < M U/T" };
+  static const char *const of_any[] = {
+    "2*F2*alpha*share_e + 2*F1*(1 - alpha)*share_c = -(F1 - F2)*(2*alpha - 1), share_e "
+    "being the part of the extension in which "
+    "m1 |l'| < -M U/T, share_c the part of the contraction in which m2 |l'| < -M U/T",
+    NULL,
+    "2*F1*alpha*share_e + 2*F2*(1 - alpha)*share_c = (F1 - F2)*(2*alpha - 1), share_e "
+    "being the part of the extension in which "
+    "m2 |l'| < M U/T, share_c the part of the contraction in which m1 |l'| < M U/T"
+  };
   return (is_sine(crawler->gait) ? of_sine : of_any)[sign_of(crawler) + 1];
 }
 

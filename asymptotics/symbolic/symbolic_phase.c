@@ -1,8 +1,9 @@
 /* One phase at fixed v0 as a series in its duration T.
  *
- * With s for the time in units of T and Pi = M c T, where c is the velocity of the centre of mass, Pi is a straight line of slope
- * g T^2, g = -(F1 + F2), F_rear - F_front or F1 + F2 in the three regions, and meets at a crossing the curve mu |f'(s)|, mu = m_front or
- * -m_rear, l(t) = f(t/T). The same algebra as in asymptotics/derived/lift.c, in these units. */
+ * With s for the time in units of T and Pi = M c T, where c is the velocity of the centre of mass, Pi is a straight
+ * line of slope g T^2, g = -(F1 + F2), F_rear - F_front or F1 + F2 in the three regions, and meets at a crossing the
+ * curve mu |f'(s)|, mu = m_front or -m_rear, l(t) = f(t/T). The same algebra as in asymptotics/derived/lift.c, in these
+ * units. */
 #include <stdio.h>
 
 #include "asymptotics/symbolic/crossing.h"
@@ -64,12 +65,14 @@ static struct symbolic_series rear_position(struct symbols *s, const struct bodi
 static void expand(struct symbols *s, const struct branch *b, enum scallop_phase_kind kind, bool from_rest, slong order,
                    struct symbolic_phase *phase)
 {
-  const slong length = order + 1, terms = order > 2 ? order - 1 : 2; /* b is of the order of T^2: that many terms of y do */
+  const slong length = order + 1,
+              terms = order > 2 ? order - 1 : 2; /* b is of the order of T^2: that many terms of y do */
   struct bodies bodies = bodies_of(s, kind);
   symbolic M = symbolic_named(s, NAMED_M), none = symbolic_number(s, 0, 1);
   struct symbolic_series since = symbolic_series_set(s, none, 0, length), travel = since, way, time;
   struct symbolic_series end_of_phase = symbolic_series_set(s, symbolic_number(s, 1, 1), 0, length);
-  struct line line = { symbolic_series_set(s, from_rest ? none : symbolic_mul(s, M, symbolic_named(s, NAMED_v0)), 1, length),
+  struct line line = { symbolic_series_set(s, from_rest ? none : symbolic_mul(s, M, symbolic_named(s, NAMED_v0)), 1,
+                                           length),
                        symbolic_series_set(s, bodies.force[b->first_region], 2, length) };
   phase->switches = b->count > 0;
   phase->t1 = phase->dT = phase->at_first = phase->at_last = symbolic_series_set(s, none, 0, order);

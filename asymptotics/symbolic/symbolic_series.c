@@ -81,7 +81,8 @@ struct symbolic_series symbolic_series_div(struct symbols *s, const struct symbo
   return series;
 }
 
-struct symbolic_series symbolic_series_shift(struct symbols *s, const struct symbolic_series *a, slong power, slong length)
+struct symbolic_series symbolic_series_shift(struct symbols *s, const struct symbolic_series *a, slong power,
+                                             slong length)
 {
   struct symbolic_series series = zeros(s, length);
   for (slong k = 0; k < length; k++)

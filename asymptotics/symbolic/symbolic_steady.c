@@ -1,8 +1,9 @@
 /* The steady state where l' is linear at every crossing, in closed form.
  *
- * With s for the time in units of a phase that takes the fraction f of the period, and Pi = M c T, T the period, the line is f Pi = p + g s,
- * g = f^2 T^2 force, and crosses the curve mu L (a + b y), y the time from the anchor of a piece. All of this is linear in Pi at the start, so
- * the map of the period is Pi -> A Pi + B, and Pi = B/(1 - A) in the steady state. */
+ * With s for the time in units of a phase that takes the fraction f of the period, and Pi = M c T, T the period, the
+ * line is f Pi = p + g s, g = f^2 T^2 force, and crosses the curve mu L (a + b y), y the time from the anchor of a
+ * piece. All of this is linear in Pi at the start, so the map of the period is Pi -> A Pi + B, and Pi = B/(1 - A) in
+ * the steady state. */
 #include <stdio.h>
 #include <string.h>
 
@@ -83,7 +84,8 @@ static symbolic way(struct symbols *s, symbolic p, symbolic g, symbolic from, sy
 }
 
 /* The time of a crossing since the start of the phase: mu L (a + b y) = p + g s */
-static struct affine crossing_time(struct symbols *s, const struct linear_law *law, symbolic mu, struct affine p, symbolic g)
+static struct affine crossing_time(struct symbols *s, const struct linear_law *law, symbolic mu, struct affine p,
+                                   symbolic g)
 {
   symbolic scale = symbolic_mul(s, mu, symbolic_named(s, NAMED_L)), minus = symbolic_number(s, -1, 1);
   symbolic a = symbolic_mul(s, scale, law->a), b = symbolic_mul(s, scale, law->b);
@@ -156,12 +158,12 @@ enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallo
     limit_init(&limit, crawler);
     limit_find(&limit, crawler, PRECISION, why);
     if (series_coefficient_is_zero(&limit.w, 0))
-      status = refuse(why,
-                      "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any "
-                      "alpha, F1 and F2 near these");
+      status = refuse(
+          why, "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any "
+               "alpha, F1 and F2 near these");
     else if (!crossings_are_linear(&limit.branch[0]) || !crossings_are_linear(&limit.branch[1]))
-      status = refuse(why,
-                      "l' is not linear where bodies turn, so that the steady state has no closed form: see --source limit");
+      status = refuse(
+          why, "l' is not linear where bodies turn, so that the steady state has no closed form: see --source limit");
     else {
       for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         symbols_add(s, names[i], 0, SCALLOP_EXTENSION);

@@ -23,7 +23,8 @@ static void forget(struct answer *a, enum scallop_status status)
     a->value[q].high = NAN;
 }
 
-/* What the solver gives, what the wider walk gives, and the estimates of the error: of a motion one of the two is filled in. */
+/* What the solver gives, what the wider walk gives, and the estimates of the error: of a motion one of the two is
+ * filled in. */
 struct solved {
   struct scallop_steady_result steady;
   struct scallop_phase_result phase;
@@ -182,9 +183,10 @@ bool answer_with_errors(struct answer *a, const struct motion *m, double errors[
   struct solved s;
   struct solved_errors e;
   bool solved = solve(a, m, &s);
-  enum scallop_status status = !solved              ? a->status
-                               : m->of == OF_STEADY ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
-                                                    : scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e.phase);
+  enum scallop_status status = !solved ? a->status
+                               : m->of == OF_STEADY
+                                   ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
+                                   : scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e.phase);
   for (int q = 0; q < QUANTITIES; q++) {
     errors[q] = NAN;
     if (status >= 0 && quantity_rows[q].of == m->of)
@@ -236,7 +238,8 @@ bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]
 {
   for (int phase = 0; phase < 2; phase++) {
     int kept = a[phase].count < SCALLOP_MODES_KEPT ? (int)a[phase].count : SCALLOP_MODES_KEPT;
-    if (a[phase].count != b[phase].count || memcmp(a[phase].kept, b[phase].kept, (size_t)kept * sizeof *a[phase].kept) != 0)
+    if (a[phase].count != b[phase].count
+        || memcmp(a[phase].kept, b[phase].kept, (size_t)kept * sizeof *a[phase].kept) != 0)
       return false;
   }
   return true;

@@ -1,7 +1,8 @@
 /* An answer: a motion solved in one arithmetic, and its quantities by their places in the table (quantities.h).
  *
- * Four arithmetics: double, the solver itself; wide, the same walk in 64 or 113 bits; balls, every digit proven; and series in T. The
- * latter two need FLINT (answer_flint.c). Statuses and accuracy are those of numerics/ and asymptotics/. */
+ * Four arithmetics: double, the solver itself; wide, the same walk in 64 or 113 bits; balls, every digit proven; and
+ * series in T. The latter two need FLINT (answer_flint.c). Statuses and accuracy are those of numerics/ and
+ * asymptotics/. */
 #ifndef SCALLOP_COMPARE_ANSWERS_ANSWER_H
 #define SCALLOP_COMPARE_ANSWERS_ANSWER_H
 
@@ -33,33 +34,37 @@ bool answer_turnings(struct answer *answer, const struct motion *motion);
 /* Of a steady state in double, Q_FRICTION_WORK and Q_COST_OF_TRANSPORT as well: likewise. */
 enum scallop_status answer_friction(struct answer *answer, const struct motion *motion);
 bool answer_in_wide(struct answer *answer, const struct motion *motion, enum scallop_width width);
-/* The answer in double, and for each of its numbers an estimate of the error (numerics/wide/wide.h); nan where there is none. */
+/* The answer in double, and for each of its numbers an estimate of the error (numerics/wide/wide.h); nan where there is
+ * none. */
 bool answer_with_errors(struct answer *answer, const struct motion *motion, double errors[QUANTITIES]);
 
-/* In balls, of the point exactly as it is written: each number as a decimal text of so many digits, the last one right to a unit; NULL
- * where the motion has no such quantity. answer has status, regime and modes; *why more about a failure, or NULL. The texts are freed
- * by decimals_free. Needs FLINT. */
+/* In balls, of the point exactly as it is written: each number as a decimal text of so many digits, the last one right
+ * to a unit; NULL where the motion has no such quantity. answer has status, regime and modes; *why more about a
+ * failure, or NULL. The texts are freed by decimals_free. Needs FLINT. */
 bool answer_in_decimals(struct answer *answer, char *texts[QUANTITIES], const struct point *point, enum quantity_of of,
                         long digits, const char **why);
 void decimals_free(char *texts[QUANTITIES]);
 
-/* The longest period at which an extension from rest does not stick, to the last bit; nan: no body ever sticks. The crawler's T is not used. */
+/* The longest period at which an extension from rest does not stick, to the last bit; nan: no body ever sticks. The
+ * crawler's T is not used. */
 double sticking_onset(const struct scallop_crawler *crawler);
 
-/* A formula, in double, for the motion: its steady state, or its phase. What the formula takes as given comes from the answer, which may be NULL
- * where it takes nothing; a formula that is printed for an extension is carried to a contraction by exchanging the bodies. */
+/* A formula, in double, for the motion: its steady state, or its phase. What the formula takes as given comes from the
+ * answer, which may be NULL where it takes nothing; a formula that is printed for an extension is carried to a
+ * contraction by exchanging the bodies. */
 double published_value(const struct scallop_formula *formula, const struct motion *motion, const struct answer *given);
 
 /* "++ -+ ++" of a phase, "++ -+ ++ | ++ +- ++" of a steady state. Returns text. */
 enum { MOTION_MODES_TEXT = 2 * SCALLOP_MODES_TEXT + 4 };
 const char *motion_modes_text(char text[MOTION_MODES_TEXT], enum quantity_of of, const struct scallop_modes modes[2]);
-/* In which phases of a steady state with such modes a body turns: "++ -+ ++ | ++" has none that turns in the contraction. */
+/* In which phases of a steady state with such modes a body turns: "++ -+ ++ | ++" has none that turns in the
+ * contraction. */
 enum scallop_turns turns_in_modes(const char *modes);
 /* Of a phase modes[1] is empty. */
 bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]);
 
-/* What the column status says of an answer: ok, which interval of steady states there is, or why there is none. Returns text or a
- * text that lives for ever. */
+/* What the column status says of an answer: ok, which interval of steady states there is, or why there is none. Returns
+ * text or a text that lives for ever. */
 enum { ANSWER_STATUS = 160 };
 const char *answer_status_text(char text[ANSWER_STATUS], const struct answer *answer);
 

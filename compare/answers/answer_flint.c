@@ -184,7 +184,8 @@ void series_answer_clear(struct series_answer *a)
   series_clear(&a->cost);
 }
 
-/* Where the displacement begins with T^2 four terms are lost, which the expansion to an even order has to spare. NULL: it is 0, or begins later. */
+/* Where the displacement begins with T^2 four terms are lost, which the expansion to an even order has to spare. NULL:
+ * it is 0, or begins later. */
 static const struct series *cost_series(struct series_answer *a, const struct scallop_rational_crawler *c, slong order,
                                         slong precision)
 {
@@ -219,6 +220,7 @@ bool answer_in_series(struct series_answer *a, const struct scallop_rational_cra
   for (int q = 0; q < ALL_QUANTITIES; q++)
     a->value[q] = value_at(a, q, places[q].series, of, a->phase.switches);
   a->modes = of == OF_STEADY ? a->steady.modes : a->phase.modes;
-  a->value[Q_COST_OF_TRANSPORT] = of == OF_STEADY && a->status == SCALLOP_OK ? cost_series(a, c, order, precision) : NULL;
+  a->value[Q_COST_OF_TRANSPORT] = of == OF_STEADY && a->status == SCALLOP_OK ? cost_series(a, c, order, precision)
+                                                                             : NULL;
   return a->status == SCALLOP_OK;
 }

@@ -18,24 +18,25 @@ struct ball_answer {
 };
 void ball_answer_init(struct ball_answer *answer);
 void ball_answer_clear(struct ball_answer *answer);
-/* The motion in fractions: the crawler as it was written, or exactly the doubles of a motion. v0: NULL of a steady state. */
+/* The motion in fractions: the crawler as it was written, or exactly the doubles of a motion. v0: NULL of a steady
+ * state. */
 bool answer_in_balls(struct ball_answer *answer, const struct scallop_rational_crawler *crawler, enum quantity_of of,
                      enum scallop_phase_kind phase, const fmpq_t v0, long digits);
 /* Parameters and v0 are taken for exactly the doubles they are. */
 bool answer_of_doubles(struct ball_answer *answer, const struct motion *motion, long digits);
 
-/* A formula of the paper at T, the period or the duration of the phase. given: the phase in balls, for a formula that takes switching times
- * as given; else NULL. False: the formula has no value. */
-bool published_in_balls(arb_t value, const struct scallop_formula *formula, const struct scallop_rational_crawler *crawler,
-                        enum scallop_phase_kind phase, const fmpq_t v0, const fmpq_t T, const struct ball_answer *given,
-                        slong precision);
+/* A formula of the paper at T, the period or the duration of the phase. given: the phase in balls, for a formula that
+ * takes switching times as given; else NULL. False: the formula has no value. */
+bool published_in_balls(arb_t value, const struct scallop_formula *formula,
+                        const struct scallop_rational_crawler *crawler, enum scallop_phase_kind phase, const fmpq_t v0,
+                        const fmpq_t T, const struct ball_answer *given, slong precision);
 
 struct series_answer {
   enum scallop_status status;
   const char *why;
-  const struct series
-      *value[ALL_QUANTITIES]; /* in powers of T, the period or the duration of the phase; NULL where there is none */
-  const char *modes;          /* for T -> 0 */
+  /* in powers of T, the period or the duration of the phase; NULL where there is none */
+  const struct series *value[ALL_QUANTITIES];
+  const char *modes; /* for T -> 0 */
   struct scallop_steady_expansion steady;
   struct scallop_phase_expansion phase;
   struct series cost;

@@ -1,4 +1,5 @@
-/* What a run of scenes really did: `run --stats` prints it. Each is counted where a scene asks for it; what other commands do is not. */
+/* What a run of scenes really did: `run --stats` prints it. Each is counted where a scene asks for it; what other
+ * commands do is not. */
 #ifndef SCALLOP_COMPARE_ANSWERS_COUNTS_H
 #define SCALLOP_COMPARE_ANSWERS_COUNTS_H
 

@@ -1,4 +1,5 @@
-/* What holds in tables that need FLINT where an option is not given. --help prints these numbers, also where FLINT is not there. */
+/* What holds in tables that need FLINT where an option is not given. --help prints these numbers, also where FLINT is
+ * not there. */
 #ifndef SCALLOP_COMPARE_ANSWERS_DEFAULTS_H
 #define SCALLOP_COMPARE_ANSWERS_DEFAULTS_H
 

@@ -32,8 +32,8 @@ static const char *read_row(struct gait_file *g, struct tsv *tsv)
   if (g->last + 1 == MOST_ROWS)
     return tsv_at(tsv, "more than %d rows", MOST_ROWS);
   if (before && !(row.t > before->t))
-    return tsv_at(tsv, "t = %.80s does not come after %.80s of line %ld: t must increase", tsv->cell[0], before->written[0],
-                  before->line);
+    return tsv_at(tsv, "t = %.80s does not come after %.80s of line %ld: t must increase", tsv->cell[0],
+                  before->written[0], before->line);
   struct gait_row *rows = with_room(g->rows, g->last + 1, sizeof *rows);
   if (!rows)
     return no_memory;
@@ -84,10 +84,11 @@ static const char *look(struct gait_file *g, struct tsv *tsv)
   if (!(g->L > 0) && last->l == first->l)
     return tsv_at_line(tsv, last->line, "l is the same throughout: there is no gait in that");
   if (!(fabs(last->l - first->l) <= closes * g->L))
-    return tsv_at_line(tsv, last->line,
-                       "not periodic: l = %.80s in the last row, %.80s in the first one, on line %ld: they must be equal to "
-                       "1e-9 of the range",
-                       last->written[1], first->written[1], first->line);
+    return tsv_at_line(
+        tsv, last->line,
+        "not periodic: l = %.80s in the last row, %.80s in the first one, on line %ld: they must be equal to "
+        "1e-9 of the range",
+        last->written[1], first->written[1], first->line);
   if (!isfinite(g->L) || !isfinite(g->T))
     return tsv_at_line(tsv, last->line, "the range of t and that of l must not overflow");
   if (!(g->alpha > 0 && g->alpha < 1))
@@ -96,7 +97,8 @@ static const char *look(struct gait_file *g, struct tsv *tsv)
   return NULL;
 }
 
-/* Rows first to last as the knots of a phase. False: two of them are at one time, in units of 2^-53 of the phase: row *bad. */
+/* Rows first to last as the knots of a phase. False: two of them are at one time, in units of 2^-53 of the phase: row
+ * *bad. */
 static bool set_knots(struct scallop_knot *knots, const struct gait_file *g, long first, long last, long *bad)
 {
   double begin = time_of(g, first), duration = time_of(g, last) - begin;
@@ -114,8 +116,8 @@ static bool set_knots(struct scallop_knot *knots, const struct gait_file *g, lon
 
 static double sign(double x) { return x < 0 ? -1 : 1; }
 
-/* Steffen's slopes (Astron. Astrophys. 239, 1990, p. 443). At the ends of a phase, a minimum and a maximum, they are 0, as they are
- * there with the points beyond, too: l turns. So each phase stands alone. */
+/* Steffen's slopes (Astron. Astrophys. 239, 1990, p. 443). At the ends of a phase, a minimum and a maximum, they are 0,
+ * as they are there with the points beyond, too: l turns. So each phase stands alone. */
 static void set_slopes(struct scallop_knot *k, int count)
 {
   for (int i = 1; i + 1 < count; i++) {
@@ -154,7 +156,8 @@ static const char *lay_spline(struct gait_file *g, struct tsv *tsv, const char *
   if (!wrong)
     g->checksum = checksum_after(CHECKSUM_OF_NOTHING, knots, all * sizeof *knots);
   if (!wrong && scallop_make_spline(&g->spline, text, phases, count) != SCALLOP_OK)
-    wrong = tsv_at_line(tsv, 0, "no monotone spline goes through these rows: some differ in l by 1e-16 of the range only");
+    wrong = tsv_at_line(tsv, 0,
+                        "no monotone spline goes through these rows: some differ in l by 1e-16 of the range only");
   free(knots);
   return wrong;
 }

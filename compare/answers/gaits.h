@@ -1,5 +1,5 @@
-/* Gaits by their names on the command line: NAME or NAME:NUMBERS for the families of model/families.h, and measured:FILE, a table of t and l
- * through which a spline is laid. */
+/* Gaits by their names on the command line: NAME or NAME:NUMBERS for the families of model/families.h, and
+ * measured:FILE, a table of t and l through which a spline is laid. */
 #ifndef SCALLOP_COMPARE_ANSWERS_GAITS_H
 #define SCALLOP_COMPARE_ANSWERS_GAITS_H
 
@@ -15,10 +15,11 @@ enum { GAIT_TEXT = 4096 };
 
 enum gait_fault { GAIT_FINE, GAIT_UNKNOWN, GAIT_UNREADABLE };
 struct gait_answer {
-  const struct scallop_gait
-      *gait;             /* its name is the text; it lives until the program ends, and the same text gives the same one */
-  enum gait_fault fault; /* UNREADABLE: a file could not be read at all                                                */
-  const char *wrong;     /* what is wrong, where gait is NULL; lives until the next call                             */
+  /* its name is the text; it lives until the program ends, and the same text gives the same one */
+  const struct scallop_gait *gait;
+  enum gait_fault
+      fault;         /* UNREADABLE: a file could not be read at all                                                */
+  const char *wrong; /* what is wrong, where gait is NULL; lives until the next call                             */
 };
 struct gait_answer gait_of_text(const char *text);
 
@@ -50,7 +51,8 @@ bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
 /* How often l' changes its sign within the phases: of a measured gait, seldom by intention. */
 int gait_reversals(const struct scallop_gait *gait);
 
-/* Whether l'' is not 0 where the phases begin and end: else the published formulas, which divide by it there, have no value. */
+/* Whether l'' is not 0 where the phases begin and end: else the published formulas, which divide by it there, have no
+ * value. */
 bool gait_has_ends(const struct scallop_gait *gait);
 extern const char gait_no_ends[]; /* that, as a status */
 

@@ -23,10 +23,13 @@ static void tell(struct told *t, const char *format, ...)
 }
 
 static int kept(const struct scallop_modes *m) { return m->count < SCALLOP_MODES_KEPT ? m->count : SCALLOP_MODES_KEPT; }
-static int direction(const struct scallop_modes *m, int i, int body) { return body == 1 ? m->kept[i].s1 : m->kept[i].s2; }
+static int direction(const struct scallop_modes *m, int i, int body)
+{
+  return body == 1 ? m->kept[i].s1 : m->kept[i].s2;
+}
 
-struct seen {            /* of one body in one phase */
-  int stops, turns;      /* how often it comes to rest for a while, and changes its direction                              */
+struct seen {       /* of one body in one phase */
+  int stops, turns; /* how often it comes to rest for a while, and changes its direction                              */
   bool at_start, at_end; /* at rest there */
 };
 
@@ -131,7 +134,8 @@ const char *mode_change_text(char text[MODE_CHANGE_TEXT], const struct answer *b
   if (same_modes(before->modes, after->modes))
     tell(&t, "no change of modes");
   else if (mirror_each_other(&before->modes[0], &after->modes[0])
-           && mirror_each_other(&before->modes[1], &after->modes[1])) /* F1 = F2 or alpha = 1/2: it crawls the other way */
+           && mirror_each_other(&before->modes[1],
+                                &after->modes[1])) /* F1 = F2 or alpha = 1/2: it crawls the other way */
     tell(&t, "the bodies exchange their roles");
   else if (was != is) {
     if (was != 0)

@@ -1,5 +1,5 @@
-/* A point: a crawler, its gait and, where asked, a phase with a start velocity; and each of its numbers as it was written, so that
- * certified answers can take 0.7 as 7/10. */
+/* A point: a crawler, its gait and, where asked, a phase with a start velocity; and each of its numbers as it was
+ * written, so that certified answers can take 0.7 as 7/10. */
 #ifndef SCALLOP_COMPARE_ANSWERS_POINT_H
 #define SCALLOP_COMPARE_ANSWERS_POINT_H
 
@@ -24,16 +24,16 @@ struct point {
 
 struct point point_initial(const struct scallop_crawler *usual);
 
-/* A parameter by its name, m1 m2 F1 F2 L T alpha gait phase v0, from text, which must outlive the point. Returns NULL, or what is
- * wrong with the text. The message lives until the next call. */
+/* A parameter by its name, m1 m2 F1 F2 L T alpha gait phase v0, from text, which must outlive the point. Returns NULL,
+ * or what is wrong with the text. The message lives until the next call. */
 const char *point_set(struct point *point, const char *name, const char *text);
 /* The same for a number by its place among the crawler's, CRAWLER_NUMBERS for v0. */
 const char *point_set_number(struct point *point, int place, const char *text);
 /* The same for a number that is known, and written as text. */
 const char *point_set_double(struct point *point, int place, double x, const char *text);
 
-/* Sets L, T and alpha where they are not written: those of the table of a measured gait, or the usual ones. After the last
- * parameter is set. */
+/* Sets L, T and alpha where they are not written: those of the table of a measured gait, or the usual ones. After the
+ * last parameter is set. */
 void point_complete(struct point *point);
 
 /* One of the crawler's numbers by its name; nan: it has none of that name. */

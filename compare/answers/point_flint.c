@@ -36,7 +36,8 @@ static bool of_numbers(struct written *w, const struct scallop_gait *gait, const
   return right;
 }
 
-/* Times and lengths of the rows of a period, from the least row on: 0 to file->last. Rows before that one come a period later. */
+/* Times and lengths of the rows of a period, from the least row on: 0 to file->last. Rows before that one come a period
+ * later. */
 static bool read_period(fmpq *t, fmpq *l, const struct gait_file *file)
 {
   const struct gait_row *rows = file->rows;

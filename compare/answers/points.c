@@ -58,12 +58,12 @@ static void squeeze(char plain[COLUMN_NAME], const char *name)
 static bool resembles(const char *plain, const char *parameter)
 {
   const char *const names[] = { parameter, NULL };
-  return strlen(plain) >= 4 && strlen(parameter) >= 5 && tolower((unsigned char)*plain) == tolower((unsigned char)*parameter)
-         && nearest(plain, names);
+  return strlen(plain) >= 4 && strlen(parameter) >= 5
+         && tolower((unsigned char)*plain) == tolower((unsigned char)*parameter) && nearest(plain, names);
 }
 
-/* The known parameter that this name, which is none, was probably meant to be, or NULL. Of one letter only what stands around it is
- * judged: `t` is a time. */
+/* The known parameter that this name, which is none, was probably meant to be, or NULL. Of one letter only what stands
+ * around it is judged: `t` is a time. */
 static const char *meant(const char *name, const char *const *extra)
 {
   char plain[COLUMN_NAME];
@@ -223,8 +223,8 @@ static void write_refused(struct table *t, const struct point_table *of)
 }
 
 /* r: of a file, or NULL. Returns whether the point was solved. */
-static const char *write_row(struct table *t, const struct point_table *of, const struct reader *r, const struct point *p,
-                             const char *refused)
+static const char *write_row(struct table *t, const struct point_table *of, const struct reader *r,
+                             const struct point *p, const char *refused)
 {
   if (refused)
     write_refused(t, of);
@@ -235,7 +235,8 @@ static const char *write_row(struct table *t, const struct point_table *of, cons
   return of->row(t, p, of->context, refused);
 }
 
-static void solve_rows(struct reader *r, struct table *table, const struct request *request, const struct point_table *of)
+static void solve_rows(struct reader *r, struct table *table, const struct request *request,
+                       const struct point_table *of)
 {
   char status[POINT_STATUS];
   while (!table_failed(table) && tsv_next(&r->tsv)) {
@@ -252,7 +253,8 @@ static enum exit_code finish(struct table *table, long rows, long unsolved)
   if (!table_close(table))
     return EXIT_FILE;
   if (unsolved > 0)
-    complain(table->style->command, "%ld of %ld points could not be solved: the column 'status' says why", unsolved, rows);
+    complain(table->style->command, "%ld of %ld points could not be solved: the column 'status' says why", unsolved,
+             rows);
   return unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
@@ -365,9 +367,9 @@ void point_tell_noise(const struct point *p, const struct style *style)
   const struct scallop_gait *gait = p->crawler.gait;
   int reversals = strncmp(gait->name, "measured:", 9) == 0 ? gait_reversals(gait) : 0;
   if (reversals > 0 && !style->quiet)
-    fprintf(
-        stderr,
-        "scallop %s: note: in %.200s l' changes its sign %d times within the phases. If that is noise, smooth the table: "
-        "the spline goes through every point\n",
-        style->command, gait->name + 9, reversals);
+    fprintf(stderr,
+            "scallop %s: note: in %.200s l' changes its sign %d times within the phases. If that is noise, smooth the "
+            "table: "
+            "the spline goes through every point\n",
+            style->command, gait->name + 9, reversals);
 }

@@ -12,14 +12,16 @@ const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
   [Q_FROUDE] = { "froude", "1", "M L / (T^2 (F1 + F2))", OF_STEADY, false },
   [Q_V_START] = { "v_start", "length/time", "velocity of both bodies at the start of the extension", OF_STEADY, true },
   [Q_V_MID] = { "v_mid", "length/time", "velocity of both bodies at the start of the contraction", OF_STEADY, true },
-  [Q_DISPLACEMENT] = { "displacement", "length", "displacement of the geometric centre over a period", OF_STEADY, true },
+  [Q_DISPLACEMENT] = { "displacement", "length", "displacement of the geometric centre over a period", OF_STEADY,
+                       true },
   [Q_MEAN_VELOCITY] = { "mean_velocity", "length/time", "displacement / T", OF_STEADY, true },
-  [Q_MULTIPLIER] = { "multiplier", "1", "derivative of the period map: the factor by which a deviation decays in a period",
-                     OF_STEADY, false },
+  [Q_MULTIPLIER] = { "multiplier", "1",
+                     "derivative of the period map: the factor by which a deviation decays in a period", OF_STEADY,
+                     false },
   [Q_T1] = { "t1", "time", "first change of mode after the start of the phase; nan: the mode does not change", OF_PHASE,
              true },
-  [Q_DT] = { "dT", "time", "from the last change of mode to the end of the phase; nan: the mode does not change", OF_PHASE,
-             true },
+  [Q_DT] = { "dT", "time", "from the last change of mode to the end of the phase; nan: the mode does not change",
+             OF_PHASE, true },
   [Q_V_END] = { "v_end", "length/time", "velocity of both bodies at the end of the phase", OF_PHASE, true },
   [Q_DX1] = { "dx1", "length", "displacement of body 1", OF_PHASE, true },
   [Q_DX2] = { "dx2", "length", "displacement of body 2", OF_PHASE, true },
@@ -28,7 +30,8 @@ const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
                         "energy that friction takes in a period: F1 and F2 times how far the bodies slide", OF_STEADY,
                         true },
   [Q_COST_OF_TRANSPORT] = { "cost_of_transport", "1",
-                            "friction_work / ((F1 + F2) abs(displacement)); nan: the displacement is 0", OF_STEADY, true },
+                            "friction_work / ((F1 + F2) abs(displacement)); nan: the displacement is 0", OF_STEADY,
+                            true },
 };
 
 enum quantity_id quantity_first(enum quantity_of of) { return of == OF_STEADY ? Q_FROUDE : FIRST_OF_PHASE; }
@@ -98,7 +101,8 @@ bool formula_takes_given(const struct scallop_formula *f)
 
 enum { MOST_ORDER = 1000, MOST_NAMES = 160 };
 
-/* Names of one thing each. The crawler's numbers, labels, the rows of the table and formulas have lists of their own. */
+/* Names of one thing each. The crawler's numbers, labels, the rows of the table and formulas have lists of their
+ * own. */
 static const struct {
   const char *name;
   enum quantity_kind kind;
@@ -127,8 +131,8 @@ enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
 
 const char *const quantity_samples[SAMPLE_VALUES + 1] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
 
-/* The name at place i among all names without a prefix, and what it means; NULL: there are no more. Where two are the same, the first
- * one counts. */
+/* The name at place i among all names without a prefix, and what it means; NULL: there are no more. Where two are the
+ * same, the first one counts. */
 static const char *name_at(const struct quantities *all, int i, struct quantity *q)
 {
   enum { LISTS = 5 };
@@ -183,7 +187,8 @@ static const char *read_order(struct quantity *q, const char *text)
   return *end == '.' && q->order <= MOST_ORDER ? end + 1 : NULL;
 }
 
-/* The quantity of this kind about the one with the rest of the name. Returns 0, or what quantity_named returns where there is none. */
+/* The quantity of this kind about the one with the rest of the name. Returns 0, or what quantity_named returns where
+ * there is none. */
 static int named_about(struct quantity *q, struct quantities *all, const char *rest)
 {
   if (q->kind == QUANTITY_EXACT || q->kind == QUANTITY_ERROR || q->kind == QUANTITY_RELATIVE) {
@@ -233,8 +238,9 @@ const char *quantity_near(const struct quantities *all, const char *name)
 
 bool quantity_is_text(const struct quantity *q)
 {
-  return q->kind == QUANTITY_GAIT || q->kind == QUANTITY_LABEL || q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_STATUS
-         || q->kind == QUANTITY_PHASE_NAME || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
+  return q->kind == QUANTITY_GAIT || q->kind == QUANTITY_LABEL || q->kind == QUANTITY_CERTIFIED
+         || q->kind == QUANTITY_STATUS || q->kind == QUANTITY_PHASE_NAME || q->kind == QUANTITY_REGIME
+         || q->kind == QUANTITY_MODES;
 }
 
 bool quantity_is_series(const struct quantity *q)

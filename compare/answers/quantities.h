@@ -1,7 +1,7 @@
 /* Quantities: what can be asked of a point, by name, and in which words and units.
  *
- * The numbers of a motion stand in one table, quantity_rows. A new one is a row there and its value in each of the arithmetics that have
- * it (answer.c, answer_flint.c). Columns, formulas and scenes have names for more than these:
+ * The numbers of a motion stand in one table, quantity_rows. A new one is a row there and its value in each of the
+ * arithmetics that have it (answer.c, answer_flint.c). Columns, formulas and scenes have names for more than these:
  *
  *     m1 m2 F1 F2 L T alpha v0 froude F1_over_F2 m1_over_m2 gait phase        the point; labels
  *     sticking_onset                              the longest period at which an extension from rest does not stick
@@ -11,7 +11,7 @@
  *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it
  *     derived_8.displacement, derived_8.dxC, ...  the sum of the derived terms below T^8
  *     limit.displacement                          the limit T -> 0: the first term
- *     exact.S, error.S, relative.S                of a series S of these: what it should be, S - exact, and that over |exact|
+ *     exact.S, error.S, relative.S   of a series S of these: what it should be, S - exact, and that over |exact|
  *     certified.displacement, ...                 with all digits, proven
  *     t x1 x2 xC v1 v2 l                          in a trajectory, at a time
  *     status                                      ok, or why there is no answer
@@ -47,8 +47,8 @@ enum quantity_id {
   Q_FRICTION_WORK = QUANTITIES,
   Q_COST_OF_TRANSPORT,
   NAMED_QUANTITIES,
-  /* No columns, but what formulas of the paper are about: the position of the rear body, from its start, at the first and at the last
-   * change of mode; v_end less v0; the velocity of a body that turns, 0. */
+  /* No columns, but what formulas of the paper are about: the position of the rear body, from its start, at the first
+   * and at the last change of mode; v_end less v0; the velocity of a body that turns, 0. */
   Q_AT_FIRST = NAMED_QUANTITIES,
   Q_AT_LAST,
   Q_CHANGE,
@@ -128,7 +128,8 @@ struct quantities {
   const char *label[QUANTITY_LABELS];
 };
 
-/* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for more. */
+/* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for
+ * more. */
 int quantity_named(struct quantities *all, const char *name);
 /* Is it the name of a quantity, or what names of quantities begin with, but not that of a formula? */
 bool quantity_is_other(const char *name);

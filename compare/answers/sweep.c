@@ -112,7 +112,8 @@ static void set(const struct move *m, const char *parameter, double x, bool is_w
   if (!is_written)
     number_text(written, x, 0);
   bool reads_back = x == 0 || isnormal(x); /* else its text is refused, and it is */
-  note(m, name, reads_back ? point_set_double(m->point, place, x, written) : point_set_number(m->point, place, written));
+  note(m, name,
+       reads_back ? point_set_double(m->point, place, x, written) : point_set_number(m->point, place, written));
 }
 
 static double rounded(double x, long digits)

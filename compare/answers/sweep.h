@@ -1,5 +1,5 @@
-/* A sweep: a list of points. Variables of a group advance together; a product is every combination of its groups, the first slowest; the
- * products of a sweep follow one another. What a variable may set is one table (sweep.c). */
+/* A sweep: a list of points. Variables of a group advance together; a product is every combination of its groups, the
+ * first slowest; the products of a sweep follow one another. What a variable may set is one table (sweep.c). */
 #ifndef SCALLOP_COMPARE_ANSWERS_SWEEP_H
 #define SCALLOP_COMPARE_ANSWERS_SWEEP_H
 
@@ -69,11 +69,12 @@ const char *sweep_wrong(const struct sweep_variable *variable, const struct poin
 /* The same for an end of a range, whose spacing is known. */
 const char *sweep_end_wrong(const struct sweep_variable *variable, const struct point *point, const char *text);
 
-/* Options of the command line: is text several values of that parameter, a list "0.6,0.7" or a range "1:10:10" or "1e-3:1:50:log"? */
+/* Options of the command line: is text several values of that parameter, a list "0.6,0.7" or a range "1:10:10" or
+ * "1e-3:1:50:log"? */
 bool sweep_is_many(const char *name, const char *text);
-/* Makes them the last group of the one product of the sweep, which is then varied fastest; earlier values of the parameter are dropped.
- * A value of a list stays as it is written, with the numbers of a gait behind its name, "constant:0.1,quadratic"; one of a range is
- * the decimal to which sweep_move rounds. The point is set to the first of
+/* Makes them the last group of the one product of the sweep, which is then varied fastest; earlier values of the
+ * parameter are dropped. A value of a list stays as it is written, with the numbers of a gait behind its name,
+ * "constant:0.1,quadratic"; one of a range is the decimal to which sweep_move rounds. The point is set to the first of
  * them. NULL, or what is wrong with the text: then the parameter does not vary. */
 const char *sweep_vary(struct sweep *sweep, struct point *point, const char *name, const char *text);
 /* Drops the values of the parameter. */

@@ -1,5 +1,5 @@
-/* Values of a variable as text, where they are all of a product: options of the command line. Scenes (compare/scenes/vary.c) have values of
- * their own syntax, and take from here what is wrong with one. */
+/* Values of a variable as text, where they are all of a product: options of the command line. Scenes
+ * (compare/scenes/vary.c) have values of their own syntax, and take from here what is wrong with one. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,10 +27,13 @@ const char *sweep_end_wrong(const struct sweep_variable *v, const struct point *
   return !wrong && v->is_log && !(read_number(text, &x) && x > 0) ? "an end of a range with log spacing is > 0" : wrong;
 }
 
-static bool is_number_of(const struct sweep_variable *v) { return v->target == TARGET_NUMBER || v->target == TARGET_V0; }
+static bool is_number_of(const struct sweep_variable *v)
+{
+  return v->target == TARGET_NUMBER || v->target == TARGET_V0;
+}
 
-/* Where the value that text begins with ends: at a comma. A gait has commas of its own, so that there only one counts behind which the
- * name of a family stands. NULL: text is one value. */
+/* Where the value that text begins with ends: at a comma. A gait has commas of its own, so that there only one counts
+ * behind which the name of a family stands. NULL: text is one value. */
 static const char *end_of_value(const struct sweep_variable *v, const char *text)
 {
   const char *comma = strchr(text, ',');
@@ -71,11 +74,11 @@ static const char *read_list(struct sweep_variable *v, struct point *point, cons
 
 static const char *no_range(const char *text)
 {
-  snprintf(
-      message, WRONG,
-      "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, and both ends "
-      "belong to it",
-      text, SWEEP_RANGE);
+  snprintf(message, WRONG,
+           "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, and "
+           "both ends "
+           "belong to it",
+           text, SWEEP_RANGE);
   return message;
 }
 

@@ -1,7 +1,8 @@
-/* Formulas by name: the paper's, those that hold where one of the paper's does not, and those of the books that were read.
+/* Formulas by name: the paper's, those that hold where one of the paper's does not, and those of the books that were
+ * read.
  *
- * A book is a file in libconfig's format; docs/formulas.md has its members. Books are read when options are read, before anything is
- * computed, and stay for as long as the program runs; after that any thread may ask. */
+ * A book is a file in libconfig's format; docs/formulas.md has its members. Books are read when options are read,
+ * before anything is computed, and stay for as long as the program runs; after that any thread may ask. */
 #ifndef SCALLOP_COMPARE_BOOK_BOOK_H
 #define SCALLOP_COMPARE_BOOK_BOOK_H
 
@@ -11,7 +12,8 @@
 /* Is the name that of something else, in whose place the formula would stand? */
 typedef bool name_is_taken(const char *name);
 
-/* Reads a book, once; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula. taken: may be NULL. */
+/* Reads a book, once; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula.
+ * taken: may be NULL. */
 enum exit_code book_read(const char *command, const char *path, name_is_taken *taken);
 
 /* Likewise of a text, which is called path in messages. */
@@ -19,20 +21,20 @@ enum exit_code book_read_text(const char *command, const char *path, const char 
 /* Forgets all books: for tests. No formula of theirs may be in use. */
 void books_forget(void);
 
-/* The words of a book, NULL-terminated: what formulas give, of one phase and, from place BOOK_STEADY on, of the steady state; where
- * motions start; and the phases. */
+/* The words of a book, NULL-terminated: what formulas give, of one phase and, from place BOOK_STEADY on, of the steady
+ * state; where motions start; and the phases. */
 enum { BOOK_STEADY = 11 };
 extern const char *const book_quantities[], *const book_starts[], *const book_phases[];
 
-/* A formula by itself, "formula", as options give it: its text; words of these lists, where start and phase may be NULL; and the claim, a
- * number or "equality". What is wrong is on stderr. */
+/* A formula by itself, "formula", as options give it: its text; words of these lists, where start and phase may be
+ * NULL; and the claim, a number or "equality". What is wrong is on stderr. */
 struct formula_given {
   const char *text, *of, *start, *phase, *claimed;
 };
 enum exit_code book_add(const char *command, const struct formula_given *given);
 
-/* The formula at place i, or NULL, there are no more: of those of the books that were read; of these and those of the paper's that
- * are claimed under no other condition than their start; of all. */
+/* The formula at place i, or NULL, there are no more: of those of the books that were read; of these and those of the
+ * paper's that are claimed under no other condition than their start; of all. */
 const struct scallop_formula *book_formula(int i);
 const struct scallop_formula *listed_formula(int i);
 const struct scallop_formula *formula_at(int i);
@@ -40,12 +42,12 @@ const struct scallop_formula *formula_at(int i);
 const struct scallop_formula *formula_named(const char *name);
 /* Is the formula called name one of a list, separated by commas, of such names and equations, or is the list "all"? */
 bool formula_is_listed(const char *list, const char *name);
-/* What is wrong with a name by which there is no formula, behind "there is no formula 'NAME'": which ones have the equation, or which name is
- * near. Until the next call. */
+/* What is wrong with a name by which there is no formula, behind "there is no formula 'NAME'": which ones have the
+ * equation, or which name is near. Until the next call. */
 const char *formula_instead(const char *name);
 
-/* Are formulas of the books for this, of which a command takes BOOK_MOST? False: none is, so that --book FILE would have no effect, or more are, and
- * the message is on stderr. file: NULL, there is no --book. */
+/* Are formulas of the books for this, of which a command takes BOOK_MOST? False: none is, so that --book FILE would
+ * have no effect, or more are, and the message is on stderr. file: NULL, there is no --book. */
 enum { BOOK_MOST = 24 };
 typedef bool formula_is_for(const void *context, const struct scallop_formula *formula);
 bool book_serves(const char *command, const char *file, formula_is_for *is_for, const void *context, const char *what);

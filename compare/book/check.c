@@ -34,12 +34,13 @@ static const config_setting_t *member_of(const struct entry *e, const char *name
   return e->group ? config_setting_get_member(e->group, name) : NULL;
 }
 
-static bool refuse_name(const struct config *c, const config_setting_t *at, const char *name, const char *of, bool taken)
+static bool refuse_name(const struct config *c, const config_setting_t *at, const char *name, const char *of,
+                        bool taken)
 {
   if (!is_identifier(name))
-    return refuse_at(c, at,
-                     "'%s' cannot be the name of a %s: a name begins with a letter, has letters, digits and _, %d at most",
-                     name, of, FORMULA_NAME - 1);
+    return refuse_at(
+        c, at, "'%s' cannot be the name of a %s: a name begins with a letter, has letters, digits and _, %d at most",
+        name, of, FORMULA_NAME - 1);
   return refuse_at(c, at, "'%s' cannot be the name of a %s: %s", name, of,
                    taken ? "there is a quantity of this name" : "it has a meaning in formulas");
 }

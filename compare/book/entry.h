@@ -21,8 +21,8 @@ struct entry {
   struct entry *next;            /* behind it in the list of a checksum of names */
 };
 
-/* The entries of all books: how many, and the one at place i; keeps one more, false: out of memory. A file to be read, for as long as its
- * entries are there, or NULL. */
+/* The entries of all books: how many, and the one at place i; keeps one more, false: out of memory. A file to be read,
+ * for as long as its entries are there, or NULL. */
 int book_count(void);
 const struct entry *book_entry(int i);
 const struct entry *book_entry_named(const char *name); /* or NULL */
@@ -32,8 +32,8 @@ struct config *book_config(void);
 /* Is the word that of a quantity of the steady state? */
 bool is_steady_word(const char *word);
 
-/* check.c: false, and a message, where the entry has no meaning. The first looks at what there is; the second, when the formula is made,
- * at its texts. */
+/* check.c: false, and a message, where the entry has no meaning. The first looks at what there is; the second, when the
+ * formula is made, at its texts. */
 bool check_entry(const struct config *config, const struct entry *entry, name_is_taken *taken);
 bool check_texts(const struct config *config, const struct entry *entry);
 /* Is there the formula that takes the place of this one? For when all of the book is read. */

@@ -179,7 +179,8 @@ enum exit_code book_add(const char *command, const struct formula_given *given)
   long claimed = SCALLOP_EQUALITY;
   option = (struct config){ .command = command, .path = "--formula" };
   if (strcmp(given->claimed, "equality") != 0 && !read_count(given->claimed, 1, MOST_CLAIMED, &claimed)) {
-    complain(command, "--claimed: %s", not_allowed(given->claimed, "n of the claim + O(T^n), from 1 to 999, or equality"));
+    complain(command, "--claimed: %s",
+             not_allowed(given->claimed, "n of the claim + O(T^n), from 1 to 999, or equality"));
     return EXIT_USAGE;
   }
   struct entry *e = new_entry(&option, NULL);

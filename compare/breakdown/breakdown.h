@@ -24,8 +24,8 @@ struct breakdown_options {
 bool breakdown_is_sound(const struct breakdown_options *options);
 /* Is it the source that was asked for, if any was? */
 bool breakdown_takes(const struct breakdown_options *options, enum breakdown_source source);
-/* The quantity that was asked for, which has series, of the steady state or of one phase; unchanged: none was. False: there is none of that
- * name, and the message is on stderr. */
+/* The quantity that was asked for, which has series, of the steady state or of one phase; unchanged: none was. False:
+ * there is none of that name, and the message is on stderr. */
 bool breakdown_quantity(enum quantity_id *quantity, const struct breakdown_options *options, enum quantity_of of);
 
 /* The table of one crawler */

@@ -23,8 +23,8 @@ struct signature {
   const struct scallop_piece *piece[2][SCALLOP_MODES_KEPT]; /* in which a mode begins; NULL: not known */
 };
 
-/* The parts of a phase are the pieces, but where l' goes on with the same analytic function two pieces are one part: number of the one
- * that holds the piece. */
+/* The parts of a phase are the pieces, but where l' goes on with the same analytic function two pieces are one part:
+ * number of the one that holds the piece. */
 static int part_of(const struct scallop_shape *shape, const struct scallop_piece *piece)
 {
   int part = 0;
@@ -60,7 +60,8 @@ static void collect(void *context, const struct scallop_interval *interval)
   c->modes->count++;
 }
 
-/* Phases that start from the rounded velocities of a steady state may have other modes than the steady state: then the pieces are not known. */
+/* Phases that start from the rounded velocities of a steady state may have other modes than the steady state: then the
+ * pieces are not known. */
 static bool signature_at(struct signature *out, const struct motion *motion, double T)
 {
   const struct motion m = motion_at(motion, T);
@@ -80,7 +81,8 @@ static bool signature_at(struct signature *out, const struct motion *motion, dou
   return true;
 }
 
-/* The first of the modes, counted through the phases, that begins in another part than before; -1: none does. Of the same modes. */
+/* The first of the modes, counted through the phases, that begins in another part than before; -1: none does. Of the
+ * same modes. */
 static int moved(const struct motion *m, const struct signature *a, const struct signature *b)
 {
   for (int phase = 0; phase < phases_of(m); phase++)
@@ -105,8 +107,8 @@ static bool is_in_wide(const struct motion *m, double T, const struct signature 
   return motion_in_wide(m, T, &a) && same_modes(a.modes, s->answer.modes);
 }
 
-/* Halves [*low, *high] until they are neighbours. Of a change of modes in binary128; that a switching time leaves its part no mode shows,
- * so that doubles have to do. */
+/* Halves [*low, *high] until they are neighbours. Of a change of modes in binary128; that a switching time leaves its
+ * part no mode shows, so that doubles have to do. */
 static void settle(double *low, double *high, const struct motion *m, const struct signature *before, bool of_modes)
 {
   struct signature middle;
@@ -145,7 +147,8 @@ static void describe_move(struct event *e, const struct motion *m, const struct 
            part_of(shape, before->piece[phase][i]) + 1);
 }
 
-static void describe(struct event *e, const struct motion *m, const struct signature *before, const struct signature *after)
+static void describe(struct event *e, const struct motion *m, const struct signature *before,
+                     const struct signature *after)
 {
   struct answer was = before->answer, is = after->answer;
   e->of_modes = !same_modes(was.modes, is.modes) || was.regime != is.regime;
@@ -188,8 +191,8 @@ static void enter(struct events *events, const struct motion *m, double low, dou
   }
 }
 
-static void search(struct events *events, const struct motion *m, double low, double high, const struct signature *at_low,
-                   const struct signature *at_high)
+static void search(struct events *events, const struct motion *m, double low, double high,
+                   const struct signature *at_low, const struct signature *at_high)
 {
   struct signature middle;
   double T = sqrt(low) * sqrt(high);

@@ -1,5 +1,5 @@
-/* What ends the expansion: where the sequence of modes changes as T grows, and where a body turns in another piece of the gait. And what
- * does not end it: where the crawler turns back. */
+/* What ends the expansion: where the sequence of modes changes as T grows, and where a body turns in another piece of
+ * the gait. And what does not end it: where the crawler turns back. */
 #ifndef SCALLOP_COMPARE_BREAKDOWN_EVENTS_H
 #define SCALLOP_COMPARE_BREAKDOWN_EVENTS_H
 

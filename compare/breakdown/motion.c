@@ -54,10 +54,11 @@ static bool jumps(const struct scallop_shape *shape)
   return false;
 }
 
-/* A body i that rests is held there while m_j |l''| + F_j <= F_i: for every T from sqrt(m_j max|l''| L/(F_i - F_j)) on, l'' here being
- * that of a phase of duration 1. With equal forces nothing depends on how they differ, and m_j |l''| is to be compared with them. A
- * start velocity is used up after |v0| M/(F1 + F2). Where l' jumps it throws the bodies into motion; the velocity of the centre of mass comes to
- * the level of one of them at the rate |F1 - F2|/M at least, from as far as the fastest motions of both phases are apart. */
+/* A body i that rests is held there while m_j |l''| + F_j <= F_i: for every T from sqrt(m_j max|l''| L/(F_i - F_j)) on,
+ * l'' here being that of a phase of duration 1. With equal forces nothing depends on how they differ, and m_j |l''| is
+ * to be compared with them. A start velocity is used up after |v0| M/(F1 + F2). Where l' jumps it throws the bodies
+ * into motion; the velocity of the centre of mass comes to the level of one of them at the rate |F1 - F2|/M at least,
+ * from as far as the fastest motions of both phases are apart. */
 double motion_last_time(const struct motion *s)
 {
   const struct scallop_crawler *c = &s->crawler;

@@ -1,5 +1,5 @@
-/* A motion as a function of T: of a steady state the period, of one phase from velocity v0 its duration. T of the crawler in it is not used, and
- * parameters are the doubles they are. */
+/* A motion as a function of T: of a steady state the period, of one phase from velocity v0 its duration. T of the
+ * crawler in it is not used, and parameters are the doubles they are. */
 #ifndef SCALLOP_COMPARE_BREAKDOWN_MOTION_H
 #define SCALLOP_COMPARE_BREAKDOWN_MOTION_H
 

@@ -1,5 +1,5 @@
-/* The radius of convergence of a series: from its coefficients, where they are those of a rational function; else from the singularities of
- * the branch. */
+/* The radius of convergence of a series: from its coefficients, where they are those of a rational function; else from
+ * the singularities of the branch. */
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -30,8 +30,8 @@ static struct terms terms_of(const struct series *s, slong order)
 
 enum { MOST_POLES = 12, CONFIRMED = 4 };
 
-/* The shortest linear recurrence of a[count] (Berlekamp and Massey, over the rationals): sum over k of c_k a[n - k] = 0, c_0 = 1.
- * Returns its length, or -1 if it is longer than MOST_POLES. */
+/* The shortest linear recurrence of a[count] (Berlekamp and Massey, over the rationals): sum over k of c_k a[n - k] =
+ * 0, c_0 = 1. Returns its length, or -1 if it is longer than MOST_POLES. */
 static slong recurrence(fmpq_poly_t c, const fmpq *a, slong count)
 {
   fmpq_poly_t last, next;
@@ -75,12 +75,14 @@ static slong recurrence(fmpq_poly_t c, const fmpq *a, slong count)
 
 enum { PLACE = 120, PLACE_DIGITS = 10, PLACE_BITS = 128 };
 
-/* "T^2 = 3.0+-4.0 i": the equations are real, so the conjugate is a singularity too, and so is minus both if mirrored. */
+/* "T^2 = 3.0+-4.0 i": the equations are real, so the conjugate is a singularity too, and so is minus both if
+ * mirrored. */
 static void place_text(char text[PLACE], const acb_t z, slong power, bool mirrored)
 {
   char *re = arb_get_str(acb_realref(z), PLACE_DIGITS, ARB_STR_NO_RADIUS),
        *im = arb_get_str(acb_imagref(z), PLACE_DIGITS, ARB_STR_NO_RADIUS);
-  const char *size = *im == '-' ? im + 1 : im, *left = mirrored && *re == '-' ? re + 1 : re, *sign = mirrored ? "+-" : "";
+  const char *size = *im == '-' ? im + 1 : im, *left = mirrored && *re == '-' ? re + 1 : re,
+             *sign = mirrored ? "+-" : "";
   int used = power == 1 ? snprintf(text, PLACE, "T = ") : snprintf(text, PLACE, "T^%ld = ", (long)power);
   char *rest = text + used;
   size_t room = PLACE - (size_t)used;
@@ -208,6 +210,6 @@ bool singularity_of(struct scallop_singularity *s, const struct expansions *e, b
   const struct motion *m = e->motion;
   return SCALLOP_OK
          == (m->of == OF_STEADY ? scallop_steady_singularity(s, &e->crawler, PLACE_BITS, NULL)
-                                : scallop_phase_singularity(s, &e->crawler, m->phase, e->v0, first_crossing ? 1 : INT_MAX,
-                                                            PLACE_BITS, NULL));
+                                : scallop_phase_singularity(s, &e->crawler, m->phase, e->v0,
+                                                            first_crossing ? 1 : INT_MAX, PLACE_BITS, NULL));
 }

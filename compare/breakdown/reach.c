@@ -113,7 +113,8 @@ struct look { /* at the error from afar                                         
   struct answer exact;
 };
 
-/* In double where that leaves many digits of the error, and of its distance from the tolerance. known: what is known there. */
+/* In double where that leaves many digits of the error, and of its distance from the tolerance. known: what is known
+ * there. */
 static struct look look_at(const struct comparison *c, double T, struct exact *known)
 {
   static const double PLAIN = 1e-6;
@@ -139,8 +140,8 @@ static struct look look_at_place(const struct comparison *c, int place)
 
 struct rise {
   const struct comparison *comparison;
-  bool
-      flat; /* the error changes less than T does: a double of it has too few digits to tell where it reaches the tolerance */
+  /* the error changes less than T does: a double of it has too few digits to tell where it reaches the tolerance */
+  bool flat;
 };
 
 /* The logarithm of |error|/tolerance, within bounds: as if it were above where the exact motion has no such value. */
@@ -207,9 +208,9 @@ static double zero_between(const struct comparison *c, double low, double high)
   return low;
 }
 
-/* From here down the error only goes on towards its limit for T -> 0, in steps that fall as a power of T does, and stays below the
- * tolerance; -1: it stays above, or does not settle. At every octave down the step must be small beside what is left to the tolerance,
- * several times in a row: one small step may lie across a turn of the error. */
+/* From here down the error only goes on towards its limit for T -> 0, in steps that fall as a power of T does, and
+ * stays below the tolerance; -1: it stays above, or does not settle. At every octave down the step must be small beside
+ * what is left to the tolerance, several times in a row: one small step may lie across a turn of the error. */
 static int lowest_place(const struct comparison *c)
 {
   static const double NOISE = 1e-25; /* above all that is left of binary128 */
@@ -275,7 +276,8 @@ static void go_on(struct search *s, const struct look *next)
   s->here = *next;
 }
 
-/* From here to there by way of every change of modes between: there the error can have a corner, and a peak as sharp as that. */
+/* From here to there by way of every change of modes between: there the error can have a corner, and a peak as sharp as
+ * that. */
 static void go_over(struct search *s, const struct look *there)
 {
   static const double narrow = 1e-11;

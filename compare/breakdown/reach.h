@@ -18,11 +18,12 @@ struct exact_cache *exact_cache_new(const struct motion *motion);
 double comparison_error_beside(const struct comparison *c, double T, const arb_t exact, slong precision);
 /* The error at T, by binary128. */
 double comparison_error(const struct comparison *c, double T);
-/* By certified values with so many digits: -1 if |error| < tolerance at T is proven, +1 if the contrary is, 0 if neither. */
+/* By certified values with so many digits: -1 if |error| < tolerance at T is proven, +1 if the contrary is, 0 if
+ * neither. */
 int comparison_certified_side(const struct comparison *c, double T, long digits);
 
-/* The largest T up to which |error| stays below the tolerance: 0 if it does not as T -> 0, INFINITY if for every T up to permanent
- * rest, nan where there is no such value. */
+/* The largest T up to which |error| stays below the tolerance: 0 if it does not as T -> 0, INFINITY if for every T up
+ * to permanent rest, nan where there is no such value. */
 double comparison_reach(const struct comparison *c);
 /* The error for T -> 0, if it settles at a value other than 0; else nan. */
 double comparison_limit(const struct comparison *c);

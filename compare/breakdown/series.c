@@ -23,7 +23,10 @@ void expansions_clear(struct expansions *e)
   scallop_rational_clear(&e->crawler);
 }
 
-const char *expansions_modes(const struct expansions *e) { return e->derived.status == SCALLOP_OK ? e->derived.modes : ""; }
+const char *expansions_modes(const struct expansions *e)
+{
+  return e->derived.status == SCALLOP_OK ? e->derived.modes : "";
+}
 
 const struct series *expansions_of(const struct expansions *e, enum quantity_id quantity)
 {
@@ -51,14 +54,16 @@ static slong past_first(const struct series *s)
   return k + 1;
 }
 
-int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity, long order)
+int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity,
+                 long order)
 {
   const struct series *s = expansions_of(e, quantity);
   int count = 0;
   const struct scallop_formula *f;
   for (int i = 0; (f = listed_formula(i)) && count < MOST_ITEMS - 2; i++)
     if (series_is_about(f, e->motion, quantity))
-      items[count++] = (struct series_item){ book_formula(i) ? FROM_BOOK : FROM_PUBLISHED, quantity, f->name, .formula = f };
+      items[count++] = (struct series_item){ book_formula(i) ? FROM_BOOK : FROM_PUBLISHED, quantity, f->name,
+                                             .formula = f };
   if (s) {
     items[count++] = (struct series_item){ FROM_DERIVED, quantity, "derived", .series = s, .before = order };
     items[count++] = (struct series_item){ FROM_LIMIT, quantity, "limit", .series = s, .before = past_first(s) };
@@ -72,7 +77,8 @@ static void published(arb_t value, const struct series_item *item, const struct 
   bool is_other = quantity_of_formula(item->formula, m->phase) != item->quantity;
   arb_t x;
   arb_init(x);
-  /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no L_kin */
+  /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no
+   * L_kin */
   bool divides = item->source == FROM_PUBLISHED || formula_takes(item->formula, SCALLOP_SYMBOL_L_kin);
   if ((divides && !gait_has_ends(m->crawler.gait))
       || !published_in_balls(value, item->formula, &e->crawler, m->phase, e->v0, T, NULL, BREAKDOWN_BITS))
@@ -85,7 +91,8 @@ static void published(arb_t value, const struct series_item *item, const struct 
   arb_clear(x);
 }
 
-void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T, slong precision)
+void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T,
+                       slong precision)
 {
   arb_t time;
   fmpq_t exact;

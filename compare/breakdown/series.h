@@ -32,12 +32,14 @@ void expansions_clear(struct expansions *e);
 const char *expansions_modes(const struct expansions *e);
 const struct series *expansions_of(const struct expansions *e, enum quantity_id quantity);
 
-/* Is the formula about the quantity, or about one that becomes it: a displacement the mean velocity, a change of velocity the velocity at the
- * end? */
+/* Is the formula about the quantity, or about one that becomes it: a displacement the mean velocity, a change of
+ * velocity the velocity at the end? */
 bool series_is_about(const struct scallop_formula *formula, const struct motion *motion, enum quantity_id quantity);
 /* All series of a quantity, by their source; order: of the derived one. Returns how many. */
-int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity, long order);
+int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity,
+                 long order);
 /* Value at T; nan or not finite where there is none. */
-void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T, slong precision);
+void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T,
+                       slong precision);
 
 #endif

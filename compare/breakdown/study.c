@@ -53,19 +53,19 @@ const char *study_where(const struct study *s, double T)
   while (modes < e + s->events.count - 1 && !modes->of_modes)
     modes++;
   if (modes == e)
-    snprintf(text, sizeof text, "above the first event, T = %.6g: from there on the series does not describe the motion",
-             e->T);
+    snprintf(text, sizeof text,
+             "above the first event, T = %.6g: from there on the series does not describe the motion", e->T);
   else
-    snprintf(
-        text, sizeof text,
-        "above T = %.6g, where a body turns in another piece of the gait and the series is not exact any more; the modes "
-        "change at T = %.6g",
-        e->T, modes->T);
+    snprintf(text, sizeof text,
+             "above T = %.6g, where a body turns in another piece of the gait and the series is not exact any more; "
+             "the modes "
+             "change at T = %.6g",
+             e->T, modes->T);
   return text;
 }
 
-bool study_best_order(const struct study *study, enum quantity_id quantity, double T, const arb_struct *exact, slong *order,
-                      double *error)
+bool study_best_order(const struct study *study, enum quantity_id quantity, double T, const arb_struct *exact,
+                      slong *order, double *error)
 {
   const struct series *s = expansions_of(&study->many, quantity);
   *error = INFINITY;

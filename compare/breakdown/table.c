@@ -91,15 +91,16 @@ static void write_events(struct report *r)
 
 static void write_reversals(struct report *r)
 {
-  for (const struct reversal *v = r->study.events.reversal; v < r->study.events.reversal + r->study.events.reversals; v++)
+  for (const struct reversal *v = r->study.events.reversal; v < r->study.events.reversal + r->study.events.reversals;
+       v++)
     write_row(r, (struct row){ "reversal", quantity_rows[Q_DISPLACEMENT].name, .order = NAN, .T = v->T, .error = NAN,
                                .modes = study_modes_at(&r->study, v->T), .status = v->status,
                                .note = v->sign > 0 ? "the direction of crawling reverses: from here on forward"
                                                    : "the direction of crawling reverses: from here on backward" });
 }
 
-/* The error is proven to be below the tolerance just below T, and not just above. Of gaits with many pieces a proof takes seconds, and
- * there would be hundreds. */
+/* The error is proven to be below the tolerance just below T, and not just above. Of gaits with many pieces a proof
+ * takes seconds, and there would be hundreds. */
 static bool is_proven(const struct comparison *c, double T)
 {
   enum { DIGITS = 40, MOST_PIECES = 32 };
@@ -114,7 +115,9 @@ static void write_reach(struct report *r, const struct comparison *c)
 {
   char text[160];
   double T = comparison_reach(c), limit = T == 0 ? comparison_limit(c) : NAN;
-  struct row row = { "reach", quantity_rows[c->item.quantity].name, c->item.name, .T = T, .error = limit, .note = text };
+  struct row row = {
+    "reach", quantity_rows[c->item.quantity].name, c->item.name, .T = T, .error = limit, .note = text
+  };
   row.order = c->item.source == FROM_DERIVED ? (double)c->item.before : NAN;
   row.tolerance = c->tolerance;
   row.status = "binary128";
@@ -181,7 +184,9 @@ static void write_radius(struct report *r, enum quantity_id quantity)
 {
   struct radius radius;
   char text[sizeof radius.note + 100];
-  struct row row = { "radius", quantity_rows[quantity].name, .order = NAN, .T = NAN, .error = NAN, .note = radius.note };
+  struct row row = {
+    "radius", quantity_rows[quantity].name, .order = NAN, .T = NAN, .error = NAN, .note = radius.note
+  };
   if (find_radius(&radius, r, quantity)) {
     snprintf(text, sizeof text, "%s; %s", radius.note, which_first(r, radius.T));
     row.series = radius.method;
@@ -203,7 +208,8 @@ static const char *beyond(const struct report *r, enum quantity_id quantity, dou
   return text;
 }
 
-/* At T from a sixteenth of the first event, or of the natural time, to four times that, by steps of a square root of 2. */
+/* At T from a sixteenth of the first event, or of the natural time, to four times that, by steps of a square root of
+ * 2. */
 enum { BEST_BELOW = 8, BEST_ABOVE = 4, BEST = BEST_BELOW + 1 + BEST_ABOVE };
 
 static double best_time(const struct report *r, int i)

@@ -1,4 +1,5 @@
-/* The claims of a book, `claims --book` and `claims --formula`: each formula for each gait, at one crawler, and at random ones. */
+/* The claims of a book, `claims --book` and `claims --formula`: each formula for each gait, at one crawler, and at
+ * random ones. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -57,8 +58,8 @@ static void write_change(struct claim_row *row, const struct scallop_rational_cr
   for (int i = 0; i < 7; i++)
     if (!fmpq_equal(numbers[i][0], numbers[i][1])) {
       char *text = fmpq_get_str(NULL, 10, numbers[i][0]);
-      used += (size_t)snprintf(row->measured + used, sizeof row->measured - used, "%s%s=%s", used > 0 ? " " : "", names[i],
-                               text);
+      used += (size_t)snprintf(row->measured + used, sizeof row->measured - used, "%s%s=%s", used > 0 ? " " : "",
+                               names[i], text);
       flint_free(text);
     }
   fmpq_clear(rest);

@@ -1,5 +1,6 @@
-/* "The maximum average velocity occurs at the boundary" where the start velocity vanishes (sections 4.4 and 5), mean velocity
- * "increases to a maximum and then decays to zero" (section 4.5), and what else is said to be extreme at that boundary. */
+/* "The maximum average velocity occurs at the boundary" where the start velocity vanishes (sections 4.4 and 5), mean
+ * velocity "increases to a maximum and then decays to zero" (section 4.5), and what else is said to be extreme at that
+ * boundary. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,12 +13,12 @@
 enum { SHORT = 6 };
 
 /* {1} to {6} of the texts of a family. T0 is the T of the family's crawler, also where T is varied. */
-static const char *const words[][6] = {
-  [VARY_RATIO] = { "F1/F2 from 1.01 to 7838 by 1 %", "F1/F2", "<U> T/L", "", "3,13", "F1/F2" },
-  [VARY_FORCES] = { "F1 and F2 together, 1/Froude from 1e-3 to 92 by 1 %", "F2", "<U> T/L", "", "3,4,13",
-                    "F1 and F2 together," },
-  [VARY_PERIOD] = { "T alone, 1/Froude from 1e-3 to 91 by 2 %", "T", "<U> T0/L", "; T0 = {6g T:0}", "6,12,13", "T alone," }
-};
+static const char *const words[][6] = { [VARY_RATIO] = { "F1/F2 from 1.01 to 7838 by 1 %", "F1/F2", "<U> T/L", "",
+                                                         "3,13", "F1/F2" },
+                                        [VARY_FORCES] = { "F1 and F2 together, 1/Froude from 1e-3 to 92 by 1 %", "F2",
+                                                          "<U> T/L", "", "3,4,13", "F1 and F2 together," },
+                                        [VARY_PERIOD] = { "T alone, 1/Froude from 1e-3 to 91 by 2 %", "T", "<U> T0/L",
+                                                          "; T0 = {6g T:0}", "6,12,13", "T alone," } };
 
 static void find(struct question *q, int i, double x) { q->found[i] = short_number(x, SHORT); }
 
@@ -179,7 +180,8 @@ void peak_for_alphas(struct question *q)
   settle(q, first <= FIRST && !to, is_higher(q, &f));
 }
 
-/* x3: for how many it holds, of x4; the first for which it does not, if that is proven, is the base crawler in the end. */
+/* x3: for how many it holds, of x4; the first for which it does not, if that is proven, is the base crawler in the
+ * end. */
 void peak_for_masses(struct question *q)
 {
   enum { DOUBLINGS = 5 };

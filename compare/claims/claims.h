@@ -1,18 +1,20 @@
 /* claims/: the ledger, in which every asymptotic and qualitative claim of the paper is decided.
  *
- * A claim is a statement of the paper, the ledger the list of all claims with their verdicts (data/claims.tsv). A row of the ledger
- * is one claim for one gait under one set of conditions. There are two kinds of claims:
- *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours). order.c goes
- *     through these lists, trial.[ch] derives the error of a formula, samples.[ch] measures it, ledger.c holds one against the other;
- *   - in words: one row of texts (decide.h) in random.c (every crawler), examples.c or words.c (families): which motions, what is said of
- *     them, and the sentence. motions.c solves and evaluates, say.c words the row; steady.c, boundary.c with family.[ch] and figures.c find
- *     the numbers that some rows need, evidence.[ch] helps them.
+ * A claim is a statement of the paper, the ledger the list of all claims with their verdicts (data/claims.tsv). A row
+ * of the ledger is one claim for one gait under one set of conditions. There are two kinds of claims:
+ *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours).
+ *     order.c goes through these lists, trial.[ch] derives the error of a formula, samples.[ch] measures it, ledger.c
+ *     holds one against the other;
+ *   - in words: one row of texts (decide.h) in random.c (every crawler), examples.c or words.c (families): which
+ *     motions, what is said of them, and the sentence. motions.c solves and evaluates, say.c words the row; steady.c,
+ *     boundary.c with family.[ch] and figures.c find the numbers that some rows need, evidence.[ch] helps them.
  *
- * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0; for all
- * parameters where the coefficients are known in names, else for the crawler of the row. A claim in words is proven in docs/theory.md,
- * decided by a certified example, or rests on random crawlers or a scan in doubles. `evidence` says which. What is neither shown nor
- * refuted is undecided. A refuted order names the formula that holds instead. A row that contradicts itself (a measured error that is not what is left out, a correction
- * that does not hold) is an error of the ledger, not a verdict.
+ * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not
+ * hold 0; for all parameters where the coefficients are known in names, else for the crawler of the row. A claim in
+ * words is proven in docs/theory.md, decided by a certified example, or rests on random crawlers or a scan in doubles.
+ * `evidence` says which. What is neither shown nor refuted is undecided. A refuted order names the formula that holds
+ * instead. A row that contradicts itself (a measured error that is not what is left out, a correction that does not
+ * hold) is an error of the ledger, not a verdict.
  */
 #ifndef SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 #define SCALLOP_COMPARE_CLAIMS_CLAIMS_H
@@ -38,8 +40,8 @@ enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
 /* Half the width of the interval that a measured order is to have. */
 #define CLAIM_TOLERANCE 0.02
 
-/* How the verdict of a row is known: for all parameters with which the motion has the modes of the row's; for the crawler that is named; from
- * `sampled` crawlers, or other cases; from doubles */
+/* How the verdict of a row is known: for all parameters with which the motion has the modes of the row's; for the
+ * crawler that is named; from `sampled` crawlers, or other cases; from doubles */
 enum claim_evidence { NO_EVIDENCE, PROVEN_FOR_ALL, CERTIFIED_CRAWLER, SAMPLED, MEASURED };
 
 /* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a book's */
@@ -57,7 +59,8 @@ struct claim_row {
   long derived_order;   /* of the first coefficient of what is left out                     */
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
   char *leading_error;  /* of a book's formula proven for all: that term as a formula; the ledger's own, or NULL  */
-  double mismatch; /* between the certified error and what is left out, summed, over the former, at the smallest T where it
+  double
+      mismatch; /* between the certified error and what is left out, summed, over the former, at the smallest T where it
                            has digits; nan if there is none                                             */
   struct scallop_order_result fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
@@ -80,21 +83,22 @@ struct ledger { /* begins as { 0 }                                              
 void ledger_add(struct ledger *ledger, const struct claim_row *row);
 void ledger_free(struct ledger *ledger);
 
-/* Adds the claims "... + O(T^n)", each for every gait, inside and outside of its conditions, and the formulas that hold where one of
- * the paper's does not. crawler: T is not used; F1 > F2 and alpha > 1/2 (exchanged where a row says so). gait: only that one, or NULL
- * for all. only: the names of the requested rows (see formula_is_listed), or NULL. */
+/* Adds the claims "... + O(T^n)", each for every gait, inside and outside of its conditions, and the formulas that hold
+ * where one of the paper's does not. crawler: T is not used; F1 > F2 and alpha > 1/2 (exchanged where a row says so).
+ * gait: only that one, or NULL for all. only: the names of the requested rows (see formula_is_listed), or NULL. */
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
                        const struct scallop_gait *gait, const char *only);
 
 /* Adds the claim of one formula, of a book or the paper's, for the gait of the crawler. */
 void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                         const struct scallop_formula *formula);
-/* Adds the claims of the books that were read, for that gait, or NULL for the paper's two. crawler: as it is, or, where it is not given, changed so that the
- * conditions of each formula hold. */
+/* Adds the claims of the books that were read, for that gait, or NULL for the paper's two. crawler: as it is, or, where
+ * it is not given, changed so that the conditions of each formula hold. */
 void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                      const struct scallop_gait *gait, const char *only);
 
-/* Adds the claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is 1. */
+/* Adds the claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is
+ * 1. */
 void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler, const struct scallop_gait *gait);
 
 /* `scallop claims` */
@@ -107,7 +111,8 @@ struct claims_options {
   struct given_word of, start, phase;
 };
 enum exit_code claims_table(const struct claims_options *options);
-/* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED: some do. */
+/* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED:
+ * some do. */
 enum exit_code claims_check(const struct claims_options *options, const char *ledger);
 
 #endif

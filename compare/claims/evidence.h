@@ -1,4 +1,5 @@
-/* What the claims in words are decided with: solutions in double, random crawlers, roots and maxima. Needs FLINT. Not public. */
+/* What the claims in words are decided with: solutions in double, random crawlers, roots and maxima. Needs FLINT. Not
+ * public. */
 #ifndef SCALLOP_COMPARE_CLAIMS_EVIDENCE_H
 #define SCALLOP_COMPARE_CLAIMS_EVIDENCE_H
 
@@ -14,8 +15,8 @@ struct scallop_phase_result extension(const struct scallop_crawler *c, double v0
 double middle(const arb_t x);
 double nearest_double(const fmpq_t x); /* fmpq_get_d does not round to nearest */
 
-/* Masses and forces within a factor of 10 of 1, L = 1, 0.05 < alpha < 0.95, eps from 0.01 to 10: a Sobol sequence, the same bits on
- * every machine. Returns count, or 0: out of memory. */
+/* Masses and forces within a factor of 10 of 1, L = 1, 0.05 < alpha < 0.95, eps from 0.01 to 10: a Sobol sequence, the
+ * same bits on every machine. Returns count, or 0: out of memory. */
 enum { RANDOM_CRAWLERS = 400 };
 int random_crawlers(struct scallop_crawler *c, int count, const struct scallop_gait *gait);
 

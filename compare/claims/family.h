@@ -16,9 +16,10 @@ struct family {
   enum varied varied;
   int count; /* of the scan: x from the smallest                                                    */
   struct place scan[SCAN_MOST];
-  /* Where v_start vanishes, in the first place from the left; nan if there is none. found: v_start is proven to be positive at
-   * boundary (1 - 2^-60) and not to be positive at boundary (1 + 2^-60). before, after: the certified derivative of mean velocity by
-   * ln x between (1 - 2^-39) and (1 - 2^-40), and between (1 + 2^-40) and (1 + 2^-39), with its sign proven; speed: at the latter. */
+  /* Where v_start vanishes, in the first place from the left; nan if there is none. found: v_start is proven to be
+   * positive at boundary (1 - 2^-60) and not to be positive at boundary (1 + 2^-60). before, after: the certified
+   * derivative of mean velocity by ln x between (1 - 2^-39) and (1 - 2^-40), and between (1 + 2^-40) and (1 + 2^-39),
+   * with its sign proven; speed: at the latter. */
   double boundary, before, after, boundary_speed;
   bool found, rises_before, falls_after;
   /* The local maxima of mean velocity; the one at the boundary among them */
@@ -26,8 +27,9 @@ struct family {
   struct place maximum[PEAKS_MOST];
 };
 
-/* Begins a family with its scan: mean velocity and regime 1 % apart, F1/F2 from 1.01 to 7838; 1/Froude from 1e-3 to 92 (forces) or,
- * T 1 % apart, 91. coarse: F1/F2 alone, 4 % apart, to 7732. In doubles, its boundary and its maxima too. */
+/* Begins a family with its scan: mean velocity and regime 1 % apart, F1/F2 from 1.01 to 7838; 1/Froude from 1e-3 to 92
+ * (forces) or, T 1 % apart, 91. coarse: F1/F2 alone, 4 % apart, to 7732. In doubles, its boundary and its maxima
+ * too. */
 void family_scan(struct family *f, const struct scallop_crawler *crawler, enum varied varied, bool coarse);
 /* Proves the boundary, to 2^-60 of it. */
 void family_prove_boundary(struct family *f);

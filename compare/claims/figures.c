@@ -1,5 +1,5 @@
-/* The claims in words about the figures: one extension against its duration (figure 4), the steady state against F1/F2, alpha and T
- * (figure 5). */
+/* The claims in words about the figures: one extension against its duration (figure 4), the steady state against F1/F2,
+ * alpha and T (figure 5). */
 #include <float.h>
 #include <math.h>
 
@@ -69,7 +69,8 @@ static void three_ratios(struct question *q, double (*f)(const struct scallop_cr
 void displacement_grows(struct question *q) { three_ratios(q, least_growth); }
 void velocity_change_peaks(struct question *q) { three_ratios(q, peak_of_velocity); }
 
-/* The largest fall of the displacement of an extension between two durations: x1: F1, x2: v0, x3, x4: T from 0.05 on by 2 % */
+/* The largest fall of the displacement of an extension between two durations: x1: F1, x2: v0, x3, x4: T from 0.05 on by
+ * 2 % */
 static void largest_fall(double found[4], double *size, struct scallop_crawler c, double v0)
 {
   enum { DURATIONS = 260 };

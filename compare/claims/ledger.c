@@ -55,8 +55,8 @@ void ledger_free(struct ledger *ledger)
 
 void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *what)
 {
-  snprintf(ledger->contradiction, sizeof ledger->contradiction, "%s, %s, %s: %s", row->claim, row->gait, row->conditions,
-           what);
+  snprintf(ledger->contradiction, sizeof ledger->contradiction, "%s, %s, %s: %s", row->claim, row->gait,
+           row->conditions, what);
 }
 
 static void set_coefficient(struct claim_row *row, const struct series *left_out, slong power)
@@ -200,8 +200,8 @@ void ledger_check_corrections(struct ledger *ledger, int first)
     bool stands = !*wrong->corrected;
     for (int j = first; j < ledger->count && !stands; j++) {
       const struct claim_row *row = &ledger->rows[j];
-      stands = (row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER) && strcmp(row->claim, wrong->corrected) == 0
-               && strcmp(row->conditions, wrong->conditions) == 0;
+      stands = (row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER)
+               && strcmp(row->claim, wrong->corrected) == 0 && strcmp(row->conditions, wrong->conditions) == 0;
     }
     if (!stands)
       snprintf(ledger->contradiction, sizeof ledger->contradiction,

@@ -157,9 +157,8 @@ static bool sets_flag(arb_t x, const struct question *q, const struct moved *m, 
 
 static void set_named(arb_t x, const struct question *q, const struct moved *m, const char *name)
 {
-  const fmpq *const numbers[] = {
-    m->exact.m1, m->exact.m2, m->exact.F1, m->exact.F2, m->exact.L, m->exact.T, m->exact.alpha
-  };
+  const fmpq *const numbers[] = { m->exact.m1, m->exact.m2, m->exact.F1,   m->exact.F2,
+                                  m->exact.L,  m->exact.T,  m->exact.alpha };
   enum quantity_id quantity = quantity_of_name(name);
   int number = crawler_place(name);
   fmpq_t T;
@@ -384,7 +383,8 @@ int judge(struct question *q, arb_t excess)
   if (!q->solved || !arb_is_finite(excess))
     return 0;
   if (*relation == '=')
-    return arb_contains_zero(excess) && mag_cmp_2exp_si(arb_radref(excess), -80) < 0 ? 1 : -(arb_is_nonzero(excess) != 0);
+    return arb_contains_zero(excess) && mag_cmp_2exp_si(arb_radref(excess), -80) < 0 ? 1
+                                                                                     : -(arb_is_nonzero(excess) != 0);
   if (or_equal)
     return arb_is_nonpositive(excess) ? 1 : -(arb_is_positive(excess) != 0);
   return arb_is_negative(excess) ? 1 : -(arb_is_nonnegative(excess) != 0);

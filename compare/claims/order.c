@@ -1,5 +1,5 @@
-/* The claims "... + O(T^n)": decided by the derived expansion, and measured with the certified solver as T falls. The claims are the
- * rows of asymptotics' lists of formulas, each under every condition of its setting. */
+/* The claims "... + O(T^n)": decided by the derived expansion, and measured with the certified solver as T falls. The
+ * claims are the rows of asymptotics' lists of formulas, each under every condition of its setting. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -20,7 +20,8 @@
 static const struct condition conditions[] = {
   { EXTENSION_AT_REST, "extension from rest, F1 > F2", .inside = true },
   { EXTENSION_AT_REST, "extension from rest, F1 < F2", .exchange_forces = true, .reversed = true },
-  { CONTRACTION_AT_REST, "contraction from rest, F2 > F1", .inside = true, .exchange_forces = true }, /* bodies exchanged */
+  { CONTRACTION_AT_REST, "contraction from rest, F2 > F1", .inside = true,
+    .exchange_forces = true }, /* bodies exchanged */
   { CONTRACTION_AT_REST, "contraction from rest, F2 < F1", .reversed = true },
   { EXTENSION_AT_REST, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
   { CONTRACTION_AT_REST, "contraction from rest, F2 = F1", .inside = true, .equal_forces = true },
@@ -38,16 +39,19 @@ static const struct condition conditions[] = {
 };
 enum { CONDITIONS = sizeof conditions / sizeof *conditions };
 
-/* Claims that no text of asymptotics stands for: that x1(t1) is of order 2, and the limit of the steady state as it is derived */
-static const struct scallop_formula size_of_first_switch = { "A_x1_first_switch_size", "(A.7)", SCALLOP_MOVING_EXTENSION,
-                                                             SCALLOP_REAR_AT_FIRST,    2,       .text = "0" };
+/* Claims that no text of asymptotics stands for: that x1(t1) is of order 2, and the limit of the steady state as it is
+ * derived */
+static const struct scallop_formula size_of_first_switch = {
+  "A_x1_first_switch_size", "(A.7)", SCALLOP_MOVING_EXTENSION, SCALLOP_REAR_AT_FIRST, 2, .text = "0"
+};
 static const struct scallop_formula limits[] = {
   { "limit_steady_velocity", "(26), (27)", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1, .text = NULL },
   { "limit_steady_xC", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, .text = NULL },
 };
 
-/* What a row is about. ours: the formula is not the paper's. A formula of ours for an extension has rows about contractions too, the
- * bodies exchanged; any formula may be seen in a mirror, where the bodies have exchanged their roles. */
+/* What a row is about. ours: the formula is not the paper's. A formula of ours for an extension has rows about
+ * contractions too, the bodies exchanged; any formula may be seen in a mirror, where the bodies have exchanged their
+ * roles. */
 struct claimed {
   const struct scallop_formula *formula;
   bool ours, of_contraction, mirrored;
@@ -98,7 +102,8 @@ static enum scallop_turns turns_in_limit(struct part *part, const struct conditi
   return turns_in_modes(trial ? trial_modes(trial) : "");
 }
 
-/* The paper's formulas for the steady state are for a gait of constant acceleration, half of each phase up and half of it down. */
+/* The paper's formulas for the steady state are for a gait of constant acceleration, half of each phase up and half of
+ * it down. */
 static bool has_closed_limit(const struct part *part) { return part->crawler->gait == &scallop_gait_quadratic; }
 
 /* What holds where the claim may not */
@@ -189,15 +194,17 @@ static bool is_for(const struct scallop_formula *f, const struct condition *cond
   return condition->setting == f->setting;
 }
 
-/* A formula under all conditions that it is for; `turned`: only where the bodies' roles are reversed, in a mirror; corrected: one of ours
- * that takes the place of another, where it claims to hold, there in a mirror too. */
+/* A formula under all conditions that it is for; `turned`: only where the bodies' roles are reversed, in a mirror;
+ * corrected: one of ours that takes the place of another, where it claims to hold, there in a mirror too. */
 enum seen { AS_IT_STANDS, TURNED, CORRECTED };
 
 static void add_formula(struct part *part, const struct scallop_formula *f, bool ours, enum seen seen)
 {
   for (int i = 0; (f->remainder != 0 || seen == CORRECTED) && i < CONDITIONS; i++) {
     const struct condition *condition = &conditions[i];
-    const struct claimed claimed = { .formula = f, .ours = ours, .mirrored = seen != AS_IT_STANDS && condition->reversed };
+    const struct claimed claimed = { .formula = f,
+                                     .ours = ours,
+                                     .mirrored = seen != AS_IT_STANDS && condition->reversed };
     if (is_for(f, condition, seen == CORRECTED) && (seen != TURNED || condition->reversed))
       add_row(part, claimed, condition);
   }
@@ -276,8 +283,9 @@ static void measure_end(struct claim_row *row, const struct end_claim *claim, co
       arb_neg(error, error);
       arb_add_si(error, error, claim->with_length ? 0 : 1, PRECISION);
     }
-    row->points[row->count++] =
-        (struct scallop_order_point){ .h = ldexp(1, -2 * k), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
+    row->points[row->count++] = (struct scallop_order_point){ .h = ldexp(1, -2 * k),
+                                                              .err = middle(error),
+                                                              .noise = mag_get_d(arb_radref(error)) };
   }
   const struct scallop_order_point *finest = &row->points[row->count - 1];
   row->mismatch = fabs(log(fabs(finest[-1].err / finest[0].err)) / log(4) - (double)row->derived_order);

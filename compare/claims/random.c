@@ -1,5 +1,6 @@
-/* The claims in words about every crawler: held against random ones, masses and forces within a factor of 10, 0.05 < alpha < 0.95,
- * Froude from 0.1. Those that hold have their proofs in docs/theory.md, The motion in words; here stands how far each is from failing. */
+/* The claims in words about every crawler: held against random ones, masses and forces within a factor of 10, 0.05 <
+ * alpha < 0.95, Froude from 0.1. Those that hold have their proofs in docs/theory.md, The motion in words; here stands
+ * how far each is from failing. */
 #include <math.h>
 
 #include "compare/claims/decide.h"
@@ -26,8 +27,8 @@ static void certify_rounded(struct question *q, arb_t excess)
   solve_motions(q, false);
 }
 
-/* Where the claim is nearest to failing, or fails most, is the base crawler in the end; x1: for how many it is meant; x2: for how many
- * it holds. */
+/* Where the claim is nearest to failing, or fails most, is the base crawler in the end; x1: for how many it is meant;
+ * x2: for how many it holds. */
 void at_random(struct question *q)
 {
   struct scallop_crawler c[RANDOM_CRAWLERS];
@@ -80,7 +81,8 @@ static void settles(struct question *q)
   conclude(q);
 }
 
-/* x1: for how many of 100 the displacement from rest falls, against F1 - F2, as the duration grows, past sticking too */
+/* x1: for how many of 100 the displacement from rest falls, against F1 - F2, as the duration grows, past sticking
+ * too */
 void displacement_from_rest(struct question *q)
 {
   enum { CRAWLERS = 100, DURATIONS = 150 };
@@ -104,13 +106,16 @@ void displacement_from_rest(struct question *q)
 
 #define SET "400 quasi-random crawlers, masses and forces within 100:1"
 #define STRONGER_FIRST " F1=max(F1,F2) F2=min(F1,F2)"
-static const char whole_set[] = SET ", sliding to stick-slip", from_rest[] = SET ", F1 > F2, from rest, those that slide";
+static const char whole_set[] = SET ", sliding to stick-slip",
+                  from_rest[] = SET ", F1 > F2, from rest, those that slide";
 static const char still[] = "largest |displacement|/L: {+below}{-above} 1e-14",
                   faster[] = SET ", v0 = alpha/10 L over the duration";
-static const char from_rest_and_moving[] = "extension; extension v0=0.1*L/T", forward[] = "longer_extension_moves_forward";
+static const char from_rest_and_moving[] = "extension; extension v0=0.1*L/T",
+                  forward[] = "longer_extension_moves_forward";
 static const char backward[] = "displacement/L*(1 - 2*stronger_1)*(2*longer - 1) <= 1e-14";
-static const char most_backward[] = "largest displacement/L against the sign of (F1-F2)(2 alpha-1): {+0}{-{3g displacement/"
-                                    "L*(1 - 2*stronger_1)*(2*longer - 1)}}";
+static const char most_backward[] =
+    "largest displacement/L against the sign of (F1-F2)(2 alpha-1): {+0}{-{3g displacement/"
+    "L*(1 - 2*stronger_1)*(2*longer - 1)}}";
 static const char where[] =
     "scallop steady --m1 {4g m1} --m2 {4g m2} --F1 {4g F1} --F2 {4g F2} --L 1 --T {4g T} --alpha {4g "
     "alpha} --gait {gait}";
@@ -124,8 +129,8 @@ const struct claim claims_at_random[] = {
     .measured = "largest multiplier of the period map: {4f multiplier}" },
   { "motion_always_settles", "5", "v", settles, whole_set, NULL, .says = "x1 <= 1e-6",
     .measured = "largest |v - v_start| T/L after at most 20000 periods from rest: {+below}{-above} 1e-6" },
-  { forward, "4.4", "displacement", at_random, "400 quasi-random crawlers: those that slide", "steady", .needs = "sliding",
-    .says = backward, .measured = most_backward, .reason = where },
+  { forward, "4.4", "displacement", at_random, "400 quasi-random crawlers: those that slide", "steady",
+    .needs = "sliding", .says = backward, .measured = most_backward, .reason = where },
   { forward, "4.4", "displacement", at_random, "400 quasi-random crawlers: those in stick-slip", "steady",
     .needs = "1 - sliding", .says = backward, .measured = most_backward, .reason = where, .outside = true },
   { "one_body_always_moves", "2", "modes", at_random, whole_set, "steady", .says = "sticks_both = 0", .proven = true,
@@ -135,7 +140,8 @@ const struct claim claims_at_random[] = {
     .measured = "displacement of one plus that of the other, over L: {+below}{-above} 1e-14" },
   { "equal_forces_bodies_oppose", "(6), (7)", "modes", at_random, SET "; F2 = F1", "steady F2=F1",
     .says = "1 - oppose + abs(v_start)*T/L <= 1e-14", .proven = true,
-    .measured = "{+the modes are -+ | +- and |v_start| T/L is below 1e-14}{-other modes, or |v_start| T/L above 1e-14}" },
+    .measured =
+        "{+the modes are -+ | +- and |v_start| T/L is below 1e-14}{-other modes, or |v_start| T/L above 1e-14}" },
   { "velocity_rises_over_extension", "4.2", "v_mid", at_random, SET ", F1 > F2, the steady states that slide",
     "steady" STRONGER_FIRST, .needs = "sliding*(F1 - F2)", .says = "v_start <= v_mid", .proven = true,
     .measured = "{+v_mid >= v_start for all}{-v_mid < v_start for one at least} ({0f x1} crawlers)" },
@@ -150,16 +156,18 @@ const struct claim claims_at_random[] = {
     .measured = "{+the modes are -+ ++ for all}{-other modes for one at least} ({0f x1} crawlers)" },
   { "first_interval_is_the_greater_part", "4.3.1", "dT", at_random, from_rest, "extension" STRONGER_FIRST,
     .needs = "sliding*(F1 - F2)", .says = "dT <= duration/2", .proven = true,
-    .measured = "dT is {+at most half of the duration for all}{-more than half of the duration for one at least} ({0f x1} "
-                "crawlers)" },
+    .measured =
+        "dT is {+at most half of the duration for all}{-more than half of the duration for one at least} ({0f x1} "
+        "crawlers)" },
   { "last_interval_grows_with_duration", "4.3.1", "dT", at_random, from_rest,
     "extension" STRONGER_FIRST "; extension" STRONGER_FIRST " T=1.01*T", .needs = "sliding*sliding:2*(F1 - F2)",
     .says = "dT <= dT:2", .proven = true,
-    .measured =
-        "dT {+does not shrink with the duration for any, here}{-shrinks for one at least, the duration growing} by 1 % ({0f "
-        "x1} crawlers)" },
-  { "start_velocity_adds_displacement", "4.3.2", "dx_C", at_random, faster, from_rest_and_moving, .says = "dxC <= dxC:2",
-    .proven = true, .measured = "dx_C is {+not smaller than from rest for any}{-smaller than from rest for one at least}" },
+    .measured = "dT {+does not shrink with the duration for any, here}{-shrinks for one at least, the duration "
+                "growing} by 1 % ({0f "
+                "x1} crawlers)" },
+  { "start_velocity_adds_displacement", "4.3.2", "dx_C", at_random, faster, from_rest_and_moving,
+    .says = "dxC <= dxC:2", .proven = true,
+    .measured = "dx_C is {+not smaller than from rest for any}{-smaller than from rest for one at least}" },
   { "start_velocity_takes_velocity_change", "4.3.2", "v_end", at_random, faster, from_rest_and_moving,
     .says = "v_end:2 - v0:2 <= v_end", .proven = true,
     .measured = "v_end - v0 is {+not larger than from rest for any}{-larger than from rest for one at least}" },

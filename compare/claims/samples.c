@@ -35,7 +35,8 @@ static void solve_sample(struct sample *s, const struct trial *m)
   fmpq_clear(fraction);
 }
 
-/* The expansion is one in T^2 over the smaller mass and the difference of the forces: where these are far apart, T is smaller. */
+/* The expansion is one in T^2 over the smaller mass and the difference of the forces: where these are far apart, T is
+ * smaller. */
 static double decades_apart(const struct scallop_rational_crawler *c)
 {
   double m1 = fmpq_get_d(c->m1), m2 = fmpq_get_d(c->m2), F1 = fmpq_get_d(c->F1), F2 = fmpq_get_d(c->F2);
@@ -75,7 +76,8 @@ void samples_free(struct sample *samples)
 }
 
 /* The leading term of the steady state at T */
-static void leading_term(arb_t x, const struct trial *m, const struct scallop_formula *f, const fmpq_t T, slong precision)
+static void leading_term(arb_t x, const struct trial *m, const struct scallop_formula *f, const fmpq_t T,
+                         slong precision)
 {
   series_coefficient(x, trial_series(m, f->quantity), trial_leading_power(f), precision);
   if (trial_leading_power(f) < 0) {
@@ -100,7 +102,8 @@ static bool error_at(arb_t error, const struct sample *s, const struct trial *m,
   return true;
 }
 
-/* How far the sum of what is left out is from the error, over the error; 0 where it does not reach beyond what its last terms are */
+/* How far the sum of what is left out is from the error, over the error; 0 where it does not reach beyond what its last
+ * terms are */
 static double mismatch_at(const arb_t error, const struct series *left_out, const fmpq_t T, slong precision)
 {
   enum { LAST = 2, MORE = 1000 };

@@ -88,8 +88,8 @@ static void append_braced(struct question *q, const struct out *out, const char 
   char modes[MOTION_MODES_TEXT];
   const char *colon = strchr(inside, ':');
   const struct moved *m = &q->motion[colon ? atoi(colon + 1) : 1];
-  const char *plain = strcmp(inside, "whose") == 0       ? q->of_the_paper ? "the paper's crawler" : "the ledger's crawler"
-                      : strcmp(inside, "gait") == 0      ? q->crawler.gait->name
+  const char *plain = strcmp(inside, "whose") == 0  ? q->of_the_paper ? "the paper's crawler" : "the ledger's crawler"
+                      : strcmp(inside, "gait") == 0 ? q->crawler.gait->name
                       : strncmp(inside, "modes", 5) == 0 ? motion_modes_text(modes, m->of, m->modes)
                                                          : NULL;
   if (*inside == '+' || *inside == '-') {
@@ -145,7 +145,10 @@ void conclude(struct question *q)
   const struct claim *claim = q->claim;
   arb_t x;
   arb_init(x);
-  value_of(x, q, claim->says ? claim->needs ? claim->needs : "1" : claim->shown_by ? claim->shown_by : claim->refuted_by);
+  value_of(x, q,
+           claim->says       ? claim->needs ? claim->needs : "1"
+           : claim->shown_by ? claim->shown_by
+                             : claim->refuted_by);
   int holds = !arb_is_positive(x) ? 0 : claim->says ? judge(q, x) : claim->shown_by ? 1 : -1;
   settle(q, holds > 0, holds < 0);
   arb_clear(x);

@@ -1,12 +1,12 @@
-/* The claims in words about the steady state: (27) for which alpha, when the steady state is reached, and two gaits that the paper does
- * not have. */
+/* The claims in words about the steady state: (27) for which alpha, when the steady state is reached, and two gaits
+ * that the paper does not have. */
 #include <math.h>
 
 #include "compare/claims/decide.h"
 #include "compare/claims/evidence.h"
 
-/* (27) over the certified v_start for alphas 0.08 apart, minus 1. x1: the largest error, at alpha = x2; x3: that at the alpha to name;
- * x4: the alpha of the motions */
+/* (27) over the certified v_start for alphas 0.08 apart, minus 1. x1: the largest error, at alpha = x2; x3: that at the
+ * alpha to name; x4: the alpha of the motions */
 void velocity_in_the_limit(struct question *q)
 {
   const struct alphas *alphas = q->claim->with;
@@ -29,7 +29,8 @@ void velocity_in_the_limit(struct question *q)
     *q->row.reason = '\0';
 }
 
-/* Periods from rest until the velocity is within 1e-6 L/T of the steady one, or, with `same`, until it is the same; 0: not in 1000 */
+/* Periods from rest until the velocity is within 1e-6 L/T of the steady one, or, with `same`, until it is the same; 0:
+ * not in 1000 */
 static int periods_until(const struct scallop_crawler *c, bool same)
 {
   struct scallop_period_result p = { .v_end = 0 };
@@ -57,9 +58,13 @@ void reached(struct question *q)
 static const struct scallop_piece out[] = {
   { .begin = 0, .end = 1, .direction = 1, .jump = true, .linear = true, .velocity = 1, .curve = &scallop_curve_linear }
 };
-static const struct scallop_piece back[] = {
-  { .begin = 0, .end = 1, .direction = -1, .jump = true, .linear = true, .velocity = -1, .curve = &scallop_curve_linear }
-};
+static const struct scallop_piece back[] = { { .begin = 0,
+                                               .end = 1,
+                                               .direction = -1,
+                                               .jump = true,
+                                               .linear = true,
+                                               .velocity = -1,
+                                               .curve = &scallop_curve_linear } };
 static const struct scallop_gait sawtooth = {
   "sawtooth", { { out, 1, 0, 0, 1, 1, false, false }, { back, 1, 0, 0, 1, -1, false, false } }
 };
@@ -78,9 +83,9 @@ static void unique_with_jumps(struct question *q)
   conclude(q);
 }
 
-/* Section 4.2 takes l(t) = l(T - t) for symmetric; its argument needs l'' to change sign from phase to phase. A gait with the first and
- * not the second: phases of equal duration, the extension gathering speed in its first fifth and losing it in the rest, the contraction
- * the same backward in time. */
+/* Section 4.2 takes l(t) = l(T - t) for symmetric; its argument needs l'' to change sign from phase to phase. A gait
+ * with the first and not the second: phases of equal duration, the extension gathering speed in its first fifth and
+ * losing it in the rest, the contraction the same backward in time. */
 static const struct scallop_piece quick_start[] = { SCALLOP_RAMP(0, 0.2, SCALLOP_FROM_START, 1, 10),
                                                     SCALLOP_RAMP(0.8, 0, SCALLOP_FROM_END, 1, -2.5) };
 static const struct scallop_piece quick_end[] = { SCALLOP_RAMP(0, 0.8, SCALLOP_FROM_START, -1, -2.5),
@@ -104,7 +109,8 @@ const struct claim claims_once[] = {
   { "steady_state_is_unique", "5", "v_start", unique_with_jumps,
     "l' constant out and back, with jumps; alpha = 1/2, else the paper's crawler", .says = "x1 = x2", .outside = true,
     .measured = "every v_start T/L from {6f x1} to {6f x2} is steady",
-    .reason = "by hand: while |x_C'| < L/T the bodies move oppositely throughout; x_C' gains (F1-F2)T/(2M) = 0.75 in the "
-              "extension and loses it again" },
+    .reason =
+        "by hand: while |x_C'| < L/T the bodies move oppositely throughout; x_C' gains (F1-F2)T/(2M) = 0.75 in the "
+        "extension and loses it again" },
   { .name = NULL },
 };

@@ -19,8 +19,9 @@ static const char *const columns[] = { "claim",         "equation",    "quantity
 /* Behind those; of the ledger, from the second on */
 static const char *const last_columns[] = { "leading_error", "evidence", NULL };
 
-static const char *const error_columns[] = { "claim",  "equation", "quantity", "gait",     "claimed_order", "conditions",
-                                             "inside", "h",        "err",      "pairwise", "use",           NULL };
+static const char *const error_columns[] = { "claim",         "equation",   "quantity", "gait",
+                                             "claimed_order", "conditions", "inside",   "h",
+                                             "err",           "pairwise",   "use",      NULL };
 
 static void write_texts(struct table *t, const char *const *texts, int count)
 {
@@ -124,7 +125,8 @@ static void write_summed(struct table *t, const struct summed *sum)
   if (fails)
     snprintf(condition, sizeof condition, "%s; %s", row->gait, row->conditions);
   write_texts(
-      t, (const char *const[]){ row->claim, row->equation, sum->first->quantity, claim_verdict_text(verdict_of(sum)) }, 4);
+      t, (const char *const[]){ row->claim, row->equation, sum->first->quantity, claim_verdict_text(verdict_of(sum)) },
+      4);
   table_rounded(t, sum->checks, "%.0f");
   table_rounded(t, sum->count[CLAIM_REFUTED], "%.0f");
   write_texts(t, (const char *const[]){ condition, claim_evidence_text(row) }, 2);
@@ -152,11 +154,12 @@ static void summarise(const struct ledger *ledger)
           "refuted, %d undecided\n",
           checks[0] + checks[1] + checks[2] + checks[3], formulas, checks[CLAIM_HOLDS], checks[CLAIM_SHARPER],
           checks[CLAIM_REFUTED], checks[CLAIM_UNDECIDED]);
-  fprintf(stderr,
-          "%d statements in words: %d fail under some condition, %d undecided, %d hold (%d proven, %d certified for one "
-          "crawler, %d sampled, %d measured in doubles)\n",
-          statements, words[CLAIM_REFUTED], words[CLAIM_UNDECIDED], words[CLAIM_HOLDS], known[PROVEN_FOR_ALL],
-          known[CERTIFIED_CRAWLER], known[SAMPLED], known[MEASURED]);
+  fprintf(
+      stderr,
+      "%d statements in words: %d fail under some condition, %d undecided, %d hold (%d proven, %d certified for one "
+      "crawler, %d sampled, %d measured in doubles)\n",
+      statements, words[CLAIM_REFUTED], words[CLAIM_UNDECIDED], words[CLAIM_HOLDS], known[PROVEN_FOR_ALL],
+      known[CERTIFIED_CRAWLER], known[SAMPLED], known[MEASURED]);
 }
 
 /* inside or outside of the conditions of the formulas */
@@ -203,7 +206,8 @@ static bool has_crawler(const struct point *p)
   return has;
 }
 
-/* As many as in the ledger that comes with the tool, which is of two gaits, or of the books' formulas: for the time that is left */
+/* As many as in the ledger that comes with the tool, which is of two gaits, or of the books' formulas: for the time
+ * that is left */
 static long expected_rows(const struct claims_options *o)
 {
   long rows = 0;
@@ -350,7 +354,8 @@ static const char *read_committed(struct check *check, const char *ledger)
 }
 
 /* The keys, and the verdict and order of both ledgers */
-static void write_difference(struct check *check, const char *const *keys, const char *const *now, const char *const *then)
+static void write_difference(struct check *check, const char *const *keys, const char *const *now,
+                             const char *const *then)
 {
   write_texts(&check->table, keys, KEYS);
   write_texts(&check->table, now, 2);

@@ -359,8 +359,9 @@ static bool is_of_paper(const struct scallop_formula *f)
   return own && own->text && strcmp(own->text, f->text) == 0 && (!f->parts || !f->parts->name);
 }
 
-/* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of finite sums is proven so,
- * and one of the paper's formulas for the quadratic gait, whose degree in T is low (docs/theory.md, The ledger's proofs). */
+/* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of
+ * finite sums is proven so, and one of the paper's formulas for the quadratic gait, whose degree in T is low
+ * (docs/theory.md, The ledger's proofs). */
 static void prove_for_all(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
   const bool equality = f->remainder == SCALLOP_EQUALITY;
@@ -401,7 +402,8 @@ bool trial_prove(struct proof *proof, const struct trial *m, const struct scallo
   }
   bool expanded = look_for_order(proof, m, f);
   bool rational = scallop_gait_is_rational(m->crawler.gait); /* of others the zeros are shown so far and no further */
-  if (expanded && !proof->found && !proof->undecided && rational && m->expanded->terms < MANY_TERMS) /* perhaps further on */
+  if (expanded && !proof->found && !proof->undecided && rational
+      && m->expanded->terms < MANY_TERMS) /* perhaps further on */
     expanded = expand(m->expanded, m, MANY_TERMS, NULL) && look_for_order(proof, m, f);
   proof->general = proof->order;
   if (expanded && !proof->undecided)

@@ -1,5 +1,5 @@
-/* One motion that claims about an order are about: its expansion as T -> 0, and what a formula leaves out of that. Needs FLINT. Not
- * public. */
+/* One motion that claims about an order are about: its expansion as T -> 0, and what a formula leaves out of that.
+ * Needs FLINT. Not public. */
 #ifndef SCALLOP_COMPARE_CLAIMS_TRIAL_H
 #define SCALLOP_COMPARE_CLAIMS_TRIAL_H
 
@@ -21,12 +21,12 @@ struct condition {
 };
 /* Do the conditions of the formula of a book hold for the crawler? v0 of the trial does not come in. */
 bool condition_allows(const struct condition *condition, const struct scallop_rational_crawler *crawler);
-/* Changes the crawler so that they do: parameters that are to equal something are set, and where that does not do, another crawler is taken. False: none was
- * found. */
+/* Changes the crawler so that they do: parameters that are to equal something are set, and where that does not do,
+ * another crawler is taken. False: none was found. */
 bool condition_fit(const struct condition *condition, struct scallop_rational_crawler *crawler);
 
-/* The crawler under one condition; mirrored: seen in a mirror, the bodies exchanged, so that a reversed motion becomes one that the
- * paper's formulas are for. */
+/* The crawler under one condition; mirrored: seen in a mirror, the bodies exchanged, so that a reversed motion becomes
+ * one that the paper's formulas are for. */
 struct trial {
   const struct condition *condition;
   bool mirrored;
@@ -59,7 +59,8 @@ struct proof {
 };
 void proof_init(struct proof *p);
 void proof_clear(struct proof *p);
-/* A formula without a text is the leading term of the derived expansion. False: it has no expansion there, and why says what of. */
+/* A formula without a text is the leading term of the derived expansion. False: it has no expansion there, and why says
+ * what of. */
 bool trial_prove(struct proof *proof, const struct trial *m, const struct scallop_formula *formula);
 
 /* Of the crawler: the expansion of a quantity */

@@ -1,4 +1,5 @@
-/* The claims in words about families of crawlers, and how the rows of all claims in words come into the ledger (decide.h). */
+/* The claims in words about families of crawlers, and how the rows of all claims in words come into the ledger
+ * (decide.h). */
 #include "compare/claims/decide.h"
 
 #include <math.h>
@@ -21,9 +22,9 @@ static const char lower[] = "mean_velocity is lower at the boundary, the first r
   { \
     peaks, "4.4", "mean velocity", peaks_at_boundary, survey, two, \
         .varied = (by), .says = not_higher, \
-        .measured = \
-            "at {2} = {10g x3} the certified slope d({3})/d ln is {6f x4} before, {6f x5} after; {3} is {6f x6} there, " \
-            "highest {6f x7} at {4g x8}{4}", \
+        .measured = "at {2} = {10g x3} the certified slope d({3})/d ln is {6f x4} before, {6f x5} after; {3} is {6f " \
+                    "x6} there, " \
+                    "highest {6f x7} at {4g x8}{4}", \
         .reason = "mean_velocity is lower at the boundary, the first row: {table} | cut -f {5}" \
   }
 /* Only of F1/F2 does the paper say so without restriction to sliding. */
@@ -32,9 +33,9 @@ static const char lower[] = "mean_velocity is lower at the boundary, the first r
     "mean_velocity_decays_once_sticking_begins", "4.5", "mean velocity", decays_once_sticking, \
         "{whose}; {1}, where a body sticks" where, two, \
         .varied = (by), .outside = (by) != VARY_RATIO, .says = not_higher, \
-        .measured = \
-            "{+it never rises between neighbours}{-certified: {3} rises from {6f mean_velocity*T:0/L} at {2} = {6g x1} " \
-            "to {6f mean_velocity:2*T:0/L} at {6g x2}{4}}", \
+        .measured = "{+it never rises between neighbours}{-certified: {3} rises from {6f mean_velocity*T:0/L} at {2} " \
+                    "= {6g x1} " \
+                    "to {6f mean_velocity:2*T:0/L} at {6g x2}{4}}", \
         .reason = "mean_velocity rises, in stick-slip: {table} | cut -f {5}" \
   }
 
@@ -57,12 +58,13 @@ static const struct alphas mirrored = { 1, 25, "-text_steady_velocity:2/v_start 
         "the paper's crawler, F1/F2 = " text ", from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %", \
         "extension F1=x1 v0=x2 T=x3; extension F1=x1 v0=x2 T=x4", \
         .says = "dxC <= dxC:2", \
-        .measured = \
-            "{+it never falls by more than 1e-14 L}{-certified: from v0 = {6g x2} at F1 = {6g x1} dx_C/L is {6f dxC/L} " \
-            "for T = {4g x3} and {6f dxC:2/L} for T = {4g x4}; these extensions last {6g duration} and {6g duration:2}}", \
-        .reason = \
-            "dxC falls from the first row to the second: printf 'T\\n{4g x3}\\n{4g x4}\\n' | scallop phase --points - " \
-            "--F1 {6g x1} --v0 {6g x2}{options:0} | cut -f 6,16", \
+        .measured = "{+it never falls by more than 1e-14 L}{-certified: from v0 = {6g x2} at F1 = {6g x1} dx_C/L is " \
+                    "{6f dxC/L} " \
+                    "for T = {4g x3} and {6f dxC:2/L} for T = {4g x4}; these extensions last {6g duration} and {6g " \
+                    "duration:2}}", \
+        .reason = "dxC falls from the first row to the second: printf 'T\\n{4g x3}\\n{4g x4}\\n' | scallop phase " \
+                  "--points - " \
+                  "--F1 {6g x1} --v0 {6g x2}{options:0} | cut -f 6,16", \
         .with = (const double[]){ __VA_ARGS__, 0 }, .outside = true, .of_its_crawler = true \
   }
 #define REACHED(T) \
@@ -70,17 +72,18 @@ static const struct alphas mirrored = { 1, 25, "-text_steady_velocity:2/v_start 
     "steady_state_is_reached", "5", "v", reached, \
         "the paper's crawler, T = " T ", from rest; read as: after finitely many periods", "steady T=" T, \
         .says = "multiplier = 0", \
-        .measured = \
-            "certified multiplier {+0; from rest the velocity is the steady one after {0f x1} period}{-{10f multiplier} > " \
-            "0: the distance shrinks by that and is never 0; within 1e-6 L/T after {0f x2} periods}", \
+        .measured = "certified multiplier {+0; from rest the velocity is the steady one after {0f x1} period}{-{10f " \
+                    "multiplier} > " \
+                    "0: the distance shrinks by that and is never 0; within 1e-6 L/T after {0f x2} periods}", \
         .reason = "the multiplier is not 0: scallop steady --certified{options} | cut -f 14", .of_its_crawler = true \
   }
 
 const struct claim claims_of_families[] = {
   CHANGES(VARY_RATIO),
   PEAKS(VARY_RATIO),
-  { "mean_velocity_has_one_maximum", "4.5", "mean velocity", one_maximum, survey, "steady at=x1; steady at=x2; steady at=x3",
-    .varied = VARY_RATIO, .measured = "certified maxima of <U> T/L: {0f x4};{4}",
+  { "mean_velocity_has_one_maximum", "4.5", "mean velocity", one_maximum, survey,
+    "steady at=x1; steady at=x2; steady at=x3", .varied = VARY_RATIO,
+    .measured = "certified maxima of <U> T/L: {0f x4};{4}",
     .reason = "mean_velocity falls and rises again: {table} | cut -f {5}" },
   DECAYS(VARY_RATIO, ": \"then decays to zero as the asymmetry increases\""),
   CHANGES(VARY_FORCES),
@@ -92,10 +95,11 @@ const struct claim claims_of_families[] = {
   { peaks, "4.4", "mean velocity", peak_for_alphas,
     "{whose}, alpha from 0.51 to 0.99 by 0.02; F1/F2 from 1.01 to 7732 by 4 %",
     "steady alpha=0.52 at=x1; steady alpha=0.52 at=x2", .says = not_higher, .reason = lower, .of_its_crawler = true,
-    .measured = "certified slopes: it holds from alpha = {6f x3} to {6f x4}, and not at {6f x3 - 1e-6} and {6f x4 + 1e-6}" },
+    .measured =
+        "certified slopes: it holds from alpha = {6f x3} to {6f x4}, and not at {6f x3 - 1e-6} and {6f x4 + 1e-6}" },
   { peaks, "4.4", "mean velocity", peak_for_masses,
-    "{whose}, m2 = 1, m1 = 1/32, 1/16, ..., 32; F1/F2 from 1.01 to 7732 by 4 %", two, .says = not_higher, .reason = lower,
-    .measured = "certified slopes: it holds for {0f x3} of {0f x4}", .of_its_crawler = true },
+    "{whose}, m2 = 1, m1 = 1/32, 1/16, ..., 32; F1/F2 from 1.01 to 7732 by 4 %", two, .says = not_higher,
+    .reason = lower, .measured = "certified slopes: it holds for {0f x3} of {0f x4}", .of_its_crawler = true },
   { grows, "4.4", "dx_C", displacement_grows, ratios, .says = "min(x1, x2, x3) > 0",
     .measured = "least d(dx_C) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: {6f min(x1, x2, x3)}" },
   { "velocity_change_is_not_monotone", "4.4", "dv_C", velocity_change_peaks, ratios, .says = "max(x1, x2, x3) < 0.99",
@@ -106,8 +110,8 @@ const struct claim claims_of_families[] = {
     "steady F1=1e2*F2; steady F1=1e4*F2; steady F1=1e6*F2", .says = "mean_velocity:3 = 0",
     .measured = "mean velocity T/L at F1/F2 = 1e2, 1e4, 1e6: {3g mean_velocity*T/L}, {3g mean_velocity:2*T/L}, {3g "
                 "mean_velocity:3*T/L}" },
-  { "mean_velocity_grows_with_alpha", "4.5", "mean velocity", velocity_grows_with_alpha, "{whose}, alpha from 0.50 to 0.99",
-    .says = "x1 > 0",
+  { "mean_velocity_grows_with_alpha", "4.5", "mean velocity", velocity_grows_with_alpha,
+    "{whose}, alpha from 0.50 to 0.99", .says = "x1 > 0",
     .measured = "least change of mean velocity T/L between alphas 0.01 apart: {3g x1} at alpha = {2f x2}" },
   { "mean_velocity_goes_as_1_over_T", "4.3.3", "mean velocity", velocity_as_1_over_T, "{whose}",
     .says = "abs(x1 + 1) <= 0.02", .measured = "mean velocity ~ T^{3f x1}" },
@@ -118,15 +122,17 @@ const struct claim claims_of_families[] = {
     .of_its_crawler = true },
   NEVER_FALLS("2, 4, 10, 40", 2, 4, 10, 40),
   NEVER_FALLS("1/4, 1/2", 0.25, 0.5),
-  { grows, "4.4", "dx_C", displacement_from_rest, "from rest, any masses, forces and duration; in the direction of F1 - F2",
-    .says = "x1 <= 0", .proven = true, .of_its_crawler = true,
+  { grows, "4.4", "dx_C", displacement_from_rest,
+    "from rest, any masses, forces and duration; in the direction of F1 - F2", .says = "x1 <= 0", .proven = true,
+    .of_its_crawler = true,
     .measured =
         "proven (docs/theory.md, One extension against its duration); of 100 quasi-random crawlers and 150 durations "
         "each it falls for {0f x1}" },
   { "steady_state_is_unique", "5", "v_start", at_random, "l' continuous, any masses, forces > 0 and alpha", "steady",
     .says = "single = 1", .proven = true, .of_its_crawler = true,
-    .measured = "proven for continuous l' (docs/theory.md, How many steady states); the solver finds one for {0f x2} of 400 "
-                "quasi-random crawlers" },
+    .measured =
+        "proven for continuous l' (docs/theory.md, How many steady states); the solver finds one for {0f x2} of 400 "
+        "quasi-random crawlers" },
   REACHED("2"),
   REACHED("4"),
   { .name = NULL },

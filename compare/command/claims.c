@@ -12,13 +12,15 @@ static const struct option options_of_claims[] = {
   OPTIONS_TO_L(NULL),
   OPTIONS_ALPHA_GAIT(NULL, "both of the paper: quadratic and sinusoidal"),
   OPTION_TEXT("errors", "CLAIM",
-              "print the errors behind a claim instead: names or equations, \"(28)\", separated by commas, or all", NULL,
-              claims_options, errors, "names of claims, separated by commas, or all"),
-  OPTION_FLAG("check", "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
+              "print the errors behind a claim instead: names or equations, \"(28)\", separated by commas, or all",
+              NULL, claims_options, errors, "names of claims, separated by commas, or all"),
+  OPTION_FLAG("check",
+              "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
               claims_options, check),
   OPTION_WORD("verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all",
               claims_options, verdict, verdicts),
-  OPTION_FLAG("summary", "one row for each claim of the paper: does it hold in every check under the paper's conditions?",
+  OPTION_FLAG("summary",
+              "one row for each claim of the paper: does it hold in every check under the paper's conditions?",
               claims_options, summary),
   OPTION_BOOK("decide the formulas of this book instead of the paper's: exit code 1 if one is refuted"),
   OPTION_TEXT("formula", "TEXT", "decide this formula instead: \"(F1 - F2)/M*T\"", NULL, claims_options, formula,
@@ -75,8 +77,9 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     return EXIT_USAGE;
   }
   if (!gait_has_ends(c->gait)) {
-    complain("claims",
-             "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
+    complain(
+        "claims",
+        "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
     return EXIT_UNSOLVED;
   }
   struct scallop_scaled scaled;

@@ -7,12 +7,13 @@
 /* What stands around the functions of a program, or the formulas of a document */
 static const struct frame {
   const struct language *language;
-  const char *escapes[9];                      /* what would end a text, and what stands in its place; in pairs       */
-  const char *head[3];                         /* around and between the lines about where it comes from              */
-  const char *comment[2];                      /* around what a function is                                           */
-  const char *function, *type, *local, *stop;  /* before a function's name, an argument, a local; behind a statement  */
-  const char *formula, *name[2], *order[2];    /* in a document: before a formula, around a name, around T's power    */
-  const char *begin, *sum, *next, *end, *tail; /* before the body, the terms, each further term; behind these; at last */
+  const char *escapes[9];                     /* what would end a text, and what stands in its place; in pairs       */
+  const char *head[3];                        /* around and between the lines about where it comes from              */
+  const char *comment[2];                     /* around what a function is                                           */
+  const char *function, *type, *local, *stop; /* before a function's name, an argument, a local; behind a statement  */
+  const char *formula, *name[2], *order[2];   /* in a document: before a formula, around a name, around T's power    */
+  const char *begin, *sum, *next, *end,
+      *tail; /* before the body, the terms, each further term; behind these; at last */
 } frames[] = {
   { .language = &language_c,
     .escapes = { "*/", "* /", "/*", "/ *" },
@@ -126,7 +127,8 @@ static void put_comment(FILE *out, const struct frame *frame, const struct emitt
   bool of_phase = strcmp(f->phase, "period") != 0;
   fprintf(out, "%s%s, %s %s%s: ", frame->comment[0], f->quantity, f->phase, of_phase ? "from " : "", f->start);
   if (f->below > 0)
-    fprintf(out, f->small ? "terms below (%s)^%ld, " : "terms below %s^%ld, ", f->small ? f->small : "T", (long)f->below);
+    fprintf(out, f->small ? "terms below (%s)^%ld, " : "terms below %s^%ld, ", f->small ? f->small : "T",
+            (long)f->below);
   fprintf(out, "modes %s%s", f->modes, frame->comment[1]);
 }
 
@@ -208,7 +210,10 @@ void emission_add(struct emission *e, struct emitted *f)
   for (slong i = 0; i < f->count; i++) {
     const struct written *term = &f->terms[i];
     fputs(i == 0 ? "" : frame->next, out);
-    fputs(i > 0 ? term->negative ? e->language->minus : e->language->plus : term->negative ? e->language->sign : "", out);
+    fputs(i > 0            ? term->negative ? e->language->minus : e->language->plus
+          : term->negative ? e->language->sign
+                           : "",
+          out);
     fputs(term->text, out);
     free(term->text);
   }

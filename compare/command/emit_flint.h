@@ -1,4 +1,5 @@
-/* Series as programs and documents: a function of T in C or Python, or a formula in LaTeX or MathML, for each quantity. */
+/* Series as programs and documents: a function of T in C or Python, or a formula in LaTeX or MathML, for each
+ * quantity. */
 #ifndef SCALLOP_COMPARE_COMMAND_EMIT_FLINT_H
 #define SCALLOP_COMPARE_COMMAND_EMIT_FLINT_H
 
@@ -10,7 +11,8 @@ struct emission {
   const struct language *language;
   struct file out;
 };
-/* Opens the output of the style, and writes the head. language: "c", "python", "latex" or "mathml". command: what to run for the same output; note: a sentence, or NULL. False: the message is on stderr, exit with EXIT_FILE. */
+/* Opens the output of the style, and writes the head. language: "c", "python", "latex" or "mathml". command: what to
+ * run for the same output; note: a sentence, or NULL. False: the message is on stderr, exit with EXIT_FILE. */
 bool emission_open(struct emission *e, const struct style *style, const char *language, const char *command,
                    const char *note);
 

@@ -11,8 +11,8 @@
 #include "compare/command/with_flint.h"
 #include "compare/text/progress.h"
 
-/* At its end the memory that FLINT keeps for reuse is given back. A leak checker then sees what was forgotten, the limbs of big
- * integers too, which FLINT holds behind pointers that no checker can read. */
+/* At its end the memory that FLINT keeps for reuse is given back. A leak checker then sees what was forgotten, the
+ * limbs of big integers too, which FLINT holds behind pointers that no checker can read. */
 void flint_cleanup(void);
 #pragma weak flint_cleanup
 static void end_of_program(void) __attribute__((destructor));
@@ -31,7 +31,8 @@ bool has_flint(const struct arguments *arguments, const char *what)
   if (flint_cleanup)
     return true;
   /* through any link, and without /proc, which need not be there */
-  const char *own = (const char *)getauxval(AT_EXECFN), *earlier = getenv(marker); /* NOLINT(performance-no-int-to-ptr) */
+  const char *own = (const char *)getauxval(AT_EXECFN),
+             *earlier = getenv(marker); /* NOLINT(performance-no-int-to-ptr) */
   bool is_known = own && realpath(own, path);
   int error = 0;
   /* The number of this process stays when another program takes it over. Children have another. */
@@ -51,7 +52,8 @@ bool has_flint(const struct arguments *arguments, const char *what)
   else if (error == 0)
     complain(command, "%s needs FLINT: %s is there, but it is a scallop without FLINT", what, path);
   else if (error == ENOENT)
-    complain(command, "%s needs FLINT: there is no %s, which `make` builds and `make WITH_FLINT=0` leaves out", what, path);
+    complain(command, "%s needs FLINT: there is no %s, which `make` builds and `make WITH_FLINT=0` leaves out", what,
+             path);
   else
     complain(command, "%s needs FLINT: cannot run %s: %s", what, path, strerror(error));
   return false;

@@ -133,7 +133,8 @@ static void list_gaits(FILE *to, const struct command *command)
     bool may = family->numbers && family->usual;
     snprintf(name, sizeof name, "%s%s%s%s%s", family->name, may ? "[" : "", family->numbers ? ":" : "",
              family->numbers ? family->numbers : "", may ? "]" : "");
-    snprintf(text, sizeof text, "%s%s%s%s", family->sentence, may ? " (" : "", may ? family->usual : "", may ? ")" : "");
+    snprintf(text, sizeof text, "%s%s%s%s", family->sentence, may ? " (" : "", may ? family->usual : "",
+             may ? ")" : "");
     print_item(to, name, 26, text);
   }
 }

@@ -1,5 +1,6 @@
-/* The list of commands, and what --help prints, of the program as a whole and of one command. scripts/dev/man.awk makes the manual from it,
- * and scripts/dev/completion.bash finds commands and options there: two blanks, a name, two blanks or more, what it is for. */
+/* The list of commands, and what --help prints, of the program as a whole and of one command. scripts/dev/man.awk makes
+ * the manual from it, and scripts/dev/completion.bash finds commands and options there: two blanks, a name, two blanks
+ * or more, what it is for. */
 #ifndef SCALLOP_COMPARE_COMMAND_LIST_H
 #define SCALLOP_COMPARE_COMMAND_LIST_H
 

@@ -31,8 +31,8 @@ static enum exit_code flushed(void)
   return EXIT_FILE;
 }
 
-/* Where standard output or error is closed, a file that is opened would take its place, and messages would be written into
- * it. What stands there instead cannot be written to either. */
+/* Where standard output or error is closed, a file that is opened would take its place, and messages would be written
+ * into it. What stands there instead cannot be written to either. */
 static void keep_places(void)
 {
   for (int place = STDOUT_FILENO; place <= STDERR_FILENO; place++) {
@@ -100,13 +100,14 @@ static int answer(const char *first, const char *value)
     return give_completion(value);
   if (first[0] != '-')
     return unknown_command(first);
-  fprintf(stderr, "scallop: the command comes first, then options such as '%s': scallop COMMAND %s (see scallop --help)\n",
+  fprintf(stderr,
+          "scallop: the command comes first, then options such as '%s': scallop COMMAND %s (see scallop --help)\n",
           first, first);
   return EXIT_USAGE;
 }
 
-/* Gives standard output to the user's pager. Returns in the child that is to write it; the parent waits for both, and ends as the child
- * does, unless that has been stopped by a reader who has seen enough. */
+/* Gives standard output to the user's pager. Returns in the child that is to write it; the parent waits for both, and
+ * ends as the child does, unless that has been stopped by a reader who has seen enough. */
 static void page(void)
 {
   const char *pager = getenv("PAGER");

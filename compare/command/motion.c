@@ -24,8 +24,9 @@ static const struct motion_options of_steady = { .of = OF_STEADY }, of_phase = {
 #define OPTIONS_OF_ROWS \
   OPTION_FLAG("certified", "in ball arithmetic: every digit printed is proven", motion_options, certified), \
       OPTION_FLAG("error", "after each number an estimate of its error", motion_options, error), OPTION_POINTS, \
-      OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS, READ_BACK "; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), \
-      OPTIONS_PLOT, OPTIONS_LAST
+      OPTION_FORMAT("tsv"), \
+      OPTION_DIGITS(DIGITS, READ_BACK "; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), OPTIONS_PLOT, \
+      OPTIONS_LAST
 
 static const struct option steady_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTIONS_OF_ROWS };
 static const struct option phase_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTION_PHASE(NULL), OPTION_V0(NULL),
@@ -171,9 +172,10 @@ const struct command command_phase = {
   .size = sizeof(struct motion_options),
   .rules = rules,
   .is_sound = is_sound,
-  .about = "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
-           "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest;\n"
-           "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
+  .about =
+      "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
+      "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest;\n"
+      "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { FIRST_OF_PHASE, QUANTITIES },
   .run = run,
 };

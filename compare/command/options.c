@@ -146,7 +146,8 @@ static const char *read_output(void *options, const struct option *o, const char
     return not_allowed(text, "a file name");
   if (plot_kind(text))
     return not_allowed(
-        text, "the name of a table, not of a picture, which --plot draws (`scallop run` draws the plots of its scenes)");
+        text,
+        "the name of a table, not of a picture, which --plot draws (`scallop run` draws the plots of its scenes)");
   r->style.output = strcmp(text, "-") == 0 ? NULL : text;
   r->style.has_output = true;
   return NULL;
@@ -211,8 +212,8 @@ static bool complain_of_option(const struct arguments *a, const char *name, cons
   const char *near = nearest(name + strspn(name, "-"), names);
   for (const struct option *o = a->command->options; near && o->name; o++)
     near = near == o->also ? o->name : near;
-  return complain(command, "unknown option '%s'%s%s%s (see scallop %s --help)", argument, near ? ": did you mean '--" : "",
-                  near ? near : "", near ? "'?" : "", command);
+  return complain(command, "unknown option '%s'%s%s%s (see scallop %s --help)", argument,
+                  near ? ": did you mean '--" : "", near ? near : "", near ? "'?" : "", command);
 }
 
 /* The values of an option; text: the one behind '=', or NULL. False: the message is on stderr. */
@@ -225,7 +226,8 @@ static bool read_values(struct arguments *a, const struct option *o, const char 
   for (int i = 0; i < (values == 0 ? 1 : values); i++) {
     bool is_here = values == 0 || (i == 0 && text);
     if (!is_here && a->place + 1 == a->count)
-      return complain(command, "--%s needs %s: --%s %s", o->name, i == 0 ? "a value" : "two values", o->name, o->argument);
+      return complain(command, "--%s needs %s: --%s %s", o->name, i == 0 ? "a value" : "two values", o->name,
+                      o->argument);
     const char *wrong = o->kind->read(&a->options, o, is_here ? text : a->all[++a->place]);
     if (wrong)
       return complain(command, "--%s: %s", o->name, wrong);
@@ -313,7 +315,8 @@ static bool sweep_holds(const struct arguments *a)
     return true;
   if (r->points)
     return complain(a->command->name,
-                    "--%s: a list or a range and --points exclude each other: the file has a row for each point", v->name);
+                    "--%s: a list or a range and --points exclude each other: the file has a row for each point",
+                    v->name);
   return complain(
       a->command->name,
       "--%s: this command takes one value: a list or a range is for steady, phase and series, which print a row for "
@@ -325,7 +328,8 @@ static bool sweep_holds(const struct arguments *a)
 static bool is_sound(const struct arguments *a)
 {
   const struct style *style = &a->options.request.style;
-  const struct option *of_plot = given_option(a, "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size");
+  const struct option *of_plot = given_option(a,
+                                              "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size");
   if (of_plot && !style->plot.file)
     return complain(a->command->name, "--%s has nothing to do without --plot", of_plot->name);
   return rules_hold(a) && sweep_holds(a) && (!a->command->is_sound || a->command->is_sound(&a->options));

@@ -1,6 +1,6 @@
-/* The arguments of the command line. A command's options are a struct of its own that begins with struct request (answers/points.h),
- * and a row for each: its name, what it takes, what --help says of it, what holds where it is not given, how it is read, and which
- * field it sets. A new option is a field and a row. */
+/* The arguments of the command line. A command's options are a struct of its own that begins with struct request
+ * (answers/points.h), and a row for each: its name, what it takes, what --help says of it, what holds where it is not
+ * given, how it is read, and which field it sets. A new option is a field and a row. */
 #ifndef SCALLOP_COMPARE_COMMAND_OPTIONS_H
 #define SCALLOP_COMPARE_COMMAND_OPTIONS_H
 
@@ -23,7 +23,8 @@ struct option;
 
 /* How options of one kind are read. */
 struct option_kind {
-  /* Called for each of the values, with the text of it. Returns NULL, or what is wrong; the message lives until the next call. */
+  /* Called for each of the values, with the text of it. Returns NULL, or what is wrong; the message lives until the
+   * next call. */
   const char *(*read)(void *options, const struct option *option, const char *text);
   /* The value that the options hold, "" where there is none; NULL: one of this kind has none unless it is given. */
   void (*show)(const void *options, const struct option *option, char text[OPTION_VALUE]);
@@ -58,8 +59,10 @@ struct option {
 struct option_rule {
   const char *names; /* separated by blanks: of these options none may be given                                       */
   enum { RULE_WITH, RULE_WITHOUT } when;
-  const char *others;  /* one of these, separated by blanks                                                             */
-  const char *message; /* behind "--NAME "; NULL: that it has nothing to do with the other, or without it              */
+  /* one of these, separated by blanks */
+  const char *others;
+  const char
+      *message; /* behind "--NAME "; NULL: that it has nothing to do with the other, or without it              */
 };
 
 /* Rows that many commands have. */
@@ -100,8 +103,8 @@ struct option_rule {
 #define OPTION_POINTS \
   OPTION_TEXT( \
       "points", "FILE", \
-      "points from a TSV file ('-': standard input) whose header names parameters; other columns are carried along", NULL, \
-      request, points, "a file name")
+      "points from a TSV file ('-': standard input) whose header names parameters; other columns are carried along", \
+      NULL, request, points, "a file name")
 #define OPTION_BOOK(help) OPTION_TEXT("book", "FILE", help, NULL, request, book, "a file name")
 #define OPTION_FORMAT(otherwise) \
   OPTION("format", "F", "tsv, json (one object a line), csv, markdown or table (aligned, of 6 digits)", otherwise, \
@@ -112,22 +115,24 @@ struct option_rule {
 #define DIGITS_OF_DOUBLES "from 1 to 17"
 #define DIGITS_PROVEN(where) DIGITS_OF_DOUBLES "; " where " to 10000"
 #define OPTION_OUTPUT(otherwise) \
-  OPTION("output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", otherwise, \
-         .kind = &output_option)
+  OPTION("output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", \
+         otherwise, .kind = &output_option)
 #define OPTION_PLOT(name, argument, help, otherwise) OPTION(name, argument, help, otherwise, .kind = &plot_option)
 #define OPTIONS_PLOT \
   OPTION_PLOT("plot", "FILE", "draw the table: FILE ends in .svg, .png or .pdf (needs gnuplot)", NULL), \
       OPTION_PLOT("plot-x", "NAME", "the column along x", "what varies"), \
       OPTION_PLOT("plot-y", "NAME,...", "the columns that are drawn; of a map: what its colours show", \
                   "those of the table's kind"), \
-      OPTION_PLOT("plot-by", "NAME,...", "a curve for each combination of values in these columns", "what else varies"), \
+      OPTION_PLOT("plot-by", "NAME,...", "a curve for each combination of values in these columns", \
+                  "what else varies"), \
       OPTION_PLOT("plot-x-range", "FROM:TO", "the ends of the x axis, with :log or :linear", "those of the table"), \
       OPTION_PLOT("plot-y-range", "FROM:TO", "the ends of the y axis, with :log or :linear", "those of the table"), \
       OPTION_PLOT("plot-title", "TEXT", "the title of the picture", "the parameters that hold"), \
       OPTION_PLOT("plot-size", "WxH", "width and height in pixels, from 200 to 10000", \
                   "800x500, more where there is more to show")
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
-#define OPTION_PAGER OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
+#define OPTION_PAGER \
+  OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
 #define OPTION_DROPPED(name, instead) OPTION(name, NULL, instead, NULL, .kind = &dropped_option)
 /* What --help says of lists and ranges, where a command takes many points */
 #define ABOUT_MANY_POINTS \
@@ -142,9 +147,11 @@ struct option_rule {
   OPTION("columns", "LIST", "only these columns, in this order, and new ones: a,b,\"c = F1/F2\"", "all", \
          .kind = &columns_option)
 #define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_PAGER, OPTION_QUIET, NO_MORE_OPTIONS
-#define OPTIONS_OF_DOUBLES OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
+#define OPTIONS_OF_DOUBLES \
+  OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
 
-/* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr. range: DIGITS_PROVEN. */
+/* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr.
+ * range: DIGITS_PROVEN. */
 bool digits_hold(const struct style *style, bool proven, const char *range);
 
 struct arguments;
@@ -162,8 +169,9 @@ struct command {
   const char *about;               /* what the columns mean                                                     */
   struct {
     int first, end;
-  } quantities;                           /* that --help lists, by enum quantity_id                                    */
-  const struct scallop_crawler *defaults; /* NULL: scallop_crawler_default()                                           */
+  } quantities; /* that --help lists, by enum quantity_id                                    */
+  /* NULL: scallop_crawler_default() */
+  const struct scallop_crawler *defaults;
   /* What no rule says of the options: false, the message being on stderr. NULL: nothing. */
   bool (*is_sound)(const void *options);
   enum exit_code (*run)(const struct arguments *arguments, const void *options);
@@ -198,10 +206,11 @@ bool takes_operands(const struct command *command);
 void options_initial(struct arguments *arguments, const struct command *command);
 
 enum reading { READ_RUN, READ_HELP, READ_REFUSED };
-/* Reads all[2], ... : the arguments behind the command's name. commands: all of them, to tell options of others from those of none.
- * READ_REFUSED: *code is the exit code, and the message is on stderr. Whichever it is, options_free ends it. */
-enum reading options_read(struct arguments *arguments, const struct command *command, const struct command *const *commands,
-                          int count, char **all, enum exit_code *code);
+/* Reads all[2], ... : the arguments behind the command's name. commands: all of them, to tell options of others from
+ * those of none. READ_REFUSED: *code is the exit code, and the message is on stderr. Whichever it is, options_free ends
+ * it. */
+enum reading options_read(struct arguments *arguments, const struct command *command,
+                          const struct command *const *commands, int count, char **all, enum exit_code *code);
 /* Reads the book that the options name, if they do: the exit code, the message being on stderr. */
 enum exit_code options_book(const struct arguments *arguments);
 /* The exit code of a command that ended with code: EXIT_USAGE where --columns named what its table has not. */

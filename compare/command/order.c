@@ -13,7 +13,8 @@ struct order_options {
   struct given_word format;
   bool rows;
 };
-_Static_assert(sizeof(struct order_options) <= sizeof((struct arguments *)NULL)->options, "arguments has room for them");
+_Static_assert(sizeof(struct order_options) <= sizeof((struct arguments *)NULL)->options,
+               "arguments has room for them");
 
 /* A number, or a fraction of two: 3/2 */
 static const char *read_order(void *options, const struct option *o, const char *text)
@@ -49,14 +50,15 @@ static const struct option options_of_order[] = {
   OPTION_ORDER("expect", "the order that is expected, 2 or 3/2: exit code 1 unless every table has it",
                "none, and the order is only measured", expect),
   OPTION_ORDER("at-least", "the same, but a higher order passes, too", "none: a higher order fails", at_least),
-  OPTION_NUMBER("tol", "D", "how far the order may be off, and how wide its interval on either side", NULL, order_options,
-                tolerance, POSITIVE),
-  OPTION_TEXT("x", "NAME", "the column of h: its name, or its number from 1", "h, otherwise the first one", order_options,
-              columns.x, "a column"),
+  OPTION_NUMBER("tol", "D", "how far the order may be off, and how wide its interval on either side", NULL,
+                order_options, tolerance, POSITIVE),
+  OPTION_TEXT("x", "NAME", "the column of h: its name, or its number from 1", "h, otherwise the first one",
+              order_options, columns.x, "a column"),
   OPTION("y", "NAME,...", "the columns of errors; each --y adds some",
          "err, error or value, otherwise each one of numbers right of h", .kind = &columns_of_errors,
          OPTION_FIELD(order_options, columns)),
-  OPTION_FLAG("values", "the columns hold values and not errors, as one named 'value' does", order_options, columns.values),
+  OPTION_FLAG("values", "the columns hold values and not errors, as one named 'value' does", order_options,
+              columns.values),
   OPTION_FLAG("rows", "print each row with its pairwise order and its use, and no verdicts", order_options, rows),
   OPTION_WORD("format", "F", "tsv, json (one object a line), csv, markdown, table (aligned), tap or junit", NULL,
               order_options, format, report_formats),

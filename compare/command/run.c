@@ -18,8 +18,8 @@ static const struct option options_of_run[] = {
   OPTION_FLAG("stats", "afterwards, on standard error, what was done: the counters of the plan's stages", scene_options,
               stats),
   OPTION_FLAG("no-plots", "tables only", scene_options, no_plots),
-  OPTION_TEXT("into", "FOLDER", "the folder for files that a scene names by a path without / in front", "the current one",
-              scene_options, folder, "a file name"),
+  OPTION_TEXT("into", "FOLDER", "the folder for files that a scene names by a path without / in front",
+              "the current one", scene_options, folder, "a file name"),
   OPTION_OUTPUT("the files that the scenes name"),
   OPTION_FORMAT(OF_SCENE),
   OPTION_DIGITS(DIGITS, OF_SCENE, MOST_DIGITS),
@@ -76,9 +76,11 @@ static const struct {
   const char *what;
   const struct command *command;
   char *option[2];
-} tables[] = { { "terms", &command_series, { "--source", "derived" } }, { "bounds", &command_series, { "--bound", NULL } },
-               { "breakdown", &command_breakdown, { NULL, NULL } },     { "stability", &command_stress, { NULL, NULL } },
-               { "work-precision", &command_workprec, { NULL, NULL } }, { "claims", &command_claims, { NULL, NULL } } };
+} tables[] = {
+  { "terms", &command_series, { "--source", "derived" } }, { "bounds", &command_series, { "--bound", NULL } },
+  { "breakdown", &command_breakdown, { NULL, NULL } },     { "stability", &command_stress, { NULL, NULL } },
+  { "work-precision", &command_workprec, { NULL, NULL } }, { "claims", &command_claims, { NULL, NULL } }
+};
 
 static const struct command *const wanted[] = { &command_series,   &command_breakdown, &command_stress,
                                                 &command_workprec, &command_claims,    NULL };
@@ -138,7 +140,8 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
   return code;
 }
 
-static enum exit_code run_all(const struct scenes *all, const struct arguments *arguments, const struct scene_options *o)
+static enum exit_code run_all(const struct scenes *all, const struct arguments *arguments,
+                              const struct scene_options *o)
 {
   const char *command = o->request.style.command;
   int wants = 0;

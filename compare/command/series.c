@@ -20,12 +20,12 @@ static const char *const languages[] = { "text", "latex", "c", "python", "mathml
 static const struct option options_of_series[] = {
   OPTIONS_CRAWLER(NULL, NULL),
   OPTION_V0("the steady velocity of the phase; with --source derived only phases from rest"),
-  OPTION_WORD("source", "SOURCE", "published, derived or limit; with --symbolic also closed", NULL, series_options, source,
-              sources),
+  OPTION_WORD("source", "SOURCE", "published, derived or limit; with --symbolic also closed", NULL, series_options,
+              source, sources),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
   OPTION_FLAG("symbolic", "derived series with coefficients as formulas (--order to 16)", series_options, symbolic),
-  OPTION_WORD("emit", "LANGUAGE", "derived series as text (a table), latex, c, python or mathml", NULL, series_options, emit,
-              languages),
+  OPTION_WORD("emit", "LANGUAGE", "derived series as text (a table), latex, c, python or mathml", NULL, series_options,
+              emit, languages),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_BOOK("the formulas of this book too, before the paper's"),
   OPTION_TEXT("only", "LIST", "these published formulas only: names or equations, \"(28)\", separated by commas", "all",
@@ -70,10 +70,10 @@ static int list_uses(struct use uses[MOST_FORMULAS], const struct series_options
 
 static double finite(double x) { return isfinite(x) ? x : NAN; }
 
-/* What the formulas and the exact motion have at a point. Where v0 is not given, the formulas with a start velocity take the exact
- * steady one of their phase. */
-static enum scallop_status solve(const struct point *p, const struct use *uses, int count, double published[MOST_FORMULAS],
-                                 double exact[MOST_FORMULAS])
+/* What the formulas and the exact motion have at a point. Where v0 is not given, the formulas with a start velocity
+ * take the exact steady one of their phase. */
+static enum scallop_status solve(const struct point *p, const struct use *uses, int count,
+                                 double published[MOST_FORMULAS], double exact[MOST_FORMULAS])
 {
   const struct scallop_crawler *c = &p->crawler;
   const struct motion period = motion_of(p, OF_STEADY);
@@ -117,8 +117,8 @@ static void write_formula(struct table *table, const struct use *use, double pub
 /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
 static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
 
-/* What a row for a point has of each formula, "name" or "name:contraction": its value; of those of --only the exact value and the relative
- * error too, called as in scenes. */
+/* What a row for a point has of each formula, "name" or "name:contraction": its value; of those of --only the exact
+ * value and the relative error too, called as in scenes. */
 static const char *const parts[] = { "", "exact.", "relative." };
 static int parts_of(const struct series_options *o) { return o->only ? (int)(sizeof parts / sizeof *parts) : 1; }
 
@@ -197,7 +197,8 @@ enum { MOST_ORDER_OF_BOUND = 60 }; /* beyond, a bound takes minutes */
 enum { MOST_ORDER_OF_FORMULAS = 16, MOST_ORDER_OF_LIMITS = 10 };
 
 static const struct option_rule rules[] = {
-  { "digits", RULE_WITH, "bound", "and --bound exclude each other: bounds are rounded to four digits, to the safe side" },
+  { "digits", RULE_WITH, "bound",
+    "and --bound exclude each other: bounds are rounded to four digits, to the safe side" },
   { "bound digits points book only", RULE_WITH, "symbolic",
     "and --symbolic exclude each other: formulas are exact, and of one motion" },
   { NULL, RULE_WITH, NULL, NULL },
@@ -212,7 +213,8 @@ static const char *excluded_from_formulas(const struct series_options *o)
   if (o->order.given && closed)
     return "--order and --source closed exclude each other: a closed form has no terms";
   if (o->order.value > (limit ? MOST_ORDER_OF_LIMITS : MOST_ORDER_OF_FORMULAS))
-    return limit ? "--symbolic --source limit takes an --order from 1 to 10" : "--symbolic takes an --order from 1 to 16";
+    return limit ? "--symbolic --source limit takes an --order from 1 to 10"
+                 : "--symbolic takes an --order from 1 to 16";
   if (o->request.point.has_v0 && (limit || closed))
     return "--v0 is for the series of a phase: --source limit and closed are about the steady state";
   return NULL;

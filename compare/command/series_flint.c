@@ -11,9 +11,8 @@
 
 enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
 
-static const char *const columns[] = {
-  "phase", "start", "quantity", "power", "coefficient", "sum", "error", "status", NULL
-};
+static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient",
+                                       "sum",   "error", "status",   NULL };
 static const char *const bound_columns[] = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends", NULL };
 
 static bool is_limit(const struct series_options *o) { return !o->bound && strcmp(o->source.value, "limit") == 0; }
@@ -128,8 +127,8 @@ static bool error_of(arb_t error, const arb_t sum, const arb_t exact, slong prec
   return arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12;
 }
 
-/* One row for each term that is not 0; if all are, one row says so. exact: NULL where the motion has no such quantity, or could not be
- * certified. */
+/* One row for each term that is not 0; if all are, one row says so. exact: NULL where the motion has no such quantity,
+ * or could not be certified. */
 static void write_terms(struct report *r, const struct motion_report *m, int q, long order, const arb_struct *exact)
 {
   const struct series *series = m->derived.value[q];
@@ -210,7 +209,8 @@ static void emit_terms(struct report *r, const struct motion_report *m, int q, l
   flint_free(emitted.terms);
 }
 
-/* The smallest error is seen: as many digits of the exact value, and of the coefficients, as that takes, within reason. */
+/* The smallest error is seen: as many digits of the exact value, and of the coefficients, as that takes, within
+ * reason. */
 static bool solve_well(struct motion_report *m, const struct report *r, long order)
 {
   enum { TRIES = 9, MOST = 10000 };
@@ -320,7 +320,8 @@ static bool begin(struct report *r)
   const struct series_options *o = r->options;
   char command[64] = "series --source limit";
   if (!is_limit(o))
-    snprintf(command, sizeof command, "series %s --order %ld", o->bound ? "--bound" : "--source derived", o->order.value);
+    snprintf(command, sizeof command, "series %s --order %ld", o->bound ? "--bound" : "--source derived",
+             o->order.value);
   if (!r->as_table)
     return begin_document(r, command);
   if (!table_open(&r->table, &o->request.style))
@@ -334,9 +335,8 @@ static bool begin(struct report *r)
   if (o->bound)
     table_note(&r->table, "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T");
   else
-    table_note(
-        &r->table,
-        "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; error: sum - exact");
+    table_note(&r->table, "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; "
+                          "error: sum - exact");
   table_columns(&r->table, o->bound ? bound_columns : columns);
   table_begin_rows(&r->table);
   return true;
@@ -382,7 +382,8 @@ static enum exit_code report_bounds(struct report *r)
   enum exit_code code = EXIT_UNSOLVED;
   scallop_bound_init(&bounds[0]);
   scallop_bound_init(&bounds[1]);
-  enum scallop_status status = scallop_steady_bounds(&r->crawler, r->options->order.value, BOUND_PRECISION, bounds, &why);
+  enum scallop_status status = scallop_steady_bounds(&r->crawler, r->options->order.value, BOUND_PRECISION, bounds,
+                                                     &why);
   if (status != SCALLOP_OK)
     complain("series", "no bound: %s", why ? why : scallop_status_text(status));
   else if (!begin(r))

@@ -53,11 +53,12 @@ static void write_value(struct report *r, const struct motion_names *m, const ch
 
 static struct emitted emitted_of(const struct motion_names *m, const char *quantity, const struct symbols *s)
 {
-  return (struct emitted){ .phase = m->phase, .start = m->start, .quantity = quantity, .modes = m->modes, .symbols = s };
+  return (
+      struct emitted){ .phase = m->phase, .start = m->start, .quantity = quantity, .modes = m->modes, .symbols = s };
 }
 
-/* The terms of T^first times a series in T, or of one in `small`: a row for each that is not 0, or one row if all are; or a formula with all
- * of them. Where the variable is `small`, its power is part of the term. */
+/* The terms of T^first times a series in T, or of one in `small`: a row for each that is not 0, or one row if all are;
+ * or a formula with all of them. Where the variable is `small`, its power is part of the term. */
 static void report_series(struct report *r, const struct motion_names *m, const char *quantity, struct symbols *s,
                           slong first, const struct symbolic_series *series, const char *small)
 {
@@ -125,9 +126,8 @@ static bool report_phase(struct report *r, enum scallop_phase_kind kind, bool fr
   symbols_init(&s);
   enum scallop_status status = symbolic_expand_phase(&s, &r->crawler, kind, v0, r->options->order.value, &phase, &why);
   if (status == SCALLOP_OK) {
-    const struct symbolic_series *const series[] = {
-      &phase.t1, &phase.dT, &phase.v_end, &phase.dx1, &phase.dx2, &phase.dxC
-    };
+    const struct symbolic_series *const series[] = { &phase.t1,  &phase.dT,  &phase.v_end,
+                                                     &phase.dx1, &phase.dx2, &phase.dxC };
     static const char *const names[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC" };
     m.modes = phase.modes;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
@@ -201,7 +201,8 @@ static bool report_all(struct report *r)
 }
 
 static const char names[] =
-    "M = m1 + m2; L is the amplitude; l0/T^2, l3_0/T^3, k0/T^4, l5_0/T^5, ... are the second, third, fourth, fifth, ... "
+    "M = m1 + m2; L is the amplitude; l0/T^2, l3_0/T^3, k0/T^4, l5_0/T^5, ... are the second, third, fourth, fifth, "
+    "... "
     "derivative of l at the start of a phase of duration T, lT/T^2, l3_T/T^3, ... those at its end.";
 
 static bool begin(struct report *r)

@@ -32,7 +32,9 @@ static const struct option options_of_trajectory[] = {
   OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
-static const struct trajectory_options initial = { .start = "rest", .periods = { 10, false }, .samples = { 40, false } };
+static const struct trajectory_options initial = { .start = "rest",
+                                                   .periods = { 10, false },
+                                                   .samples = { 40, false } };
 
 static const char *const columns[] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
 
@@ -54,8 +56,8 @@ static bool begin(struct output *out)
   table_note(&out->table, "command: trajectory");
   note_parameters(&out->table, &o->request.point, NULL, false);
   number_text(v0, out->v0, 0);
-  table_note(&out->table, "start: %s, velocity %s; periods: %ld; samples in a period: %ld", o->start, v0, o->periods.value,
-             o->samples.value);
+  table_note(&out->table, "start: %s, velocity %s; periods: %ld; samples in a period: %ld", o->start, v0,
+             o->periods.value, o->samples.value);
   table_columns(&out->table, columns);
   table_begin_rows(&out->table);
   return true;

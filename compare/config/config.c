@@ -10,11 +10,12 @@ static const char *meaning(const char *said)
 {
   static const struct {
     const char *said, *meaning;
-  } known[] = { { "mismatched element type", ": within [ ] all are written alike, [1.0, 2.5]; within ( ) they need not be" },
-                { "syntax error",
-                  ": in this line or before it a ; , \" ) ] or } is missing or one too many, or a text has no "
-                  "quotes, or [ ] stands around groups, which ( ) takes" },
-                { "duplicate setting name", ": a group has each of its members once" } };
+  } known[] = {
+    { "mismatched element type", ": within [ ] all are written alike, [1.0, 2.5]; within ( ) they need not be" },
+    { "syntax error", ": in this line or before it a ; , \" ) ] or } is missing or one too many, or a text has no "
+                      "quotes, or [ ] stands around groups, which ( ) takes" },
+    { "duplicate setting name", ": a group has each of its members once" }
+  };
   for (size_t i = 0; said && i < sizeof known / sizeof *known; i++)
     if (strstr(said, known[i].said))
       return known[i].meaning;

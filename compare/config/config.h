@@ -1,5 +1,5 @@
-/* Files in libconfig's format, scenes and books of formulas: read whole, checked for what libconfig would misread, and taken member by member
- * into the fields of structs. */
+/* Files in libconfig's format, scenes and books of formulas: read whole, checked for what libconfig would misread, and
+ * taken member by member into the fields of structs. */
 #ifndef SCALLOP_COMPARE_CONFIG_CONFIG_H
 #define SCALLOP_COMPARE_CONFIG_CONFIG_H
 
@@ -18,8 +18,8 @@ struct config {
   struct kept *kept;   /* and other texts */
 };
 
-/* Reads the file at path, or text, which is called path in messages. EXIT_DONE, or the exit code, the message being on stderr. To be closed all the
- * same. shipped: those whose names a mistyped path may mean, or NULL. */
+/* Reads the file at path, or text, which is called path in messages. EXIT_DONE, or the exit code, the message being on
+ * stderr. To be closed all the same. shipped: those whose names a mistyped path may mean, or NULL. */
 enum exit_code config_open(struct config *config, const char *command, const char *path, const char *text,
                            const struct shipped *shipped);
 void config_close(struct config *config);
@@ -38,8 +38,8 @@ enum member_kind {
   MEMBER_COUNT,  /* long: from low to high */
   MEMBER_NUMBER, /* double: finite */
 };
-/* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group has no such
- * member. */
+/* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group
+ * has no such member. */
 struct member {
   const char *name; /* NULL ends a list */
   enum member_kind kind;
@@ -55,7 +55,8 @@ struct member {
 #define OTHER(NAME) MEMBER(OTHER, NAME, member, name, )
 const struct member *find_member(const struct member *members, const char *name);
 bool read_member(struct config *config, const config_setting_t *at, const struct member *member, void *into);
-/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. want: the kind of the want, where it is one. */
+/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. want: the kind of the
+ * want, where it is one. */
 bool read_members(struct config *config, const config_setting_t *group, const struct member *members, void *into,
                   const char *what, const char *want);
 
@@ -75,7 +76,8 @@ struct kept { /* a text that the configuration keeps */
 };
 /* A text for as long as the configuration is open. NULL: no memory, which is said. */
 const char *keep(struct config *config, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* Paths of inputs are those of the folder of the file; so "measured:FILE", and other gaits as they are. NULL as above. */
+/* Paths of inputs are those of the folder of the file; so "measured:FILE", and other gaits as they are. NULL as
+ * above. */
 const char *path_beside(struct config *config, const char *path);
 const char *gait_beside(struct config *config, const char *gait);
 

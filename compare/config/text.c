@@ -1,5 +1,5 @@
-/* The text of a file, before libconfig 1.5 reads it, which takes a whole number beyond 32 bits for another one, and ends the program
- * where a file to include is none. */
+/* The text of a file, before libconfig 1.5 reads it, which takes a whole number beyond 32 bits for another one, and
+ * ends the program where a file to include is none. */
 #include <ctype.h>
 #include <errno.h>
 #include <stdio.h>

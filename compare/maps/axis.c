@@ -9,7 +9,8 @@
 enum { MOST_COUNT = 100000, RANGE_TEXT = 160 };
 
 static const char *const names[] = { "F1/F2", "m1/m2", "alpha", "T", "froude", NULL };
-static const char *const in_scenes[] = { "F1_over_F2", "m1_over_m2", "alpha", "T", "froude" }; /* the same names there */
+static const char *const in_scenes[] = { "F1_over_F2", "m1_over_m2", "alpha", "T",
+                                         "froude" }; /* the same names there */
 static const char *const parameters[] = { "F1", "m1", "alpha", "T", "T" };
 
 /* The next part of the text, up to a colon, which becomes a NUL. NULL: there is none. */
@@ -83,8 +84,8 @@ bool axes_read(struct axis axes[2], const char *const given[2], const char *cons
   }
   for (int i = 0; i < 2; i++)
     if (point->written[crawler_place(axes[i].sets)]) {
-      complain("breakdown", "--%s has nothing to do with --map %s %s, where %s sets it", axes[i].sets, given[0], given[1],
-               given[i]);
+      complain("breakdown", "--%s has nothing to do with --map %s %s, where %s sets it", axes[i].sets, given[0],
+               given[1], given[i]);
       return false;
     }
   return true;

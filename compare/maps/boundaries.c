@@ -1,4 +1,5 @@
-/* breakdown --map X Y --boundaries: the curves between the regions of a map in which the modes of the steady state are the same. */
+/* breakdown --map X Y --boundaries: the curves between the regions of a map in which the modes of the steady state are
+ * the same. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +11,8 @@
 #include "compare/text/progress.h"
 #include "numerics/threads.h"
 
-/* How far from a printed point each of the two regions is looked for: relative on a logarithmic axis, of the larger end on a linear one. */
+/* How far from a printed point each of the two regions is looked for: relative on a logarithmic axis, of the larger end
+ * on a linear one. */
 static const double promise = 1e-12;
 
 struct boundaries {
@@ -24,11 +26,13 @@ struct boundaries {
 static struct motion motion_at(const struct boundaries *b, double u, double v)
 {
   const struct scallop_crawler *base = &b->options->request.point.crawler;
-  return (struct motion){ .of = OF_STEADY,
-                          .crawler = axes_crawler(b->axes, base, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v)) };
+  return (struct motion){
+    .of = OF_STEADY, .crawler = axes_crawler(b->axes, base, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v))
+  };
 }
 
-/* Of both bodies alike: the sign of their velocity where a phase begins (end: false) or ends; 0 where they differ or one is at rest. */
+/* Of both bodies alike: the sign of their velocity where a phase begins (end: false) or ends; 0 where they differ or
+ * one is at rest. */
 static int common_sign(const struct scallop_modes *m, bool end)
 {
   if (m->count == 0 || m->count > SCALLOP_MODES_KEPT)
@@ -37,12 +41,14 @@ static int common_sign(const struct scallop_modes *m, bool end)
   return mode.s1 == mode.s2 ? mode.s1 : 0;
 }
 
-/* Whether rounding may have chosen the modes: a phase ends with a velocity with which the next one does not begin, or that is tiny. */
+/* Whether rounding may have chosen the modes: a phase ends with a velocity with which the next one does not begin, or
+ * that is tiny. */
 static bool is_uncertain(const struct scallop_crawler *c, const struct answer *a)
 {
   const double tiny = 1e-13 * c->L / c->T, v[2] = { fabs(a->value[Q_V_START].high), fabs(a->value[Q_V_MID].high) };
   for (int phase = 0; phase < 2; phase++)
-    if (common_sign(&a->modes[1 - phase], true) != common_sign(&a->modes[phase], false) || (v[phase] > 0 && v[phase] < tiny))
+    if (common_sign(&a->modes[1 - phase], true) != common_sign(&a->modes[phase], false)
+        || (v[phase] > 0 && v[phase] < tiny))
       return true;
   return false;
 }
@@ -90,11 +96,13 @@ static int region_at(void *context, double u, double v)
   return found;
 }
 
-/* What a point is found to be when it is looked at more closely. Which side of the curve a place is on is told by the modes in binary128. */
+/* What a point is found to be when it is looked at more closely. Which side of the curve a place is on is told by the
+ * modes in binary128. */
 enum outcome { CHECKED, IN_DOUBLE, NOT_THERE };
 enum side { ON_LEFT, ON_RIGHT, ON_OTHER, ON_UNKNOWN };
 
-static enum side side_of(const struct boundaries *b, const struct map_curve *c, const struct map_point *p, double distance)
+static enum side side_of(const struct boundaries *b, const struct map_curve *c, const struct map_point *p,
+                         double distance)
 {
   struct answer r;
   const struct motion m = motion_at(b, p->u + distance * p->nu, p->v + distance * p->nv);
@@ -117,7 +125,8 @@ static double promised(const struct boundaries *b, const struct map_point *p)
 }
 
 /* The curve lies within that distance of the point: moves it there. */
-static void bisect(const struct boundaries *b, const struct map_curve *c, struct map_point *p, double far, double enough)
+static void bisect(const struct boundaries *b, const struct map_curve *c, struct map_point *p, double far,
+                   double enough)
 {
   double right = -far, left = far;
   while (left - right > enough) {
@@ -129,7 +138,8 @@ static void bisect(const struct boundaries *b, const struct map_curve *c, struct
   p->v += middle * p->nv;
 }
 
-/* Modes in double are those of the other side within rounding of a curve. Where they misled, the curve is sought again. */
+/* Modes in double are those of the other side within rounding of a curve. Where they misled, the curve is sought
+ * again. */
 static enum outcome check(const struct boundaries *b, const struct map_curve *c, struct map_point *p)
 {
   enum { WIDER = 7 };
@@ -206,8 +216,9 @@ static void begin_table(const struct boundaries *b, struct table *t)
   axes_head(t, b->options, b->axes, " --boundaries");
   table_note(t, "regions: of the same modes; region_1 is on the left as the points go, x to the right and y up");
   table_note(t, "what: happens from region_1 to region_2; meets: the third region at a junction");
-  table_note(t,
-             "found: every curve that crosses a line of the grid at which the modes of its nodes differ, and what meets it");
+  table_note(
+      t,
+      "found: every curve that crosses a line of the grid at which the modes of its nodes differ, and what meets it");
   table_columns(t, (const char *const[]){ "curve", "point", b->axes[0].name, b->axes[1].name, NULL });
   table_columns(t, (const char *const[]){ "region_1", "region_2", "what", "end", "meets", "status", NULL });
   table_begin_rows(t);

@@ -1,13 +1,14 @@
 /* Curves between regions of a square, of which nothing is known but which region a point belongs to.
  *
- * A curve is found where it crosses a line of a grid. From a point p of it the next one is sought on the circle around p: with
- * the region A on the left and B on the right, the circle passes from B to A where the curve leaves it. That angle is
- * predicted from the last two secants, bracketed, and bisected. The radius is halved where the curve turns more than it should,
- * or where a third region shows: so p comes to within MAP_NEAR of a junction, or of the edge of the square. A region that
- * is thinner than MAP_THIN, such as a line on which a symmetry holds, is a part of the curve.
+ * A curve is found where it crosses a line of a grid. From a point p of it the next one is sought on the circle around
+ * p: with the region A on the left and B on the right, the circle passes from B to A where the curve leaves it. That
+ * angle is predicted from the last two secants, bracketed, and bisected. The radius is halved where the curve turns
+ * more than it should, or where a third region shows: so p comes to within MAP_NEAR of a junction, or of the edge of
+ * the square. A region that is thinner than MAP_THIN, such as a line on which a symmetry holds, is a part of the curve.
  *
- * Where a third region is first seen, the changes on the arc are the beginnings of further curves; a beginning that lies on a
- * known curve is none. A region that has no node of the grid in a line, and meets no curve that is found, is missed. */
+ * Where a third region is first seen, the changes on the arc are the beginnings of further curves; a beginning that
+ * lies on a known curve is none. A region that has no node of the grid in a line, and meets no curve that is found, is
+ * missed. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,8 +20,9 @@
 enum { AROUND = 32, MOST_POINTS = 100000, MOST_CURVES = 10000, MOST_BATCH = 64 };
 
 static const double pi = 3.14159265358979323846;
-static const double most_turn = 0.2, least_turn = 0.05; /* between two secants, in radians                             */
-static const double corner = 1e-7;                      /* steps so small may turn by any angle                           */
+static const double most_turn = 0.2,
+                    least_turn = 0.05; /* between two secants, in radians                             */
+static const double corner = 1e-7;     /* steps so small may turn by any angle                           */
 static const double same_place = 1e-8; /* two points that should be one, when both have been bisected      */
 
 struct tracer {
@@ -51,7 +53,8 @@ static void add_seeds(struct tracer *t, const struct change *list, long count)
     add_seed(t, &list[i]);
 }
 
-/* Line i of a grid with so many cells: not at even fractions, where symmetries hold more often than elsewhere, and a little inside. */
+/* Line i of a grid with so many cells: not at even fractions, where symmetries hold more often than elsewhere, and a
+ * little inside. */
 static double grid_line(int i, int cells)
 {
   return i == 0 ? MAP_NEAR : i == cells ? 1 - MAP_NEAR : (i + 0.0618) / (cells + 0.1);
@@ -227,8 +230,9 @@ static void follow(struct tracer *t, struct map_curve *c, double angle, double r
   c->points[c->count - 1].third = end == MAP_JUNCTION ? s->third : MAP_NOWHERE;
 }
 
-/* The angles at which the curve leaves a small circle around a point of it: angle[0] with the region after of the seed on
- * the left, angle[1] with it on the right; nan: it does not. False: there are other regions in it, or more than one curve. */
+/* The angles at which the curve leaves a small circle around a point of it: angle[0] with the region after of the seed
+ * on the left, angle[1] with it on the right; nan: it does not. False: there are other regions in it, or more than one
+ * curve. */
 static bool find_ways(const struct tracer *t, const struct change *seed, double radius, double angle[2])
 {
   const struct path circle = { .arc = true, .u = seed->u, .v = seed->v, .a = radius };
@@ -350,8 +354,8 @@ static void add_curve(struct tracer *t, const struct map_curve *c)
   all->curves[all->count++] = *c;
 }
 
-/* Curves between different pairs of regions are different: one seed of each pair. Seeds on curves that are known, or that have been
- * taken, go; the others stay. */
+/* Curves between different pairs of regions are different: one seed of each pair. Seeds on curves that are known, or
+ * that have been taken, go; the others stay. */
 static long take_batch(struct tracer *t, struct change batch[MOST_BATCH])
 {
   long count = 0, left = 0;
@@ -369,8 +373,8 @@ static long take_batch(struct tracer *t, struct change batch[MOST_BATCH])
   return count;
 }
 
-/* Traces one curve of each pair of regions, on all cores; false where there is none left, or no memory. What is found does not
- * depend on the number of threads. */
+/* Traces one curve of each pair of regions, on all cores; false where there is none left, or no memory. What is found
+ * does not depend on the number of threads. */
 static bool do_round(struct tracer *t)
 {
   struct change batch[MOST_BATCH];

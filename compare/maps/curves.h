@@ -29,8 +29,8 @@ struct map_curves {
   struct map_curve *curves;
 };
 
-/* Every curve between two regions that the lines of a grid of columns x rows cells cross, or that begins where one of those ends.
- * Points follow each other at distances of at most step. False: out of memory. */
+/* Every curve between two regions that the lines of a grid of columns x rows cells cross, or that begins where one of
+ * those ends. Points follow each other at distances of at most step. False: out of memory. */
 bool map_follow(map_region *region, void *context, int columns, int rows, double step, struct map_curves *curves);
 /* The same curve from its other end. */
 void map_curve_reverse(struct map_curve *curve);

@@ -1,4 +1,5 @@
-/* breakdown --map X Y: one row for each point of a grid: the crawler, its steady state, and how good the series are there. */
+/* breakdown --map X Y: one row for each point of a grid: the crawler, its steady state, and how good the series are
+ * there. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +22,8 @@ enum {
 _Static_assert((int)MOST_MEASURES <= (int)JOURNAL_WIDTH, "a journal holds all measures");
 enum { NAME = 96, TITLE = 16384 };
 
-/* A column that takes long: the error of a series at T; with a tolerance, the largest T up to which the error is below that. */
+/* A column that takes long: the error of a series at T; with a tolerance, the largest T up to which the error is below
+ * that. */
 struct measure {
   enum breakdown_source source;
   const struct scallop_formula *formula; /* of a book, else NULL */
@@ -40,7 +42,8 @@ struct grid {
   struct progress progress;
 };
 
-/* Beside a picture of named columns, where no others are chosen, the table has of the measures those alone that are drawn. */
+/* Beside a picture of named columns, where no others are chosen, the table has of the measures those alone that are
+ * drawn. */
 static bool is_asked(const struct style *style, const char *name)
 {
   const char *const *y = style->plot.y;
@@ -205,7 +208,8 @@ static void make_title(const struct grid *g, char title[TITLE])
     fprintf(f, " %a", numbers[i]);
   for (const struct measure *m = g->measures; m < g->measures + g->width; m++)
     if (m->used)
-      fprintf(f, " %s %08lx %d %a", m->name, (unsigned long)formula_checksum(m->formula), (int)g->quantity, m->tolerance);
+      fprintf(f, " %s %08lx %d %a", m->name, (unsigned long)formula_checksum(m->formula), (int)g->quantity,
+              m->tolerance);
   fclose(f);
 }
 
@@ -240,7 +244,8 @@ static bool write_row(const struct grid *g, struct table *t, bool is_head, long 
   for (const char *const *p = parameters; *p; p++)
     if (strcmp(*p, axes[0]) != 0 && strcmp(*p, axes[1]) != 0)
       cell(t, is_head, *p, NULL,
-           strcmp(*p, "froude") == 0 ? (c->m1 + c->m2) * c->L / (c->T * c->T * (c->F1 + c->F2)) : crawler_parameter(c, *p));
+           strcmp(*p, "froude") == 0 ? (c->m1 + c->m2) * c->L / (c->T * c->T * (c->F1 + c->F2))
+                                     : crawler_parameter(c, *p));
   cell(t, is_head, "modes", solved ? motion_modes_text(modes, OF_STEADY, a.modes) : "-", 0);
   cell(t, is_head, "regime", solved ? scallop_regime_text(a.regime) : "-", 0);
   for (size_t i = 0; i < sizeof states / sizeof *states; i++)
@@ -260,7 +265,8 @@ static bool begin_table(struct grid *g, struct table *t)
   t->of = "map";
   axes_head(t, g->options, g->axes, "");
   table_note(
-      t, "series: of the %s; error: series/exact - 1 at this T; T: the largest up to which its size is below that number",
+      t,
+      "series: of the %s; error: series/exact - 1 at this T; T: the largest up to which its size is below that number",
       quantity_rows[g->quantity].name);
   write_row(g, t, true, 0);
   table_begin_rows(t);

@@ -72,10 +72,12 @@ static const char *resume(struct journal *j, const char *title)
   rewind(j->stream);
   long good = take_all(j, title);
   if (good < 0)
-    return "it is of another map, of another version, or of a measured gait whose file has changed since; remove it, or "
+    return "it is of another map, of another version, or of a measured gait whose file has changed since; remove it, "
+           "or "
            "write elsewhere";
   bool cut = !ferror(j->stream) && ftruncate(fileno(j->stream), good) == 0 && fseek(j->stream, 0, SEEK_END) == 0;
-  return cut && (good > 0 || (fprintf(j->stream, "%s\n", title) >= 0 && fflush(j->stream) == 0)) ? NULL : strerror(errno);
+  return cut && (good > 0 || (fprintf(j->stream, "%s\n", title) >= 0 && fflush(j->stream) == 0)) ? NULL
+                                                                                                 : strerror(errno);
 }
 
 bool journal_open(struct journal *j, const char *output, const char *title)

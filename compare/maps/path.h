@@ -4,12 +4,13 @@
 
 #include <stdbool.h>
 
-/* The region at (u, v), both within [0, 1]: a number >= 0 that stands for it, or MAP_NOWHERE. Called by several threads at once. */
+/* The region at (u, v), both within [0, 1]: a number >= 0 that stands for it, or MAP_NOWHERE. Called by several threads
+ * at once. */
 enum { MAP_NOWHERE = -1 };
 typedef int map_region(void *context, double u, double v);
 
-/* How near the last point of a curve lies to a junction; and how near each point lies to the curve: where the regions of that
- * width exist, or of less. In u and v. */
+/* How near the last point of a curve lies to a junction; and how near each point lies to the curve: where the regions
+ * of that width exist, or of less. In u and v. */
 #define MAP_NEAR 1e-11
 #define MAP_THIN 1e-13
 
@@ -37,8 +38,8 @@ struct changes {
 /* MAP_NOWHERE outside of the square */
 int region_on(const struct square *square, const struct path *path, double s);
 
-/* Adds the changes between s0 and s1, where the regions are before and after. A region in between that is thinner than MAP_THIN is
- * left out. */
+/* Adds the changes between s0 and s1, where the regions are before and after. A region in between that is thinner than
+ * MAP_THIN is left out. */
 void find_changes(const struct square *square, const struct path *path, double s0, int before, double s1, int after,
                   struct changes *changes);
 

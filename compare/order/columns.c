@@ -90,9 +90,8 @@ static const char *chosen_ys(struct layout *l, const struct tsv *t, const char *
 /* Each column right of x that holds a number and is neither noise nor an order that the table brings along */
 static const char *other_ys(struct layout *l, const struct tsv *t, bool values)
 {
-  static const char *const orders[] = {
-    "noise", "order", "orders", "rate", "rates", "eoc", "EOC", "pairwise", "ratio", NULL
-  };
+  static const char *const orders[] = { "noise", "order", "orders",   "rate",  "rates",
+                                        "eoc",   "EOC",   "pairwise", "ratio", NULL };
   const char *wrong = NULL;
   double number;
   for (int i = l->x + 1; i < t->count && !wrong; i++)
@@ -107,8 +106,8 @@ static const char *other_ys(struct layout *l, const struct tsv *t, bool values)
 const char *columns_differ(const struct tsv *t, int columns)
 {
   snprintf(message, sizeof message,
-           "%d columns, and %d above: blanks, tabs and commas separate columns, so numbers have decimal points", t->count,
-           columns);
+           "%d columns, and %d above: blanks, tabs and commas separate columns, so numbers have decimal points",
+           t->count, columns);
   return message;
 }
 

@@ -10,12 +10,13 @@ enum { MOST_Y = 64, MOST_LISTS = 16, COLUMN_NAME = 100 };
 
 /* Which columns are read: names in the header, or numbers from 1. */
 struct columns_wanted {
-  const char *x; /* NULL: h, and where no column has this name the first one that has a name                             */
-  const char
-      *y[MOST_LISTS]; /* lists with commas between names; where there is none: err, error or value, and where none has such a
-                            name each right of x that holds numbers, but for noise and for orders                        */
-  int ys;             /* how many lists                                                                               */
-  bool values;        /* y are values; without it, only a column of this name                                         */
+  /* NULL: h, and where no column has this name the first one that has a name */
+  const char *x;
+  /* lists with commas between names; where there is none: err, error or value, and where none has such a name each
+   * right of x that holds numbers, but for noise and for orders */
+  const char *y[MOST_LISTS];
+  int ys;      /* how many lists                                                                               */
+  bool values; /* y are values; without it, only a column of this name                                         */
 };
 
 struct layout {
@@ -29,8 +30,8 @@ struct layout {
 /* A number as in C; unlike an option's it may be nan or inf. */
 bool read_cell(const char *text, double *value);
 
-/* The columns, from the header of the table or, where it has none, from the number of columns; the current row is the first one with
- * data. Returns NULL, or what is wrong; the message lives until the next call. */
+/* The columns, from the header of the table or, where it has none, from the number of columns; the current row is the
+ * first one with data. Returns NULL, or what is wrong; the message lives until the next call. */
 const char *columns_find(struct layout *layout, const struct tsv *t, const struct columns_wanted *wanted);
 
 /* What is wrong with a row of other than so many columns; likewise. */

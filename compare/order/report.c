@@ -192,7 +192,8 @@ static void write_tap(FILE *out, const struct report *r)
     fprintf(out, "%s %d - ", has_failed(r, s) ? "not ok" : "ok", i + 1);
     put_name(out, s, &in_tap);
     fprintf(out, "\n  ---\n  verdict: %s\n  order: %.4f\n  low: %.4f\n  high: %.4f\n  interval: %s\n  reason: \"",
-            verdict_of(s), s->result.order, s->result.low, s->result.high, scallop_order_interval_text(s->result.interval));
+            verdict_of(s), s->result.order, s->result.low, s->result.high,
+            scallop_order_interval_text(s->result.interval));
     put(out, s->result.reason, &in_quotes);
     fputs("\"\n  ...\n", out);
   }

@@ -18,8 +18,8 @@ struct report {
   const struct style *style;
 };
 
-/* EXIT_CHECK_FAILED if a table is not of the order that is expected, EXIT_UNSOLVED if none is expected and none can be measured. Where the
- * report went to a file, each such table is a line on stderr. */
+/* EXIT_CHECK_FAILED if a table is not of the order that is expected, EXIT_UNSOLVED if none is expected and none can be
+ * measured. Where the report went to a file, each such table is a line on stderr. */
 enum exit_code report_exit(const struct report *report);
 /* Writes a verdict for each series and a summary to the output of the style. */
 enum exit_code report_write(const struct report *report);

@@ -1,4 +1,5 @@
-/* Tables of h and err as files hold them: series, each one column y against x, and the rows with the same texts left of x. */
+/* Tables of h and err as files hold them: series, each one column y against x, and the rows with the same texts left of
+ * x. */
 #ifndef SCALLOP_COMPARE_ORDER_SERIES_H
 #define SCALLOP_COMPARE_ORDER_SERIES_H
 
@@ -25,8 +26,8 @@ struct series_list {
   long rows; /* of all of them                                                          */
 };
 
-/* Adds the series of a file ('-': standard input). Of a file that cannot be read, or is no table, it adds one series without rows that is
- * unread, and the message of command is on stderr. */
+/* Adds the series of a file ('-': standard input). Of a file that cannot be read, or is no table, it adds one series
+ * without rows that is unread, and the message of command is on stderr. */
 enum exit_code series_read(struct series_list *list, const char *command, const char *file,
                            const struct columns_wanted *wanted);
 void series_free(struct series_list *list);

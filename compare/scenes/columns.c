@@ -13,7 +13,10 @@ enum { PUBLISHED, DERIVED };
 const char *const order_columns[] = { "series", "order",     "order_lo", "order_hi", "interval", "points",
                                       "expect", "tolerance", "verdict",  "reason",   NULL };
 
-static int place_of(void *scene, const char *name) { return quantity_named(&((struct scene *)scene)->quantities, name); }
+static int place_of(void *scene, const char *name)
+{
+  return quantity_named(&((struct scene *)scene)->quantities, name);
+}
 static const char *near_to(void *scene, const char *name, const char *const *functions)
 {
   return functions ? nearest(name, functions) : quantity_near(&((struct scene *)scene)->quantities, name);
@@ -65,9 +68,10 @@ bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_
     const struct quantity *q = &r->scene->quantities.item[places[i]];
     *onset |= q->kind == QUANTITY_ONSET;
     if (!is_of_parameters(q))
-      return refuse_at(r->config, at,
-                       "%s is a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
-                       name, q->name);
+      return refuse_at(
+          r->config, at,
+          "%s is a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s", name,
+          q->name);
   }
   return true;
 }
@@ -95,10 +99,11 @@ bool check_quantity(const struct reading *r, const config_setting_t *at, const s
     return refuse_at(r->config, at, "a trajectory has no status: it ends where it cannot go on");
   if (other)
     return refuse_at(r->config, at, "%s is about %s", q->name, other);
-  if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT) && quantity_rows[series->which].of == OF_PHASE
-      && s->start == START_STEADY && !s->varies_v0)
+  if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT)
+      && quantity_rows[series->which].of == OF_PHASE && s->start == START_STEADY && !s->varies_v0)
     return refuse_at(r->config, at,
-                     "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity", q->name);
+                     "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity",
+                     q->name);
   return true;
 }
 
@@ -199,7 +204,8 @@ bool find_series(const struct reading *r, const config_setting_t *at, struct sce
 }
 
 /* The numbers of a motion, in doubles or certified */
-static bool motion_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, enum quantity_of of)
+static bool motion_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w,
+                           enum quantity_of of)
 {
   static const char *const how[][3] = {
     [OF_STEADY] = { "regime", "modes", NULL }, [OF_PHASE] = { "regime = phase_regime", "modes = phase_modes", NULL }
@@ -248,7 +254,8 @@ bool usual_columns(const struct reading *r, const config_setting_t *at, struct s
     return add_columns(r, at, w, quantity_samples);
   }
   for (int i = 0; crawler_parameters[i]; i++)
-    if ((w->kind != WANT_ORDERS || strcmp(crawler_parameters[i], "T") != 0) && !add_column(r, at, w, crawler_parameters[i]))
+    if ((w->kind != WANT_ORDERS || strcmp(crawler_parameters[i], "T") != 0)
+        && !add_column(r, at, w, crawler_parameters[i]))
       return false;
   if (w->kind == WANT_ORDERS)
     return true;
@@ -256,7 +263,8 @@ bool usual_columns(const struct reading *r, const config_setting_t *at, struct s
     return false;
   if (is_steady || is_phase)
     return motion_columns(r, at, w, is_steady ? OF_STEADY : OF_PHASE) && add_columns(r, at, w, status);
-  return (!is_about_phase(r) || add_column(r, at, w, "v0")) && series_columns(r, at, w) && add_columns(r, at, w, status);
+  return (!is_about_phase(r) || add_column(r, at, w, "v0")) && series_columns(r, at, w)
+         && add_columns(r, at, w, status);
 }
 
 int scene_want_quantities(const struct scene_want *w, int places[WANT_QUANTITIES])

@@ -28,14 +28,16 @@ static bool add_option(const struct reading *r, const config_setting_t *at, stru
   return true;
 }
 
-bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w, const struct member *members)
+bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w,
+                  const struct member *members)
 {
   const struct sweep_variable *varied = sweep_variable(&r->scene->sweep, 0);
   if (varied)
-    return refuse_at(r->config, at,
-                     "%s varies, and what = \"%s\" is the whole table of a command, for one crawler: leave out 'vary', and "
-                     "run the command once for each value",
-                     varied->name, w->what);
+    return refuse_at(
+        r->config, at,
+        "%s varies, and what = \"%s\" is the whole table of a command, for one crawler: leave out 'vary', and "
+        "run the command once for each value",
+        varied->name, w->what);
   w->arguments = calloc(MOST_ARGUMENTS, sizeof *w->arguments);
   if (!w->arguments)
     return refuse_at(r->config, at, "out of memory");

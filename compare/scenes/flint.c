@@ -136,7 +136,8 @@ static slong first_power(const struct series *series)
   return k;
 }
 
-/* The sum of a derived series at the point. False: there is none, and s->why says why, unless the motion has no such quantity. */
+/* The sum of a derived series at the point. False: there is none, and s->why says why, unless the motion has no such
+ * quantity. */
 static bool derived_value(arb_t value, struct scene_state *s, const struct quantity *q, slong precision)
 {
   enum quantity_of of = quantity_rows[q->which].of;
@@ -207,8 +208,8 @@ static bool formula_value(arb_t value, struct scene_state *s, const struct scall
     start_phase(s);
   if (formula_takes_given(formula) && (!given || !given->phase.switches))
     return false;
-  bool found = published_in_balls(value, formula, &s->flint->crawler, s->scene->phase, s->flint->v0, s->flint->T[of], given,
-                                  precision);
+  bool found = published_in_balls(value, formula, &s->flint->crawler, s->scene->phase, s->flint->v0, s->flint->T[of],
+                                  given, precision);
   if (gait_has_ends(s->point.crawler.gait) || (found && !formula_takes(formula, SCALLOP_SYMBOL_L_kin)))
     return found;
   state_fail(s, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */

@@ -10,7 +10,8 @@ static bool is_renamed(const struct scene *s, const struct scene_want *w, const 
 {
   for (int i = 0; i < w->columns; i++) {
     const struct scene_column *c = &w->column[i];
-    if (strcmp(c->name, parameter) == 0 && (c->quantity < 0 || strcmp(s->quantities.item[c->quantity].name, parameter) != 0))
+    if (strcmp(c->name, parameter) == 0
+        && (c->quantity < 0 || strcmp(s->quantities.item[c->quantity].name, parameter) != 0))
       return true;
   }
   return false;
@@ -28,14 +29,16 @@ static bool note_given(struct table *t, const struct running *r, const struct sc
                                                     : NULL;
     if (given)
       used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given,
-                               is_renamed(r->scene, w, crawler_parameters[i]) ? " (of the crawler, not the column)" : "");
+                               is_renamed(r->scene, w, crawler_parameters[i]) ? " (of the crawler, not the column)"
+                                                                              : "");
   }
   if (used > 0)
     table_note(t, "in place of what the scene says of them:%s", text);
   return used > 0;
 }
 
-/* Is the parameter the same in all rows? Not where it varies; nor L, T and alpha among gaits of which a measured one brings its own. */
+/* Is the parameter the same in all rows? Not where it varies; nor L, T and alpha among gaits of which a measured one
+ * brings its own. */
 static bool is_held(const struct scene *s, const char *parameter)
 {
   const struct sweep_variable *v;

@@ -26,13 +26,15 @@ void make_plan(struct scene *scene);
 bool read_vary(const struct reading *r, const config_setting_t *vary);
 bool read_wants(const struct reading *r, const config_setting_t *want);
 /* command.c: the options of a want that is the table of another command; members: of any want */
-bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w, const struct member *members);
+bool read_command(const struct reading *r, const config_setting_t *at, struct scene_want *w,
+                  const struct member *members);
 
 /* columns.c: columns by their formulas, or those that a kind of want has. w->columns grows. */
 bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *texts);
 extern const char *const order_columns[]; /* behind the columns of a want of orders */
 bool usual_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w);
-/* Checks the series of a want: those of `of`, or else the usual ones of its source and order, which become those of the want. */
+/* Checks the series of a want: those of `of`, or else the usual ones of its source and order, which become those of the
+ * want. */
 extern const char *const series_sources[];
 bool find_series(const struct reading *r, const config_setting_t *at, struct scene_want *w);
 bool has_column(const struct scene_want *w, const char *name);
@@ -43,8 +45,8 @@ bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_
 /* There is no quantity of that name. Returns false. */
 bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name);
 
-/* One point of a scene, and what has been computed of it: each thing when it is first asked for, and once. The same asked without a
- * solver is the plan: what would be computed is counted. */
+/* One point of a scene, and what has been computed of it: each thing when it is first asked for, and once. The same
+ * asked without a solver is the plan: what would be computed is counted. */
 
 /* What is solved once at a point; the first three each for the steady state and for the phase, by enum quantity_of */
 enum cell { IN_DOUBLE, IN_BALLS = 2, IN_SERIES = 4, TURNINGS = 6, FRICTION, ONSET, CELLS };
@@ -93,18 +95,20 @@ static inline double state_fail(struct scene_state *s, const char *why)
   return NAN;
 }
 
-/* flint.c: what a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Weak: `scallop` is linked
- * without this table, and the plan hands such a scene over to the program that has it. */
+/* flint.c: what a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Weak:
+ * `scallop` is linked without this table, and the plan hands such a scene over to the program that has it. */
 extern const struct scene_flint_functions {
   struct scene_flint *(*create)(void); /* NULL: no memory */
   void (*free)(struct scene_flint *flint);
-  /* Goes to the point of the state; the start of its phase is taken from there with the first thing that is of the phase. */
+  /* Goes to the point of the state; the start of its phase is taken from there with the first thing that is of the
+   * phase. */
   void (*move)(const struct scene_state *state);
   /* Solves the steady state or the phase of the point, for the functions below. */
   void (*certify)(const struct scene_state *state, enum quantity_of of);
   /* The sum of a derived series, or of its first term, at the point. */
   double (*sum)(struct scene_state *state, const struct quantity *series);
-  /* Of a series and the quantity of the certified answer that it is to be; the error is 0 below the accuracy that the scene wants. */
+  /* Of a series and the quantity of the certified answer that it is to be; the error is 0 below the accuracy that the
+   * scene wants. */
   struct comparison (*compare)(struct scene_state *state, const struct quantity *series, int quantity);
   /* A certified value with so many digits; it lives until the next call. */
   const char *(*text)(struct scene_state *state, const struct quantity *q, long digits);
@@ -154,7 +158,8 @@ struct running {
   char why[POINT_STATUS]; /* the first reason of those unsolved */
 };
 
-/* output.c: the '#' lines and the names of the columns; and the columns of the want at the point, which are a row, or begin one of orders */
+/* output.c: the '#' lines and the names of the columns; and the columns of the want at the point, which are a row, or
+ * begin one of orders */
 void output_begin(const struct running *r, struct output *o);
 void output_row(const struct running *r, struct output *o);
 

@@ -11,7 +11,8 @@ enum { MOST_FILES = 8192 };
 static char files[MOST_FILES][320]; /* that are written so far */
 static int count;
 
-/* The place of a plain file, known by its device and number or, where it is not there yet, those of its folder and its name. -1: it is no plain file, or its folder is not there, which opening it will say. */
+/* The place of a plain file, known by its device and number or, where it is not there yet, those of its folder and its
+ * name. -1: it is no plain file, or its folder is not there, which opening it will say. */
 static int place_of(const char *path)
 {
   const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
@@ -50,7 +51,8 @@ enum exit_code scenes_check_files(const struct scene *scenes, int scene_count, c
   int printed = 0;
   enum exit_code code = EXIT_DONE;
   if (o->explain)
-    return o->request.style.has_output && o->request.style.output ? writes(command, o->request.style.output) : EXIT_DONE;
+    return o->request.style.has_output && o->request.style.output ? writes(command, o->request.style.output)
+                                                                  : EXIT_DONE;
   for (int i = 0; i < scene_count; i++)
     for (int k = 0; k < scenes[i].wants && code == EXIT_DONE; k++) {
       const struct scene_want *w = &scenes[i].want[k];

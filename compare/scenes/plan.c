@@ -1,5 +1,5 @@
-/* The plan of a scene: what must be known before its first point, and what --stats will count. One point of each product is visited
- * without a solver (state.c): what it asks for is asked for at every point. */
+/* The plan of a scene: what must be known before its first point, and what --stats will count. One point of each
+ * product is visited without a solver (state.c): what it asks for is asked for at every point. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -23,8 +23,8 @@ static void add(struct plan *plan, enum count stage, double count, const char *r
   s->count += count;
 }
 
-/* To how many digits certified values are wanted, errors against what, and which terms. A change of velocity in doubles is a small
- * difference of large numbers, and has not the digits that errors are told to. */
+/* To how many digits certified values are wanted, errors against what, and which terms. A change of velocity in doubles
+ * is a small difference of large numbers, and has not the digits that errors are told to. */
 static void find_needs(const struct scene *s, struct scene_needs *needs)
 {
   static const double of_doubles = 1e-10;
@@ -136,8 +136,8 @@ void make_plan(struct scene *scene)
     if (scene->want[i].has_plot)
       add(plan, COUNT_PLOTS, 1, scene->want[i].plot.file);
   }
-  plan->stage[COUNT_ONSETS].is_at_most = plan->stage[COUNT_EXPANSIONS].is_at_most = plan->stage[COUNT_PLOTS].is_at_most =
-      true;
+  plan->stage[COUNT_ONSETS].is_at_most = plan->stage[COUNT_EXPANSIONS].is_at_most =
+      plan->stage[COUNT_PLOTS].is_at_most = true;
   plan->needs_flint = plan->stage[COUNT_CERTIFIED].count > 0 || plan->stage[COUNT_EXPANSIONS].count > 0
                       || plan->stage[COUNT_COMMANDS].count > 0;
 }

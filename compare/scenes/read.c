@@ -81,7 +81,8 @@ static bool read_root(const struct reading *r, const config_setting_t *root)
   if (r->scene->book && (!book || book_read(r->config->command, book, quantity_is_other) != EXIT_DONE))
     return false;
   return read_crawler(r, config_setting_get_member(root, "crawler"))
-         && read_start(r, config_setting_get_member(root, "start")) && read_vary(r, config_setting_get_member(root, "vary"))
+         && read_start(r, config_setting_get_member(root, "start"))
+         && read_vary(r, config_setting_get_member(root, "vary"))
          && read_wants(r, config_setting_get_member(root, "want"));
 }
 
@@ -112,7 +113,8 @@ enum exit_code scene_read(struct scene *s, const struct scene_source *source, co
                        .base = options->request.point,
                        .run_command = run_command };
   const struct reading r = { s, &s->config, options };
-  enum exit_code code = config_open(&s->config, options->request.style.command, source->path, source->text, shipped_scenes);
+  enum exit_code code = config_open(&s->config, options->request.style.command, source->path, source->text,
+                                    shipped_scenes);
   if (code == EXIT_DONE && !s->name) {
     refuse_at(r.config, NULL, "out of memory");
     code = EXIT_UNSOLVED;

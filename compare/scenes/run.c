@@ -39,7 +39,8 @@ static void trace(struct running *r, struct output *o)
   struct tracing t = { r, o, state_end(r->state, &w->until) };
   if (r->state->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = scallop_trajectory(&r->state->point.crawler, v0, w->periods, w->samples, write_sample, &t);
+  enum scallop_status status = scallop_trajectory(&r->state->point.crawler, v0, w->periods, w->samples, write_sample,
+                                                  &t);
   count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
     state_fail(r->state, scallop_status_text(status));
@@ -176,8 +177,8 @@ static void tell(const struct running *r)
 {
   const char *command = r->options->request.style.command;
   if (r->unsolved > 0)
-    complain(command, "%s: %ld of %ld points could not be solved, the first: %s", r->scene->name, r->unsolved, r->points,
-             r->why);
+    complain(command, "%s: %ld of %ld points could not be solved, the first: %s", r->scene->name, r->unsolved,
+             r->points, r->why);
   if (r->failed_checks > 0)
     complain(command, "%s: orders that are not as expected: %ld: the column 'verdict' says how", r->scene->name,
              r->failed_checks);

@@ -1,11 +1,12 @@
-/* Scenes: files that say which crawler and gait, what varies, and which tables are wanted. docs/scenes.md has the language.
+/* Scenes: files that say which crawler and gait, what varies, and which tables are wanted. docs/scenes.md has the
+ * language.
  *
- * A scene is read (read.c), planned (plan.c: what must be known before its first point), and run: each point of what varies is visited
- * once, and each table gets its rows there. Terms: a variable is a parameter, ratio or label that varies; variables of a group advance
- * together; a product is every combination of its groups; a want is one table.
+ * A scene is read (read.c), planned (plan.c: what must be known before its first point), and run: each point of what
+ * varies is visited once, and each table gets its rows there. Terms: a variable is a parameter, ratio or label that
+ * varies; variables of a group advance together; a product is every combination of its groups; a want is one table.
  *
- * Promises: nothing is computed or written before all of a scene is read and checked; the tables of a scene are replaced together, when
- * all are complete. */
+ * Promises: nothing is computed or written before all of a scene is read and checked; the tables of a scene are
+ * replaced together, when all are complete. */
 #ifndef SCALLOP_COMPARE_SCENES_SCENE_H
 #define SCALLOP_COMPARE_SCENES_SCENE_H
 
@@ -88,8 +89,8 @@ struct scene_options {
 };
 
 struct scene;
-/* Makes the table of a want that is another command's, or only reads its options. The command line hands this in, as scenes know no
- * command. */
+/* Makes the table of a want that is another command's, or only reads its options. The command line hands this in, as
+ * scenes know no command. */
 typedef enum exit_code scene_command(const struct scene *scene, const struct scene_want *want,
                                      const struct scene_options *options, bool only_read);
 
@@ -119,20 +120,22 @@ struct scene_source {
   const char *text;
 };
 
-/* Reads, checks and plans a scene. options: of the command line; parameters that are given there take the place of the scene's, varied or not.
- * EXIT_DONE, or the exit code, the message being on stderr. */
+/* Reads, checks and plans a scene. options: of the command line; parameters that are given there take the place of the
+ * scene's, varied or not. EXIT_DONE, or the exit code, the message being on stderr. */
 enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct scene_options *options,
                           scene_command *run_command);
 void scene_free(struct scene *scene);
 
-/* The quantities of the columns and orders of a want, and of where a trajectory ends, perhaps several times. Returns how many. */
+/* The quantities of the columns and orders of a want, and of where a trajectory ends, perhaps several times. Returns
+ * how many. */
 enum { WANT_QUANTITIES = SCENE_COLUMNS * FORMULA_STEPS };
 int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTITIES]);
-/* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command line. */
+/* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command
+ * line. */
 enum exit_code scene_run(const struct scene *scene, const struct scene_options *options);
 
-/* Do tables and plots of these scenes all go to different files, and none to one that is read? Files are told apart by what they are, and
- * not by how a path is spelled. With explain the output is that of the command line. */
+/* Do tables and plots of these scenes all go to different files, and none to one that is read? Files are told apart by
+ * what they are, and not by how a path is spelled. With explain the output is that of the command line. */
 enum exit_code scenes_check_files(const struct scene *scenes, int count, const struct scene_options *options);
 
 #endif

@@ -156,7 +156,8 @@ static bool expand(struct scene_state *s, const struct quantity *series)
   return has && !s->tally;
 }
 
-/* The longest period at which an extension from rest does not stick; no body need ever stick. It is kept until a parameter but T changes. */
+/* The longest period at which an extension from rest does not stick; no body need ever stick. It is kept until a
+ * parameter but T changes. */
 static double onset_of_sticking(struct scene_state *s)
 {
   struct scallop_crawler c = s->point.crawler;
@@ -176,9 +177,8 @@ static double published(struct scene_state *s, const struct scallop_formula *f)
   const struct scallop_crawler *c = &s->point.crawler;
   const bool steady = f->setting == SCALLOP_STEADY, is_given = formula_takes_given(f);
   const struct motion m = { steady ? OF_STEADY : OF_PHASE, *c, s->scene->phase, steady ? NAN : state_v0(s) };
-  const struct answer *given = is_given
-                                   ? solved_with(s, OF_PHASE, formula_takes(f, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT)
-                                   : NULL;
+  const struct answer *given =
+      is_given ? solved_with(s, OF_PHASE, formula_takes(f, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT) : NULL;
   if (is_given && !given)
     return NAN;
   double value = published_value(f, &m, given);
@@ -254,7 +254,9 @@ static double compute(struct scene_state *s, const struct quantity *q)
   case QUANTITY_F1_OVER_F2: return isnan(s->swept.F1_over_F2) ? c->F1 / c->F2 : s->swept.F1_over_F2;
   case QUANTITY_M1_OVER_M2: return isnan(s->swept.m1_over_m2) ? c->m1 / c->m2 : s->swept.m1_over_m2;
   case QUANTITY_ONSET: return onset_of_sticking(s);
-  case QUANTITY_ANSWER: a = solved_with(s, quantity_rows[q->which].of, q->which); return a ? a->value[q->which].high : NAN;
+  case QUANTITY_ANSWER:
+    a = solved_with(s, quantity_rows[q->which].of, q->which);
+    return a ? a->value[q->which].high : NAN;
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
   case QUANTITY_LIMIT: return expand(s, q) ? scene_flint.sum(s, q) : NAN;
@@ -290,7 +292,8 @@ static const char *status_text(struct scene_state *s)
 {
   if (s->why[0] != '\0')
     return s->why;
-  return s->tells_steady && s->has_cell[IN_DOUBLE + OF_STEADY] ? answer_status_text(s->text, &s->answer[OF_STEADY]) : "ok";
+  return s->tells_steady && s->has_cell[IN_DOUBLE + OF_STEADY] ? answer_status_text(s->text, &s->answer[OF_STEADY])
+                                                               : "ok";
 }
 
 const char *state_text(struct scene_state *s, int quantity, long digits)

@@ -1,5 +1,6 @@
-/* vary = ( { F1 = [2.0, 4.0]; }, { T = { from = 0.1; to = 1.0; count = 10; spacing = "log"; }; } ): every combination of the groups, the
- * first slowest; what stands in one group goes on together. A list of such lists: one after the other. */
+/* vary = ( { F1 = [2.0, 4.0]; }, { T = { from = 0.1; to = 1.0; count = 10; spacing = "log"; }; } ): every combination
+ * of the groups, the first slowest; what stands in one group goes on together. A list of such lists: one after the
+ * other. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,7 +72,8 @@ static bool read_range(const struct reading *r, const config_setting_t *at, stru
   return true;
 }
 
-static bool add_variable(const struct reading *r, const config_setting_t *at, struct sweep_group *g, struct sweep_variable v)
+static bool add_variable(const struct reading *r, const config_setting_t *at, struct sweep_group *g,
+                         struct sweep_variable v)
 {
   bool is_range = config_setting_is_group(at);
   if (is_overridden(r, &v))
@@ -83,8 +85,8 @@ static bool add_variable(const struct reading *r, const config_setting_t *at, st
   if (!(is_range ? read_range(r, at, kept) : read_list(r, at, kept)))
     return false;
   if (kept->count > 1 && g->count > 1 && kept->count != g->count)
-    return refuse_at(r->config, at, "%s has %ld values, but those before it in this group %ld: they go on together", v.name,
-                     kept->count, g->count);
+    return refuse_at(r->config, at, "%s has %ld values, but those before it in this group %ld: they go on together",
+                     v.name, kept->count, g->count);
   if (kept->count > g->count)
     g->count = kept->count;
   r->scene->varies_v0 |= v.target == TARGET_V0;

@@ -22,7 +22,8 @@ static bool check_times(const struct reading *r, const config_setting_t *at)
     bool is_T = last && last->variables == 1 && last->variable[0].target == TARGET_NUMBER
                 && strcmp(last->variable[0].name, "T") == 0;
     if (!is_T || last->count < 3 || last->count > SCENE_TIMES)
-      return refuse_at(r->config, at, "orders need T to vary, alone, in the last group of what varies, with 3 to %d values",
+      return refuse_at(r->config, at,
+                       "orders need T to vary, alone, in the last group of what varies, with 3 to %d values",
                        SCENE_TIMES);
   }
   return true;
@@ -61,9 +62,10 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
   p->program = shipped_text(shipped_scripts, p->script);
   const char *near = shipped_near(shipped_scripts, p->script);
   if (!p->program)
-    return refuse_at(r->config, at,
-                     "no plot script '%.80s' comes with the tool%s The name of a script of yours has an ending: '%.80s.gp'",
-                     p->script, near ? did_you_mean(near) : ".", p->script);
+    return refuse_at(
+        r->config, at,
+        "no plot script '%.80s' comes with the tool%s The name of a script of yours has an ending: '%.80s.gp'",
+        p->script, near ? did_you_mean(near) : ".", p->script);
   p->script = NULL;
   return true;
 }
@@ -119,7 +121,8 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
   /* of a table in the format of the command line there is none */
   w->has_plot = !given->has_format || r->options->explain || given->format == FORMAT_TSV;
   if (w->has_plot && (!w->file || w->format != FORMAT_TSV))
-    return refuse_at(r->config, at, "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
+    return refuse_at(r->config, at,
+                     "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
   if (p->script)
     return find_script(r, at, p);
   if (!p->x || !p->y[0])
@@ -257,9 +260,9 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
   if (o->request.style.has_format && !o->explain)
     w->format = o->request.style.format;
   if (w->file && plot_kind(w->file))
-    return refuse_at(r->config, config_setting_get_member(at, "file"),
-                     "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one",
-                     w->file);
+    return refuse_at(
+        r->config, config_setting_get_member(at, "file"),
+        "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws one", w->file);
   if (plot && !read_plot(r, plot, w))
     return false;
   if (is_named)

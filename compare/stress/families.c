@@ -25,7 +25,10 @@ static double period_for(const struct scallop_crawler *c, double eps)
 }
 
 /* Sets T for an eps of so many decades. */
-static void set_eps(struct scallop_crawler *c, double x, double lo, double hi) { c->T = period_for(c, decades(x, lo, hi)); }
+static void set_eps(struct scallop_crawler *c, double x, double lo, double hi)
+{
+  c->T = period_for(c, decades(x, lo, hi));
+}
 
 /* m1, m2, F1, F2 and L, each from 10^-most to 10^most */
 static void set_five(struct scallop_crawler *c, const double *x, double most)
@@ -35,7 +38,8 @@ static void set_five(struct scallop_crawler *c, const double *x, double most)
     *five[i] = decades(x[i], -most, most);
 }
 
-/* What every family begins with, nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking */
+/* What every family begins with, nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of
+ * sticking */
 static void calm(struct scallop_crawler *c, const double *x)
 {
   set_five(c, x, 1);
@@ -105,7 +109,9 @@ static bool wild(struct stress_case *s, const double *x)
   struct scallop_crawler *c = &s->crawler;
   set_five(c, x, 8);
   c->T = decades(x[6], -12, 12);
-  c->alpha = x[7] < 0.3 ? decades(x[5], -12, -0.3) : x[7] < 0.6 ? 1 - decades(x[5], -12, -0.3) : between(x[5], 0.01, 0.99);
+  c->alpha = x[7] < 0.3   ? decades(x[5], -12, -0.3)
+             : x[7] < 0.6 ? 1 - decades(x[5], -12, -0.3)
+                          : between(x[5], 0.01, 0.99);
   return true;
 }
 
@@ -134,8 +140,9 @@ static bool lies_between(enum boundary kind, const struct side *a, const struct 
   }
 }
 
-/* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary of that kind that halving the
- * interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or another boundary is in the same place. */
+/* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary of that kind
+ * that halving the interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or
+ * another boundary is in the same place. */
 static bool approach(struct stress_case *s, double *moved, double other, enum boundary kind, double x)
 {
   enum { HALVINGS = 200 };
@@ -158,7 +165,8 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
   }
   double side = x < 0.5 ? -1 : 1, away = decades(x < 0.5 ? 2 * x : 2 * x - 1, -14, -3);
   *moved = here * (1 + side * away);
-  return kind != OTHER_MODES || !(lies_between(START_VELOCITY, &first, &second) || lies_between(STICKING, &first, &second));
+  return kind != OTHER_MODES
+         || !(lies_between(START_VELOCITY, &first, &second) || lies_between(STICKING, &first, &second));
 }
 
 static bool at_boundary(struct stress_case *s, const double *x, enum boundary kind)
@@ -181,7 +189,10 @@ static double phase_velocity(const struct stress_case *s)
   return s->crawler.L / scallop_phase_duration(&s->crawler, s->phase);
 }
 
-static void choose_phase(struct stress_case *s, double x) { s->phase = x < 0.5 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION; }
+static void choose_phase(struct stress_case *s, double x)
+{
+  s->phase = x < 0.5 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+}
 
 /* From rest, or with velocities up to twice the largest |l'| */
 static bool phase_ordinary(struct stress_case *s, const double *x)
@@ -261,12 +272,12 @@ const struct stress_family stress_families[] = {
   { "equal-both", "both", STRESS_STEADY, .equal_forces = 7, .equal_phases = 8 },
   { "short-phase", "alpha within 1e-9 of 0 or 1", STRESS_STEADY, .eps = { -6, 20 }, .make = short_phase },
   { "small-period", "T from 1e-100 to the onset of sticking", STRESS_STEADY, .make = small_period },
-  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", STRESS_STEADY, .eps = { -1.5, 2.5 },
-    .make = near_start_velocity },
-  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", STRESS_STEADY, .eps = { -1.5, 2.5 },
-    .make = near_sticking },
-  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", STRESS_STEADY, .eps = { -1.5, 2.5 },
-    .make = near_grazing },
+  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", STRESS_STEADY,
+    .eps = { -1.5, 2.5 }, .make = near_start_velocity },
+  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", STRESS_STEADY,
+    .eps = { -1.5, 2.5 }, .make = near_sticking },
+  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", STRESS_STEADY,
+    .eps = { -1.5, 2.5 }, .make = near_grazing },
   { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", STRESS_STEADY, .forces = 7,
     .eps = { 0.5, 9 }, .make = deep_stick_slip },
   { "at-rest", "one body never moves", STRESS_STEADY, .eps = { 0.5, 30 }, .make = at_rest },
@@ -277,9 +288,11 @@ const struct stress_family stress_families[] = {
   { "phase-ordinary", "a phase from rest or up to 3 L/tau", STRESS_PHASE, .make = phase_ordinary },
   { "phase-small-period", "the same, T from 1e-100 to 1", STRESS_PHASE, .make = phase_small_period },
   { "phase-velocities", "v0 from 1e-100 to 1e100", STRESS_PHASE, .make = phase_velocities },
-  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, .scale = 306, .make = phase_range },
+  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, .scale = 306,
+    .make = phase_range },
   { "phase-wild", "every parameter anywhere in 16 decades or more", STRESS_PHASE, .make = phase_wild },
-  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE, .make = phase_boundaries },
+  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE,
+    .make = phase_boundaries },
   { "high-degree", "every parameter anywhere in 16 decades or more, l as s^15 at first", STRESS_STEADY,
     .gait = "polynomial:0,0,0,0,0,0,0,0,0,0,0,0,0,0,16,-15", .make = wild },
   { "high-degree-short-phase", "alpha within 1e-9 of 0 or 1, l as s^8 at first", STRESS_STEADY, .eps = { -6, 20 },

@@ -88,7 +88,8 @@ static bool solve_motion(const struct stress_case *s, struct solutions *all, str
   const struct motion m = stress_motion(s);
   const char *why = NULL;
   if (!answer_with_errors(&all->got, &m, all->errors))
-    return fail(j, all->got.status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_BROKEN, scallop_status_text(all->got.status));
+    return fail(j, all->got.status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_BROKEN,
+                scallop_status_text(all->got.status));
   if (all->got.status == SCALLOP_INTERVAL)
     return fail(j, STRESS_REFUSED, "the steady states fill an interval: none of them is the one to judge");
   for (int w = 0; w < 2; w++)
@@ -111,8 +112,8 @@ static bool solve_to_its_end(const struct stress_case *s, struct solutions *all,
   return true;
 }
 
-/* Replaces one of the parameters m1 m2 F1 F2 L T alpha v0 by the double so many places further. False: the case has no such parameter,
- * or the double is not allowed. */
+/* Replaces one of the parameters m1 m2 F1 F2 L T alpha v0 by the double so many places further. False: the case has no
+ * such parameter, or the double is not allowed. */
 static bool neighbour(const struct stress_case *s, int parameter, double towards, int places, struct stress_case *out)
 {
   struct scallop_crawler *c = &out->crawler;
@@ -125,9 +126,10 @@ static bool neighbour(const struct stress_case *s, int parameter, double towards
   return scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
-/* What changes of each parameter, so many doubles up and down, do to the numbers, for each double: by one; or by as many as are promised,
- * as a kink that far away counts in proportion. */
-static void find_units(const struct stress_case *s, int places, const struct answer *wide, double unit[STRESS_QUANTITIES])
+/* What changes of each parameter, so many doubles up and down, do to the numbers, for each double: by one; or by as
+ * many as are promised, as a kink that far away counts in proportion. */
+static void find_units(const struct stress_case *s, int places, const struct answer *wide,
+                       double unit[STRESS_QUANTITIES])
 {
   struct stress_case next;
   struct answer there;
@@ -144,7 +146,8 @@ static void find_units(const struct stress_case *s, int places, const struct ans
   }
 }
 
-/* The same motion, or nearly the same, once more in double. False: it is out of range; any other failure breaks the promise. */
+/* The same motion, or nearly the same, once more in double. False: it is out of range; any other failure breaks the
+ * promise. */
 static bool solve_again(const struct stress_case *s, struct answer *there, struct stress_judgement *j, const char *why)
 {
   bool solved = solve_double(s, there);
@@ -187,7 +190,8 @@ static void round_otherwise(const struct stress_case *s, const struct answer *go
     j->number[q].rounding = high[q] - low[q];
 }
 
-/* What a number is counted in: tau, L/tau and L of a phase; of a steady state L/tau of its shorter phase, L, L/T and 1 */
+/* What a number is counted in: tau, L/tau and L of a phase; of a steady state L/tau of its shorter phase, L, L/T and
+ * 1 */
 static double natural_unit(const struct stress_case *s, int q)
 {
   const struct scallop_crawler *c = &s->crawler;
@@ -204,7 +208,8 @@ static void measure(const struct stress_case *s, const struct solutions *all, co
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
     struct stress_number *n = &j->number[q];
     const struct scallop_wide *exact = &numbers(s, &all->exact)[q], *got = &numbers(s, &all->got)[q];
-    double y = exact->high, natural = natural_unit(s, q), floor = 0x1p-960 * natural; /* below 1e-289 digits may be lost */
+    double y = exact->high, natural = natural_unit(s, q),
+           floor = 0x1p-960 * natural; /* below 1e-289 digits may be lost */
     n->exact = y;
     n->got = got->high;
     n->exists = !isnan(y) || !isnan(got->high);
@@ -219,7 +224,8 @@ static void measure(const struct stress_case *s, const struct solutions *all, co
   }
 }
 
-/* What binary128 resolves of a number, from the magnitudes of the parts that it is the sum of; 0 of those that are none */
+/* What binary128 resolves of a number, from the magnitudes of the parts that it is the sum of; 0 of those that are
+ * none */
 static void resolve_sums(const struct stress_case *s, struct stress_judgement *j)
 {
   struct scallop_wide_phase phase;

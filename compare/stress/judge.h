@@ -1,12 +1,13 @@
 /* The judgement of one case of `stress`: the numbers of its answer in double against certified ones. Needs FLINT.
  *
- * The unit of judgement. Each parameter is a double and so known to an ulp at best. For a result y and its parameters x_i
+ * The unit of judgement. Each parameter is a double and so known to an ulp at best. For a result y and its parameters
+ * x_i
  *
- *     unit = max(ulp(y), sum over i of the larger |y(x_i one ulp up or down) - y|),       condition number = unit/ulp(y)
+ *     unit = max(ulp(y), sum over i of the larger |y(x_i one ulp up or down) - y|),   condition number = unit/ulp(y)
  *
- * with y certified and the changes from binary128 arithmetic: differences, not derivatives, so that kinks and square roots at
- * the boundaries of modes count for what they are. Where y is 0 there is a unit all the same, but no ulp. The promise is an error of
- * at most 8 units; docs/stability.md lists the exceptions. */
+ * with y certified and the changes from binary128 arithmetic: differences, not derivatives, so that kinks and square
+ * roots at the boundaries of modes count for what they are. Where y is 0 there is a unit all the same, but no ulp. The
+ * promise is an error of at most 8 units; docs/stability.md lists the exceptions. */
 #ifndef SCALLOP_COMPARE_STRESS_JUDGE_H
 #define SCALLOP_COMPARE_STRESS_JUDGE_H
 
@@ -17,7 +18,8 @@ enum { STRESS_QUANTITIES = 6 };
 const char *stress_quantity_name(enum stress_kind kind, int quantity);
 
 struct stress_number {
-  bool exists; /* false: the motion has no such quantity (t1 of a phase without a change of mode), or it may jump here */
+  /* false: the motion has no such quantity (t1 of a phase without a change of mode), or it may jump here */
+  bool exists;
   double exact, got; /* exact: rounded to double; got: in double              */
   double error, unit;
   double ulp;           /* 0 where exact is 0 or tiny                           */
@@ -44,9 +46,10 @@ struct stress_judgement {
 };
 void stress_judge(const struct stress_case *stressed, struct stress_judgement *judgement);
 
-/* What is promised, in units. In a directed rounding each operation errs by up to an ulp instead of a half, so a result by twice as
- * much, and the spread is between two of them; a change of one parameter moves the result by a unit, and both ends err. An estimate may
- * be so many times the error, or the 128th part of an ulp, or 2^-111 of the parts of a sum (wide.h), if that is more. */
+/* What is promised, in units. In a directed rounding each operation errs by up to an ulp instead of a half, so a result
+ * by twice as much, and the spread is between two of them; a change of one parameter moves the result by a unit, and
+ * both ends err. An estimate may be so many times the error, or the 128th part of an ulp, or 2^-111 of the parts of a
+ * sum (wide.h), if that is more. */
 enum {
   STRESS_PROMISE = 8,
   STRESS_ROUNDING = 4 * STRESS_PROMISE,

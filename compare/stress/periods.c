@@ -18,8 +18,8 @@ void ball_period_clear(struct ball_period *p)
   arb_clear(p->displacement);
 }
 
-bool ball_period_solve(struct ball_period *p, const struct scallop_rational_crawler *c, const fmpq_t v_start, long digits,
-                       const char **why)
+bool ball_period_solve(struct ball_period *p, const struct scallop_rational_crawler *c, const fmpq_t v_start,
+                       long digits, const char **why)
 {
   struct ball_answer phase;
   bool solved = true;

@@ -1,12 +1,13 @@
 /* Periods from a given start velocity in balls, and long trajectories: where millions of periods end. Needs FLINT.
  *
- * With v* the steady start velocity, lambda the multiplier and D(v) the displacement over a period from v, a motion that keeps its modes
- * obeys v_n - v* = lambda^n d exactly where l' is made of ramps, d = v_0 - v*, and D is then a quadratic polynomial. So
+ * With v* the steady start velocity, lambda the multiplier and D(v) the displacement over a period from v, a motion
+ * that keeps its modes obeys v_n - v* = lambda^n d exactly where l' is made of ramps, d = v_0 - v*, and D is then a
+ * quadratic polynomial. So
  *
  *     x_n = n D(v*) + B d (1 - lambda^n)/(1 - lambda) + C d^2 (1 - lambda^(2 n))/(1 - lambda^2),
  *
- * B and C from D(v* - d), D(v*) and D(v* + d). For other gaits that holds but for terms of order d^3 and, in v_n, d^2: d is then no more
- * than the rounding of v* to a double. */
+ * B and C from D(v* - d), D(v*) and D(v* + d). For other gaits that holds but for terms of order d^3 and, in v_n, d^2:
+ * d is then no more than the rounding of v* to a double. */
 #ifndef SCALLOP_COMPARE_STRESS_PERIODS_H
 #define SCALLOP_COMPARE_STRESS_PERIODS_H
 

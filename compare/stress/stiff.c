@@ -104,17 +104,18 @@ static void note_meaning(const struct book *b, struct table *t)
 {
   table_note(t, "friction F tanh(v/v_delta), v_delta = delta L/T; one period from the certified steady start velocity");
   table_note(t, "errors: answer - certified, of v_end over L/T, of displacement over L; rejected steps count");
-  table_note(t, "tolerance: 1e-9 delta, 1e-15 at least; own error: of the stepper, what ten times the tolerance changes");
+  table_note(t,
+             "tolerance: 1e-9 delta, 1e-15 at least; own error: of the stepper, what ten times the tolerance changes");
   table_note(t, "a period of more than %ld accepted steps is cut off, and a series ends where the stepper gives up",
              b->most);
   table_note(t, "creep: how far a smoothed body goes, over L, while the exact one is stuck; predicted: at v_delta "
                 "artanh(force/friction)");
   if (b->options->summary) {
-    table_note(
-        t,
-        "good_to: down to which delta the error at least halves with every tenth of delta, and is ten times the own error;");
-    table_note(t, "order in delta: over those; worst_beyond: the largest |error| below, of an answer that the stepper was "
-                  "content with");
+    table_note(t, "good_to: down to which delta the error at least halves with every tenth of delta, and is ten times "
+                  "the own error;");
+    table_note(t,
+               "order in delta: over those; worst_beyond: the largest |error| below, of an answer that the stepper was "
+               "content with");
   } else
     table_note(t, "velocities: of that body over v_delta, in the middle of the time and, the last, at its end");
 }
@@ -196,8 +197,8 @@ static int solve_series(const struct book *b, const struct stiff_scene *scene, i
   enum scallop_smoothed_stepper which = (enum scallop_smoothed_stepper)stepper;
   for (int i = 0; i < b->deltas; i++) {
     double delta = deltas[i];
-    progress_show(&b->progress, "%s, %s: %s, delta = %g", scene->name, scene->crawler.gait->name, stiff_steppers[stepper],
-                  delta);
+    progress_show(&b->progress, "%s, %s: %s, delta = %g", scene->name, scene->crawler.gait->name,
+                  stiff_steppers[stepper], delta);
     stiff_solve(scene, which, delta, stiff_tolerance(delta), b->most, &runs[i]);
     if (!runs[i].solved)
       return i + 1;

@@ -21,8 +21,9 @@ struct stretch {
   struct stiff_held now, *longest;
 };
 
-/* The friction that holds the body still over the most that there is, at a time in units of the phase, along the body's own axis: it
- * accelerates the centre of mass, which moves with +-l' times a share of the masses, together with that of the body that moves. */
+/* The friction that holds the body still over the most that there is, at a time in units of the phase, along the body's
+ * own axis: it accelerates the centre of mass, which moves with +-l' times a share of the masses, together with that of
+ * the body that moves. */
 static double force_over_friction(const struct stretch *s, double time)
 {
   const struct scallop_scaled *a = &s->scaled;
@@ -32,7 +33,8 @@ static double force_over_friction(const struct stretch *s, double time)
   return s->now.body == 1 ? -(a->mu2 * l2 / eps + a->f2 * sign) / a->f1 : (a->mu1 * l2 / eps + a->f1 * sign) / a->f2;
 }
 
-/* The velocity at which smoothed friction is that force, over v_delta; kept finite where rounding takes the force to the limit. */
+/* The velocity at which smoothed friction is that force, over v_delta; kept finite where rounding takes the force to
+ * the limit. */
 static double creep_velocity(double time, void *context)
 {
   const double most = 1 - DBL_EPSILON / 2;
@@ -56,7 +58,8 @@ static double period_share(const struct stretch *s, const struct stiff_held *hel
   return s->scaled.fraction[held->phase] * (held->end - held->begin);
 }
 
-/* Grows the stretch by an interval of the exact motion, or ends it. Times are in units of the phase, distances in delta L. */
+/* Grows the stretch by an interval of the exact motion, or ends it. Times are in units of the phase, distances in delta
+ * L. */
 static void visit(void *context, const struct scallop_interval *interval)
 {
   struct stretch *s = context;
@@ -97,7 +100,8 @@ static void find_held(struct stiff_scene *scene, double v_mid)
   scene->held.end *= duration[s.now.phase];
 }
 
-/* The certified steady start velocity, rounded, and the period from it: its own certified values, not those of the steady state. */
+/* The certified steady start velocity, rounded, and the period from it: its own certified values, not those of the
+ * steady state. */
 static bool certify(struct stiff_scene *scene, const char **why)
 {
   const struct motion steady = { .of = OF_STEADY, .crawler = scene->crawler };
@@ -153,7 +157,10 @@ static bool ration_lasts(void *context)
   return r->taken++ < r->most;
 }
 
-static double difference(double answer, const struct scallop_wide *value) { return (answer - value->high) - value->low; }
+static double difference(double answer, const struct scallop_wide *value)
+{
+  return (answer - value->high) - value->low;
+}
 
 /* Samples at the beginning, in the middle and at the end of the stretch. */
 static bool keep(void *context, const struct scallop_sample *sample)
@@ -204,7 +211,8 @@ static void describe(struct stiff_run *run, enum scallop_status status, const st
   else if (status == SCALLOP_ESTOPPED)
     snprintf(run->status, sizeof run->status, "cut off after %ld accepted steps", ration->most);
   else
-    snprintf(run->status, sizeof run->status, "%s, after %ld accepted steps", scallop_status_text(status), ration->taken);
+    snprintf(run->status, sizeof run->status, "%s, after %ld accepted steps", scallop_status_text(status),
+             ration->taken);
 }
 
 double stiff_tolerance(double delta)

@@ -1,5 +1,6 @@
-/* Friction smoothed over delta (numerics/rivals/smoothed.h): one period from the exact steady start by each of the stiff steppers, as
- * delta -> 0: certified scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
+/* Friction smoothed over delta (numerics/rivals/smoothed.h): one period from the exact steady start by each of the
+ * stiff steppers, as delta -> 0: certified scenes, single runs, and the order in delta of a series of runs. Needs
+ * FLINT. */
 #ifndef SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
 #define SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
 
@@ -7,8 +8,8 @@
 #include "asymptotics/observed/order.h"
 #include "numerics/rivals/smoothed.h"
 
-/* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of it: the body
- * creeps at the velocity whose friction is the force that holds it, v_delta artanh(force/friction). */
+/* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of
+ * it: the body creeps at the velocity whose friction is the force that holds it, v_delta artanh(force/friction). */
 struct stiff_held {
   int body; /* 1 or 2; 0: no body is stuck for any length of time, and nothing else is set */
   enum scallop_phase_kind phase;
@@ -38,8 +39,10 @@ extern const char *const stiff_steppers[];   /* by enum scallop_smoothed_stepper
 
 struct stiff_run {
   double delta, tolerance;
-  double error[STIFF_QUANTITIES]; /* smoothed - certified, over L/T and L; all of creep, which ought to be 0; nan: none */
-  double own[STIFF_QUANTITIES]; /* of the stepper: how much the answer changes with ten times the tolerance; nan: unknown */
+  /* smoothed - certified, over L/T and L; all of creep, which ought to be 0; nan: none */
+  double error[STIFF_QUANTITIES];
+  double own
+      [STIFF_QUANTITIES]; /* of the stepper: how much the answer changes with ten times the tolerance; nan: unknown */
   double creep_over_delta, velocity,
       last; /* of the held body; velocities in the middle and at the end of the stretch, over v_delta */
   double predicted_creep, predicted_velocity; /* those of struct stiff_held, nan without a held body */
@@ -47,18 +50,19 @@ struct stiff_run {
   bool solved;
   char status[STIFF_STATUS]; /* "ok", or why it gave up, and after how many steps */
 };
-/* The tolerance that goes with delta: where all of the steppers leave the error of the model for as long as they can, and no less
- * than rounding allows. */
+/* The tolerance that goes with delta: where all of the steppers leave the error of the model for as long as they can,
+ * and no less than rounding allows. */
 double stiff_tolerance(double delta);
-/* tolerance: a tenth of the largest that smoothed.h takes at most. most: accepted steps that a period, or the phase of the stretch,
- * may take. */
+/* tolerance: a tenth of the largest that smoothed.h takes at most. most: accepted steps that a period, or the phase of
+ * the stretch, may take. */
 void stiff_solve(const struct stiff_scene *scene, enum scallop_smoothed_stepper stepper, double delta, double tolerance,
                  long most, struct stiff_run *run);
 
 struct stiff_trend {
   struct scallop_order_result fit; /* in delta, over the good runs, against order 1 */
-  int good; /* the first so many runs are: solved, the stepper's own error at most a tenth of the error, and that at most half of
-             * the one before */
+  /* the first so many runs are: solved, the stepper's own error at most a tenth of the error, and that at most half
+   * of * the one before */
+  int good;
   double worst_beyond; /* largest |error| that a later run came back with, content; nan if there is none */
 };
 enum { STIFF_MOST_RUNS = 16 };

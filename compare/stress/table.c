@@ -14,8 +14,8 @@
 #include "model/exact/flint.h"
 #include "numerics/threads.h"
 
-/* The numbers of both tables, in the order of their columns: of a family where error/unit is largest, and from rounding on the largest of
- * all; of a point those of each number, without the three that are of many. */
+/* The numbers of both tables, in the order of their columns: of a family where error/unit is largest, and from rounding
+ * on the largest of all; of a point those of each number, without the three that are of many. */
 enum { UNITS, ULP, CONDITION, DIGITS, MEDIAN, ROUNDING, PERTURBED, LOST, LEAST = LOST + 3, MOST, MEASURES };
 static const char *const measures[MEASURES] = {
   "units",     "ulp",         "condition",        "digits",         "ulp_median",     "rounding",
@@ -44,13 +44,17 @@ static void write_measures(struct table *t, const double value[MEASURES], bool o
 /* Of a trajectory: a case takes as long as so many periods do. */
 enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
 
-/* Of each family of a kind. A check of all gaits takes a few seconds: a phase is judged in less time than a steady state. */
+/* Of each family of a kind. A check of all gaits takes a few seconds: a phase is judged in less time than a steady
+ * state. */
 static int cases_of(const struct stress_options *o, enum stress_kind kind)
 {
   static const int check[] = {
     [STRESS_STEADY] = STRESS_CHECK_STEADY, [STRESS_PHASE] = STRESS_CHECK_PHASES, [STRESS_TRAJECTORY] = 2
   };
-  int cases = o->cases.value > 0 ? (int)o->cases.value : o->full ? STRESS_FULL_CASES : o->check ? check[kind] : STRESS_CASES;
+  int cases = o->cases.value > 0 ? (int)o->cases.value
+              : o->full          ? STRESS_FULL_CASES
+              : o->check         ? check[kind]
+                                 : STRESS_CASES;
   return kind == STRESS_TRAJECTORY && cases > TRAJECTORIES ? TRAJECTORIES : cases;
 }
 
@@ -238,7 +242,8 @@ static const struct stress_family *family_named(const char *name)
   return f->name ? f : NULL;
 }
 
-/* The gait that is given; else that of the family, or those of the paper or, for a check, one of each kind. NULL after the last. */
+/* The gait that is given; else that of the family, or those of the paper or, for a check, one of each kind. NULL after
+ * the last. */
 static const struct scallop_gait *gait_of_run(const struct stress_options *o, const struct stress_family *f, int i)
 {
   if (o->request.point.has_gait)
@@ -262,7 +267,8 @@ static void run_families(struct run *run)
 
 static void begin(struct run *run)
 {
-  static const char *const before[] = { "family", "gait", "cases", "refused", "undecided", "other_modes", "quantity", NULL };
+  static const char *const before[] = { "family",    "gait",        "cases",    "refused",
+                                        "undecided", "other_modes", "quantity", NULL };
   static const char *const after[] = { "verdict", "worst_at", NULL };
   const struct stress_options *o = run->options;
   struct table *t = &run->table;
@@ -335,8 +341,8 @@ static void write_number(struct table *t, enum stress_kind kind, const struct st
 
 enum exit_code stress_point(const struct stress_options *o)
 {
-  static const char *const before[] = { "quantity", "value", "certified", NULL }, *const after[] = { "estimate", "verdict",
-                                                                                                     NULL };
+  static const char *const before[] = { "quantity", "value", "certified", NULL }, *const after[] = { "estimate",
+                                                                                                     "verdict", NULL };
   struct table t;
   struct stress_judgement j;
   char arguments[STRESS_ARGUMENTS];

@@ -1,5 +1,6 @@
-/* `scallop stress`: how many digits survive. Cases of many families (families.h) are solved in double and judged by certified values
- * (judge.h). The work is spread over all cores by OpenMP, and the table does not depend on how many there are. Needs FLINT. */
+/* `scallop stress`: how many digits survive. Cases of many families (families.h) are solved in double and judged by
+ * certified values (judge.h). The work is spread over all cores by OpenMP, and the table does not depend on how many
+ * there are. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_STRESS_TABLE_H
 #define SCALLOP_COMPARE_STRESS_TABLE_H
 

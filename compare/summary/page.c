@@ -38,7 +38,8 @@ static void write_stretches(FILE *page, const struct summary *s, int digits)
 
 static void write_velocities(FILE *page, const struct summary *s, int digits)
 {
-  fprintf(page, "  Both bodies have the velocity %.*g when the extension starts, and %.*g when the contraction starts.\n",
+  fprintf(page,
+          "  Both bodies have the velocity %.*g when the extension starts, and %.*g when the contraction starts.\n",
           digits, value(s, Q_V_START), digits, value(s, Q_V_MID));
   if (value(s, Q_MULTIPLIER) == 0)
     fputs("  Started with a velocity near this one, it moves like this from the next period on.\n", page);
@@ -113,7 +114,8 @@ static void write_reach(FILE *page, const struct summary *s, const struct summar
     else if (isinf(T))
       fprintf(page, "by less than %g %% at every T", percent);
     else if (T > 0)
-      fprintf(page, "by %g %% at T = %.*g (Froude %.*g)", percent, digits, T, FROUDE_DIGITS, motion_froude(&s->motion, T));
+      fprintf(page, "by %g %% at T = %.*g (Froude %.*g)", percent, digits, T, FROUDE_DIGITS,
+              motion_froude(&s->motion, T));
     else if (isnan(f->limit))
       fprintf(page, "by more than %g %% at every small T", percent);
     else

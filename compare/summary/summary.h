@@ -1,5 +1,6 @@
-/* One crawler on one page: what it does, what the paper's formulas are worth for it, and where the expansion ends. Nothing is computed here:
- * the motion is that of `steady`, verdicts are those of `claims`, events, reaches and orders those of `breakdown`. Needs FLINT. */
+/* One crawler on one page: what it does, what the paper's formulas are worth for it, and where the expansion ends.
+ * Nothing is computed here: the motion is that of `steady`, verdicts are those of `claims`, events, reaches and orders
+ * those of `breakdown`. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 #define SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 
@@ -25,7 +26,8 @@ struct summary {
   struct study study;
   struct summary_series formula[SUMMARY_FORMULAS], derived[2]; /* derived: of v_start and of the displacement */
   int formulas, series;
-  slong best_order[2]; /* of the derived series at the point's T, below T^best_order: the least error; 0: there is none */
+  /* of the derived series at the point's T, below T^best_order: the least error; 0: there is none */
+  slong best_order[2];
   double best_error[2];
 };
 /* The formulas of the books and of the paper that every steady state has */
@@ -34,7 +36,8 @@ int summary_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS]);
 /* Is one of them of the book that was given, if any was? False: the message is on stderr. */
 bool summary_serves(const struct request *request);
 
-/* verdicts: of the formulas, which takes the longest. NULL, or why there is no answer; the summary has to be cleared in either case. */
+/* verdicts: of the formulas, which takes the longest. NULL, or why there is no answer; the summary has to be cleared in
+ * either case. */
 const char *summary_make(struct summary *summary, const struct point *point, bool verdicts);
 void summary_clear(struct summary *summary);
 

@@ -9,7 +9,8 @@ enum { COLUMN = 96, PER_FORMULA = 7, MOST_COLUMNS = 32 + PER_FORMULA * SUMMARY_F
 
 static const char *const of_motion[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
                                          "multiplier", "regime",  "modes", "motion",       NULL };
-static const char *const of_formula[PER_FORMULA] = { "", "_error", "_reach_1", "_reach_5", "_limit", "_verdict", "_order" };
+static const char *const of_formula[PER_FORMULA] = { "",       "_error",   "_reach_1", "_reach_5",
+                                                     "_limit", "_verdict", "_order" };
 static const char *const of_expansion[] = {
   "first_event", "first_event_T", "first_event_froude", "reversals", "best_order", "best_error", "status", NULL
 };

@@ -73,7 +73,8 @@ struct line {
   int width, at, column; /* where the next word stands, and the first of the next line */
 };
 
-/* Words of the text, with the blanks between them as they are; joined: behind others, from which one blank parts them */
+/* Words of the text, with the blanks between them as they are; joined: behind others, from which one blank parts
+ * them */
 static void put_words(struct line *l, const char *text, int length, bool joined)
 {
   for (int i = 0, next; i < length; i = next) {
@@ -187,8 +188,8 @@ static void print_upright(const struct aligned *a, FILE *file, column_meaning *m
     print_text(file, value, widest + 2);
     fprintf(file, "%s%s", *unit ? " " : "", unit);
     if (m)
-      fprintf(file, "%*s  %s%s%s", widest_value - (int)(strlen(value) + strlen(unit)) + (*unit == '\0'), "", m->sentence,
-              *between(&a->column[i], m) ? "; " : "", between(&a->column[i], m));
+      fprintf(file, "%*s  %s%s%s", widest_value - (int)(strlen(value) + strlen(unit)) + (*unit == '\0'), "",
+              m->sentence, *between(&a->column[i], m) ? "; " : "", between(&a->column[i], m));
     fputc('\n', file);
   }
 }

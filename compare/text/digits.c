@@ -73,19 +73,21 @@ static const struct {
 static int power_of_two_in(int k) { return (int)((k * 1741647L + (2048L << 19)) >> 19) - 2048; }
 static int power_of_ten_in(int n) { return (int)((n * 315653L + (1024L << 20)) >> 20) - 1024; }
 
-/* factor 10^k = 2^(power_of_two_in(k) - 127) times this: too large by less than factor 2^-64, and too small, as what is below is cut
- * off, by less than 1. */
+/* factor 10^k = 2^(power_of_two_in(k) - 127) times this: too large by less than factor 2^-64, and too small, as what is
+ * below is cut off, by less than 1. */
 static wide times_power(uint64_t factor, int k)
 {
   return (wide)powers[k - LEAST_POWER].high * factor + ((wide)powers[k - LEAST_POWER].low * factor >> 64);
 }
 
-/* V = x 10^k with 17 or 18 digits before the point, 10^16 <= V < 2 10^17, as whole + 2^-64 fraction: wrong by less than 2^-64. */
+/* V = x 10^k with 17 or 18 digits before the point, 10^16 <= V < 2 10^17, as whole + 2^-64 fraction: wrong by less than
+ * 2^-64. */
 struct magnified {
   uint64_t whole, fraction;
-  uint64_t above, below; /* half the way to the next double and to the one before, in 2^-FINE, too small by less than 2 */
-  int exponent;          /* of ten, in the first digit                                                          */
-  uint32_t unit;         /* of the 17th digit: 1 or 10                                                          */
+  uint64_t above,
+      below;     /* half the way to the next double and to the one before, in 2^-FINE, too small by less than 2 */
+  int exponent;  /* of ten, in the first digit                                                          */
+  uint32_t unit; /* of the 17th digit: 1 or 10                                                          */
 };
 enum { FINE = 52 }; /* numbers below 2^10 are compared in this unit                                             */
 
@@ -111,7 +113,8 @@ static bool magnify(uint64_t significand, int exponent, struct magnified *m)
 
 enum answer { NO, YES, UNDECIDED };
 
-/* V to the nearest multiple of step, which divides 1000. Does *rounded 10^-k read back as x? certainly: that is known. */
+/* V to the nearest multiple of step, which divides 1000. Does *rounded 10^-k read back as x? certainly: that is
+ * known. */
 static enum answer reads_back(const struct magnified *m, uint32_t step, bool certainly, uint64_t *rounded)
 {
   const uint64_t error = 4; /* more than that of any comparison here */

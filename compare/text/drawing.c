@@ -12,8 +12,8 @@
 
 #define PARAMETERS "T", "alpha", "F1", "F2", "m1", "m2", "L", "gait"
 
-/* What is drawn of a table, by what it is of (struct table); of several rows the first whose first column of y there is. Lists end with
- * NULL. A name that ends in '.' stands for the columns that begin so. */
+/* What is drawn of a table, by what it is of (struct table); of several rows the first whose first column of y there
+ * is. Lists end with NULL. A name that ends in '.' stands for the columns that begin so. */
 static const struct drawing {
   const char *of;
   const char *program;               /* a script of scripts/plots/                                          */
@@ -22,10 +22,10 @@ static const struct drawing {
   const char *y[PLOT_COLUMNS + 1];   /* columns                                                             */
   const char *by[PLOT_COLUMNS + 1];  /* a curve is of each of their values                                  */
   enum { AS_IS, LOG_Y, LOG_XY } log; /* as the values ask for it, or logarithmic whatever they are          */
-  bool map;                          /* the head has the axes                                                              */
-  bool magnitudes;                   /* are drawn                                                                          */
-  const char *over;                  /* the column that y is divided by                                                    */
-  const char *limit;                 /* the head has this text, and behind it a number that is a limit                    */
+  bool map;          /* the head has the axes                                                              */
+  bool magnitudes;   /* are drawn                                                                          */
+  const char *over;  /* the column that y is divided by                                                    */
+  const char *limit; /* the head has this text, and behind it a number that is a limit                    */
 } drawings[] = {
   { .of = "trajectory", .program = "curves", .x = "t", .y = { "x1", "x2", "xC" } },
   { .of = "order",
@@ -230,7 +230,10 @@ static void choose_varied(const struct seen *s, const struct drawing *d)
   }
 }
 
-static bool is_wide(const struct content *c, double factor) { return c && c->least > 0 && c->most >= factor * c->least; }
+static bool is_wide(const struct content *c, double factor)
+{
+  return c && c->least > 0 && c->most >= factor * c->least;
+}
 
 /* "# x: F1/F2 from 0.01 to 100, 41 values, log", and y: the axes of a map */
 static void choose_map(const struct seen *s)
@@ -385,7 +388,8 @@ const char *plot_set(struct plot *p, const char *option, const char *text)
                ? NULL
                : not_allowed(text, "FROM:TO, FROM:TO:log or FROM:TO:linear, with FROM < TO, of log > 0");
   if (is_list)
-    return read_names(is_by ? p->by : p->y, parts) ? NULL : not_allowed(text, "one to eight columns, with commas between");
+    return read_names(is_by ? p->by : p->y, parts) ? NULL
+                                                   : not_allowed(text, "one to eight columns, with commas between");
   *(strcmp(of, "x") == 0 ? &p->x : &p->title) = text;
   return *text && is_shown(text) ? NULL : not_allowed(text, "a line of UTF-8 without control characters");
 }
@@ -395,7 +399,8 @@ bool plot_choose(struct plot *plot, const char *command)
   struct seen s = { plot, command, .limit = NAN };
   if (plot->program || plot->script)
     return true;
-  bool good = tsv_open(&s.tsv, plot->table, TSV_TABS) ? look_at_rows(&s) && choose(&s) : refuse(&s, "its table is gone", "");
+  bool good = tsv_open(&s.tsv, plot->table, TSV_TABS) ? look_at_rows(&s) && choose(&s)
+                                                      : refuse(&s, "its table is gone", "");
   for (int i = 0; s.content && i < s.tsv.columns; i++)
     for (int k = 0; k < s.content[i].count; k++)
       free(s.content[i].value[k]);

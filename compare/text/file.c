@@ -133,8 +133,8 @@ static void forget(struct file *f)
 static bool leads_to_standard_output(const char *path)
 {
   struct stat link, there, standard;
-  return lstat(path, &link) == 0 && S_ISLNK(link.st_mode) && stat(path, &there) == 0 && fstat(STDOUT_FILENO, &standard) == 0
-         && there.st_dev == standard.st_dev && there.st_ino == standard.st_ino;
+  return lstat(path, &link) == 0 && S_ISLNK(link.st_mode) && stat(path, &there) == 0
+         && fstat(STDOUT_FILENO, &standard) == 0 && there.st_dev == standard.st_dev && there.st_ino == standard.st_ino;
 }
 
 int file_open(struct file *f, const char *path)
@@ -158,8 +158,9 @@ int file_open(struct file *f, const char *path)
   return error;
 }
 
-/* A name may reach the disk before what it stands for, so that without fsync a power cut could leave an empty file in place of the
- * earlier one; and of some file systems only fsync tells that the quota is full. EINVAL: there is no disk behind the file. */
+/* A name may reach the disk before what it stands for, so that without fsync a power cut could leave an empty file in
+ * place of the earlier one; and of some file systems only fsync tells that the quota is full. EINVAL: there is no disk
+ * behind the file. */
 int file_flush(struct file *f)
 {
   bool flushed = fflush(f->stream) == 0 && (!f->target || fsync(fileno(f->stream)) == 0 || errno == EINVAL);

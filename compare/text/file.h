@@ -1,9 +1,10 @@
 /* Output that is complete or absent.
  *
- * A plain file is written under another name in its folder, TARGET.scallop-XXXXXX with six random characters (of a long name the first
- * 200 bytes), is brought to the disk, and only then renamed to TARGET: until then an earlier TARGET stays, and two programs that write
- * the same TARGET do not mix. A failure, exit, SIGHUP, SIGINT and SIGTERM remove the temporary file; SIGKILL, any other signal and a
- * power cut can leave it. Standard output, a pipe or a device has nothing to replace and is written directly. */
+ * A plain file is written under another name in its folder, TARGET.scallop-XXXXXX with six random characters (of a long
+ * name the first 200 bytes), is brought to the disk, and only then renamed to TARGET: until then an earlier TARGET
+ * stays, and two programs that write the same TARGET do not mix. A failure, exit, SIGHUP, SIGINT and SIGTERM remove the
+ * temporary file; SIGKILL, any other signal and a power cut can leave it. Standard output, a pipe or a device has
+ * nothing to replace and is written directly. */
 #ifndef SCALLOP_COMPARE_TEXT_FILE_H
 #define SCALLOP_COMPARE_TEXT_FILE_H
 
@@ -14,7 +15,8 @@
 enum { FILES_OPEN = 64 };   /* temporary files at a time, opened and closed by one thread */
 enum { FILE_IS_READ = -1 }; /* an error beside those of errno: the file, by device and number, is one that was read */
 
-/* Opens a file for reading, or standard input for "-". A plain file that was opened so is never replaced or added to afterwards. */
+/* Opens a file for reading, or standard input for "-". A plain file that was opened so is never replaced or added to
+ * afterwards. */
 FILE *file_read(const char *path);
 /* May output go to path, or to standard output where it is NULL? Returns 0 or FILE_IS_READ. */
 int file_spares(const char *path);
@@ -27,12 +29,14 @@ struct file {
   char *temporary; /* the name of the file until then                                          */
 };
 
-/* Opens path, or standard output where path is NULL or a link to what standard output goes to. An earlier file must be writable, and
- * its permissions are kept. Returns 0, or an error as in errno or FILE_IS_READ: then nothing is left to close. */
+/* Opens path, or standard output where path is NULL or a link to what standard output goes to. An earlier file must be
+ * writable, and its permissions are kept. Returns 0, or an error as in errno or FILE_IS_READ: then nothing is left to
+ * close. */
 int file_open(struct file *file, const char *path);
 /* Brings what was written to the disk, or to the pipe or device. Returns 0 or an error. */
 int file_flush(struct file *file);
-/* While a process that was started writes to such a file by its name, what ends this one ends that one first; 0: it has ended. */
+/* While a process that was started writes to such a file by its name, what ends this one ends that one first; 0: it has
+ * ended. */
 void file_written_by(pid_t process);
 /* Closes the file; keep: and a plain one replaces its target. Returns 0 or an error: then the earlier file stays. */
 int file_close(struct file *file, bool keep);

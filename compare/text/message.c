@@ -101,8 +101,8 @@ size_t shown_character(const char *text)
       return 0;
     point = point << 6 | (c[i] & 0x3fU);
   }
-  bool is_none = point < least[length] || point == 0x7f || (point >= 0xd800 && point < 0xe000) || (point & 0xfffe) == 0xfffe
-                 || point > 0x10ffff;
+  bool is_none = point < least[length] || point == 0x7f || (point >= 0xd800 && point < 0xe000)
+                 || (point & 0xfffe) == 0xfffe || point > 0x10ffff;
   return is_none ? 0 : length;
 }
 

@@ -19,12 +19,12 @@ const char *nearest(const char *word, const char *const *names);
 /* ": did you mean 'NEAR'?", or "" for NULL: what ends a message about a name. It lives until the next call. */
 const char *did_you_mean(const char *near);
 
-/* What ends a message about a word that is none of names (NULL-terminated): did_you_mean of the nearest, or ": there are A B C". It lives
- * until the next call. */
+/* What ends a message about a word that is none of names (NULL-terminated): did_you_mean of the nearest, or ": there
+ * are A B C". It lives until the next call. */
 const char *instead_of(const char *word, const char *const *names);
 
-/* Bytes of the character in UTF-8 that text begins with: 1 to 4; 0 where it begins with none, with a control character, or ends.
- * What consists of such characters can be shown on a terminal and in XML. */
+/* Bytes of the character in UTF-8 that text begins with: 1 to 4; 0 where it begins with none, with a control character,
+ * or ends. What consists of such characters can be shown on a terminal and in XML. */
 size_t shown_character(const char *text);
 bool is_shown(const char *text);
 

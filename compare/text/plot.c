@@ -117,12 +117,13 @@ static void put_script(FILE *to, const struct plot *p, const char *picture)
 
 static bool fail(const struct plot *p, const char *command, const char *what, int error)
 {
-  complain(command, "cannot draw %s: %s%s%s", p->file, what, error != 0 ? ": " : "", error != 0 ? file_error(error) : "");
+  complain(command, "cannot draw %s: %s%s%s", p->file, what, error != 0 ? ": " : "",
+           error != 0 ? file_error(error) : "");
   return false;
 }
 
-/* Starts gnuplot with these for input and output, in a locale with UTF-8, which the scripts are in: in another gnuplot complains.
- * Returns an error, or 0. The script was opened first: said is not descriptor 0. */
+/* Starts gnuplot with these for input and output, in a locale with UTF-8, which the scripts are in: in another gnuplot
+ * complains. Returns an error, or 0. The script was opened first: said is not descriptor 0. */
 static int start(pid_t *process, FILE *script, FILE *said)
 {
   static char name[] = "gnuplot", plain[] = "-d"; /* without the settings of the user */

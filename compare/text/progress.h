@@ -1,6 +1,6 @@
-/* One line about work that takes more than two seconds, on standard error if that is a terminal: what is done, how much of it, the seconds
- * that have passed, and those that are left. A timer of the processor time writes it anew twice a second, whatever the program is doing: a
- * loop only says how far it is. */
+/* One line about work that takes more than two seconds, on standard error if that is a terminal: what is done, how much
+ * of it, the seconds that have passed, and those that are left. A timer of the processor time writes it anew twice a
+ * second, whatever the program is doing: a loop only says how far it is. */
 #ifndef SCALLOP_COMPARE_TEXT_PROGRESS_H
 #define SCALLOP_COMPARE_TEXT_PROGRESS_H
 
@@ -10,7 +10,8 @@ struct progress {
   bool shown;
 };
 
-/* Starts the timer, the first time; quiet, or no terminal: there is no line. progress_stop before another program takes the process over. */
+/* Starts the timer, the first time; quiet, or no terminal: there is no line. progress_stop before another program takes
+ * the process over. */
 struct progress progress_begin(bool quiet);
 void progress_stop(void);
 /* What is being done, and then how much; all: 0 where that is not known. By one thread at a time. */

@@ -1,4 +1,5 @@
-/* Texts that are part of the program, each under the name of its file without folder and ending. scripts/dev/embed.sh writes them. */
+/* Texts that are part of the program, each under the name of its file without folder and ending. scripts/dev/embed.sh
+ * writes them. */
 #ifndef SCALLOP_COMPARE_TEXT_SHIPPED_H
 #define SCALLOP_COMPARE_TEXT_SHIPPED_H
 
@@ -6,10 +7,11 @@ struct shipped {
   const char *name, *text;
 };
 /* The last of each list has name NULL. */
-extern const struct shipped shipped_scenes[];     /* data/scenes/                                                      */
-extern const struct shipped shipped_scripts[];    /* gnuplot scripts of scripts/plots/                                  */
-extern const struct shipped shipped_completion[]; /* scripts/dev/completion.bash alone                                    */
-extern const struct shipped shipped_ledger[];     /* data/claims.tsv; only in the program that has FLINT               */
+extern const struct shipped shipped_scenes[];  /* data/scenes/                                                      */
+extern const struct shipped shipped_scripts[]; /* gnuplot scripts of scripts/plots/                                  */
+extern const struct shipped
+    shipped_completion[];                     /* scripts/dev/completion.bash alone                                    */
+extern const struct shipped shipped_ledger[]; /* data/claims.tsv; only in the program that has FLINT               */
 
 /* The text called name ("figure4"), or NULL. */
 const char *shipped_text(const struct shipped *list, const char *name);

@@ -1,5 +1,5 @@
-/* Timing that can be believed: the clock's own cost is known and kept below a thousandth of what is timed, calls are batched
- * until they are long enough, results are consumed, and a median comes with its spread. */
+/* Timing that can be believed: the clock's own cost is known and kept below a thousandth of what is timed, calls are
+ * batched until they are long enough, results are consumed, and a median comes with its spread. */
 #ifndef SCALLOP_COMPARE_TEXT_STOPWATCH_H
 #define SCALLOP_COMPARE_TEXT_STOPWATCH_H
 
@@ -31,8 +31,8 @@ struct stopwatch_spread {
 /* Sorts the samples, count >= 0 of them, none nan; all are nan for none. */
 struct stopwatch_spread stopwatch_spread(double *samples, int count);
 
-/* A limit for something that asks again and again whether to go on. Most answers cost no reading of the clock: readings are
- * thinned out until they are some 50 microseconds apart, and never more than a thousand answers. */
+/* A limit for something that asks again and again whether to go on. Most answers cost no reading of the clock: readings
+ * are thinned out until they are some 50 microseconds apart, and never more than a thousand answers. */
 struct stopwatch_limit {
   double end;       /* of the time that is allowed */
   double last;      /* reading                                                                            */

@@ -30,11 +30,13 @@ static bool is_json(const struct table *t) { return t->format == FORMAT_JSON; }
 /* People read what goes to a terminal. */
 static enum format format_of(const struct style *style, const char *output)
 {
-  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV && (style->pager || isatty(STDOUT_FILENO));
+  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV
+                   && (style->pager || isatty(STDOUT_FILENO));
   return to_people ? FORMAT_TABLE : style->format;
 }
 
-/* The rows of a table that is drawn: a table that never takes its place, for gnuplot to read until the picture is there. */
+/* The rows of a table that is drawn: a table that never takes its place, for gnuplot to read until the picture is
+ * there. */
 struct pictured {
   struct style style;
   struct table copy;
@@ -173,8 +175,8 @@ void table_columns(struct table *t, const char *const *names)
     t->columns[t->count++] = *names++;
 }
 
-/* Of text the first bytes that go out as they are, in front of one of special. What is given is plain ASCII, or, where it is carried, any
- * bytes that do no harm: in columns for people and in JSON only characters. */
+/* Of text the first bytes that go out as they are, in front of one of special. What is given is plain ASCII, or, where
+ * it is carried, any bytes that do no harm: in columns for people and in JSON only characters. */
 static size_t plain_bytes(const struct table *t, const char *text, const char *special, bool carried)
 {
   size_t plain = 0;

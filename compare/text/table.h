@@ -1,5 +1,5 @@
-/* Tables: TSV with '#' lines on top, JSON with one object a line, CSV, Markdown, or aligned for people, to standard output, to a file that appears when it is complete
- * (compare/text/file.h), or to a pipe or a device. */
+/* Tables: TSV with '#' lines on top, JSON with one object a line, CSV, Markdown, or aligned for people, to standard
+ * output, to a file that appears when it is complete (compare/text/file.h), or to a pipe or a device. */
 #ifndef SCALLOP_COMPARE_TEXT_TABLE_H
 #define SCALLOP_COMPARE_TEXT_TABLE_H
 
@@ -13,7 +13,8 @@
 
 enum { TABLE_COLUMNS = 384, TABLE_PART = 4096 };
 
-/* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is given */
+/* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is
+ * given */
 enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };
 extern const char *const format_names[FORMATS + 1]; /* NULL-terminated */
 
@@ -75,8 +76,8 @@ struct table {
   char part[TABLE_PART];
 };
 
-/* Opens output, or standard output where it is NULL. The style must outlive the table; if it has a plot, the rows are kept in TSV too,
- * beside the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
+/* Opens output, or standard output where it is NULL. The style must outlive the table; if it has a plot, the rows are
+ * kept in TSV too, beside the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
 bool table_open_at(struct table *table, const struct style *style, const char *output);
 /* Will the table be an aligned one? */
 bool table_is_for_people(const struct style *style);
@@ -88,7 +89,8 @@ void table_note(struct table *table, const char *format, ...) __attribute__((for
 void table_columns(struct table *table, const char *const *names);
 /* A choice of columns that are not there is refused on stderr, with nothing else written: the table has then failed. */
 void table_begin_rows(struct table *table);
-/* Once the rows have begun: does anything that is written take the column of this name? A cell that is not used may hold anything. */
+/* Once the rows have begun: does anything that is written take the column of this name? A cell that is not used may
+ * hold anything. */
 bool table_uses(const struct table *table, const char *column);
 /* The cells of a row in the order of the columns. A row ends by itself with its last cell. */
 void table_number(struct table *table, double value);
@@ -99,15 +101,15 @@ void table_text(struct table *table, const char *text);
 void table_carried(struct table *table, const char *text);
 /* Any of these */
 void table_cell(struct table *table, const struct table_cell *cell);
-/* Where the table is aligned, for people: a row that is written as a page, to this stream, instead of its cells; what was kept of the row is
- * forgotten. NULL: the table has another format, or columns are chosen. */
+/* Where the table is aligned, for people: a row that is written as a page, to this stream, instead of its cells; what
+ * was kept of the row is forgotten. NULL: the table has another format, or columns are chosen. */
 FILE *table_page(struct table *table);
 /* Has writing failed already? Then nothing more is worth its time: table_close says why. */
 bool table_failed(const struct table *table);
 /* Writes out what has been kept back, to the disk. False: writing has failed, and table_close says why. */
 bool table_flush(struct table *table);
-/* Closes, puts the file in its place, and draws the plot of the style. False: the message is on stderr, exit with EXIT_FILE; an earlier
- * file stays, but where only the picture has failed the table is written. */
+/* Closes, puts the file in its place, and draws the plot of the style. False: the message is on stderr, exit with
+ * EXIT_FILE; an earlier file stays, but where only the picture has failed the table is written. */
 bool table_close(struct table *table);
 /* Gives the output up: nothing is left behind. */
 void table_abandon(struct table *table);

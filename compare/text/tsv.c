@@ -53,8 +53,8 @@ static bool make_room(struct tsv *tsv)
   return true;
 }
 
-/* Reads a line into the buffer, without its end. The LF of CRLF is left to the next one, as a terminal may send CR alone and then
- * wait. False: there is none. */
+/* Reads a line into the buffer, without its end. The LF of CRLF is left to the next one, as a terminal may send CR
+ * alone and then wait. False: there is none. */
 static bool read_line(struct tsv *tsv)
 {
   int c = tsv->ended_by_return ? getc_unlocked(tsv->file) : '\n';
@@ -83,7 +83,8 @@ static bool read_line(struct tsv *tsv)
   return found;
 }
 
-/* The line without a byte order mark, which some programs write at the head of a UTF-8 file; and what is wrong with it */
+/* The line without a byte order mark, which some programs write at the head of a UTF-8 file; and what is wrong with
+ * it */
 static char *judged_line(struct tsv *tsv)
 {
   static const char mark[] = "\xef\xbb\xbf";
@@ -134,7 +135,11 @@ bool tsv_next(struct tsv *tsv)
       continue;
     tsv->count = 0;
     if (!tsv->fault)
-      split(tsv, text, !words || strchr(text, '\t') ? "\t" : tsv->style == TSV_ANY && strchr(text, ',') ? "," : " ", words);
+      split(tsv, text,
+            !words || strchr(text, '\t')                 ? "\t"
+            : tsv->style == TSV_ANY && strchr(text, ',') ? ","
+                                                         : " ",
+            words);
     return true;
   }
   return false;

@@ -1,7 +1,8 @@
 /* Tables as text: TSV files, or columns between blanks, one row at a time.
  *
- * Comments (lines that begin with #) and empty lines are passed over; lines end with LF, CRLF or CR; a byte order mark at the head is
- * dropped. A line of more than a million characters, or with a NUL byte, is a row with a fault; one that is too long is the last. */
+ * Comments (lines that begin with #) and empty lines are passed over; lines end with LF, CRLF or CR; a byte order mark
+ * at the head is dropped. A line of more than a million characters, or with a NUL byte, is a row with a fault; one that
+ * is too long is the last. */
 #ifndef SCALLOP_COMPARE_TEXT_TSV_H
 #define SCALLOP_COMPARE_TEXT_TSV_H
 
@@ -12,8 +13,11 @@ enum { TSV_CELLS = 256, TSV_MESSAGE = 480, LONGEST_LINE = 1 << 20 };
 
 enum tsv_style {
   TSV_TABS, /* each tab ends a cell                                                                            */
-  TSV_WORDS, /* cells stand between any number of tabs, or of blanks where a line has no tab; blanks around them are none of theirs */
-  TSV_ANY /* the same, but in a line without a tab and with a comma each comma ends a cell, which may be empty               */
+  /* cells stand between any number of tabs, or of blanks where a line has no tab; blanks around them are none of
+   * theirs */
+  TSV_WORDS,
+  /* the same, but in a line without a tab and with a comma each comma ends a cell, which may be empty */
+  TSV_ANY
 };
 
 struct tsv {
@@ -41,7 +45,8 @@ bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style);
 bool tsv_open_text(struct tsv *tsv, const char *name, const char *text);
 void tsv_close(struct tsv *tsv);
 
-/* Goes on to the next row, and splits it unless it has a fault. False: there is none, or the file cannot be read (tsv_error). */
+/* Goes on to the next row, and splits it unless it has a fault. False: there is none, or the file cannot be read
+ * (tsv_error). */
 bool tsv_next(struct tsv *tsv);
 /* "cannot read FILE: why", or NULL. */
 const char *tsv_error(struct tsv *tsv);

@@ -36,7 +36,8 @@ bool json_takes_number(const char *text)
   size_t whole = strspn(digits, "0123456789");
   bool leads = whole > 0 && (whole == 1 || *digits != '0'), fraction = digits[whole] == '.';
   bool is_hexadecimal = text[strspn(text, "0123456789.eE+-")] != '\0';
-  return leads && (!fraction || strspn(digits + whole + 1, "0123456789") > 0) && !is_hexadecimal && read_number(text, &x);
+  return leads && (!fraction || strspn(digits + whole + 1, "0123456789") > 0) && !is_hexadecimal
+         && read_number(text, &x);
 }
 
 bool read_count(const char *text, long low, long high, long *value)

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-/* A finite number in C's decimal or hexadecimal notation and nothing else, of NUMBER_LENGTH characters at most: more digits than
- * any computation here is asked for. */
+/* A finite number in C's decimal or hexadecimal notation and nothing else, of NUMBER_LENGTH characters at most: more
+ * digits than any computation here is asked for. */
 enum { NUMBER_LENGTH = 10100 };
 bool read_number(const char *text, double *value);
 

@@ -79,7 +79,8 @@ static double solve_again(void *context)
   return (double)status + answer.value[0] + answer.value[1];
 }
 
-/* Passes of a batch, and as many batches as the budget has room for. A solve that is long beside the budget counts as it was. */
+/* Passes of a batch, and as many batches as the budget has room for. A solve that is long beside the budget counts as
+ * it was. */
 static void plan(struct setting *s, double long_enough, double budget)
 {
   if (!s->solved)
@@ -117,7 +118,8 @@ static void conclude_time(struct setting *s)
     s->time.median = s->time.least = s->first;
 }
 
-/* |answer - certified| / |certified|, or over L/T and L where the certified value is 0; from the far end of both balls. */
+/* |answer - certified| / |certified|, or over L/T and L where the certified value is 0; from the far end of both
+ * balls. */
 static void find_error(struct setting *s, int quantity)
 {
   const struct reference *reference = s->reference;
@@ -156,7 +158,8 @@ double printed_error_log10(const char *text)
   size_t length = strcspn(text, "eE");
   double m = NAN, exponent = 0;
   snprintf(mantissa, sizeof mantissa, "%.*s", (int)length, text);
-  bool sound = read_number(mantissa, &m) && m >= 0 && (text[length] == '\0' || read_number(text + length + 1, &exponent));
+  bool sound = read_number(mantissa, &m) && m >= 0
+               && (text[length] == '\0' || read_number(text + length + 1, &exponent));
   return sound ? log10(m) + exponent : NAN;
 }
 
@@ -202,8 +205,8 @@ void settings_measure(struct settings *settings, const struct stopwatch_clock *c
   double long_enough = stopwatch_long_enough(clock);
   for (int i = 0; i < settings->count; i++) {
     struct setting *s = &settings->list[i];
-    progress_show(progress, "%s, T = %g: %d of %d: %s, %s", s->reference->crawler.gait->name, s->reference->crawler.T, i + 1,
-                  settings->count, s->method, s->text);
+    progress_show(progress, "%s, T = %g: %d of %d: %s, %s", s->reference->crawler.gait->name, s->reference->crawler.T,
+                  i + 1, settings->count, s->method, s->text);
     try_once(s, limit);
     plan(s, long_enough, budget_share * limit);
   }

@@ -1,4 +1,5 @@
-/* The methods of the paper and of this tool: published and derived series, the limit, the exact and the certified solver. */
+/* The methods of the paper and of this tool: published and derived series, the limit, the exact and the certified
+ * solver. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

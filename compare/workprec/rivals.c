@@ -1,5 +1,6 @@
-/* The rivals of numerics/rivals/rival.h: GSL's solvers and SUNDIALS's with events, GSL's stiff solvers on smoothed friction, Moreau's time stepping.
- * Each is two methods: simulation from rest until the periods repeat, and the root of its period map. */
+/* The rivals of numerics/rivals/rival.h: GSL's solvers and SUNDIALS's with events, GSL's stiff solvers on smoothed
+ * friction, Moreau's time stepping. Each is two methods: simulation from rest until the periods repeat, and the root of
+ * its period map. */
 #include <stdio.h>
 
 #include "compare/workprec/setting.h"
@@ -68,8 +69,8 @@ static struct scallop_rival *make_moreau(int stepper, const struct accuracy *a)
   return scallop_moreau_rival(a->steps);
 }
 
-/* count: five tolerances, or six where the order is high enough for the last. quick: the place of the only accuracy of --quick.
- * is_there: whether the program was built with it; NULL: always. */
+/* count: five tolerances, or six where the order is high enough for the last. quick: the place of the only accuracy of
+ * --quick. is_there: whether the program was built with it; NULL: always. */
 static const struct rival {
   const char *name;
   struct scallop_rival *(*make)(int stepper, const struct accuracy *accuracy);
@@ -102,8 +103,8 @@ static void describe(char text[SETTING_TEXT], const struct accuracy *a)
     snprintf(text, SETTING_TEXT, "tolerance %g", a->tolerance);
 }
 
-/* Steady to the tolerance of the period; time stepping has none, and its steps are of second order at best. The memory of a rival is made
- * beforehand, as its user would. */
+/* Steady to the tolerance of the period; time stepping has none, and its steps are of second order at best. The memory
+ * of a rival is made beforehand, as its user would. */
 static void add(struct settings *settings, const struct reference *reference, const struct rival *rival,
                 const struct accuracy *a)
 {

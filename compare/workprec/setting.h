@@ -1,7 +1,8 @@
 /* Error against run time: the settings of methods for the steady state of one reference. Needs FLINT.
  *
- * A method is a way to get the steady state; a setting is a method with its tolerance, number of terms or digits. The settings of a
- * reference are made by methods.c and rivals.c, timed and held to the certified answer by measure.c, and printed by table.c and summary.c. */
+ * A method is a way to get the steady state; a setting is a method with its tolerance, number of terms or digits. The
+ * settings of a reference are made by methods.c and rivals.c, timed and held to the certified answer by measure.c, and
+ * printed by table.c and summary.c. */
 #ifndef SCALLOP_COMPARE_WORKPREC_SETTING_H
 #define SCALLOP_COMPARE_WORKPREC_SETTING_H
 
@@ -15,8 +16,8 @@
 enum { VELOCITY, DISPLACEMENT, COMPARED };
 extern const enum quantity_id compared[COMPARED];
 
-/* The crawler of the settings. Its doubles are the parameters of all of them, and `exact` holds the very same numbers: a double method
- * must not be charged with the distance from 0.7 to the nearest double. */
+/* The crawler of the settings. Its doubles are the parameters of all of them, and `exact` holds the very same numbers:
+ * a double method must not be charged with the distance from 0.7 to the nearest double. */
 struct reference {
   struct scallop_crawler crawler;
   struct scallop_rational_crawler exact;
@@ -40,7 +41,8 @@ extern const struct setting_answer no_answer; /* all nan */
 enum method_kind {
   METHOD_FORMULA, /* a series or a limit                           */
   METHOD_EXACT,   /* the solvers of this tool                      */
-  METHOD_OTHER, /* answers another question (takes coefficients or a velocity as given, needs many crawlers): not on the front */
+  /* answers another question (takes coefficients or a velocity as given, needs many crawlers): not on the front */
+  METHOD_OTHER,
   METHOD_ROOT,      /* a rival: the root of its period map           */
   METHOD_SIMULATION /* a rival: simulation until its periods repeat  */
 };
@@ -90,20 +92,22 @@ struct setting *settings_add(struct settings *settings, const struct reference *
     __attribute__((format(printf, 6, 7)));
 void settings_clear(struct settings *settings);
 
-/* methods.c: the methods of the paper and of this tool; rivals.c: those of general-purpose solvers. quick: fewer settings. */
+/* methods.c: the methods of the paper and of this tool; rivals.c: those of general-purpose solvers. quick: fewer
+ * settings. */
 void methods_add(struct settings *settings, const struct reference *reference, bool quick);
 /* Is a formula of the book that was given, if any was, among them? False: the message is on stderr. */
 bool methods_serve(const char *book);
 void rivals_add(struct settings *settings, const struct reference *reference, bool quick);
 
-/* measure.c. Settings take turns: each is solved once, for its answer and its duration; then rounds over all of them, so that a machine
- * that slows down slows all; then errors against the certified value, and the Pareto front. limit: seconds for the first solve of each. */
+/* measure.c. Settings take turns: each is solved once, for its answer and its duration; then rounds over all of them,
+ * so that a machine that slows down slows all; then errors against the certified value, and the Pareto front. limit:
+ * seconds for the first solve of each. */
 void settings_measure(struct settings *settings, const struct stopwatch_clock *clock, double limit,
                       const struct progress *progress);
 /* Is there a row for this quantity? */
 bool setting_has(const struct setting *setting, int quantity);
-/* Times and errors are compared as they are printed, so that the front can be found again from the table: seconds with four digits;
- * log10 of an error, whose exponent may be beyond a double's, nan if the text is no number >= 0. */
+/* Times and errors are compared as they are printed, so that the front can be found again from the table: seconds with
+ * four digits; log10 of an error, whose exponent may be beyond a double's, nan if the text is no number >= 0. */
 double printed_seconds(double seconds);
 double printed_error_log10(const char *error);
 

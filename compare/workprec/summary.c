@@ -8,7 +8,8 @@ static bool is_exact(enum method_kind kind) { return kind == METHOD_EXACT; }
 static bool is_rival(enum method_kind kind) { return kind == METHOD_ROOT || kind == METHOD_SIMULATION; }
 static bool is_simulation(enum method_kind kind) { return kind == METHOD_SIMULATION; }
 
-/* What is compared: the cheapest of these kinds, by its time over that of the cheapest of all, or of the cheapest exact one */
+/* What is compared: the cheapest of these kinds, by its time over that of the cheapest of all, or of the cheapest exact
+ * one */
 static const struct comparison {
   const char *columns[4];
   bool (*is_kind)(enum method_kind);
@@ -29,7 +30,8 @@ void summary_begin(struct table *t)
     table_columns(t, comparisons[i].columns);
 }
 
-/* The one of a kind, and of a method other than this one, that reaches the error in the least time; NULL if none does. */
+/* The one of a kind, and of a method other than this one, that reaches the error in the least time; NULL if none
+ * does. */
 static const struct setting *cheapest(const struct settings *settings, int quantity, double error_log10,
                                       bool (*is_kind)(enum method_kind), const char *other_than)
 {

@@ -42,8 +42,8 @@ static bool make_references(struct run *r)
       const char *why = reference_init(&r->references[r->count++], &c);
       if (!why)
         continue;
-      complain("workprec", "no certified steady state to compare with for the %s gait and T = %.17g: %s", c.gait->name, c.T,
-               why);
+      complain("workprec", "no certified steady state to compare with for the %s gait and T = %.17g: %s", c.gait->name,
+               c.T, why);
       return false;
     }
   return true;
@@ -69,19 +69,22 @@ static bool begin(struct run *r)
   if (!table_open(t, &o->request.style))
     return false;
   table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: workprec%s%s --limit %g", o->quick ? " --quick" : "", o->summary ? " --summary" : "", r->limit);
+  table_note(t, "command: workprec%s%s --limit %g", o->quick ? " --quick" : "", o->summary ? " --summary" : "",
+             r->limit);
   note_parameters(t, &o->request.point, columns_of_points, false);
-  table_note(
-      t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified value is 0");
+  table_note(t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified "
+                "value is 0");
   if (o->summary) {
     t->of = "ratios";
     table_note(t, "ratios: of median times of one run on one machine");
     summary_begin(t);
   } else {
-    table_note(t,
-               "times: seconds for one solve, by the wall clock of one machine: only ratios within one table mean anything");
-    table_note(t, "clock: a reading takes %.2g s, the smallest step is %.2g s; shortest batch %.2g s; an empty call %.2g s",
-               r->clock.cost, r->clock.step, stopwatch_long_enough(&r->clock), call_cost(&r->clock));
+    table_note(
+        t,
+        "times: seconds for one solve, by the wall clock of one machine: only ratios within one table mean anything");
+    table_note(
+        t, "clock: a reading takes %.2g s, the smallest step is %.2g s; shortest batch %.2g s; an empty call %.2g s",
+        r->clock.cost, r->clock.step, stopwatch_long_enough(&r->clock), call_cost(&r->clock));
     table_columns(t, columns);
   }
   table_begin_rows(t);

@@ -91,7 +91,8 @@ static void scale_by_power(fmpq_t x, const fmpz_t digits, ulong base, slong expo
   fmpz_clear(power);
 }
 
-/* Digits with at most one point among them, all in the given base. Returns their end, or NULL; *places: how many after the point. */
+/* Digits with at most one point among them, all in the given base. Returns their end, or NULL; *places: how many after
+ * the point. */
 static const char *read_digits(const char *text, int base, char *digits, slong *places)
 {
   bool point = false, some = false;

@@ -54,11 +54,12 @@ void scallop_ball_end(arb_t u, const struct scallop_piece *piece, slong precisio
 /* |l'| and d|l'|/dt at offset u of a piece; any ball within [0, 1]. */
 void scallop_ball_speed(arb_t speed, const struct scallop_piece *piece, const arb_t u, slong precision);
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *piece, const arb_t u, slong precision);
-/* The integral of |l'| from offset u to offset v of a piece, in the direction from u to v in time: negative if v is earlier. */
+/* The integral of |l'| from offset u to offset v of a piece, in the direction from u to v in time: negative if v is
+ * earlier. */
 void scallop_ball_way(arb_t way, const struct scallop_piece *piece, const arb_t u, const arb_t v, slong precision);
 
-/* Whether next, the piece that follows, goes on with the same analytic function, so that their meeting is no corner of l'.
- * Then |l'| at offset u of piece is that at offset u of next or, with *turned, at 1 - u. */
+/* Whether next, the piece that follows, goes on with the same analytic function, so that their meeting is no corner of
+ * l'. Then |l'| at offset u of piece is that at offset u of next or, with *turned, at 1 - u. */
 bool scallop_piece_goes_on(const struct scallop_piece *piece, const struct scallop_piece *next, bool *turned);
 
 /* |l'| at time x after the one at offset u, as a series in x with `length` coefficients. */

@@ -1,4 +1,5 @@
-/* The gaits of families.h in fractions, and splines: the pieces that the doubles make, each with what the fractions make of it. */
+/* The gaits of families.h in fractions, and splines: the pieces that the doubles make, each with what the fractions
+ * make of it. */
 #include <stdlib.h>
 
 #include "model/exact/fractions.h"
@@ -28,8 +29,8 @@ static bool are_same(const struct scallop_fractions *a, const struct scallop_fra
          && fmpq_poly_equal(a->speed, b->speed);
 }
 
-/* Pieces that are mirror images of each other within a phase, or from one phase to the other, share their fractions: by that they are known to be
- * (scallop_gait_mirrors, scallop_gait_is_reversible). */
+/* Pieces that are mirror images of each other within a phase, or from one phase to the other, share their fractions: by
+ * that they are known to be (scallop_gait_mirrors, scallop_gait_is_reversible). */
 static void share(struct scallop_exact_gait *e)
 {
   const struct scallop_shape *phase = e->gait.phase;
@@ -60,7 +61,8 @@ static void leave_out_empty(struct scallop_exact_gait *e)
   }
 }
 
-/* The parts of a phase in which |l'| rises, stays, and falls; the fall may be split at half of the phase, and what stays as well. */
+/* The parts of a phase in which |l'| rises, stays, and falls; the fall may be split at half of the phase, and what
+ * stays as well. */
 enum part { RISES, STAYS, FALLS, FALLS_FROM_START };
 
 static enum part part_of(const struct scallop_piece *p)
@@ -146,8 +148,8 @@ static void set_straights(struct scallop_exact_gait *e, const fmpq *up, const fm
   leave_out_empty(e);
 }
 
-/* What families.h calls the law of a family: what the numbers x, of both phases, make of what the doubles say, which *e is. False: it is
- * left as it is. */
+/* What families.h calls the law of a family: what the numbers x, of both phases, make of what the doubles say, which *e
+ * is. False: it is left as it is. */
 typedef bool exact_law(struct scallop_exact_gait *e, const fmpq *x, int count);
 
 static bool exact_trapezoidal(struct scallop_exact_gait *e, const fmpq *x, int count)
@@ -156,7 +158,8 @@ static bool exact_trapezoidal(struct scallop_exact_gait *e, const fmpq *x, int c
   return true;
 }
 
-/* A number of each phase: |l'| rises for that, stays, and falls for as much; or, where it does not stay, for the rest */
+/* A number of each phase: |l'| rises for that, stays, and falls for as much; or, where it does not stay, for the
+ * rest */
 static bool exact_one_ramp(struct scallop_exact_gait *e, const fmpq *x, int count)
 {
   set_straights(e, x, x, count / 2);
@@ -198,7 +201,8 @@ static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int
   return right;
 }
 
-/* c: of s, s^2, ... False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its zeros are no fractions. */
+/* c: of s, s^2, ... False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its
+ * zeros are no fractions. */
 static bool exact_polynomial(struct scallop_exact_gait *e, const fmpq *c, int degree)
 {
   fmpq_poly_t forward, back;
@@ -250,7 +254,8 @@ static void chord(fmpq_t slope, fmpq_t width, const struct points *p, int i)
   fmpq_div(slope, slope, width);
 }
 
-/* Of a point between two chords a and b, over times g and h, of one sign: the least of |a|, |b| and |a h + b g|/(2 (g + h)), twice */
+/* Of a point between two chords a and b, over times g and h, of one sign: the least of |a|, |b| and |a h + b g|/(2 (g +
+ * h)), twice */
 static void set_slope(struct points *p, int i)
 {
   enum { FRACTIONS = 5 };

@@ -70,7 +70,8 @@ static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const
   fmpq_clear(more);
 }
 
-/* In powers of u - near: of ((u - near)/range)^k stands binomial(n, k) times the k-th forward difference of b at its beginning. */
+/* In powers of u - near: of ((u - near)/range)^k stands binomial(n, k) times the k-th forward difference of b at its
+ * beginning. */
 static void bernstein(fmpq_poly_t polynomial, fmpq_t origin, const struct scallop_law *law)
 {
   int n = law->degree;

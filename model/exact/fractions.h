@@ -1,5 +1,5 @@
-/* Gaits in fractions: what a gait's own numbers make of it as they were written, where the doubles nearest to them make another one; or what
- * the doubles make of it, once for all who ask. Needs FLINT; allocates through it.
+/* Gaits in fractions: what a gait's own numbers make of it as they were written, where the doubles nearest to them make
+ * another one; or what the doubles make of it, once for all who ask. Needs FLINT; allocates through it.
  */
 #ifndef SCALLOP_MODEL_EXACT_FRACTIONS_H
 #define SCALLOP_MODEL_EXACT_FRACTIONS_H
@@ -31,16 +31,17 @@ struct scallop_exact_gait {
 void scallop_exact_init(struct scallop_exact_gait *exact);
 void scallop_exact_clear(struct scallop_exact_gait *exact);
 
-/* What the doubles of the gait say, or its fractions where it has them. Pieces without rational coefficients (sines) have no fractions. */
+/* What the doubles of the gait say, or its fractions where it has them. Pieces without rational coefficients (sines)
+ * have no fractions. */
 void scallop_exact_of(struct scallop_exact_gait *exact, const struct scallop_gait *gait);
 
-/* The gait of a family with these numbers instead of the doubles nearest to them, which `gait` was made with: count of them, as for
- * scallop_make_gait. As there, UP + DOWN within a rounding of 1 is 1. False: *exact is what the doubles say, as where l' of a polynomial is not
- * exactly 0 at both ends, or changes its sign within a phase. */
+/* The gait of a family with these numbers instead of the doubles nearest to them, which `gait` was made with: count of
+ * them, as for scallop_make_gait. As there, UP + DOWN within a rounding of 1 is 1. False: *exact is what the doubles
+ * say, as where l' of a polynomial is not exactly 0 at both ends, or changes its sign within a phase. */
 bool scallop_exact_made(struct scallop_exact_gait *exact, const struct scallop_gait_family *family,
                         const struct scallop_gait *gait, const fmpq *x, int count);
-/* The spline through count[kind] points of each phase, in the units of a scallop_knot, with slopes 0 at its ends and elsewhere Steffen's
- * (Astron. Astrophys. 239, 1990). False where two lengths are equal as doubles and are not. */
+/* The spline through count[kind] points of each phase, in the units of a scallop_knot, with slopes 0 at its ends and
+ * elsewhere Steffen's (Astron. Astrophys. 239, 1990). False where two lengths are equal as doubles and are not. */
 bool scallop_exact_spline(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *const times[2],
                           const fmpq *const lengths[2], const int count[2]);
 

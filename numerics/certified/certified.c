@@ -35,12 +35,14 @@ slong certified_bits(long digits) { return (slong)((double)digits * 3.3219280948
 
 static slong log2_size(const fmpq_t x) { return (slong)fmpz_bits(fmpq_numref(x)) - (slong)fmpz_bits(fmpq_denref(x)); }
 
-/* Bits that are lost on the way: P(v) - v is 1 - O(eps), dT of order eps, ratios cancel, and so does a phase that is short. */
+/* Bits that are lost on the way: P(v) - v is 1 - O(eps), dT of order eps, ratios cancel, and so does a phase that is
+ * short. */
 slong certified_lost_bits(const struct scallop_rational_crawler *c)
 {
   slong eps = 2 * log2_size(c->T) + FLINT_MAX(log2_size(c->F1), log2_size(c->F2)) - log2_size(c->L)
               - FLINT_MAX(log2_size(c->m1), log2_size(c->m2));
-  slong lost = 64 + 2 * labs(eps) + labs(log2_size(c->F1) - log2_size(c->F2)) + labs(log2_size(c->m1) - log2_size(c->m2));
+  slong lost = 64 + 2 * labs(eps) + labs(log2_size(c->F1) - log2_size(c->F2))
+               + labs(log2_size(c->m1) - log2_size(c->m2));
   fmpq_t fraction;
   fmpq_init(fraction);
   for (int kind = 0; kind < 2; kind++) {
@@ -118,9 +120,9 @@ void certified_say(const char **why, const char *reason)
 
 const char *const certified_not_enough = "the result does not settle to the digits asked for at any precision tried";
 
-enum scallop_status scallop_certified_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
-                                            const fmpq_t v0, long digits, struct scallop_certified_phase *phase,
-                                            const char **why)
+enum scallop_status scallop_certified_phase(const struct scallop_rational_crawler *crawler,
+                                            enum scallop_phase_kind kind, const fmpq_t v0, long digits,
+                                            struct scallop_certified_phase *phase, const char **why)
 {
   if (!certified_domain(crawler, digits))
     return SCALLOP_EDOMAIN;

@@ -1,11 +1,11 @@
 /* The exact motion once more, in ball arithmetic: every digit that is returned is proven.
  *
- * Written apart from motion.c, and by another route, so that the two can disagree: laboratory variables, the
- * velocities of the bodies themselves, forces from Newton's law, P(v) = v solved as it stands; digits that
- * this loses are put back by working with more. Each switching time is enclosed and shown to be the only one
- * in its interval, each mode follows from the forces, and precision is raised until the digits asked for hold.
- * A motion that no precision decides is SCALLOP_EUNDECIDED: a body that touches v = 0 exactly, a force exactly at its limit where l''
- * varies. Needs FLINT. Parameters are exact rationals: nothing is rounded on the way in.
+ * Written apart from motion.c, and by another route, so that the two can disagree: laboratory variables, the velocities
+ * of the bodies themselves, forces from Newton's law, P(v) = v solved as it stands; digits that this loses are put back
+ * by working with more. Each switching time is enclosed and shown to be the only one in its interval, each mode follows
+ * from the forces, and precision is raised until the digits asked for hold. A motion that no precision decides is
+ * SCALLOP_EUNDECIDED: a body that touches v = 0 exactly, a force exactly at its limit where l'' varies. Needs FLINT.
+ * Parameters are exact rationals: nothing is rounded on the way in.
  */
 #ifndef SCALLOP_NUMERICS_CERTIFIED_CERTIFIED_H
 #define SCALLOP_NUMERICS_CERTIFIED_CERTIFIED_H
@@ -38,9 +38,9 @@ void scallop_certified_phase_clear(struct scallop_certified_phase *phase);
  * cannot be told from 0, to 10^-digits of its natural size (tau, L/tau or L) at least.
  * SCALLOP_EDOMAIN: a parameter outside its domain, digits too, or a gait without an exact law;
  * SCALLOP_EUNDECIDED: see above; *why then says what (static text), if why is not NULL. */
-enum scallop_status scallop_certified_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
-                                            const fmpq_t v0, long digits, struct scallop_certified_phase *phase,
-                                            const char **why);
+enum scallop_status scallop_certified_phase(const struct scallop_rational_crawler *crawler,
+                                            enum scallop_phase_kind kind, const fmpq_t v0, long digits,
+                                            struct scallop_certified_phase *phase, const char **why);
 
 struct scallop_certified_steady {
   arb_t froude, v_start, v_mid, displacement, mean_velocity, multiplier;
@@ -51,10 +51,11 @@ struct scallop_certified_steady {
 void scallop_certified_steady_init(struct scallop_certified_steady *steady);
 void scallop_certified_steady_clear(struct scallop_certified_steady *steady);
 
-/* The steady state, proven to exist and to be the only one: P(v) - v never rises and changes its sign across the ball v_start, over all of
- * which the modes are the same; where l' does not jump it is 0 only once (docs/theory.md), else it has one sign beyond either end of the ball.
- * SCALLOP_EUNDECIDED also where the steady states fill an interval, as they can where l' jumps; SCALLOP_EDOMAIN also where l' is not 0 where a
- * phase begins or has ended, and the piece does not say that it jumps. Accuracy and statuses as above. */
+/* The steady state, proven to exist and to be the only one: P(v) - v never rises and changes its sign across the ball
+ * v_start, over all of which the modes are the same; where l' does not jump it is 0 only once (docs/theory.md), else it
+ * has one sign beyond either end of the ball. SCALLOP_EUNDECIDED also where the steady states fill an interval, as they
+ * can where l' jumps; SCALLOP_EDOMAIN also where l' is not 0 where a phase begins or has ended, and the piece does not
+ * say that it jumps. Accuracy and statuses as above. */
 enum scallop_status scallop_certified_steady(const struct scallop_rational_crawler *crawler, long digits,
                                              struct scallop_certified_steady *steady, const char **why);
 

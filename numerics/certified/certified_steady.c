@@ -160,7 +160,8 @@ static void search_clear(struct search *s)
   period_clear(&s->period);
 }
 
-/* From beyond every curve both bodies go one way for the whole period, whatever l does: friction takes (F1 + F2) T / M at most. */
+/* From beyond every curve both bodies go one way for the whole period, whatever l does: friction takes (F1 + F2) T / M
+ * at most. */
 static void bracket(struct search *s, const struct scallop_rational_crawler *c)
 {
   enum { ROUGH = 64 };
@@ -187,8 +188,8 @@ static void bracket(struct search *s, const struct scallop_rational_crawler *c)
   arb_clear(term);
 }
 
-/* P(v) - v at s->v, where v is exact. Narrows the bracket: P does not fall, so it maps what is on one side of its fixed points to the
- * same side, and nearer. */
+/* P(v) - v at s->v, where v is exact. Narrows the bracket: P does not fall, so it maps what is on one side of its fixed
+ * points to the same side, and nearer. */
 static bool probe(struct search *s, slong precision)
 {
   s->known = 0;
@@ -221,8 +222,8 @@ static void middle(arb_t v, const struct search *s, slong precision)
   }
 }
 
-/* One step of Newton's method, or to the middle of the bracket where that leads out of it. Nothing here need be rigorous.
- * True: it cannot be better at this precision. */
+/* One step of Newton's method, or to the middle of the bracket where that leads out of it. Nothing here need be
+ * rigorous. True: it cannot be better at this precision. */
 static bool step(struct search *s, mag_t last, slong precision)
 {
   arb_ptr t = _arb_vec_init(2);
@@ -249,7 +250,8 @@ static bool step(struct search *s, mag_t last, slong precision)
   return same;
 }
 
-/* v right up to the digits that this precision has. A v at which the motion cannot be decided is left for one near it. */
+/* v right up to the digits that this precision has. A v at which the motion cannot be decided is left for one near
+ * it. */
 static void polish(struct search *s, slong precision)
 {
   enum { MOST_NUDGES = 8 };
@@ -351,8 +353,8 @@ static bool is_balanced(const struct period *p)
   return balanced;
 }
 
-/* The contraction does to velocities what the extension does to their opposites. The mirror image of the only steady state, half a
- * period late, is steady: so it is that state itself, which goes back as far as it came. */
+/* The contraction does to velocities what the extension does to their opposites. The mirror image of the only steady
+ * state, half a period late, is steady: so it is that state itself, which goes back as far as it came. */
 static bool is_mirrored(const struct scallop_rational_crawler *c, const struct period *period)
 {
   const struct scallop_shape *phase = c->gait->phase;
@@ -362,7 +364,8 @@ static bool is_mirrored(const struct scallop_rational_crawler *c, const struct p
   return mirrored;
 }
 
-/* M L / (T^2 (F1 + F2)) = 1 / (friction_1 + friction_2), times the fraction of the period squared for the units of a phase. */
+/* M L / (T^2 (F1 + F2)) = 1 / (friction_1 + friction_2), times the fraction of the period squared for the units of a
+ * phase. */
 static void froude_number(arb_t froude, const struct period *period, slong precision)
 {
   fmpq_t number;

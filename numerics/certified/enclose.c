@@ -111,8 +111,9 @@ static void halve(arb_t x, bool earlier, slong precision)
   arf_clear(high);
 }
 
-/* Newton's method for the only zero in a ball over which f is monotone, until rounding is all that is left. Besides, the sign in
- * the middle tells the half: for slopes too uncertain for a good step. A step doubles the bits at most, so it needs no more. */
+/* Newton's method for the only zero in a ball over which f is monotone, until rounding is all that is left. Besides,
+ * the sign in the middle tells the half: for slopes too uncertain for a good step. A step doubles the bits at most, so
+ * it needs no more. */
 static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
 {
   arb_ptr t = _arb_vec_init(3), middle = t, value = t + 1, slope = t + 2;
@@ -144,7 +145,8 @@ static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
 
 enum judgement { NOTHING, ZERO, UNKNOWN, UNKNOWN_AT_END };
 
-/* Whether l' or l'' (order 0, 1) is 0 where the piece ends: exactly, though that may be no number that a ball holds exactly. */
+/* Whether l' or l'' (order 0, 1) is 0 where the piece ends: exactly, though that may be no number that a ball holds
+ * exactly. */
 static bool gait_ends_in_zero(const struct scallop_piece *piece, int order)
 {
   fmpq_t u;
@@ -160,8 +162,8 @@ static bool gait_ends_in_zero(const struct scallop_piece *piece, int order)
   return zero;
 }
 
-/* A margin that is 0 exactly where a piece ends is looked at again by the next piece, and what happens at the end of the phase
- * does not matter to it: equal forces while l'' goes to 0. So such an end can be left out of the stretch. */
+/* A margin that is 0 exactly where a piece ends is looked at again by the next piece, and what happens at the end of
+ * the phase does not matter to it: equal forces while l'' goes to 0. So such an end can be left out of the stretch. */
 static bool ends_in_zero(const struct scallop_track *f, const arb_t end, slong precision)
 {
   arb_t value;
@@ -200,7 +202,8 @@ static bool is_gait_itself(const struct scallop_track *f)
   return f->order == 0 && arb_is_zero(f->constant) && arb_is_zero(f->slope);
 }
 
-/* From the begin on in steps that are halved until something is certain, and doubled again. Powers of 2: the step is 2^-halvings. */
+/* From the begin on in steps that are halved until something is certain, and doubled again. Powers of 2: the step is
+ * 2^-halvings. */
 enum scallop_found scallop_first_zero(arb_t zero, const struct scallop_track *f, const struct scallop_stretch *stretch,
                                       slong precision)
 {

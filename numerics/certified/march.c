@@ -97,7 +97,8 @@ static bool set_directions(struct scallop_march *m)
 
 static bool is_at_rest(const struct scallop_march *m) { return arb_is_zero(m->v[0]) && arb_is_zero(m->v[1]); }
 
-/* A dwell begins: the bodies are one while it lasts. From the right: at rest they would have been moving, and come to rest. */
+/* A dwell begins: the bodies are one while it lasts. From the right: at rest they would have been moving, and come to
+ * rest. */
 static bool begin_dwell(struct scallop_march *m)
 {
   if (!is_at_rest(m))
@@ -137,7 +138,8 @@ static bool is_even(fmpq_t bend, const struct scallop_piece *piece)
   return even;
 }
 
-/* Whether l' is 0 where the piece begins, exactly. Where l' is not rational it is taken not to be: there its zeros are the ends of phases. */
+/* Whether l' is 0 where the piece begins, exactly. Where l' is not rational it is taken not to be: there its zeros are
+ * the ends of phases. */
 static bool begins_at_zero(const struct scallop_piece *piece)
 {
   fmpq_t u;
@@ -151,8 +153,8 @@ static bool begins_at_zero(const struct scallop_piece *piece)
   return zero;
 }
 
-/* l' is 0 now and both bodies are at rest, without having turned back. From the right: the rear one would have done so just before, or would
- * have been caught. */
+/* l' is 0 now and both bodies are at rest, without having turned back. From the right: the rear one would have done so
+ * just before, or would have been caught. */
 static bool turn_back(struct scallop_march *m)
 {
   int turning = m->piece->direction > 0 ? 0 : 1;
@@ -218,7 +220,8 @@ static void set_velocity_track(struct scallop_track *f, struct scallop_march *m,
   arb_submul(f->constant, f->slope, m->since, m->precision);
 }
 
-/* What is left of its friction before the stuck body is pulled away in direction side: F_i - side (share_i l'' - F_j s_j) */
+/* What is left of its friction before the stuck body is pulled away in direction side: F_i - side (share_i l'' - F_j
+ * s_j) */
 static void set_margin_track(struct scallop_track *f, struct scallop_march *m, int side)
 {
   int body = the_stuck(m);
@@ -228,10 +231,10 @@ static void set_margin_track(struct scallop_track *f, struct scallop_march *m, i
   march_friction_sum(f->constant, m, body == 0 ? 1 : side * m->s[0], body == 0 ? side * m->s[1] : 1);
 }
 
-/* The earlier of the first zeros of two tracks: its number and when, or -1; false if not decided. Each is asked about the time
- * before the zero of the other only, so that one which comes later need not be decided. */
-static bool earlier(struct scallop_march *m, const struct scallop_track *f, const int *signs, const arb_t end, arb_t when,
-                    int *which)
+/* The earlier of the first zeros of two tracks: its number and when, or -1; false if not decided. Each is asked about
+ * the time before the zero of the other only, so that one which comes later need not be decided. */
+static bool earlier(struct scallop_march *m, const struct scallop_track *f, const int *signs, const arb_t end,
+                    arb_t when, int *which)
 {
   enum scallop_found found[2] = { SCALLOP_GRAZES, SCALLOP_GRAZES };
   arb_t until;
@@ -306,7 +309,8 @@ static bool march_dwell(struct scallop_march *m, const arb_t end)
       arb_zero(m->multiplier);
       march_take_down(m);
     } else
-      decided = decided && (arb_gt(stop, end) || undecided(m, "both bodies come to rest just as a dwell ends, or almost"));
+      decided = decided
+                && (arb_gt(stop, end) || undecided(m, "both bodies come to rest just as a dwell ends, or almost"));
   }
   if (decided)
     march_advance(m, end);
@@ -337,7 +341,8 @@ static bool march_piece(struct scallop_march *m)
   return decided;
 }
 
-/* The amplitude is 1: so l has gained exactly that, and both bodies must agree on the velocity that they have in common. */
+/* The amplitude is 1: so l has gained exactly that, and both bodies must agree on the velocity that they have in
+ * common. */
 static bool finish(struct scallop_march *m)
 {
   arb_ptr t = _arb_vec_init(2);

@@ -1,5 +1,5 @@
-/* One phase marched in ball arithmetic at one precision: the inside of the certified solver. Private to numerics/certified/.
- * Unit of time: the phase; of length: L. */
+/* One phase marched in ball arithmetic at one precision: the inside of the certified solver. Private to
+ * numerics/certified/. Unit of time: the phase; of length: L. */
 #ifndef SCALLOP_NUMERICS_CERTIFIED_MARCH_H
 #define SCALLOP_NUMERICS_CERTIFIED_MARCH_H
 
@@ -47,6 +47,7 @@ void scallop_march_clear(struct scallop_march *march);
 
 /* From both bodies at velocity v0, over all of that ball, to the end of the phase: x1, x2, v_end and what
  * follows it hold then. False: not decided at this precision, and why says what. */
-bool scallop_march_phase(struct scallop_march *march, const struct scallop_forces *forces, const arb_t v0, slong precision);
+bool scallop_march_phase(struct scallop_march *march, const struct scallop_forces *forces, const arb_t v0,
+                         slong precision);
 
 #endif

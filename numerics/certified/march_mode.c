@@ -20,7 +20,8 @@ void scallop_forces_clear(struct scallop_forces *forces)
   }
 }
 
-void scallop_forces_of(struct scallop_forces *forces, const struct scallop_rational_crawler *c, enum scallop_phase_kind kind)
+void scallop_forces_of(struct scallop_forces *forces, const struct scallop_rational_crawler *c,
+                       enum scallop_phase_kind kind)
 {
   fmpq_t M, unit;
   fmpq_init(M);

@@ -13,7 +13,8 @@ void march_reset(struct scallop_march *m, const struct scallop_forces *forces, c
 /* n1 F1 + n2 F2 over M, rounded once: exactly 0 where it is. */
 void march_friction_sum(arb_t sum, const struct scallop_march *m, int n1, int n2);
 
-/* What becomes of a body at rest that would go in direction side. A force exactly at its limit holds it as long as it is there. */
+/* What becomes of a body at rest that would go in direction side. A force exactly at its limit holds it as long as it
+ * is there. */
 enum hold { HELD, PULLED, UNDECIDED };
 enum hold march_hold_against(struct scallop_march *m, int body, int side);
 

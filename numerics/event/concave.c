@@ -24,10 +24,10 @@ static void look(const struct scallop_piece *p, struct meeting *m, struct scallo
   work->gait_evaluations++;
 }
 
-/* The first x > 0 with a + b x = q |l'(x)|, a > 0. The difference is convex, so Newton's method comes from 0 and does not overshoot.
- * ends: slope of |l'| at 0; last: the end of the piece. False: it is not in the piece. */
-static bool meet(const struct scallop_piece *p, double a, double b, double q, double ends, double last, struct meeting *m,
-                 struct scallop_work *work)
+/* The first x > 0 with a + b x = q |l'(x)|, a > 0. The difference is convex, so Newton's method comes from 0 and does
+ * not overshoot. ends: slope of |l'| at 0; last: the end of the piece. False: it is not in the piece. */
+static bool meet(const struct scallop_piece *p, double a, double b, double q, double ends, double last,
+                 struct meeting *m, struct scallop_work *work)
 {
   double step = a / (q * ends - b);
   m->x = 0;

@@ -1,12 +1,12 @@
-/* A phase of two ramps (ramps.h) in which one body turns and turns back, or is held to the end, at once or after it has turned.
- * The same arithmetic as ramps.c, operation for operation, but inline and without a branch, so that many crawlers can be
- * solved in a row by vector instructions. Not public.
+/* A phase of two ramps (ramps.h) in which one body turns and turns back, or is held to the end, at once or after it has
+ * turned. The same arithmetic as ramps.c, operation for operation, but inline and without a branch, so that many
+ * crawlers can be solved in a row by vector instructions. Not public.
  *
- * Where a body is held to the end of a phase both bodies are then at rest, so the next phase is known, and the one after it: if
- * this comes to rest again the period is closed, and that is the steady state.
+ * Where a body is held to the end of a phase both bodies are then at rest, so the next phase is known, and the one
+ * after it: if this comes to rest again the period is closed, and that is the steady state.
  *
- * What it saves, as in ramps.h (else a search by ramps.c, and a walk for the ways of the bodies): 1575 for 2345 for a steady state with
- * stick-slip, 1121 for 1686 in a batch.
+ * What it saves, as in ramps.h (else a search by ramps.c, and a walk for the ways of the bodies): 1575 for 2345 for a
+ * steady state with stick-slip, 1121 for 1686 in a batch.
  */
 #ifndef SCALLOP_NUMERICS_EVENT_HELD_H
 #define SCALLOP_NUMERICS_EVENT_HELD_H
@@ -18,7 +18,7 @@
 
 struct held_phase {
   double c_end;
-  double travel, size;             /* of the centre of mass: how far it comes, and the magnitudes of the parts of that */
+  double travel, size; /* of the centre of mass: how far it comes, and the magnitudes of the parts of that */
   double way1, way2, size1, size2; /* the same of the bodies: it is no work for those who do not look                 */
   double starts, ends;             /* signs of c after the start and before the end: starts 0 from rest             */
   double stuck;                    /* 1: the body does not turn, but is held from where it stops, to the end        */
@@ -48,14 +48,15 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scaling *s, double frac
   double d = r->top - t, left = r->rest - u, first_way = 0.5 * (c0 + y) * t;
   double turned_way = first_way + 0.5 * ((y + top) * d + (top + z) * left);
   double turned_size = first_way + 0.5 * ((y + fabs(top)) * d + (fabs(top) + fabs(z)) * left);
-  double glued = 0.5 * r->down * (u * u), ridden = q0 * 0.5 * (r->up * (d * (r->top + t)) + r->down * (r->rest * r->rest));
+  double glued = 0.5 * r->down * (u * u),
+         ridden = q0 * 0.5 * (r->up * (d * (r->top + t)) + r->down * (r->rest * r->rest));
   double held_way = (above ? q0 : -q1) * glued, crossed_way = 0.5 * (z + c_end) * u;
   double crossed_size = 0.5 * (fabs(z) + fabs(c_end)) * u, last_way = crosses ? crossed_way : held_way;
   double last_size = crosses ? crossed_size : fabs(held_way);
   double centre = turns ? turned_way + last_way : first_way + ridden;
   double centre_size = turns ? turned_size + last_size : first_way + ridden;
-  /* and the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes to rest,
-   * another one or two until it does again, and a last one; the other body is |l| ahead or behind */
+  /* and the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes
+   * to rest, another one or two until it does again, and a last one; the other body is |l| ahead or behind */
   double push0 = eps * (plain ? s->f1 : s->f2), push1 = eps * (plain ? s->f2 : s->f1); /* as body_slope of walk.h */
   double own_up = steep - push0, own_below = r->up * q1 - push1;                       /* see there */
   double slope_up = fabs(own_up) < fabs(between) ? own_up + push1 : steep - between;
@@ -83,21 +84,23 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scaling *s, double frac
 }
 
 struct held {
-  double c_start, c_mid, travel, size;          /* as in struct period                                                    */
-  double way1, way2, size1, size2;              /* as above, over the period                                              */
-  double margin;                                /* > 0: this is the steady state                                          */
+  double c_start, c_mid, travel, size; /* as in struct period                                                    */
+  double way1, way2, size1, size2;     /* as above, over the period                                              */
+  double margin;                       /* > 0: this is the steady state                                          */
   double starts[2], ends[2], stuck[2], grip[2]; /* of each phase, as above                                  */
 };
 
-/* order: +1 if friction holds a body to the end of the contraction, -1 if of the extension. The phase that is followed by rest comes
- * second, and the first begins at rest. Multiplier and balance are 0. */
+/* order: +1 if friction holds a body to the end of the contraction, -1 if of the extension. The phase that is followed
+ * by rest comes second, and the first begins at rest. Multiplier and balance are 0. */
 SCALLOP_INLINE void held_steady(const struct scaling *s, double alpha, double order, const struct ramps *e,
                                 const struct ramps *c, struct held *out)
 {
   int plain = order > 0;
   double b = 1 - alpha, x1 = plain ? alpha : b, x2 = plain ? b : alpha;
-  struct ramps r1 = { plain ? e->up : c->up, plain ? e->down : c->down, plain ? e->top : c->top, plain ? e->rest : c->rest };
-  struct ramps r2 = { plain ? c->up : e->up, plain ? c->down : e->down, plain ? c->top : e->top, plain ? c->rest : e->rest };
+  struct ramps r1 = { plain ? e->up : c->up, plain ? e->down : c->down, plain ? e->top : c->top,
+                      plain ? e->rest : c->rest };
+  struct ramps r2 = { plain ? c->up : e->up, plain ? c->down : e->down, plain ? c->top : e->top,
+                      plain ? c->rest : e->rest };
   struct held_phase p1 = held_phase(s, x1, order, &r1, 0);
   double between = p1.c_end / x1;
   struct held_phase p2 = held_phase(s, x2, -order, &r2, between * x2);
@@ -121,7 +124,8 @@ SCALLOP_INLINE void held_steady(const struct scaling *s, double alpha, double or
   out->grip[1] = plain ? p2.grip : p1.grip;
 }
 
-/* The modes, the regime and the changes of mode of such a steady state, from starts, ends, stuck and grip of its phases. */
+/* The modes, the regime and the changes of mode of such a steady state, from starts, ends, stuck and grip of its
+ * phases. */
 enum scallop_regime held_regime(const double starts[2], const double ends[2], const double stuck[2]);
 void held_modes(const double starts[2], const double ends[2], const double stuck[2], const double grip[2],
                 struct scallop_modes modes[2]);

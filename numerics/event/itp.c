@@ -24,7 +24,8 @@ static double interpolated(const struct bracket *k)
   return k->low + (k->high - k->low) * (k->f_low / (k->f_low - k->f_high));
 }
 
-/* The next point of a bracket that was `initial` wide in the beginning and must be no wider than reach after this step. */
+/* The next point of a bracket that was `initial` wide in the beginning and must be no wider than reach after this
+ * step. */
 static double next_point(const struct bracket *k, double initial, double reach)
 {
   double width = k->high - k->low, middle = k->low + width / 2;

@@ -1,7 +1,7 @@
 /* The legs of a piece: the parts of it in which a walk (walk.h) measures its times from one place. Not public.
  *
- * A piece of a spline, or a dwell, can be as short as 1e-8 of the phase. A time in such a piece keeps its digits only if it is measured from
- * a knot of the piece, and not from an end of the phase:
+ * A piece of a spline, or a dwell, can be as short as 1e-8 of the phase. A time in such a piece keeps its digits only
+ * if it is measured from a knot of the piece, and not from an end of the phase:
  *     a dwell, a piece of a spline           one leg, measured from where the piece begins
  *     one that ends with l' = 0              two legs of equal length; the second is measured from where the piece ends
  *     a piece of a spline, cut at half time  one leg, measured from its knot
@@ -29,7 +29,8 @@ static inline bool leg_is_spline(const struct scallop_piece *p)
          && law->bernstein.implied == 1;
 }
 
-/* From the knot that the law calls near, or the one that it calls far. Knots are multiples of 2^-53, and so differences of them exact. */
+/* From the knot that the law calls near, or the one that it calls far. Knots are multiples of 2^-53, and so differences
+ * of them exact. */
 static inline void leg_from_knot(struct leg *leg, bool far)
 {
   const struct scallop_bernstein_law *given = &leg->given->law->bernstein;

@@ -19,7 +19,8 @@ static inline void walk_curve(const struct scallop_piece *p, real u, real *veloc
 
 static inline real walk_when(const struct scallop_piece *p, real a) { return p->curve->when(p, a); }
 
-/* Gauss's rule with four points: of |l'| or of its slope, where the differences of their integrals are small beside these. */
+/* Gauss's rule with four points: of |l'| or of its slope, where the differences of their integrals are small beside
+ * these. */
 static real short_sum(const struct scallop_piece *p, real (*of)(const struct scallop_piece *, real), real from, real to)
 {
   static const double node[2] = { 0.33998104358485626480, 0.86113631159405257522 };
@@ -131,7 +132,8 @@ static void solve(const struct motion_input *in, double c0, struct audience *aud
     ways->path[i] = r.path[i];
 }
 
-void motion_solve(const struct motion_input *in, double c0, struct motion *motion, scallop_visitor *visit, void *context)
+void motion_solve(const struct motion_input *in, double c0, struct motion *motion, scallop_visitor *visit,
+                  void *context)
 {
   struct audience audience = { visit, context };
   solve(in, c0, visit ? &audience : NULL, motion, NULL);

@@ -40,12 +40,12 @@ struct motion {
   double stretch;       /* d c_end / d c_0, as a product without cancellation; likewise              */
   double furthest;      /* the largest |c| since a body was held, of a phase of many pieces; else 0         */
   bool forgets;         /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0       */
-  bool delicate;        /* a curve was crossed nearly at a tangent, or where it is nearly level: slope and stretch depend on
+  bool delicate; /* a curve was crossed nearly at a tangent, or where it is nearly level: slope and stretch depend on
                                where in the last digit                                                  */
-  bool sticks;          /* a body is stuck for some time                                            */
-  bool never_moved[2];  /* body 1, body 2 stuck throughout                                          */
-  double first_switch;  /* from the start; nan if none                                              */
-  double last_switch;   /* back from the end; nan if none                                           */
+  bool sticks;   /* a body is stuck for some time                                            */
+  bool never_moved[2];      /* body 1, body 2 stuck throughout                                          */
+  double first_switch;      /* from the start; nan if none                                              */
+  double last_switch;       /* back from the end; nan if none                                           */
   struct scallop_work work; /* periods: 0                                                           */
   unsigned trail;           /* 0, or the modes in short: motion_modes tells them                    */
   struct scallop_modes modes;
@@ -55,8 +55,8 @@ struct motion_ways {
   double way[3], size[3], path[2];
 };
 
-/* What friction has left of the velocity at the end, as a fraction, if that is so little that rounding of what is gone shows in it; else 1,
- * as for two ramps, for which ramps_solve does not set furthest. */
+/* What friction has left of the velocity at the end, as a fraction, if that is so little that rounding of what is gone
+ * shows in it; else 1, as for two ramps, for which ramps_solve does not set furthest. */
 double motion_left(const struct scallop_shape *shape, const struct motion *motion);
 
 void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes);
@@ -65,7 +65,8 @@ void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, str
 double motion_level(const struct motion_input *input, double c, double near);
 
 /* c0: velocity of the centre of mass at the start, in L/tau. visit may be NULL. */
-void motion_solve(const struct motion_input *input, double c0, struct motion *motion, scallop_visitor *visit, void *context);
+void motion_solve(const struct motion_input *input, double c0, struct motion *motion, scallop_visitor *visit,
+                  void *context);
 /* The same, with the ways of the bodies as well. */
 void motion_solve_ways(const struct motion_input *input, double c0, struct motion *motion, struct motion_ways *ways);
 

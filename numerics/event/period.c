@@ -36,8 +36,8 @@ void period_phase(const struct scallop_scaled *s, enum scallop_phase_kind kind, 
   period->goes_on = !extension;
 }
 
-/* Over a whole period the centre of mass and both bodies come equally far. Where much of that cancels for the first, the one for which least
- * does tells best. */
+/* Over a whole period the centre of mass and both bodies come equally far. Where much of that cancels for the first,
+ * the one for which least does tells best. */
 static void look_at_bodies(const struct scallop_scaled *s, struct period *period)
 {
   struct motion_ways ways[2];

@@ -12,9 +12,9 @@ SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alph
   return alpha * (e - c) + c;
 }
 
-/* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding leaves up to an ulp
- * of size, and the displacement itself may be known to as little as an ulp of its own. Of ramps the parts are products, and exact
- * to a few ulp of their own. */
+/* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding
+ * leaves up to an ulp of size, and the displacement itself may be known to as little as an ulp of its own. Of ramps the
+ * parts are products, and exact to a few ulp of their own. */
 SCALLOP_INLINE int period_cancels(double travel, double size, int ramps)
 {
   return (travel < 0 ? -travel : travel) < (ramps ? 0x1p-6 : 0x1p-3) * size;
@@ -40,7 +40,8 @@ struct period {
  * contraction, and the conclusion. */
 void period_phase(const struct scallop_scaled *scaled, enum scallop_phase_kind kind, struct period *period,
                   scallop_visitor *visit, void *context);
-/* Afterwards, where the displacement is wanted and not only the velocities: travel as well as it can be told in double. */
+/* Afterwards, where the displacement is wanted and not only the velocities: travel as well as it can be told in
+ * double. */
 void period_sum_up(const struct scallop_scaled *scaled, struct period *period);
 void period_conclude(const struct scallop_scaled *scaled, struct period *period);
 
@@ -48,6 +49,7 @@ void period_conclude(const struct scallop_scaled *scaled, struct period *period)
 void period_begin(struct period *period);
 void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period);
 /* Velocities in L/T, the displacement in L */
-void period_result(const struct scallop_scaled *scaled, const struct period *period, struct scallop_period_result *result);
+void period_result(const struct scallop_scaled *scaled, const struct period *period,
+                   struct scallop_period_result *result);
 
 #endif

@@ -22,8 +22,8 @@ static enum scallop_status scale(const struct scallop_crawler *crawler, enum sca
   return kept ? SCALLOP_OK : SCALLOP_ERANGE;
 }
 
-enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
-                                            scallop_visitor *visit, void *context)
+enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
+                                            double v0, scallop_visitor *visit, void *context)
 {
   struct scallop_scaled scaled;
   struct motion motion;
@@ -36,8 +36,8 @@ enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawle
   return SCALLOP_OK;
 }
 
-/* How far something comes, beyond[i] further than the centre of mass, body 1 and body 2: from the one whose parts cancel least.
- * left: of the sum, if that is less than it was and much has cancelled. */
+/* How far something comes, beyond[i] further than the centre of mass, body 1 and body 2: from the one whose parts
+ * cancel least. left: of the sum, if that is less than it was and much has cancelled. */
 static double best_way(const struct motion_ways *ways, const double beyond[3], double *left)
 {
   int best = 0;
@@ -82,9 +82,10 @@ enum scallop_status solve_phase(const struct scallop_crawler *crawler, enum scal
   };
   motion_modes(&motion, kind, &answer.modes);
   bool has_switch = !isnan(motion.first_switch);
-  if (!scaling_keeps(motion.c_end, answer.v_end) || !scaling_keeps(way[0], answer.dx1) || !scaling_keeps(way[1], answer.dx2)
-      || !scaling_keeps(way[2], answer.dxC)
-      || (has_switch && !(scaling_keeps(motion.first_switch, answer.t1) && scaling_keeps(motion.last_switch, answer.dT))))
+  if (!scaling_keeps(motion.c_end, answer.v_end) || !scaling_keeps(way[0], answer.dx1)
+      || !scaling_keeps(way[1], answer.dx2) || !scaling_keeps(way[2], answer.dxC)
+      || (has_switch
+          && !(scaling_keeps(motion.first_switch, answer.t1) && scaling_keeps(motion.last_switch, answer.dT))))
     return SCALLOP_ERANGE;
   *result = answer;
   return SCALLOP_OK;

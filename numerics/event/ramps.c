@@ -45,7 +45,8 @@ INLINE void hold(struct progress *p, double c, double q, double way)
   p->c = c;
 }
 
-/* A curve is crossed: along is its slope, where c' is `slope` before and `then` afterwards, and extra changes by `change`. */
+/* A curve is crossed: along is its slope, where c' is `slope` before and `then` afterwards, and extra changes by
+ * `change`. */
 INLINE void cross(struct progress *p, double change, double slope, double then, double along)
 {
   double x = change / (slope - along);
@@ -162,8 +163,8 @@ INLINE bool held_down(struct progress *p, const struct ramps *r, bool above)
   const struct line *s = &p->line;
   double u = r->rest, steep = r->down * (above ? s->q0 : s->q1);
   if (above ? -steep > s->between : steep < s->between) {
-    /* GCOVR_EXCL_START: never, with up and down > 0: a body is held on the way up where the slope of its curve, which then changes its
-     * sign, lies between 0 and s->between */
+    /* GCOVR_EXCL_START: never, with up and down > 0: a body is held on the way up where the slope of its curve, which
+     * then changes its sign, lies between 0 and s->between */
     p->events++;
     begin(p, BETWEEN, r->top, u);
     return between_down(p, r, u);

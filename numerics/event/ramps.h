@@ -1,6 +1,6 @@
-/* The exact motion over a phase whose |l'| rises along one straight line and falls along another, from rest to rest: the
- * quadratic gait. What motion.c finds by walking from event to event is here a tree of closed forms, one division an
- * event; and nothing is rounded that motion.c keeps. Not public.
+/* The exact motion over a phase whose |l'| rises along one straight line and falls along another, from rest to rest:
+ * the quadratic gait. What motion.c finds by walking from event to event is here a tree of closed forms, one division
+ * an event; and nothing is rounded that motion.c keeps. Not public.
  *
  * Without it concave.c and motion.c would give the same answers; `make instructions` counts what it saves.
  */
@@ -14,13 +14,15 @@ struct ramps {
   double top, rest; /* rest = 1 - top                                                                    */
 };
 
-/* The regions and curves of motion.c on which c lies in turn, in short: state + 1 in three bits each, the first one lowest. */
+/* The regions and curves of motion.c on which c lies in turn, in short: state + 1 in three bits each, the first one
+ * lowest. */
 enum trail_state { ABOVE, BETWEEN, BELOW, HELD_ABOVE /* on curve 0 */, HELD_BELOW /* on curve 1 */ };
 enum { TRAIL_BITS = 3, TRAIL_MASK = 7 };
 unsigned trail_mirrored(unsigned trail);
 void trail_modes(unsigned trail, enum scallop_phase_kind kind, struct scallop_modes *modes);
 
-/* What c meets, in units of the phase, seen in a mirror where c starts below 0: curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|. */
+/* What c meets, in units of the phase, seen in a mirror where c starts below 0: curve 0 is c = q0 |l'|, curve 1 is c =
+ * -q1 |l'|. */
 struct line {
   double q0, q1, eps, between; /* c' is -eps, between, eps in regions 0, 1, 2                            */
   double f_first, f_second;    /* of the body that turns first, and of the other, over F1 + F2           */
@@ -45,8 +47,8 @@ static inline struct ramps ramps_of(const struct scallop_shape *shape)
   return (struct ramps){ a->direction * a->acceleration, -b->direction * b->acceleration, a->end, b->begin };
 }
 
-/* As motion_solve, without a visitor; the modes come as motion->trail. False: something touches or meets exactly, within rounding,
- * which is for motion_solve to judge; *motion is then of no use. */
+/* As motion_solve, without a visitor; the modes come as motion->trail. False: something touches or meets exactly,
+ * within rounding, which is for motion_solve to judge; *motion is then of no use. */
 bool ramps_solve(const struct motion_input *input, double c0, struct motion *motion);
 
 #endif

@@ -30,15 +30,16 @@ static struct tangent tangent_at(const struct scallop_piece *p, double x)
   return (struct tangent){ slope, p->direction * velocity - slope * x };
 }
 
-struct aim {                  /* of one phase                                                                        */
-  double q, between, outside; /* of the body that turns: its curve; c' between the crossings, minus c' before and after */
-  double t, u;                /* the crossings                                                                    */
+struct aim { /* of one phase                                                                        */
+  double q, between,
+      outside; /* of the body that turns: its curve; c' between the crossings, minus c' before and after */
+  double t, u; /* the crossings                                                                    */
 };
 
 static double margin(double steep, double slope) { return fabs(steep - slope) / (fabs(steep) + fabs(slope)); }
 
-/* The tangents at the crossings just found; true: so small a step away from those before that the tangents touch at the crossings, to all
- * digits, and have the slopes there, which the multiplier needs. */
+/* The tangents at the crossings just found; true: so small a step away from those before that the tangents touch at the
+ * crossings, to all digits, and have the slopes there, which the multiplier needs. */
 static bool touch(const struct scallop_shape *shape, double t, double u, struct aim *aim, struct tangents *tangents)
 {
   *tangents = (struct tangents){ tangent_at(&shape->pieces[0], t), tangent_at(&shape->pieces[shape->count - 1], u) };
@@ -56,7 +57,8 @@ static bool is_delicate(const struct scallop_shape *shape, const struct aim *aim
   static const double small = 0x1p-5;
   double up = aim->q * tangents->first.slope, down = aim->q * tangents->last.slope;
   return tangents->first.slope < small * fabs(shape->l0) || tangents->last.slope < small * fabs(shape->lT)
-         || margin(up, aim->between) < small || margin(down, -aim->between) < small || margin(down, aim->outside) < small;
+         || margin(up, aim->between) < small || margin(down, -aim->between) < small
+         || margin(down, aim->outside) < small;
 }
 
 void regular_modes(bool forward, struct scallop_modes modes[2])

@@ -1,11 +1,11 @@
-/* The steady state with the regular modes: each phase begins and ends with both bodies moving one way, and in between one of
- * them turns back and forth, never held. Inline and without a branch, so that many crawlers can be solved in a row by
- * vector instructions. Not public.
+/* The steady state with the regular modes: each phase begins and ends with both bodies moving one way, and in between
+ * one of them turns back and forth, never held. Inline and without a branch, so that many crawlers can be solved in a
+ * row by vector instructions. Not public.
  *
- * For phases whose |l'| is concave, from 0 to 0. Then the first and the last crossing of curve 0 are all there is: |l'| lies
- * above the line that c follows between them and below it outside. If |l'| is replaced by its tangents at the two crossings,
- * s t + k from the start and s u + k from the end, then, with c the velocity of the centre of mass in L/tau, q |l'| the curve,
- * f the friction of the body that turns and beta = (F_turns - F_other)/(F1 + F2),
+ * For phases whose |l'| is concave, from 0 to 0. Then the first and the last crossing of curve 0 are all there is: |l'|
+ * lies above the line that c follows between them and below it outside. If |l'| is replaced by its tangents at the two
+ * crossings, s t + k from the start and s u + k from the end, then, with c the velocity of the centre of mass in L/tau,
+ * q |l'| the curve, f the friction of the body that turns and beta = (F_turns - F_other)/(F1 + F2),
  *     t1 = (c_start - q k)/(q s + eps)                           the first crossing
  *     dT = (q (s t1 + k) + beta eps (1 - t1) - q k')/(q s' + beta eps)   the last one, from the end
  *     c_end = (q s' - eps) dT + q k'
@@ -14,8 +14,8 @@
  * Where |l'| is made of two straight ramps this is the answer; elsewhere it is a step of Newton's method for all four
  * crossings and the velocity at once.
  *
- * What it saves, as in ramps.h (else a search, period by period): 900 for 2495 for a steady state of the quadratic gait, 5622 for 16307 of the
- * sinusoidal one.
+ * What it saves, as in ramps.h (else a search, period by period): 900 for 2495 for a steady state of the quadratic
+ * gait, 5622 for 16307 of the sinusoidal one.
  */
 #ifndef SCALLOP_NUMERICS_EVENT_REGULAR_H
 #define SCALLOP_NUMERICS_EVENT_REGULAR_H
@@ -48,8 +48,8 @@ struct regular {
 };
 
 /* f: of the body that turns, over F1 + F2 */
-SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct tangents *tangents, double q, double f, double eps,
-                                    double beta)
+SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct tangents *tangents, double q, double f,
+                                    double eps, double beta)
 {
   p->up = q * tangents->first.slope;
   p->down = q * tangents->last.slope;
@@ -80,8 +80,9 @@ SCALLOP_INLINE int regular_run(struct regular_phase *p, double c)
 }
 
 /* driven: 2 alpha - 1 as the gait has it. True: these are the modes, if every time lies where its tangent is meant. */
-SCALLOP_INLINE int regular_steady(const struct scaling *s, double alpha, double driven, const struct tangents *extension,
-                                  const struct tangents *contraction, struct regular *out)
+SCALLOP_INLINE int regular_steady(const struct scaling *s, double alpha, double driven,
+                                  const struct tangents *extension, const struct tangents *contraction,
+                                  struct regular *out)
 {
   int forward = s->delta * driven > 0; /* backward is forward with the bodies exchanged, in a mirror */
   double sign = forward ? 1 : -1, beta = sign * s->delta, b = 1 - alpha;
@@ -120,7 +121,8 @@ SCALLOP_INLINE int regular_steady(const struct scaling *s, double alpha, double 
 /* The tangents at the two ends of a phase: of two straight ramps they are all. */
 SCALLOP_INLINE struct tangents regular_ends(const struct scallop_shape *shape)
 {
-  return (struct tangents){ { shape->pieces[0].direction * shape->l0, 0 }, { -shape->pieces[0].direction * shape->lT, 0 } };
+  return (struct tangents){ { shape->pieces[0].direction * shape->l0, 0 },
+                            { -shape->pieces[0].direction * shape->lT, 0 } };
 }
 
 /* Whether no body is held where |l'| falls to 0 at the end of a phase: slope, of |l'| there; eps, of the phase. */

@@ -18,8 +18,8 @@ static double value(const struct problem *p, double u)
   return p->f(p->context, u, &slope);
 }
 
-/* From p towards the root: the cubic through p and the point before it, as u over f, at f = 0. Written so that no power of f is formed,
- * which could underflow. */
+/* From p towards the root: the cubic through p and the point before it, as u over f, at f = 0. Written so that no power
+ * of f is formed, which could underflow. */
 static double inverse_cubic_step(const struct root_end *p, const struct root_end *before)
 {
   double d = p->f - before->f, steep = 1 / p->slope, part = p->f / d;
@@ -27,8 +27,8 @@ static double inverse_cubic_step(const struct root_end *p, const struct root_end
   return part * part * (3 * e + g - part * (g + 2 * e)) - p->f * steep;
 }
 
-/* Will a step of inverse cubic interpolation end at the root to all digits? Its error is about k^3 (step last)^2, with k the relative change of
- * the slope per unit of u, which is large near a graze and is 1/u at least. */
+/* Will a step of inverse cubic interpolation end at the root to all digits? Its error is about k^3 (step last)^2, with
+ * k the relative change of the slope per unit of u, which is large near a graze and is 1/u at least. */
 static bool is_last(const struct root_end *p, const struct root_end *before, double step, double last)
 {
   double k = fmax(fabs((p->slope - before->slope) / (last * p->slope)), 1 / fabs(p->u));
@@ -42,19 +42,20 @@ static double clamp(double u, double a, double b)
   return u < lo ? lo : u > hi ? hi : u;
 }
 
-/* The first of u a few ulp, 16 times that, and so on towards far at which f has no longer the sign that it has at u: the root may be so near to 0
- * that halving the whole interval would not get there. */
+/* The first of u a few ulp, 16 times that, and so on towards far at which f has no longer the sign that it has at u:
+ * the root may be so near to 0 that halving the whole interval would not get there. */
 static double beyond_root(const struct problem *problem, double u, double f, double far)
 {
-  for (double step = copysign(4 * DBL_EPSILON * fmax(fabs(u), DBL_MIN), far - u); fabs(step) < fabs(far - u); step *= 16)
+  for (double step = copysign(4 * DBL_EPSILON * fmax(fabs(u), DBL_MIN), far - u); fabs(step) < fabs(far - u);
+       step *= 16)
     if ((value(problem, u + step) > 0) != (f > 0))
       return u + step;
   return far;
 }
 
-/* Between u and far f changes its sign. Where they are of different orders of magnitude the root is looked for by these first: where f has
- * hardly a slope at 0 it may be as near to that as a square root, and halving would be slow. Returns the end opposite to *u, which
- * becomes the end where f has the sign of f_u. */
+/* Between u and far f changes its sign. Where they are of different orders of magnitude the root is looked for by these
+ * first: where f has hardly a slope at 0 it may be as near to that as a square root, and halving would be slow. Returns
+ * the end opposite to *u, which becomes the end where f has the sign of f_u. */
 static double same_magnitude(const struct problem *problem, double *u, double f_u, double far)
 {
   const double far_apart = 0x1p40;
@@ -72,13 +73,14 @@ double root_between(root_function *f, const void *context, struct root_end a, st
   if (a.f == 0 || b.f == 0)
     return a.f == 0 ? a.u : b.u;
   bool straight = fabs(b.slope - a.slope) <= 0x1p-40 * fabs(a.slope);
-  bool from_a = straight ? fabs(a.f) < fabs(b.f)                                  /* the step that rounding does least to */
+  bool from_a = straight ? fabs(a.f) < fabs(b.f) /* the step that rounding does least to */
                          : (a.f > 0) == ((b.slope - a.slope > 0) == (b.u > a.u)); /* f f'' > 0 there */
   struct root_end before = from_a ? a : b, p = before;
   p.u = clamp(before.u - before.f / before.slope, a.u, b.u);
   double last_step = p.u - before.u;
   if (fabs(last_step)
-      <= 4 * DBL_EPSILON * fabs(p.u)) /* so near to the root that the next step would divide by a difference of roundings */
+      <= 4 * DBL_EPSILON
+             * fabs(p.u)) /* so near to the root that the next step would divide by a difference of roundings */
     return p.u;
   int steps = 0;
   for (; steps < STEPS && p.u != before.u; steps++) { /* else the root is too near the end for a step to show */

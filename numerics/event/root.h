@@ -18,9 +18,9 @@ struct root_end {
  * flat at the root (grazing) and this is slow, the ITP method (itp.h), and a last Newton step. */
 double root_between(root_function *f, const void *context, struct root_end a, struct root_end b);
 
-/* A step of Newton's method so small beside the root x, at least one inflection or end of x away, that the next would show only rounding:
- * the error is then about step^2/(margin x), and rounding that of x over margin. margin: how far the slopes that meet there are
- * from being the same, in parts of their size. */
+/* A step of Newton's method so small beside the root x, at least one inflection or end of x away, that the next would
+ * show only rounding: the error is then about step^2/(margin x), and rounding that of x over margin. margin: how far
+ * the slopes that meet there are from being the same, in parts of their size. */
 static inline double root_step(double margin)
 {
   double small = 1e-9 * margin, rounding = 8 * DBL_EPSILON / margin;

@@ -1,14 +1,15 @@
-/* A phase, a period and a steady state in double alone; numerics.c mends by wider arithmetic what these doubt. Not public. */
+/* A phase, a period and a steady state in double alone; numerics.c mends by wider arithmetic what these doubt. Not
+ * public. */
 #ifndef SCALLOP_NUMERICS_EVENT_SOLVE_H
 #define SCALLOP_NUMERICS_EVENT_SOLVE_H
 
 #include "numerics/numerics.h"
 
 struct doubt {
-  double
-      left; /* < 1: so much of the parts of a displacement is left after cancellation that wider arithmetic is needed; else 1 */
-  bool
-      delicate; /* a change of the start velocity by less than an ulp changes the multiplier                                     */
+  /* < 1: so much of the parts of a displacement is left after cancellation that wider arithmetic is needed; else 1 */
+  double left;
+  /* a change of the start velocity by less than an ulp changes the multiplier */
+  bool delicate;
   bool amplified; /* left is of a velocity: rounding of times, or of what friction has taken, is many ulp of it */
 };
 

@@ -13,8 +13,8 @@ static inline bool start_is_kept(double v0, double c0, double eps)
   return v0 == 0 || (fabs(c0) < DBL_MAX && fabs(c0) / (64 * (1 + eps)) > 0);
 }
 
-/* The crawler and its start velocity in units of L and T. SCALLOP_EDOMAIN: a bad crawler, or v0 not finite; SCALLOP_ERANGE: scaling
- * overflows, or loses v0. */
+/* The crawler and its start velocity in units of L and T. SCALLOP_EDOMAIN: a bad crawler, or v0 not finite;
+ * SCALLOP_ERANGE: scaling overflows, or loses v0. */
 static inline enum scallop_status start_scaled(const struct scallop_crawler *crawler, double v0,
                                                struct scallop_scaled *scaled, double *c0)
 {

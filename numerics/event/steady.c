@@ -73,8 +73,8 @@ static struct bracket steady_states(const struct scallop_scaled *s, double c)
   return (struct bracket){ c, c };
 }
 
-/* Whether a body is held at c for less than rounding of c, and the balance, level on a side of c, drives c away there. If so, sets *c to
- * a velocity on that side. Without a jump of l' no balance is level. */
+/* Whether a body is held at c for less than rounding of c, and the balance, level on a side of c, drives c away there.
+ * If so, sets *c to a velocity on that side. Without a jump of l' no balance is level. */
 static bool is_driven_away(const struct scallop_scaled *s, double *c)
 {
   if (!has_jump(s))
@@ -92,8 +92,8 @@ static bool is_driven_away(const struct scallop_scaled *s, double *c)
   return false;
 }
 
-/* The contraction maps velocities as the extension maps their opposites. Then the mirror image of a steady state, half a period late, is
- * steady too. As there is only one steady state, both are the same, and the displacement is 0. */
+/* The contraction maps velocities as the extension maps their opposites. Then the mirror image of a steady state, half
+ * a period late, is steady too. As there is only one steady state, both are the same, and the displacement is 0. */
 static bool is_mirrored(const struct scallop_scaled *s)
 {
   if (s->fraction[SCALLOP_EXTENSION] != s->fraction[SCALLOP_CONTRACTION] || !scallop_gait_mirrors(s->gait))
@@ -113,8 +113,8 @@ static bool is_level(const struct scallop_shape *shape)
   return true;
 }
 
-/* l' jumps between two levels, and each jump throws the same body, first one way and then the other. Friction brings it to rest each
- * time, in opposite modes, so that the displacement is 0. */
+/* l' jumps between two levels, and each jump throws the same body, first one way and then the other. Friction brings it
+ * to rest each time, in opposite modes, so that the displacement is 0. */
 static bool is_thrown_back(const struct scallop_scaled *s, const struct period *p)
 {
   struct scallop_modes modes[2];
@@ -139,8 +139,8 @@ static void add_work(struct scallop_work *work, const struct period *p)
   }
 }
 
-/* The velocity to go to from c: Newton's step on the balance, or, once a body has been stuck and the map has forgotten where it
- * began, the map's value. */
+/* The velocity to go to from c: Newton's step on the balance, or, once a body has been stuck and the map has forgotten
+ * where it began, the map's value. */
 static double next_guess(const struct period *p)
 {
   return p->forgets ? p->c_end : p->c_start - p->balance / p->balance_slope;
@@ -168,8 +168,8 @@ static void improve(const struct scallop_scaled *s, struct period *p)
   p->c_start = p->c_end;
 }
 
-/* Newton's method in a bracket, which is halved whenever two steps did not halve the balance. within: the bracket; NULL: surely(), which is
- * computed only when Newton's method is slow or leaves what is known of the bracket. */
+/* Newton's method in a bracket, which is halved whenever two steps did not halve the balance. within: the bracket;
+ * NULL: surely(), which is computed only when Newton's method is slow or leaves what is known of the bracket. */
 static enum scallop_status find_root(const struct scallop_scaled *s, double guess, const struct bracket *within,
                                      struct period *p, struct scallop_work *work)
 {
@@ -204,9 +204,10 @@ static enum scallop_status find_root(const struct scallop_scaled *s, double gues
 
 static bool has_ramps(const struct scallop_gait *gait) { return gait->phase[0].ramps && gait->phase[1].ramps; }
 
-/* If the root is near the level of a curve over a plateau of l', finds it once more with velocities counted from that level: friction may
- * change c by less than an ulp of c, but this change decides where on the plateau c meets the curve, and so the modes and the multiplier.
- * False: the search from there finds no root, or one from which c goes far from the level. */
+/* If the root is near the level of a curve over a plateau of l', finds it once more with velocities counted from that
+ * level: friction may change c by less than an ulp of c, but this change decides where on the plateau c meets the
+ * curve, and so the modes and the multiplier. False: the search from there finds no root, or one from which c goes far
+ * from the level. */
 static bool find_from_level(const struct scallop_scaled *s, struct period *p, struct scallop_work *work)
 {
   const double c = p->c_start, rounding = 4 * DBL_EPSILON;
@@ -224,7 +225,8 @@ static bool find_from_level(const struct scallop_scaled *s, struct period *p, st
     period_begin(&q);
     q.base[kind] = level;
     q.base[1 - kind] = same != 0 ? same : there;
-    if (find_root(s, 0, &within, &q, work) == SCALLOP_OK && fabs(q.c_start) < 0.75 * reach && fabs(q.c_mid) < 2 * reach) {
+    if (find_root(s, 0, &within, &q, work) == SCALLOP_OK && fabs(q.c_start) < 0.75 * reach
+        && fabs(q.c_mid) < 2 * reach) {
       period_sum_up(s, &q);
       q.base[0] = q.base[1] = 0;
       q.c_start += base;
@@ -286,9 +288,9 @@ static void set_held(struct steady *at, const struct held *h)
   at->size = h->size;
 }
 
-/* Where |l'| rises with the n-th power of the time, c meets it at a time that goes with the n-th root of c. Rounding of the times, of which
- * the balance is the sum, is magnified n-fold in c then: with n = 14 the results of the four rounding modes were up to 91 units apart. It
- * matters where an ulp of F1, F2 or alpha does less to the balance. */
+/* Where |l'| rises with the n-th power of the time, c meets it at a time that goes with the n-th root of c. Rounding of
+ * the times, of which the balance is the sum, is magnified n-fold in c then: with n = 14 the results of the four
+ * rounding modes were up to 91 units apart. It matters where an ulp of F1, F2 or alpha does less to the balance. */
 static bool is_amplified(const struct scallop_scaled *s, const struct period *p)
 {
   const double most = 6; /* as for n = 3, where half of the sum balances the other half */
@@ -313,8 +315,8 @@ static void look_for_doubt(const struct scallop_scaled *s, const struct period *
   doubt->amplified = doubt->left < 1;
 }
 
-/* A displacement is the sum of a part for each mode and piece. With more than three straight pieces in a phase the results of the four
- * rounding modes were up to 11 ulp of the sum of the magnitudes of the parts apart. */
+/* A displacement is the sum of a part for each mode and piece. With more than three straight pieces in a phase the
+ * results of the four rounding modes were up to 11 ulp of the sum of the magnitudes of the parts apart. */
 static bool has_many(const struct scallop_shape *shape) { return shape->count > (shape->pieces[0].linear ? 3 : 4); }
 
 /* As in struct doubt */
@@ -359,7 +361,8 @@ static bool solve_held(const struct scallop_scaled *s, double order, struct stea
 }
 
 /* Any motion, beginning from c, or, where the extension ends at rest, from there. */
-static enum scallop_status search(const struct scallop_scaled *s, enum regular_outcome hint, double c, struct steady *at)
+static enum scallop_status search(const struct scallop_scaled *s, enum regular_outcome hint, double c,
+                                  struct steady *at)
 {
   struct period period;
   at->work = (struct scallop_work){ 0 };
@@ -441,7 +444,8 @@ enum scallop_status solve_steady(const struct scallop_crawler *crawler, struct s
   return status;
 }
 
-enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler, double v_start, double v_mid, double *work)
+enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler, double v_start, double v_mid,
+                                          double *work)
 {
   struct scallop_scaled s;
   struct motion motion;

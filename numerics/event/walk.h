@@ -1,20 +1,20 @@
-/* The walk from event to event through one phase, once for every floating type: motion.c makes the solver in double of it, wide_solve.h
- * the ones in wider types. No header in the usual sense, and not public. Before including it define
+/* The walk from event to event through one phase, once for every floating type: motion.c makes the solver in double of
+ * it, wide_solve.h the ones in wider types. No header in the usual sense, and not public. Before including it define
  *
  *     real                                              the type
  *     walk_velocity(piece), walk_acceleration(piece)    of a piece that is linear: l' at its anchor, and l''
  *     walk_curve(piece, u, &velocity, &acceleration)    l' and l'' at offset u of a piece that is not linear
  *     walk_when(piece, a)                               u in a curved piece with l''(u) = a, nan if there is none
- *     walk_way(piece, from, to)                         what |l'| covers between two offsets of such a piece, whichever is first
- *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, which may be far larger than their difference
+ *     walk_way(piece, from, to)                         what |l'| covers between two offsets of such a piece
+ *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, without cancellation
  *     struct root_end, root_function, root_between      as in root.h
  *
- *     walk_show(walk, u, c)                             what is told of each interval of constant mode; of a function the declaration
+ *     walk_show(walk, u, c)                             what is told of each interval of constant mode
  */
 #include "numerics/event/walk_meet.h"
 
-/* At a node within the phase. c is below it if c has crossed the curves that come to the node downwards, nearer to it than u tells. At c = 0 a
- * slightly larger c, which the derivative is for, has crossed them upwards. */
+/* At a node within the phase. c is below it if c has crossed the curves that come to the node downwards, nearer to it
+ * than u tells. At c = 0 a slightly larger c, which the derivative is for, has crossed them upwards. */
 static void come_to_node(struct walk *w)
 {
   int first = w->c < 0 ? 0 : 1;
@@ -24,8 +24,8 @@ static void come_to_node(struct walk *w)
     meet(w, 1 - first, true);
 }
 
-/* The piece does not touch the end of the phase that it is anchored at, or |l'| goes to 0 at its other end: an ulp of u is more than an
- * ulp of |l'| there. Where |l'| only rises from the anchor, concave, it never is. */
+/* The piece does not touch the end of the phase that it is anchored at, or |l'| goes to 0 at its other end: an ulp of u
+ * is more than an ulp of |l'| there. Where |l'| only rises from the anchor, concave, it never is. */
 static inline bool is_vague(const struct walk *w, real u, const struct rates *there)
 {
   const int much = 4;
@@ -33,7 +33,8 @@ static inline bool is_vague(const struct walk *w, real u, const struct rates *th
   return (p->begin > 0 && p->end > 0) || magnitude(there->rate) * given_offset(w, u) > much * there->speed;
 }
 
-/* c meets curve j a little late: is it better off where its line is then, or on the curve, to go on along the next line? */
+/* c meets curve j a little late: is it better off where its line is then, or on the curve, to go on along the next
+ * line? */
 static bool line_tells_better(const struct walk *w, int j, const struct rates *there)
 {
   real next = w->slope[w->region <= j ? j + 1 : j];
@@ -47,7 +48,8 @@ static inline void begin_line(struct walk *w, real lost)
   w->line_time = 0;
 }
 
-/* That rest if there are many pieces: counted from where the line began, so that no error adds up from piece to piece. lost: what rounding drops */
+/* That rest if there are many pieces: counted from where the line began, so that no error adds up from piece to piece.
+ * lost: what rounding drops */
 static real rest_on_line(struct walk *w, real duration, real *lost)
 {
   real gained = w->lost + w->slope[w->region] * (w->line_time + duration), rest = w->line_rest + gained;
@@ -94,7 +96,8 @@ static void slide(struct walk *w)
     w->v[met] = 0; /* not on the side where it goes on, by rounding */
 }
 
-/* Where the body that is held by curve j is released, into region `to`: between here and the end, or at once if it is at its limit. */
+/* Where the body that is held by curve j is released, into region `to`: between here and the end, or at once if it is
+ * at its limit. */
 static real released(const struct walk *w, int j, int to)
 {
   const struct scallop_piece *p = w->piece;
@@ -189,8 +192,8 @@ static void look_along(struct walk *w, const struct scallop_piece *next)
     w->end.speed = 0;
 }
 
-/* At the begin of a piece, if c is counted from a level: where a ramp meets a plateau |l'| is that of the plateau to the last digit, and
- * the velocities of the bodies are formed anew from the level. */
+/* At the begin of a piece, if c is counted from a level: where a ramp meets a plateau |l'| is that of the plateau to
+ * the last digit, and the velocities of the bodies are formed anew from the level. */
 static void look_from_level(struct walk *w, const struct scallop_piece *before, real speed_before,
                             const struct scallop_piece *next)
 {

@@ -17,7 +17,8 @@ static inline real steepest(const struct scallop_shape *shape)
   return start > rise ? start : rise;
 }
 
-/* A curve whose slope here is `along`, and `steep` where it is steepest, crossed by a line with these slopes on its sides. */
+/* A curve whose slope here is `along`, and `steep` where it is steepest, crossed by a line with these slopes on its
+ * sides. */
 static inline bool is_delicate(real along, real before, real after, real steep)
 {
   const int small = 32;
@@ -53,8 +54,8 @@ static inline void meet(struct walk *w, int j, bool moved)
   w->region = to;
 }
 
-/* The next curve met in a region. A curve that is touched and not crossed splits the derivative of the map. The one from the right is
- * kept: a touch counts from below, where a slightly larger c would cross, and not from above. */
+/* The next curve met in a region. A curve that is touched and not crossed splits the derivative of the map. The one
+ * from the right is kept: a touch counts from below, where a slightly larger c would cross, and not from above. */
 
 struct gap { /* the distance of c to curve j, positive inside the region                */
   const struct walk *walk;
@@ -109,8 +110,8 @@ static inline bool straight_contact(const struct gap *g, real *u)
   return closes(g, left);
 }
 
-/* The gap to a curve that c has just crossed, or has left since it was on it, formed from what changes from here on: it may be far smaller
- * than rounding is in c. */
+/* The gap to a curve that c has just crossed, or has left since it was on it, formed from what changes from here on: it
+ * may be far smaller than rounding is in c. */
 static real gap_since(const void *context, real u, real *slope)
 {
   const struct gap *g = context;
@@ -120,8 +121,8 @@ static real gap_since(const void *context, real u, real *slope)
   return g->side * (g->now + (g->c_slope * (w->sense * (u - w->u)) - g->curve * walk_rise(w->piece, w->u, u)));
 }
 
-/* c has just crossed the curve and turns towards it again soon, at u = turn: then it is back after about twice that time, and four times
- * are enough. False: not soon enough for that, or not back. */
+/* c has just crossed the curve and turns towards it again soon, at u = turn: then it is back after about twice that
+ * time, and four times are enough. False: not soon enough for that, or not back. */
 static bool comes_back(const struct gap *g, real turn, real *u)
 {
   const struct walk *w = g->walk;
@@ -182,7 +183,8 @@ static inline bool contact(const struct walk *w, int j, real *u)
   real c_slope = w->slope[w->region];
   bool closed = w->v[j] == 0, since = j == w->left && is_near_left(w->v[j], w->c);
   real now = closed ? 0 : since ? w->v[j] : above(w, w->rest, w->curve[j] * w->here.speed);
-  struct gap g = { w,    w->region <= j ? 1 : -1, w->curve[j], w->rest - c_slope * (w->sense * w->u), c_slope, now, closed,
-                   since };
+  struct gap g = {
+    w, w->region <= j ? 1 : -1, w->curve[j], w->rest - c_slope * (w->sense * w->u), c_slope, now, closed, since
+  };
   return w->piece->linear ? straight_contact(&g, u) : curved_contact(&g, u);
 }

@@ -35,16 +35,17 @@ struct walk_sums {
 
 static inline bool is_plateau(const struct scallop_piece *p) { return p->linear && p->acceleration == 0; }
 
-/* The level of a curve over a plateau of l', if c is no further from the level than `near`; else 0. Friction changes c in a phase by
- * eps at most, which may be less than rounding of c. If c is counted from the level that change keeps its digits, because the level
- * minus the curve is exactly 0 on the plateau. */
+/* The level of a curve over a plateau of l', if c is no further from the level than `near`; else 0. Friction changes c
+ * in a phase by eps at most, which may be less than rounding of c. If c is counted from the level that change keeps its
+ * digits, because the level minus the curve is exactly 0 on the plateau. */
 static real walk_level(const struct walk_input *in, real c, real near)
 {
   for (int i = 0; i < in->shape->count; i++) {
     const struct scallop_piece *p = &in->shape->pieces[i];
     if (!is_plateau(p) || p->direction == 0)
       continue;
-    real q = (p->direction > 0) == (c > 0) ? in->mu2 : in->mu1, level = (c > 0 ? q : -q) * (p->direction * walk_velocity(p));
+    real q = (p->direction > 0) == (c > 0) ? in->mu2 : in->mu1,
+         level = (c > 0 ? q : -q) * (p->direction * walk_velocity(p));
     if (c - level <= near && level - c <= near)
       return level;
   }
@@ -65,8 +66,9 @@ enum { WALK_FEW_PIECES = 4 };
  *
  * Region j lies above curve j and region j + 1 below it.
  *
- * Where l' is 0 the curves meet at c = 0 and region 1 ends: a node. A motion that reaches a node within a phase through region 1, or along
- * a curve, has exactly c = 0 there. In a dwell, while l' stays 0, both curves are c = 0; on them both bodies are at rest. */
+ * Where l' is 0 the curves meet at c = 0 and region 1 ends: a node. A motion that reaches a node within a phase through
+ * region 1, or along a curve, has exactly c = 0 there. In a dwell, while l' stays 0, both curves are c = 0; on them
+ * both bodies are at rest. */
 struct walk {
   const struct walk_input *in;
   struct leg leg;
@@ -186,7 +188,10 @@ static inline void body_comes(struct walk *w, int j, real x, real size)
 }
 
 /* What rounding drops of x + y, whose rounded sum is given (Neumaier's variant of Kahan's sum) */
-static inline real dropped(real sum, real x, real y) { return magnitude(x) >= magnitude(y) ? (x - sum) + y : (y - sum) + x; }
+static inline real dropped(real sum, real x, real y)
+{
+  return magnitude(x) >= magnitude(y) ? (x - sum) + y : (y - sum) + x;
+}
 
 /* Adds x and keeps what rounding drops. */
 static void add(struct walk_sum *sum, real *x)
@@ -213,9 +218,10 @@ static inline real covers(const struct walk *w, real u, const struct rates *ther
   return w->piece->linear ? (w->here.speed + there->speed) / 2 * (w->sense * (u - w->u)) : walk_way(w->piece, w->u, u);
 }
 
-/* The acceleration of the body of curve j where l' is linear. Where its own friction nearly balances l'' that difference comes first: it is
- * then the same rounded amount in all modes of the phase, and the displacements that come of it, one way and the other, cancel as they
- * should. Where the two frictions nearly balance each other theirs does, which is known exactly. */
+/* The acceleration of the body of curve j where l' is linear. Where its own friction nearly balances l'' that
+ * difference comes first: it is then the same rounded amount in all modes of the phase, and the displacements that come
+ * of it, one way and the other, cancel as they should. Where the two frictions nearly balance each other theirs does,
+ * which is known exactly. */
 static inline real body_slope(const struct walk *w, int j)
 {
   real own = w->region == 0 || (j == 1 && w->region == 1) ? 1 : -1, pulled = w->pull[j] - own * w->push[j];

@@ -16,8 +16,9 @@ struct scallop_rival *scallop_arkode_rival(double tolerance)
 
 #include "numerics/rivals/sundials.h"
 
-_Static_assert(ARK_SUCCESS == SUNDIALS_DONE && ARK_TSTOP_RETURN == SUNDIALS_AT_STOP && ARK_ROOT_RETURN == SUNDIALS_AT_ROOT
-                   && ARK_TOO_CLOSE == SUNDIALS_TOO_CLOSE && ARK_ONE_STEP == SUNDIALS_ONE_STEP,
+_Static_assert(ARK_SUCCESS == SUNDIALS_DONE && ARK_TSTOP_RETURN == SUNDIALS_AT_STOP
+                   && ARK_ROOT_RETURN == SUNDIALS_AT_ROOT && ARK_TOO_CLOSE == SUNDIALS_TOO_CLOSE
+                   && ARK_ONE_STEP == SUNDIALS_ONE_STEP,
                "numbers of ARKODE");
 
 #if SUNDIALS_VERSION_MAJOR < 6
@@ -31,8 +32,8 @@ _Static_assert(ARK_SUCCESS == SUNDIALS_DONE && ARK_TSTOP_RETURN == SUNDIALS_AT_S
 #define ARKODE(call) ERKStep##call
 #endif
 
-/* Cash and Karp's method; roots are sought in its interpolant, of degree 4. At order 4, which the library takes by itself, a tolerance
- * of 1e-12 needs eight times as many steps. */
+/* Cash and Karp's method; roots are sought in its interpolant, of degree 4. At order 4, which the library takes by
+ * itself, a tolerance of 1e-12 needs eight times as many steps. */
 enum { ORDER = 5 };
 
 static bool silence(void *memory)

@@ -96,7 +96,8 @@ static enum scallop_status run_phase(struct rival_phases *phases, const struct s
 static enum scallop_status moreau_period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
                                          const struct scallop_patience *patience, struct scallop_rival_period *period)
 {
-  struct run run = { .phases = { .phase = run_phase, .patience = patience }, .steps = ((const struct moreau *)self)->steps };
+  struct run run = { .phases = { .phase = run_phase, .patience = patience },
+                     .steps = ((const struct moreau *)self)->steps };
   return rival_period(&run.phases, crawler, v0, period);
 }
 

@@ -20,12 +20,11 @@ extern "C" {
 #endif
 
 /* steps equal steps a phase, 1 <= steps <= 2^53. NULL: an argument outside of that, or memory is short. Patience is
- * asked every 256 steps. evaluations: of l'. Never SCALLOP_ECONVERGE.
- * First order, and that from the crossings alone: in the step in which a body turns, friction has the sign of the end
- * for the whole step. So the error lies anywhere below its bound, by where in the step that happens, and does not fall
- * smoothly. Worst seen in 10000 periods, in v_end in L/T and in the displacement in L: 1.8 eps/steps, eps =
- * T^2 (F1 + F2)/(M L); tests/numerics/rivals/test_moreau.c holds both to 2 eps/steps. Rounding adds up to 1e-16 (1 + |c| T/L) steps,
- * and overtakes that at about 1e8 steps. */
+ * asked every 256 steps. evaluations: of l'. Never SCALLOP_ECONVERGE. First order, and that from the crossings alone:
+ * in the step in which a body turns, friction has the sign of the end for the whole step. So the error lies anywhere
+ * below its bound, by where in the step that happens, and does not fall smoothly. Worst seen in 10000 periods, in v_end
+ * in L/T and in the displacement in L: 1.8 eps/steps, eps = T^2 (F1 + F2)/(M L); tests/numerics/rivals/test_moreau.c
+ * holds both to 2 eps/steps. Rounding adds up to 1e-16 (1 + |c| T/L) steps, and overtakes that at about 1e8 steps. */
 struct scallop_rival *scallop_moreau_rival(long steps);
 
 #ifdef __cplusplus

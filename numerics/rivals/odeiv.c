@@ -15,8 +15,8 @@ enum { DIMENSION = 2, MAX_TRIALS = 2200 /* doubles can be halved no longer */ };
 struct scallop_odeiv {
   gsl_odeiv2_driver *driver; /* GSL's multistep methods will not do without one */
   gsl_odeiv2_system system;
-  gsl_odeiv2_step
-      *relay; /* a one-step method that takes a step of a multistep method again; NULL where that needs no other */
+  /* a one-step method that takes a step of a multistep method again; NULL where that needs no other */
+  gsl_odeiv2_step *relay;
   gsl_odeiv2_evolve *relay_evolve;
 };
 
@@ -79,8 +79,8 @@ static void relay_to(struct run *r, double from, struct point *to)
   to->dydt[1] = e->dydt_out[1];
 }
 
-/* One step of the method from `from` to time t. It is shorter than one that the step control has accepted; that says nothing
- * of another method, so there the step control is asked again. */
+/* One step of the method from `from` to time t. It is shorter than one that the step control has accepted; that says
+ * nothing of another method, so there the step control is asked again. */
 static void step_to(struct run *r, const struct point *from, double t, struct point *to)
 {
   const struct scallop_odeiv *tools = r->tools;
@@ -92,8 +92,8 @@ static void step_to(struct run *r, const struct point *from, double t, struct po
     relay_to(r, from->t, to);
   } else {
     r->motion.phases.steps++;
-    check(r,
-          gsl_odeiv2_step_apply(tools->driver->s, from->t, t - from->t, to->y, error, from->dydt, to->dydt, &tools->system));
+    check(r, gsl_odeiv2_step_apply(tools->driver->s, from->t, t - from->t, to->y, error, from->dydt, to->dydt,
+                                   &tools->system));
   }
   to->v2 = to->y[0] + rival_gait_velocity(&r->motion, t);
 }
@@ -117,9 +117,9 @@ static bool dips(struct run *r, const struct point *from, const struct point *to
   return ahead(r, &lowest, body) <= 0;
 }
 
-/* Does a body's velocity fall to zero within the step, and between what times? A body that starts the
- * step at zero, or behind it by the errors of the steps, has just been let go by the forces, so its zero must come after a
- * turning point: it is found behind zero, and being driven further. */
+/* Does a body's velocity fall to zero within the step, and between what times? A body that starts the step at zero, or
+ * behind it by the errors of the steps, has just been let go by the forces, so its zero must come after a turning
+ * point: it is found behind zero, and being driven further. */
 static bool crosses(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body);
@@ -229,8 +229,8 @@ static enum scallop_status run(struct scallop_odeiv *odeiv, const struct scallop
                                double tolerance, const struct scallop_patience *patience,
                                struct scallop_rival_period *period)
 {
-  /* h: the whole piece is the first step tried, as the control cuts down faster than it grows; but a multistep method starts
-   * with Euler's */
+  /* h: the whole piece is the first step tried, as the control cuts down faster than it grows; but a multistep method
+   * starts with Euler's */
   struct run r = { .motion = { .slide = slide },
                    .tools = odeiv,
                    .close = fmax(0.1 * tolerance, 4 * DBL_EPSILON),

@@ -75,7 +75,8 @@ static void next_stride(struct watch *w, double v)
   w->before = change;
 }
 
-/* Has the velocity settled to within `close`, or as far as the noise lets it, after one more period from `from` to v? */
+/* Has the velocity settled to within `close`, or as far as the noise lets it, after one more period from `from` to
+ * v? */
 static bool settled(struct watch *w, double from, double v, double close, double noise)
 {
   if (v == from)
@@ -88,8 +89,8 @@ static bool settled(struct watch *w, double from, double v, double close, double
   return near || change == 0 || w->reversals == REVERSALS;
 }
 
-enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const struct scallop_crawler *crawler, double v0,
-                                           double tolerance, const struct scallop_patience *patience,
+enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const struct scallop_crawler *crawler,
+                                           double v0, double tolerance, const struct scallop_patience *patience,
                                            struct scallop_rival_steady *steady)
 {
   struct search s = { rival, crawler, patience, { .v_start = v0, .displacement = NAN } };
@@ -150,8 +151,8 @@ static void bracket(const struct scallop_scaled *s, double *lo, double *hi)
   *hi = margin * s->velocity * fmax(s->mu2 * e, s->mu1 * c);
 }
 
-/* Friction slows a crawler down that is faster than anything can drive it. If the map does not show it, its errors are larger than
- * what friction does in a period, and a root of it would mean nothing. */
+/* Friction slows a crawler down that is faster than anything can drive it. If the map does not show it, its errors are
+ * larger than what friction does in a period, and a root of it would mean nothing. */
 static bool straddles(const struct root_search *r)
 {
   return r->count == 2 && r->tried[0].change > 0 && r->tried[1].change < 0;
@@ -160,7 +161,8 @@ static bool straddles(const struct root_search *r)
 static enum scallop_status iterate(struct root_search *r, gsl_root_fsolver *solver, double tolerance, double unit)
 {
   for (int i = 0; i < ITERATIONS; i++) {
-    double v = gsl_root_fsolver_root(solver), width = gsl_root_fsolver_x_upper(solver) - gsl_root_fsolver_x_lower(solver);
+    double v = gsl_root_fsolver_root(solver),
+           width = gsl_root_fsolver_x_upper(solver) - gsl_root_fsolver_x_lower(solver);
     if (width <= fmax(tolerance, DBL_EPSILON) * (unit + fabs(v)))
       return SCALLOP_OK;
     if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS)
@@ -180,8 +182,9 @@ static void take(struct root_search *r, double v)
     }
 }
 
-enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct scallop_crawler *crawler, double tolerance,
-                                       const struct scallop_patience *patience, struct scallop_rival_steady *steady)
+enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct scallop_crawler *crawler,
+                                       double tolerance, const struct scallop_patience *patience,
+                                       struct scallop_rival_steady *steady)
 {
   alignas(max_align_t) unsigned char state[BRENT_STATE]; /* so that nothing is allocated */
   struct root_search r = { .search = { rival, crawler, patience, { .v_start = NAN, .displacement = NAN } } };

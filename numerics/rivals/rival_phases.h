@@ -1,6 +1,6 @@
-/* What all rivals share: a period is an extension and then a contraction. A rival brings one phase, which takes c, the velocity of the
- * centre of mass, and x, the way of the centre of mass or of body 1, from its start to its end. Units: L, and the duration of the phase.
- * Private to the rivals. */
+/* What all rivals share: a period is an extension and then a contraction. A rival brings one phase, which takes c, the
+ * velocity of the centre of mass, and x, the way of the centre of mass or of body 1, from its start to its end. Units:
+ * L, and the duration of the phase. Private to the rivals. */
 #ifndef SCALLOP_NUMERICS_RIVALS_RIVAL_PHASES_H
 #define SCALLOP_NUMERICS_RIVALS_RIVAL_PHASES_H
 

@@ -179,8 +179,9 @@ static bool are_times(const double *times, int count, double duration)
 }
 
 enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
-                                           enum scallop_phase_kind kind, double v0, const struct scallop_patience *patience,
-                                           const double *times, int count, scallop_sampler *sampler, void *context)
+                                           enum scallop_phase_kind kind, double v0,
+                                           const struct scallop_patience *patience, const double *times, int count,
+                                           scallop_sampler *sampler, void *context)
 {
   struct scallop_scaled s;
   double c0;

@@ -26,8 +26,8 @@ enum scallop_smoothed_stepper { SCALLOP_SMOOTHED_MSBDF, SCALLOP_SMOOTHED_BSIMP, 
  * off (gsl_set_error_handler_off).
  *
  * Errors of v_end in L/T and of the displacement in L over one period from the exact steady start, measured over 100
- * crawlers with ratios up to 25, eps = T^2 (F1 + F2)/(M L) up to 60, alpha from 0.05 to 0.95; tests/numerics/rivals/test_smoothed.c
- * holds them to bounds:
+ * crawlers with ratios up to 25, eps = T^2 (F1 + F2)/(M L) up to 60, alpha from 0.05 to 0.95;
+ * tests/numerics/rivals/test_smoothed.c holds them to bounds:
  *   of the model: at most 3.2 delta where the bodies slide (0.002 delta for half of the crawlers: it is a fraction of
  *     eps delta), and at most (1.3 + ln(1/delta)/4) delta in stick-slip: first order but for a logarithm. A body about
  *     to be released creeps at v_delta artanh(force/friction), and is (v_delta/4) ln(1/v_delta) ahead when it goes. No
@@ -50,14 +50,16 @@ enum scallop_smoothed_stepper { SCALLOP_SMOOTHED_MSBDF, SCALLOP_SMOOTHED_BSIMP, 
  * of up to 0.1. */
 struct scallop_rival *scallop_smoothed_rival(enum scallop_smoothed_stepper stepper, double delta, double tolerance);
 
-/* Inside one phase: the motion from start velocity v0, at the given times since the phase began, where steps are made to
- * end. times: count of them, rising, from 0 to the duration of the phase. rival: one of the above. A sample has t, x1,
- * x2, xC, v1, v2 and l; x1 = 0 and x2 = l where the phase begins, and positions are good to the tolerance and an ulp of L. Where l'
- * jumps the velocities are those before the jump. Return false from sampler to end early: SCALLOP_STOPPED. SCALLOP_EDOMAIN also for
- * bad times. Else the statuses of the period; below zero the samples so far have been given. */
+/* Inside one phase: the motion from start velocity v0, at the given times since the phase began, where steps are made
+ * to end. times: count of them, rising, from 0 to the duration of the phase. rival: one of the above. A sample has t,
+ * x1, x2, xC, v1, v2 and l; x1 = 0 and x2 = l where the phase begins, and positions are good to the tolerance and an
+ * ulp of L. Where l' jumps the velocities are those before the jump. Return false from sampler to end early:
+ * SCALLOP_STOPPED. SCALLOP_EDOMAIN also for bad times. Else the statuses of the period; below zero the samples so far
+ * have been given. */
 enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
-                                           enum scallop_phase_kind kind, double v0, const struct scallop_patience *patience,
-                                           const double *times, int count, scallop_sampler *sampler, void *context);
+                                           enum scallop_phase_kind kind, double v0,
+                                           const struct scallop_patience *patience, const double *times, int count,
+                                           scallop_sampler *sampler, void *context);
 
 #ifdef __cplusplus
 }

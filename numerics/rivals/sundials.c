@@ -24,9 +24,10 @@ int sundials_equation(double t, N_Vector y, N_Vector dydt, void *context)
   return 0;
 }
 
-/* A root function that is zero where SUNDIALS starts is left out of the search until SUNDIALS sees it move; and a body that has just
- * been let go starts at zero. But it cannot be back before the forces turn on it, so until then its function is far from zero; and
- * from then on it is to fall behind zero by a tolerance, in case the forces have turned already. */
+/* A root function that is zero where SUNDIALS starts is left out of the search until SUNDIALS sees it move; and a body
+ * that has just been let go starts at zero. But it cannot be back before the forces turn on it, so until then its
+ * function is far from zero; and from then on it is to fall behind zero by a tolerance, in case the forces have turned
+ * already. */
 static double slack(const struct run *r, double t, int body)
 {
   if (!r->let_go[body])
@@ -56,8 +57,8 @@ static bool begin(struct run *r)
   return tools->calls->restart(tools->memory, m->t, tools->y) == SUNDIALS_DONE;
 }
 
-/* SUNDIALS looks for a change of sign from step to step. So that no body can come to zero and be off again within one, it stops where
- * a velocity turns. */
+/* SUNDIALS looks for a change of sign from step to step. So that no body can come to zero and be off again within one,
+ * it stops where a velocity turns. */
 static bool set_stop(const struct run *r, double end, double *stop)
 {
   const struct rival_motion *m = &r->motion;
@@ -156,7 +157,8 @@ static bool prepare(struct sundials_rival *r)
   if (!r->y)
     return false;
   N_VConst(0, r->y);
-  return r->calls->create(r) && r->calls->set_tolerances(r->memory, r->tolerance, r->tolerance) == SUNDIALS_DONE && watch(r);
+  return r->calls->create(r) && r->calls->set_tolerances(r->memory, r->tolerance, r->tolerance) == SUNDIALS_DONE
+         && watch(r);
 }
 
 static void destroy(struct scallop_rival *self)

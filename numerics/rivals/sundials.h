@@ -1,6 +1,6 @@
-/* What the rivals on SUNDIALS share: the context, the vector of the state, the equation of motion, its events as roots, and the way
- * from one event to the next. A rival brings the calls of its integrator. Only where the program is built with SUNDIALS, whose headers
- * this one needs. Private to the rivals. */
+/* What the rivals on SUNDIALS share: the context, the vector of the state, the equation of motion, its events as roots,
+ * and the way from one event to the next. A rival brings the calls of its integrator. Only where the program is built
+ * with SUNDIALS, whose headers this one needs. Private to the rivals. */
 #ifndef SCALLOP_NUMERICS_RIVALS_SUNDIALS_H
 #define SCALLOP_NUMERICS_RIVALS_SUNDIALS_H
 
@@ -34,7 +34,8 @@ struct sundials_rival {
 
 /* The calls of an integrator, as the library has them behind its prefix; SUNDIALS_DONE is success. */
 struct sundials_calls {
-  bool (*create)(struct sundials_rival *rival); /* memory and solver, ready to restart; whatever it made is freed later */
+  bool (*create)(
+      struct sundials_rival *rival); /* memory and solver, ready to restart; whatever it made is freed later */
   int (*restart)(void *memory, double t, N_Vector y);
   int (*set_tolerances)(void *memory, double relative, double absolute);
   int (*init_roots)(void *memory, int count, int (*roots)(double t, N_Vector y, double *value, void *context));

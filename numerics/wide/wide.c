@@ -7,8 +7,8 @@
 #include "numerics/event/solve.h"
 #include "numerics/wide/wide_parts.h"
 
-/* Of long double: none where the processor rounds it to less than it holds, as a host of the library may have set it to, and as it is
- * under valgrind. A solve that ends at the last digit would take thousands of steps there. */
+/* Of long double: none where the processor rounds it to less than it holds, as a host of the library may have set it
+ * to, and as it is under valgrind. A solve that ends at the last digit would take thousands of steps there. */
 static int long_double_bits(void)
 {
   volatile long double one = 1, least = LDBL_EPSILON;
@@ -23,7 +23,8 @@ int scallop_width_bits(enum scallop_width width)
 }
 
 /* status: of the same solve in double */
-static enum scallop_status check(enum scallop_width width, const struct scallop_crawler *crawler, enum scallop_status status)
+static enum scallop_status check(enum scallop_width width, const struct scallop_crawler *crawler,
+                                 enum scallop_status status)
 {
   if (status < 0)
     return status;
@@ -56,7 +57,9 @@ static bool choose_width(const struct scallop_gait *gait, double left, enum scal
   return scallop_gait_is_exact(gait) && scallop_width_bits(*width) > DBL_MANT_DIG;
 }
 
-static const struct wide_solver *const solvers[] = { [SCALLOP_LONG_DOUBLE] = &wide_long, [SCALLOP_BINARY128] = &wide_quad };
+static const struct wide_solver *const solvers[] = {
+  [SCALLOP_LONG_DOUBLE] = &wide_long, [SCALLOP_BINARY128] = &wide_quad
+};
 
 bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
                        struct scallop_wide_phase *out)
@@ -77,7 +80,8 @@ bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double
   return is_kept(out->displacement.high);
 }
 
-bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left, struct scallop_wide_steady *out)
+bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
+                        struct scallop_wide_steady *out)
 {
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))

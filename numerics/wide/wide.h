@@ -1,9 +1,9 @@
-/* The exact solver in wider arithmetic: the same walk from event to event (walk.h), with 64 bits (long double of x86) or 113 (binary128, in
- * software, about a hundred times slower). It estimates the rounding error of a result in double, without FLINT; it proves nothing. It uses
- * none of the double solver's short cuts.
+/* The exact solver in wider arithmetic: the same walk from event to event (walk.h), with 64 bits (long double of x86)
+ * or 113 (binary128, in software, about a hundred times slower). It estimates the rounding error of a result in double,
+ * without FLINT; it proves nothing. It uses none of the double solver's short cuts.
  *
- * Domain: gaits with exact laws (scallop_gait_is_exact); others are SCALLOP_EDOMAIN, as are steady states that fill an interval, which they
- * can where l' jumps. Parameters are exactly the doubles given. Allocates nothing.
+ * Domain: gaits with exact laws (scallop_gait_is_exact); others are SCALLOP_EDOMAIN, as are steady states that fill an
+ * interval, which they can where l' jumps. Parameters are exactly the doubles given. Allocates nothing.
  */
 #ifndef SCALLOP_NUMERICS_WIDE_WIDE_H
 #define SCALLOP_NUMERICS_WIDE_WIDE_H
@@ -43,8 +43,8 @@ struct scallop_wide_steady {
   struct scallop_wide_period period;
 };
 
-/* Statuses as those of scallop_phase, scallop_period and scallop_steady; SCALLOP_EDOMAIN also for a width that is not available, and a
- * gait as above; SCALLOP_ERANGE where high is beyond a double's range. */
+/* Statuses as those of scallop_phase, scallop_period and scallop_steady; SCALLOP_EDOMAIN also for a width that is not
+ * available, and a gait as above; SCALLOP_ERANGE where high is beyond a double's range. */
 enum scallop_status scallop_wide_phase(enum scallop_width width, const struct scallop_crawler *crawler,
                                        enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *result);
 enum scallop_status scallop_wide_period(enum scallop_width width, const struct scallop_crawler *crawler, double v0,
@@ -52,10 +52,10 @@ enum scallop_status scallop_wide_period(enum scallop_width width, const struct s
 enum scallop_status scallop_wide_steady(enum scallop_width width, const struct scallop_crawler *crawler,
                                         struct scallop_wide_steady *result);
 
-/* Estimates of |computed - true| for each number of a result in double: the distance to the result in the widest arithmetic available, plus
- * 2^-62 of the number and, for a displacement, 2^-111 of the parts that it is the sum of, for the error of that result itself. Not proven: with
- * 113 bits they are bounds unless rounding is magnified more than 2^50 times. tests/numerics/certified/test_wide.c compares them with certified
- * values. nan where the number is nan. */
+/* Estimates of |computed - true| for each number of a result in double: the distance to the result in the widest
+ * arithmetic available, plus 2^-62 of the number and, for a displacement, 2^-111 of the parts that it is the sum of,
+ * for the error of that result itself. Not proven: with 113 bits they are bounds unless rounding is magnified more than
+ * 2^50 times. tests/numerics/certified/test_wide.c compares them with certified values. nan where the number is nan. */
 struct scallop_phase_error {
   double t1, dT, v_end, dx1, dx2, dxC;
 };
@@ -69,8 +69,10 @@ struct scallop_steady_error {
 enum scallop_status scallop_phase_error(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                         const struct scallop_phase_result *result, struct scallop_phase_error *error);
 enum scallop_status scallop_period_error(const struct scallop_crawler *crawler, double v0,
-                                         const struct scallop_period_result *result, struct scallop_period_error *error);
-enum scallop_status scallop_steady_error(const struct scallop_crawler *crawler, const struct scallop_steady_result *result,
+                                         const struct scallop_period_result *result,
+                                         struct scallop_period_error *error);
+enum scallop_status scallop_steady_error(const struct scallop_crawler *crawler,
+                                         const struct scallop_steady_result *result,
                                          struct scallop_steady_error *error);
 
 #ifdef __cplusplus

@@ -70,7 +70,10 @@ static real speed_derivative(const struct scallop_piece *p, real u, int order)
   if (p->law->kind == SCALLOP_LAW_POLYNOMIAL)
     return polynomial(p->law, u, order);
   real pi = circle_number();
-  return pi / 2 * (order == 0 ? half_turn_sine(u) : order == 1 ? pi * half_turn_cosine(u) : -pi * pi * half_turn_sine(u));
+  return pi / 2
+         * (order == 0   ? half_turn_sine(u)
+            : order == 1 ? pi * half_turn_cosine(u)
+                         : -pi * pi * half_turn_sine(u));
 }
 
 /* l' at offset 0 and l'' of a linear piece, as its law has them */

@@ -19,11 +19,12 @@ struct wide_solver {
 };
 extern const struct wide_solver wide_long, wide_quad;
 
-/* The same in the cheapest type that resolves a sum after cancellation to the fraction `left`; left > 0, or 0 where nothing is left. False:
- * there is none, or the gait has no exact law, or as above. */
+/* The same in the cheapest type that resolves a sum after cancellation to the fraction `left`; left > 0, or 0 where
+ * nothing is left. False: there is none, or the gait has no exact law, or as above. */
 bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
                        struct scallop_wide_phase *out);
 bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double left, struct scallop_wide_period *out);
-bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left, struct scallop_wide_steady *out);
+bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
+                        struct scallop_wide_steady *out);
 
 #endif

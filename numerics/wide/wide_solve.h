@@ -44,7 +44,8 @@ static real walk_when(const struct scallop_piece *p, real a)
   struct root_end begin = { .u = p->begin }, end = { .u = p->end };
   begin.f = rate_beyond(&search, begin.u, &begin.slope);
   end.f = rate_beyond(&search, end.u, &end.slope);
-  return (begin.f > 0) == (end.f > 0) && begin.f != 0 && end.f != 0 ? NAN : root_between(rate_beyond, &search, begin, end);
+  return (begin.f > 0) == (end.f > 0) && begin.f != 0 && end.f != 0 ? NAN
+                                                                    : root_between(rate_beyond, &search, begin, end);
 }
 
 #define walk_show(walk, u, c) ((void)(walk), (void)(u), (void)(c)) /* nobody is told */
@@ -180,7 +181,9 @@ static void wide_phase(const struct scallop_crawler *c, enum scallop_phase_kind 
     *way[i] = split(best_way(&r, beyond[i], &size) * c->L);
     *sizes[i] = (double)(size * c->L);
   }
-  out->regime = r.never_moved[0] || r.never_moved[1] ? SCALLOP_AT_REST : r.sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
+  out->regime = r.never_moved[0] || r.never_moved[1] ? SCALLOP_AT_REST
+                : r.sticks                           ? SCALLOP_STICK_SLIP
+                                                     : SCALLOP_SLIDING;
 }
 
 struct wide_period {
@@ -248,7 +251,8 @@ static void wide_period(const struct scallop_crawler *c, double v0, struct scall
 static bool settled(const struct wide_period *p)
 {
   real change = p->forgets ? p->c_end - p->c_start : p->balance / p->slope;
-  return magnitude(change) <= 2 * ROUNDING * magnitude(p->c_start) || (!p->forgets && magnitude(p->balance) <= p->noise);
+  return magnitude(change) <= 2 * ROUNDING * magnitude(p->c_start)
+         || (!p->forgets && magnitude(p->balance) <= p->noise);
 }
 
 /* Above the highest curve both bodies always move forward, below the lowest always backward. */
@@ -257,9 +261,10 @@ static real surely(const struct wide_scaled *s)
   return 2 * (s->phase[0].shape->peak / s->fraction[0] + s->phase[1].shape->peak / s->fraction[1] + s->eps);
 }
 
-/* Newton's method on the balance, or, once a body has been stuck, the map itself, inside a bracket from -high to high that is halved where
- * they are slow. False: neither ends. */
-static bool find_steady(const struct wide_scaled *s, real c, real high, struct scallop_modes modes[2], struct wide_period *p)
+/* Newton's method on the balance, or, once a body has been stuck, the map itself, inside a bracket from -high to high
+ * that is halved where they are slow. False: neither ends. */
+static bool find_steady(const struct wide_scaled *s, real c, real high, struct scallop_modes modes[2],
+                        struct wide_period *p)
 {
   real low = -high, last = 4 * high, before = last;
   bool found = false;

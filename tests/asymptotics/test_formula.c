@@ -1,4 +1,5 @@
-/* asymptotics/formula in double: what formulas are worth, which quantities they need, and what is said of those that are none. */
+/* asymptotics/formula in double: what formulas are worth, which quantities they need, and what is said of those that
+ * are none. */
 #include "asymptotics/formula.h"
 #include "tests/support/cases.h"
 
@@ -31,8 +32,8 @@ static const char *compile(struct formula *formula, const char *text)
 {
   static char message[FORMULA_MESSAGE];
   int asked = 0;
-  return formula_read(formula, text, &(struct formula_names){ .place = place_of, .nearest = near_to, .context = &asked },
-                      message);
+  return formula_read(formula, text,
+                      &(struct formula_names){ .place = place_of, .nearest = near_to, .context = &asked }, message);
 }
 
 static double value(const char *text)
@@ -55,10 +56,11 @@ static void check_values(const char *cases)
 
 TEST(operators_bind_as_in_print)
 {
-  check_values("1+2*3 = 7|(1+2)*3 = 9|1/2/2 = 0.25|1/(2/2) = 1|7-2-1 = 4|7-(2-1) = 6|-2^2 = -4|(-2)^2 = 4|2^3^2 = 512|"
-               "(2^3)^2 = 64|2^-3 = 0.125|2^-2^2 = 0.0625|-2^-2 = -0.25|2*-3 = -6|2--3 = 5|--3 = 3|-3*-2^2 = 12|8/2*4 = 16|"
-               "2^3*4 = 32|4*2^3 = 32|1-2^2*3/4+5 = 3|2 ^ 3\t* 4  = 32| ( ( 2 ) )  = 2|-(1+2) = -3|2^(1+1) = 4|10-4/2 = 8|"
-               "1--1--1 = 3|6/3-1 = 1|6-3/1 = 3|-1-1 = -2");
+  check_values(
+      "1+2*3 = 7|(1+2)*3 = 9|1/2/2 = 0.25|1/(2/2) = 1|7-2-1 = 4|7-(2-1) = 6|-2^2 = -4|(-2)^2 = 4|2^3^2 = 512|"
+      "(2^3)^2 = 64|2^-3 = 0.125|2^-2^2 = 0.0625|-2^-2 = -0.25|2*-3 = -6|2--3 = 5|--3 = 3|-3*-2^2 = 12|8/2*4 = 16|"
+      "2^3*4 = 32|4*2^3 = 32|1-2^2*3/4+5 = 3|2 ^ 3\t* 4  = 32| ( ( 2 ) )  = 2|-(1+2) = -3|2^(1+1) = 4|10-4/2 = 8|"
+      "1--1--1 = 3|6/3-1 = 1|6-3/1 = 3|-1-1 = -2");
 }
 
 TEST(numbers_are_decimal)
@@ -70,8 +72,9 @@ TEST(numbers_are_decimal)
 
 TEST(functions)
 {
-  check_values("abs(x) = 2.385|abs(-x) = 2.385|pi = 0x1.921fb54442d18p+1|min(F1,F2) = 1.5|max(F1,F2) = 4.25|min(3,1,2) = 1|"
-               "max(1, 3, 2, -7) = 3|max(2,1)-min(1,max(0,0.5))*2^2 = 0|sqrt(4)^3 = 8|-abs(-3)^2 = -9");
+  check_values(
+      "abs(x) = 2.385|abs(-x) = 2.385|pi = 0x1.921fb54442d18p+1|min(F1,F2) = 1.5|max(F1,F2) = 4.25|min(3,1,2) = 1|"
+      "max(1, 3, 2, -7) = 3|max(2,1)-min(1,max(0,0.5))*2^2 = 0|sqrt(4)^3 = 8|-abs(-3)^2 = -9");
   CHECK_EQUAL(value("sqrt(2)"), sqrt(2));
   CHECK_EQUAL(value("exp(1)"), exp(1));
   CHECK_EQUAL(value("log(T)"), log(0.3));
@@ -178,7 +181,8 @@ static const struct {
   { "log", "character 1: 'log' is no quantity but a function: '(' is missing after it", "" },
   { "2*tan(x)", "character 3: 'tan' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
   { "1+cosine(x)",
-    "character 3: 'cosine' is no function: there are abs sqrt exp log log10 sin cos asin min max: did you mean 'cos'?", "" },
+    "character 3: 'cosine' is no function: there are abs sqrt exp log log10 sin cos asin min max: did you mean 'cos'?",
+    "" },
   { "F1(2)", "character 1: 'F1' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
   { "1+", "character 3: a number, a name or '(' is missing before the end", "" },
   { "1**2", "character 3: a number, a name or '(' is missing before '*'", "" },
@@ -277,8 +281,9 @@ TEST(limits)
   assert_wrong(repeated("", 64, "2^", "1"),
                "character 129: too much within one another: 64 parentheses, minus signs and powers are allowed");
   CHECK_EQUAL(value(repeated("1", 100, "+(1)", "")), 101);
-  assert_wrong(repeated("", 63, "n", ""),
-               "character 1: 'nnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnn' is no quantity known here");
+  assert_wrong(
+      repeated("", 63, "n", ""),
+      "character 1: 'nnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnn' is no quantity known here");
   assert_wrong(repeated("2*", 64, "n", ""), "character 3: a name of 64 characters: it may have 63");
   CHECK_EQUAL(value(repeated("0.", 1190, "0", "1e1191")), 1);
   assert_wrong(repeated("2*0.", 1197, "0", "1"), "character 3: a number of 1200 characters: it may have 1199");

@@ -1,4 +1,5 @@
-/* Bytes as a crawler and a start velocity: the first byte chooses the gait and how wild the numbers are, eight doubles follow. */
+/* Bytes as a crawler and a start velocity: the first byte chooses the gait and how wild the numbers are, eight doubles
+ * follow. */
 #ifndef SCALLOP_TESTS_FUZZ_CRAWLER_H
 #define SCALLOP_TESTS_FUZZ_CRAWLER_H
 
@@ -8,8 +9,8 @@
 
 #include "tests/support/random_crawler.h"
 
-/* Ratios to a few hundred; to 10^18; any bit pattern at all, for the gaits of the library alone: those of the tests are not written for
- * offsets of 10^-159. */
+/* Ratios to a few hundred; to 10^18; any bit pattern at all, for the gaits of the library alone: those of the tests are
+ * not written for offsets of 10^-159. */
 enum wildness { TAME, WIDE, RAW, WILDNESSES };
 
 enum { RAW_GAITS = 2 };
@@ -20,7 +21,8 @@ struct fuzz_case {
   enum wildness wildness;
 };
 
-/* The mantissa as it is, the exponent from -span to span: what is equal stays equal, and a bit that changes is a small step. */
+/* The mantissa as it is, the exponent from -span to span: what is equal stays equal, and a bit that changes is a small
+ * step. */
 static inline double fuzz_tamed(double x, int span)
 {
   uint64_t bits;

@@ -1,6 +1,6 @@
-/* Formulas: the first byte chooses the values of the quantities, the rest is the formula. What is compiled is worth what a
- * plain reading of the text gives, which looks for the operation that comes last and then at what is on both sides of it;
- * what is refused is refused with a place in the text, and changes nothing. */
+/* Formulas: the first byte chooses the values of the quantities, the rest is the formula. What is compiled is worth
+ * what a plain reading of the text gives, which looks for the operation that comes last and then at what is on both
+ * sides of it; what is refused is refused with a place in the text, and changes nothing. */
 #include "asymptotics/formula.h"
 
 #include <ctype.h>

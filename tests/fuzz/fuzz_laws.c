@@ -1,11 +1,12 @@
-/* A phase, put back into Newton's law and the balances of momentum and energy, interval by interval: tests/numerics/event/test_laws.c for whatever
- * crawler the fuzzer thinks of.
+/* A phase, put back into Newton's law and the balances of momentum and energy, interval by interval:
+ * tests/numerics/event/test_laws.c for whatever crawler the fuzzer thinks of.
  *
- * Units as in struct scallop_interval: lengths in L, times in the duration tau of the phase, masses in M, so that friction is f_i =
- * tau^2 F_i/(M L). Between the ends of an interval every balance is a closed form of c, l, l' and x there.
+ * Units as in struct scallop_interval: lengths in L, times in the duration tau of the phase, masses in M, so that
+ * friction is f_i = tau^2 F_i/(M L). Between the ends of an interval every balance is a closed form of c, l, l' and x
+ * there.
  *
- * Tolerances are ROUNDINGS unit roundoffs of the sum of the absolute values of the terms. The time of an event is uncertain by a
- * rounding, and with it what changes at that time: size(). */
+ * Tolerances are ROUNDINGS unit roundoffs of the sum of the absolute values of the terms. The time of an event is
+ * uncertain by a rounding, and with it what changes at that time: size(). */
 #include <float.h>
 
 #include "tests/fuzz/crawler.h"
@@ -42,7 +43,8 @@ static const char *place(const struct scallop_interval *i)
   do { \
     double got_ = (got), wanted_ = (wanted), tolerance_ = ROUNDOFF * (terms) + DBL_MIN; \
     if (isfinite(tolerance_) && !(fabs(got_ - wanted_) <= tolerance_)) \
-      fuzz_fail("line %d: %s is %.17g, not %.17g within %.3g: %s", __LINE__, #got, got_, wanted_, tolerance_, place(i)); \
+      fuzz_fail("line %d: %s is %.17g, not %.17g within %.3g: %s", __LINE__, #got, got_, wanted_, tolerance_, \
+                place(i)); \
   } while (0)
 
 static void keep(void *context, const struct scallop_interval *interval)
@@ -105,12 +107,13 @@ static double friction(const struct scallop_interval *i)
   return -scaled(now.input.crawler.F1 * i->mode.s1 + now.input.crawler.F2 * i->mode.s2);
 }
 
-/* The kinetic energy changes by what the linkage does, force times l', less what friction takes. x: of the centre of mass, a
- * difference of numbers of the size of reached. */
+/* The kinetic energy changes by what the linkage does, force times l', less what friction takes. x: of the centre of
+ * mass, a difference of numbers of the size of reached. */
 static void energy(const struct scallop_interval *i, double x, double reached)
 {
   double mu1 = now.mu[0], mu2 = now.mu[1], s1 = i->mode.s1, s2 = i->mode.s2;
-  double l = length(i, i->u_end) - length(i, i->u_begin), l_size = fabs(length(i, i->u_end)) + fabs(length(i, i->u_begin));
+  double l = length(i, i->u_end) - length(i, i->u_begin),
+         l_size = fabs(length(i, i->u_end)) + fabs(length(i, i->u_begin));
   double begin = rate(i, i->u_begin), end = rate(i, i->u_end), squares = end * end - begin * begin;
   double change = 0.5 * (i->c_end * i->c_end - i->c_begin * i->c_begin + mu1 * mu2 * squares);
   double of_centre = glued(i) ? 0.5 * i->glue * squares : friction(i) * l; /* integral of c' l' */

@@ -1,5 +1,5 @@
-/* Command lines: the first byte chooses the command, the rest, split at newlines and NULs, its arguments. It is read and not run. Each
- * argument is also read as a number and as every parameter, and held against strtod. */
+/* Command lines: the first byte chooses the command, the rest, split at newlines and NULs, its arguments. It is read
+ * and not run. Each argument is also read as a number and as every parameter, and held against strtod. */
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>

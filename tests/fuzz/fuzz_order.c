@@ -1,6 +1,6 @@
-/* `order FILE`: the first byte chooses what is expected and the format, the rest is the file. A verdict of pass needs an order that
- * lies where it is expected, inside its interval, from at least three points; or errors that are all 0 or noise. Every verdict has a
- * reason, the summary counts the verdicts, and the exit code follows from it. */
+/* `order FILE`: the first byte chooses what is expected and the format, the rest is the file. A verdict of pass needs
+ * an order that lies where it is expected, inside its interval, from at least three points; or errors that are all 0 or
+ * noise. Every verdict has a reason, the summary counts the verdicts, and the exit code follows from it. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -43,7 +43,8 @@ static void judge_row(const struct row *r, const char *reason, const char *expec
     fuzz_fail("verdict %s where %s is expected", r->verdict, expect ? expect : "nothing");
   if (strncmp(reason, "exact", 5) == 0 ? pass || measured : !pass && !measured)
     return;
-  if (!(r->points >= 3 && isfinite(r->low) && isfinite(r->high) && r->low - 1e-4 <= r->order && r->order <= r->high + 1e-4))
+  if (!(r->points >= 3 && isfinite(r->low) && isfinite(r->high) && r->low - 1e-4 <= r->order
+        && r->order <= r->high + 1e-4))
     fuzz_fail("%s: order %g, from %g to %g, from %d points", r->verdict, r->order, r->low, r->high, r->points);
   if (pass && fabs(r->order - strtod(expect, NULL)) > 0.1001)
     fuzz_fail("pass for order %g where %s is expected", r->order, expect);
@@ -75,8 +76,9 @@ static void judge(char *table, int code, const char *expect)
     if (split(line, cells, MOST) != columns)
       fuzz_fail("a row of other than %d cells", columns);
     struct row r = { strtod(cells[column(names, columns, "order")], NULL),
-                     strtod(cells[column(names, columns, "low")], NULL), strtod(cells[column(names, columns, "high")], NULL),
-                     atoi(cells[column(names, columns, "points")]), "" };
+                     strtod(cells[column(names, columns, "low")], NULL),
+                     strtod(cells[column(names, columns, "high")], NULL), atoi(cells[column(names, columns, "points")]),
+                     "" };
     snprintf(r.verdict, sizeof r.verdict, "%s", cells[column(names, columns, "verdict")]);
     judge_row(&r, cells[column(names, columns, "reason")], expect);
     verdicts++;
@@ -92,7 +94,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   static const char *const formats[] = { "json", "tsv", "tap", "junit", "markdown", "rows" };
   if (size == 0)
     return 0;
-  const char *expect = expected[data[0] % 6], *format = data[0] & 64 ? "tsv" : formats[data[0] / 128 * (data[0] / 6 % 6)];
+  const char *expect = expected[data[0] % 6],
+             *format = data[0] & 64 ? "tsv" : formats[data[0] / 128 * (data[0] / 6 % 6)];
   bool json = strcmp(format, "json") == 0, tsv = strcmp(format, "tsv") == 0, rows = strcmp(format, "rows") == 0;
   const char *arguments[8] = { fuzz_file(data + 1, size - 1) };
   int count = 1;

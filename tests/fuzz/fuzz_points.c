@@ -1,5 +1,5 @@
-/* --points: the first byte chooses the command and the format, the rest is the file. Every row gets its row of output, whatever
- * it holds, and the exit code says whether one was refused. */
+/* --points: the first byte chooses the command and the format, the rest is the file. Every row gets its row of output,
+ * whatever it holds, and the exit code says whether one was refused. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -18,8 +18,8 @@ static void judge(const struct scene *scene)
   }
 }
 
-static enum exit_code take_all(const struct scene *scene, const struct scene_want *want, const struct scene_options *options,
-                               bool only_read)
+static enum exit_code take_all(const struct scene *scene, const struct scene_want *want,
+                               const struct scene_options *options, bool only_read)
 {
   (void)scene, (void)want, (void)options, (void)only_read;
   return EXIT_DONE;

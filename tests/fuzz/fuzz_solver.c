@@ -1,5 +1,5 @@
-/* The solver, whatever the doubles: an answer of finite numbers, or a negative status and nothing touched; a batch gives the bits of
- * the scalar call; and what the answers say about each other. The laws of motion: fuzz_laws.c.
+/* The solver, whatever the doubles: an answer of finite numbers, or a negative status and nothing touched; a batch
+ * gives the bits of the scalar call; and what the answers say about each other. The laws of motion: fuzz_laws.c.
  *
  * Tolerances are ROUNDINGS unit roundoffs of the sum of the absolute values of what a number is a sum of. */
 #include <float.h>
@@ -102,7 +102,8 @@ static void judge_period(struct scallop_period_result *r)
   REQUIRE(r->multiplier >= 0 && r->multiplier <= 1);
   judge_modes(&r->modes[0]);
   judge_modes(&r->modes[1]);
-  NEAR(r->v_end - r->v_start, r->balance * friction(), ROUNDOFF * (size_of_velocities() + fabs(r->balance * friction())));
+  NEAR(r->v_end - r->v_start, r->balance * friction(),
+       ROUNDOFF * (size_of_velocities() + fabs(r->balance * friction())));
 }
 
 static double balance_at(double v)
@@ -112,7 +113,8 @@ static double balance_at(double v)
   return status == SCALLOP_OK ? r.balance : NAN;
 }
 
-/* The balance falls with the velocity: it is above 0 a little before the root, and below a little after, but for rounding. */
+/* The balance falls with the velocity: it is above 0 a little before the root, and below a little after, but for
+ * rounding. */
 static void judge_root(const struct scallop_steady_result *s)
 {
   double v = s->period.v_start, step = ROUNDOFF * fabs(v) + LEAST;
@@ -167,7 +169,8 @@ static bool same_modes(const struct scallop_modes *a, const struct scallop_modes
   return a->count == b->count && memcmp(a->kept, b->kept, kept * sizeof *a->kept) == 0;
 }
 
-static void judge_columns(const struct columns *b, int i, const struct scallop_steady_result *s, enum scallop_status status)
+static void judge_columns(const struct columns *b, int i, const struct scallop_steady_result *s,
+                          enum scallop_status status)
 {
   const struct scallop_period_result *p = &s->period;
   const double wanted[NUMBERS] = { s->froude,        p->v_start,    p->v_mid, p->displacement,
@@ -196,10 +199,12 @@ static void judge_batch(const struct scallop_steady_result *s, enum scallop_stat
       b.parameter[k][i] = all[i % 3 == 1 && k < 4 ? k ^ 1 : k];
     b.gait[i] = c.gait;
   }
-  const struct scallop_crawlers crawlers = { BATCH,          b.parameter[0], b.parameter[1], b.parameter[2], b.parameter[3],
-                                             b.parameter[4], b.parameter[5], b.parameter[6], b.gait };
-  const struct scallop_steady_states states = { b.number[0], b.number[1], b.number[2], b.number[3], b.number[4], b.number[5],
-                                                b.number[6], b.number[7], b.regime,    b.modes,     b.status };
+  const struct scallop_crawlers crawlers = { BATCH,          b.parameter[0], b.parameter[1],
+                                             b.parameter[2], b.parameter[3], b.parameter[4],
+                                             b.parameter[5], b.parameter[6], b.gait };
+  const struct scallop_steady_states states = { b.number[0], b.number[1], b.number[2], b.number[3],
+                                                b.number[4], b.number[5], b.number[6], b.number[7],
+                                                b.regime,    b.modes,     b.status };
   long failed = scallop_steady_batch(&crawlers, &states, 1), counted = 0;
   for (int i = 0; i < BATCH; i++) {
     counted += b.status[i] < 0;
@@ -218,7 +223,8 @@ static bool see(void *context, const struct scallop_sample *s)
 {
   struct seen *seen = context;
   double terms = fabs(s->x1) + fabs(s->x2) + now.crawler.L;
-  REQUIRE(isfinite(s->t) && isfinite(s->x1) && isfinite(s->x2) && isfinite(s->xC) && isfinite(s->v1) && isfinite(s->v2));
+  REQUIRE(isfinite(s->t) && isfinite(s->x1) && isfinite(s->x2) && isfinite(s->xC) && isfinite(s->v1)
+          && isfinite(s->v2));
   REQUIRE(seen->count == 0 ? s->t == 0 && s->x1 == 0 && s->x2 == 0 : s->t >= seen->last.t);
   REQUIRE(s->l >= -ROUNDOFF * now.crawler.L && s->l <= now.crawler.L * (1 + ROUNDOFF));
   NEAR(s->x2 - s->x1, s->l, ROUNDOFF * terms);

@@ -48,8 +48,8 @@ const char *fuzz_file(const uint8_t *data, size_t size)
   return name;
 }
 
-/* glibc's stdout and stderr are variables: what the toolkit prints there is wanted, and reports of the sanitizers, which
- * write to the descriptor, are not to get lost. */
+/* glibc's stdout and stderr are variables: what the toolkit prints there is wanted, and reports of the sanitizers,
+ * which write to the descriptor, are not to get lost. */
 void written_begin(struct written *w)
 {
   *w = (struct written){ 0 };
@@ -88,7 +88,8 @@ int fuzz_run(const struct command *command, const char *const *arguments, struct
   for (; *arguments && count < MOST - 1; arguments++)
     list[count++] = (char *)*arguments; /* none has a '=' that would be written to */
   written_begin(written);
-  if (options_read(&read, command, commands, count, list, &code) == READ_RUN && (code = options_book(&read)) == EXIT_DONE)
+  if (options_read(&read, command, commands, count, list, &code) == READ_RUN
+      && (code = options_book(&read)) == EXIT_DONE)
     code = command->run(&read, &read.options);
   options_free(&read);
   written_end(written);

@@ -1,8 +1,8 @@
 /* What the fuzz targets share.
  *
- * A target, fuzz_NAME.c, takes any bytes, gives them to one part of the toolkit, and judges what comes back: fuzz_fail says what is
- * wrong and aborts. `make fuzz` links it with libFuzzer, which makes the bytes; `make check` with replay.c, which takes them from
- * the files of tests/corpus/NAME/: seeds, and whatever failed once (past-...). */
+ * A target, fuzz_NAME.c, takes any bytes, gives them to one part of the toolkit, and judges what comes back: fuzz_fail
+ * says what is wrong and aborts. `make fuzz` links it with libFuzzer, which makes the bytes; `make check` with
+ * replay.c, which takes them from the files of tests/corpus/NAME/: seeds, and whatever failed once (past-...). */
 #ifndef SCALLOP_TESTS_FUZZ_TARGET_H
 #define SCALLOP_TESTS_FUZZ_TARGET_H
 
@@ -58,8 +58,8 @@ void written_free(struct written *written);
 /* Runs a command with these arguments, NULL-terminated, the command's name left out. Returns its exit code. */
 int fuzz_run(const struct command *command, const char *const *arguments, struct written *written);
 
-/* Judges a command's output by itself: a refusal comes with a message and nothing else; a table is of printable ASCII, tabs and
- * newlines, its rows have the columns of the header, its JSON is JSON. Returns the number of rows. */
+/* Judges a command's output by itself: a refusal comes with a message and nothing else; a table is of printable ASCII,
+ * tabs and newlines, its rows have the columns of the header, its JSON is JSON. Returns the number of rows. */
 long fuzz_judge_table(const struct written *written, int code, enum format format);
 
 #endif

@@ -1,5 +1,5 @@
-/* Gaits made to measure (model/gaits.h, compare/answers/gaits.h): that they are what they say, what is refused, and what is known of motions with
- * them in closed form or by symmetry. */
+/* Gaits made to measure (model/gaits.h, compare/answers/gaits.h): that they are what they say, what is refused, and
+ * what is known of motions with them in closed form or by symmetry. */
 #include <float.h>
 
 #include "compare/answers/gaits.h"
@@ -30,7 +30,8 @@ static void check_piece(const struct scallop_piece *p, double peak)
   double a0 = p->curve->acceleration(p, p->begin), a1 = p->curve->acceleration(p, p->end), last = a0;
   double range = fabs(p->end - p->begin), ulp = 64 * DBL_EPSILON * (fabs(a0) + fabs(a1) + peak / range);
   for (int i = 1; i < PLACES; i++) {
-    double u = p->begin + (p->end - p->begin) * i / PLACES, v = p->curve->velocity(p, u), a = p->curve->acceleration(p, u);
+    double u = p->begin + (p->end - p->begin) * i / PLACES, v = p->curve->velocity(p, u),
+           a = p->curve->acceleration(p, u);
     assert_true(p->direction == 0 ? v == 0 : p->direction * v > 0);
     CHECK_AT_MOST(a1 > a0 ? last - a : a - last, ulp);
     last = a;
@@ -153,9 +154,11 @@ TEST(pieces_begin_at_doubles)
   assert_int_equal(g.gait.phase[1].count, 2);
   assert_false(g.gait.phase[0].ramps);
   assert_true(g.gait.phase[0].concave && g.gait.phase[1].ramps);
-  /* neither 0.3 and 0.7 nor 0.1 and 0.9 are doubles, and the sums of those are below and above 1: they are meant to be 1 */
-  assert_int_equal(scallop_make_trapezoidal(&g, "trapezoidal", (const double[]){ 0.3, 0.1 }, (const double[]){ 0.7, 0.9 }),
-                   SCALLOP_OK);
+  /* neither 0.3 and 0.7 nor 0.1 and 0.9 are doubles, and the sums of those are below and above 1: they are meant to be
+   * 1 */
+  assert_int_equal(
+      scallop_make_trapezoidal(&g, "trapezoidal", (const double[]){ 0.3, 0.1 }, (const double[]){ 0.7, 0.9 }),
+      SCALLOP_OK);
   assert_int_equal(g.gait.phase[0].count, 3);
   assert_int_equal(g.gait.phase[1].count, 3);
   CHECK_EQUAL(g.gait.phase[0].peak, 2);
@@ -215,7 +218,8 @@ TEST(bad_straight_gaits)
   assert_int_equal(scallop_make_trapezoidal(&g, "", much, more), SCALLOP_EDOMAIN);
 }
 
-/* Every family: its sample is one of its gaits; how many numbers it takes, and that those of the extension hold for the contraction. */
+/* Every family: its sample is one of its gaits; how many numbers it takes, and that those of the extension hold for the
+ * contraction. */
 TEST(families)
 {
   static union scallop_made_gait one, two;
@@ -271,8 +275,8 @@ TEST(bad_polynomials)
   }
 }
 
-/* Two zeros of l', 1e-4 apart, and nearly two more near the end: each has its piece. Their distance is from a search for all zeros
- * in 60 digits, of C1 + 2 C2 s + ... less its value at the end times s^6. */
+/* Two zeros of l', 1e-4 apart, and nearly two more near the end: each has its piece. Their distance is from a search
+ * for all zeros in 60 digits, of C1 + 2 C2 s + ... less its value at the end times s^6. */
 TEST(two_zeros_and_almost_two)
 {
   static const double c[] = { 0,
@@ -369,8 +373,9 @@ static void turn(const struct scallop_gait *gait, struct turned *turned)
   }
 }
 
-/* Time scale: twice the period at a quarter of the forces is the same motion, slower: exact, by powers of 2. Bodies exchanged and seen in a
- * mirror: the same motion. Bodies exchanged alone: the separation is L - l, so extension and contraction change places. */
+/* Time scale: twice the period at a quarter of the forces is the same motion, slower: exact, by powers of 2. Bodies
+ * exchanged and seen in a mirror: the same motion. Bodies exchanged alone: the separation is L - l, so extension and
+ * contraction change places. */
 TEST(symmetries)
 {
   struct random r = { 20261203 };
@@ -402,8 +407,8 @@ TEST(symmetries)
   }
 }
 
-/* With l'' = 0 at the ends a body that starts from rest, and is held at first, turns back before the end by a time that goes as T^2: at T = 1e-80
- * by 1e-81 of the phase, in a piece that takes a fifth of it. */
+/* With l'' = 0 at the ends a body that starts from rest, and is held at first, turns back before the end by a time that
+ * goes as T^2: at T = 1e-80 by 1e-81 of the phase, in a piece that takes a fifth of it. */
 TEST(turns_next_to_the_ends)
 {
   struct scallop_crawler c = { 2.1585372372426566, 0.4367960174828488,
@@ -447,15 +452,16 @@ TEST(the_same_laws)
   }
 }
 
-/* The extension is over at half of its phase, and l rests for the other half: friction then takes (F1 + F2) tau/2 / M from the
- * velocity that both bodies have, but no more than there is. What comes before is a phase of half the duration with the same cubic,
- * 3 s^2 - 2 s^3. */
+/* The extension is over at half of its phase, and l rests for the other half: friction then takes (F1 + F2) tau/2 / M
+ * from the velocity that both bodies have, but no more than there is. What comes before is a phase of half the duration
+ * with the same cubic, 3 s^2 - 2 s^3. */
 TEST(rest_at_the_end)
 {
   struct scallop_piece pieces[7];
   struct scallop_law laws[7];
   struct scallop_spline s = { .pieces = pieces, .laws = laws };
-  const struct scallop_knot out[3] = { { 0, 0, 0 }, { 0.5, 1, 0 }, { 1, 1, 0 } }, back[2] = { { 0, 1, 0 }, { 1, 0, 0 } };
+  const struct scallop_knot out[3] = { { 0, 0, 0 }, { 0.5, 1, 0 }, { 1, 1, 0 } },
+                            back[2] = { { 0, 1, 0 }, { 1, 0, 0 } };
   assert_int_equal(
       scallop_make_spline(&s, "rest", (const struct scallop_knot *const[2]){ out, back }, (const int[2]){ 3, 2 }),
       SCALLOP_OK);
@@ -471,7 +477,8 @@ TEST(rest_at_the_end)
     struct scallop_phase_result q = phase_of(&d, SCALLOP_EXTENSION, v0);
     double brake = (c.F1 + c.F2) / (c.m1 + c.m2), time = fmin(tau / 2, fabs(q.v_end) / brake),
            size = c.L + (fabs(v0) + c.L / tau) * tau;
-    double v = copysign(fabs(q.v_end) - brake * time, q.v_end), x = copysign((fabs(q.v_end) + fabs(v)) / 2 * time, q.v_end);
+    double v = copysign(fabs(q.v_end) - brake * time, q.v_end),
+           x = copysign((fabs(q.v_end) + fabs(v)) / 2 * time, q.v_end);
     if (time < tau / 2)
       v = 0;
     CHECK_NEAR(p.v_end, v, 1e-13 * size / tau);
@@ -513,7 +520,8 @@ TEST(bad_files)
               { "0 0\n1 1 7\n2 0.5\n3 0\n", ":2: 3 columns" },
               { "0 0\n1\n2 0.5\n3 0\n", ":2: 1 column:" },
               { "t l\nt l\n0 0\n1 1\n2 0.5\n3 0\n", ":2: t = 't' is not allowed" },
-              { "0 0\n1 1\n2 0.5\n3 0.1\n", ":4: not periodic: l = 0.1 in the last row, 0 in the first one, on line 1" },
+              { "0 0\n1 1\n2 0.5\n3 0.1\n",
+                ":4: not periodic: l = 0.1 in the last row, 0 in the first one, on line 1" },
               { "0 1\n1 1\n2 1\n3 1\n", ":4: l is the same throughout" },
               { "0 0\n1 1\n2 -1e308\n3 1e308\n4 0\n", ":5: the range" },
               { "0 0\n1 1\n1.0000000000000002 0.9\n9e15 0.5\n1e16 0\n", ":3: too near in time" } };
@@ -556,7 +564,8 @@ TEST(too_long_a_file)
 TEST(a_good_file)
 {
   double L, T, alpha, l, l_later;
-  struct gait_answer a = measured_text("# a comment\r\n\r\nt\tl\r\n 1 3\n2\t \t5\n# more\n3 2\n5 1\n6 2\n11 3.0000000001\n");
+  struct gait_answer a = measured_text(
+      "# a comment\r\n\r\nt\tl\r\n 1 3\n2\t \t5\n# more\n3 2\n5 1\n6 2\n11 3.0000000001\n");
   if (!a.gait) {
     fail_msg("%s", a.wrong);
     return;
@@ -580,11 +589,13 @@ TEST(texts)
 {
   static const struct {
     const char *text, *says;
-  } bad[] = { { "trapezodal", "did you mean 'trapezoidal'" }, { "skewed:0.3x", "'0.3x' is not a number" },
-              { "skewed:0.1,0.2,0.3", "skewed:BETA" },        { "trapezoidal:0.1,0.2,0.3", "UP + DOWN" },
-              { "trapezoidal:0.6,0.5", "UP + DOWN" },         { "minimum-jerk:1", "did you mean 'minimum-jerk'" },
-              { "polynomial", "polynomial:C1,C2" },           { "polynomial:0,0,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1", "degree" },
-              { "polynomial:0,", "'' is not a number" } };
+  } bad[] = {
+    { "trapezodal", "did you mean 'trapezoidal'" }, { "skewed:0.3x", "'0.3x' is not a number" },
+    { "skewed:0.1,0.2,0.3", "skewed:BETA" },        { "trapezoidal:0.1,0.2,0.3", "UP + DOWN" },
+    { "trapezoidal:0.6,0.5", "UP + DOWN" },         { "minimum-jerk:1", "did you mean 'minimum-jerk'" },
+    { "polynomial", "polynomial:C1,C2" },           { "polynomial:0,0,1,1,1,1,1,1,1,1,1,1,1,1,1,1,1", "degree" },
+    { "polynomial:0,", "'' is not a number" }
+  };
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     struct gait_answer a = gait_of_text(bad[i].text);
     assert_null(a.gait);
@@ -626,8 +637,8 @@ static double worst_velocity(const struct scallop_gait *got, const struct scallo
 static double wave(double s) { return 0.5 - 0.5 * cos(3.14159265358979323846 * s); }
 static double parabolas(double s) { return s < 0.5 ? 2 * s * s : 1 - 2 * (1 - s) * (1 - s); }
 
-/* Steffen's slope is that of the parabola through three points, to second order, unless twice a secant is less, which where |l'| is
- * concave from 0 it is not: so l' is right to second order. The steady state follows. */
+/* Steffen's slope is that of the parabola through three points, to second order, unless twice a secant is less, which
+ * where |l'| is concave from 0 it is not: so l' is right to second order. The steady state follows. */
 TEST(samples_of_the_sinusoidal_gait)
 {
   struct scallop_crawler c = scallop_crawler_default(), d = c;
@@ -642,8 +653,9 @@ TEST(samples_of_the_sinusoidal_gait)
   }
 }
 
-/* With equally spaced points the parabola through three of them is the gait, but for those around the middle, where l'' jumps: the secants
- * on both sides are 2 - 2/n there, and l' is 2. That is all that is wrong: motions whose bodies turn elsewhere are the same. */
+/* With equally spaced points the parabola through three of them is the gait, but for those around the middle, where l''
+ * jumps: the secants on both sides are 2 - 2/n there, and l' is 2. That is all that is wrong: motions whose bodies turn
+ * elsewhere are the same. */
 TEST(samples_of_the_quadratic_gait)
 {
   for (int n = 8; n <= 512; n *= 2)
@@ -669,7 +681,8 @@ TEST(samples_of_the_quadratic_gait)
 }
 
 /* Every number of a law counts but its base and what lies behind its degree. numbers: of `other`, a copy of law. */
-static void check_each_number(const struct scallop_law *law, struct scallop_law *other, double *const numbers[], int count)
+static void check_each_number(const struct scallop_law *law, struct scallop_law *other, double *const numbers[],
+                              int count)
 {
   assert_true(law_same(law, other));
   for (int i = 0; i < count; i++) {
@@ -698,13 +711,13 @@ TEST(laws_are_compared)
     for (int k = 0; k < 4; k++)
       assert_int_equal(law_same(&laws[i], &laws[k]), i == k);
   p.polynomial.c[3] = 0;
-  check_each_number(&laws[0], &p,
-                    (double *[]){ &p.polynomial.c[0], &p.polynomial.c[1], &p.polynomial.c[2], &p.polynomial.denominator },
-                    4);
   check_each_number(
-      &laws[1], &r,
-      (double *[]){ &r.ramp.start, &r.ramp.slope, &r.ramp.divisor, &r.ramp.parts[0], &r.ramp.parts[1], &r.ramp.parts[2] },
-      6);
+      &laws[0], &p,
+      (double *[]){ &p.polynomial.c[0], &p.polynomial.c[1], &p.polynomial.c[2], &p.polynomial.denominator }, 4);
+  check_each_number(&laws[1], &r,
+                    (double *[]){ &r.ramp.start, &r.ramp.slope, &r.ramp.divisor, &r.ramp.parts[0], &r.ramp.parts[1],
+                                  &r.ramp.parts[2] },
+                    6);
   b.bernstein.b[3] = 0;
   b.bernstein.more = copy;
   check_each_number(&laws[2], &b,

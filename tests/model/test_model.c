@@ -134,7 +134,9 @@ static void formulas(int gait, double s, double *l, double *v, double *a)
     *v = height * (s < 0.25 ? 4 * s : s < 0.875 ? 1 : 8 * left);
     *a = height * (s < 0.25 ? 4 : s < 0.875 ? 0 : -8);
     break;
-  case 3: *l = s * s * s * (10 - 15 * s + 6 * s * s), *v = 30 * s * s * left * left, *a = 60 * s * left * (1 - 2 * s); break;
+  case 3:
+    *l = s * s * s * (10 - 15 * s + 6 * s * s), *v = 30 * s * s * left * left, *a = 60 * s * left * (1 - 2 * s);
+    break;
   default: *l = s, *v = 1, *a = 0;
   }
 }
@@ -345,7 +347,8 @@ TEST(symmetric_gaits)
   assert_true(scallop_gait_is_reversible(&scallop_gait_sinusoidal));
   assert_true(scallop_gait_is_reversible(&minimum_jerk_gait));
   assert_false(scallop_gait_is_reversible(&trapezoid_gait));
-  assert_false(scallop_gait_is_reversible(&sawtooth_gait)); /* one piece, anchored at one end: it is, but that is not seen */
+  assert_false(
+      scallop_gait_is_reversible(&sawtooth_gait)); /* one piece, anchored at one end: it is, but that is not seen */
 }
 
 /* Every number that |l'| depends on: changed in one piece of one phase it ends both symmetries. */

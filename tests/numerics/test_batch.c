@@ -1,4 +1,5 @@
-/* Many crawlers at once against one at a time: the same bits, for any number of threads and any mixture of gaits and modes. */
+/* Many crawlers at once against one at a time: the same bits, for any number of threads and any mixture of gaits and
+ * modes. */
 #include <float.h>
 
 #include "model/gaits.h"

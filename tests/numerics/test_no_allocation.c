@@ -1,5 +1,5 @@
-/* No solve allocates: every allocation of this program is counted, and none is made between the first call and the last. Not where a
- * sanitizer has its own allocator, nor with a C library that does not let itself be asked. */
+/* No solve allocates: every allocation of this program is counted, and none is made between the first call and the
+ * last. Not where a sanitizer has its own allocator, nor with a C library that does not let itself be asked. */
 #include <stdlib.h>
 
 #include "tests/support/columns.h"

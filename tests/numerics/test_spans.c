@@ -1,5 +1,5 @@
-/* The intervals of a phase in the units of the parameters: they cover the phase, follow one another, add up to it, and are on the
- * trajectory. */
+/* The intervals of a phase in the units of the parameters: they cover the phase, follow one another, add up to it, and
+ * are on the trajectory. */
 #include <float.h>
 
 #include "numerics/numerics.h"
@@ -39,7 +39,8 @@ static void check_phase(const struct scallop_crawler *c, enum scallop_phase_kind
   double tau = scallop_phase_duration(c, kind), x1 = 0, x2 = 0;
   assert_int_equal(scallop_phase(c, kind, v0, &r), SCALLOP_OK);
   assert_int_equal(scallop_phase_intervals(c, kind, v0, keep, &k), SCALLOP_OK);
-  /* an operation errs by half an ulp of its result, and no number here is a sum of more than some ten that are as large as this */
+  /* an operation errs by half an ulp of its result, and no number here is a sum of more than some ten that are as large
+   * as this */
   double speed = 4 * c->L / tau + fabs(v0) + (c->F1 + c->F2) / (c->m1 + c->m2) * tau, near = 32 * DBL_EPSILON;
   for (int i = 0; i < k.count; i++) {
     const struct scallop_span *s = &k.span[i], *before = s - 1;
@@ -79,7 +80,8 @@ struct passage {
   double near;     /* of positions             */
 };
 
-/* A body that has been at x with velocity v is after that time (or was, before it) within steepest time^2/2 of x + v time. */
+/* A body that has been at x with velocity v is after that time (or was, before it) within steepest time^2/2 of x + v
+ * time. */
 static void on_the_way(const struct passage *p, const struct scallop_sample *sample, double time, const double x[2],
                        const double v[2])
 {

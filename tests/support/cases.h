@@ -1,4 +1,5 @@
-/* Cases that are short texts, all in one: FOR_CASES(text, "1+2 = 3|2*3 = 6") has text as each of them in turn. Header-only. */
+/* Cases that are short texts, all in one: FOR_CASES(text, "1+2 = 3|2*3 = 6") has text as each of them in turn.
+ * Header-only. */
 #ifndef SCALLOP_TESTS_SUPPORT_CASES_H
 #define SCALLOP_TESTS_SUPPORT_CASES_H
 

@@ -26,8 +26,8 @@ static inline void certified(enum scallop_status status, const char *why, const 
 }
 
 /* Of the crawler with exactly these doubles, where there must be an answer */
-static inline void certify_phase(struct scallop_certified_phase *p, const struct scallop_crawler *c, int kind, double v0,
-                                 long digits)
+static inline void certify_phase(struct scallop_certified_phase *p, const struct scallop_crawler *c, int kind,
+                                 double v0, long digits)
 {
   const char *why = "";
   SCOPED(scallop_rational, exact);

@@ -21,8 +21,8 @@ bool check_relative(double got, double wanted, double tolerance); /* ... <= tole
 void check_fail(const char *expression, double got, double wanted, double tolerance, const char *kind, const char *file,
                 int line);
 
-/* TEST(name) { ... } is a test: the tests of a program run in the order of its file, and main is in check.c. A program with something to
- * do first has a main of its own, which ends with check_run. */
+/* TEST(name) { ... } is a test: the tests of a program run in the order of its file, and main is in check.c. A program
+ * with something to do first has a main of its own, which ends with check_run. */
 #define TEST(name) \
   static void name(void **state); \
   __attribute__((constructor)) static void add_##name(void) { check_add(#name, name); } \
@@ -34,15 +34,17 @@ int check_run(CMFixtureFunction set_up, CMFixtureFunction tear_down); /* either 
 /* What a test sets at its begin, and to NULL at its end, is called if it failed: to say of what. */
 extern void (*check_failed)(void);
 
-/* How many of so many random cases: all, or where the environment has SCALLOP_TEST_THIN=N every Nth, rounded up. For scripts/dev/valgrind.sh,
- * under which a case takes fifty times as long: a few go all the ways through the code that many go. */
+/* How many of so many random cases: all, or where the environment has SCALLOP_TEST_THIN=N every Nth, rounded up. For
+ * scripts/dev/valgrind.sh, under which a case takes fifty times as long: a few go all the ways through the code that
+ * many go. */
 long check_cases(long many);
 
 #define CHECK_NEAR(got, wanted, tolerance) CHECK_WITH(check_near, "absolute", got, wanted, tolerance)
 #define CHECK_RELATIVE(got, wanted, tolerance) CHECK_WITH(check_relative, "relative", got, wanted, tolerance)
 #define CHECK_EQUAL(got, wanted) CHECK_NEAR(got, wanted, 0.0)
-/* What has the same bits both ways, unless it is compiled with fused multiply-add (scripts/dev/matrix.sh, which says so by CONTRACTED):
- * vector and scalar code are contracted differently. Displacements that cancel to 1e-14 keep 12 digits. */
+/* What has the same bits both ways, unless it is compiled with fused multiply-add (scripts/dev/matrix.sh, which says so
+ * by CONTRACTED): vector and scalar code are contracted differently. Displacements that cancel to 1e-14 keep 12
+ * digits. */
 #ifdef CONTRACTED
 #define SAME_BITS 1e-11
 #else

@@ -25,8 +25,8 @@ static inline void columns_put(struct columns *in, long i, const struct scallop_
 
 static inline struct scallop_crawler columns_row(const struct columns *in, long i)
 {
-  return (
-      struct scallop_crawler){ in->m1[i], in->m2[i], in->F1[i], in->F2[i], in->L[i], in->T[i], in->alpha[i], in->gait[i] };
+  return (struct scallop_crawler){ in->m1[i], in->m2[i], in->F1[i],    in->F2[i],
+                                   in->L[i],  in->T[i],  in->alpha[i], in->gait[i] };
 }
 
 static inline struct scallop_crawlers columns_all(const struct columns *in, long count)

@@ -1,5 +1,5 @@
-/* What the tests of derived expansions share: gaits that have them, expansions to compare, and comparing them. Header-only;
- * needs FLINT. */
+/* What the tests of derived expansions share: gaits that have them, expansions to compare, and comparing them.
+ * Header-only; needs FLINT. */
 #ifndef SCALLOP_TESTS_SUPPORT_EXPANSIONS_H
 #define SCALLOP_TESTS_SUPPORT_EXPANSIONS_H
 
@@ -32,7 +32,8 @@ static inline bool expand_phase(struct scallop_phase_expansion *e, const struct 
   return scallop_expand_phase(c, (enum scallop_phase_kind)kind, v0, order, PRECISION, NULL, e, NULL) == SCALLOP_OK;
 }
 
-static inline bool expand_steady(struct scallop_steady_expansion *e, const struct scallop_rational_crawler *c, slong order)
+static inline bool expand_steady(struct scallop_steady_expansion *e, const struct scallop_rational_crawler *c,
+                                 slong order)
 {
   return scallop_expand_steady(c, order, PRECISION, e, NULL) == SCALLOP_OK;
 }

@@ -46,7 +46,8 @@ static inline const struct claim_row *find(const char *claim, int g, const char 
 static inline const struct claim_row *row_of(const char *claim, int g, const char *conditions)
 {
   for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
-    if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, every_gait[g]->name) == 0 && strstr(row->conditions, conditions))
+    if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, every_gait[g]->name) == 0
+        && strstr(row->conditions, conditions))
       return row;
   fail_msg("no row %s, %s, %s", claim, every_gait[g]->name, conditions);
   return ledger.rows;

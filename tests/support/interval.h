@@ -1,4 +1,5 @@
-/* An interval of a phase (struct scallop_interval) as functions of its offset u, and how one follows the other. Header-only. */
+/* An interval of a phase (struct scallop_interval) as functions of its offset u, and how one follows the other.
+ * Header-only. */
 #ifndef SCALLOP_TESTS_SUPPORT_INTERVAL_H
 #define SCALLOP_TESTS_SUPPORT_INTERVAL_H
 
@@ -11,11 +12,14 @@ static inline double sense(const struct scallop_interval *i) { return i->piece->
 static inline double duration(const struct scallop_interval *i) { return sense(i) * (i->u_end - i->u_begin); }
 static inline double length(const struct scallop_interval *i, double u) { return i->piece->curve->length(i->piece, u); }
 static inline double rate(const struct scallop_interval *i, double u) { return i->piece->curve->velocity(i->piece, u); }
-static inline double bend(const struct scallop_interval *i, double u) { return i->piece->curve->acceleration(i->piece, u); }
+static inline double bend(const struct scallop_interval *i, double u)
+{
+  return i->piece->curve->acceleration(i->piece, u);
+}
 static inline bool glued(const struct scallop_interval *i) { return i->mode.s1 == 0 || i->mode.s2 == 0; }
 
-/* The impulse of friction, whose force is `sliding` while both slide. A stuck body is held with what its own velocity 0 and the other
- * one's Newton's law leave, -mu_other l'' - friction of the other. */
+/* The impulse of friction, whose force is `sliding` while both slide. A stuck body is held with what its own velocity 0
+ * and the other one's Newton's law leave, -mu_other l'' - friction of the other. */
 static inline double friction_impulse(const struct scallop_interval *i, const double mu[2], double sliding)
 {
   double change = rate(i, i->u_end) - rate(i, i->u_begin);
@@ -29,7 +33,8 @@ static inline bool follows(const struct scallop_interval *b, const struct scallo
   return b->piece == a->piece + 1 && a->u_end == a->piece->end && b->u_begin == b->piece->begin;
 }
 
-/* What is wrong with their order: they cover the phase, from x = 0, and in each a body slides for some time; NULL: nothing. */
+/* What is wrong with their order: they cover the phase, from x = 0, and in each a body slides for some time; NULL:
+ * nothing. */
 static inline const char *disorder(const struct scallop_interval *first, int count, const struct scallop_shape *shape)
 {
   const struct scallop_interval *last = first + count - 1;

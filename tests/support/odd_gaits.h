@@ -1,5 +1,5 @@
-/* Gaits that the library does not have and the others of the tests are not like: l' that changes its sign, rests or jumps within a phase,
- * more modes than are kept, phases of two kinds. Header-only; knows public headers only. */
+/* Gaits that the library does not have and the others of the tests are not like: l' that changes its sign, rests or
+ * jumps within a phase, more modes than are kept, phases of two kinds. Header-only; knows public headers only. */
 #ifndef SCALLOP_TESTS_SUPPORT_ODD_GAITS_H
 #define SCALLOP_TESTS_SUPPORT_ODD_GAITS_H
 
@@ -53,7 +53,8 @@ static const struct scallop_gait there_and_back_gait = { "there-and-back",
   RUN(0.5, 0.625, 1, -16, 32), RUN(0.625, 0.75, 1, 24, -32), RUN(0.75, 0.875, -1, 24, -32), \
       SCALLOP_RAMP(0.125, 0, SCALLOP_FROM_END, -1, 32)
 
-static const struct scallop_piece detour_extension[] = { RUN(0, 0.25, 1, 0, 16), RUN(0.25, 0.5, 1, 8, -16), HUMPS_2_AND_3 };
+static const struct scallop_piece detour_extension[] = { RUN(0, 0.25, 1, 0, 16), RUN(0.25, 0.5, 1, 8, -16),
+                                                         HUMPS_2_AND_3 };
 static const struct scallop_piece detour_contraction[] = { RUN(0, 0.25, -1, 0, -16), RUN(0.25, 0.5, -1, -8, 16),
                                                            HUMPS_2_AND_3 };
 static const struct scallop_gait detour_gait = { "detour",
@@ -71,8 +72,9 @@ static const struct scallop_gait detour_gait = { "detour",
 
 /* pause: half of the way, rest in two pieces, the other half */
 #define PAUSE(sign) \
-  RUN(0, 0.125, sign, 0, (sign)*32), RUN(0.125, 0.25, sign, (sign)*8, (sign) * -32), REST(0.25, 0.375), REST(0.375, 0.5), \
-      RUN(0.5, 0.75, sign, (sign) * -4, (sign)*8), SCALLOP_RAMP(0.25, 0, SCALLOP_FROM_END, sign, (sign) * -8)
+  RUN(0, 0.125, sign, 0, (sign)*32), RUN(0.125, 0.25, sign, (sign)*8, (sign) * -32), REST(0.25, 0.375), \
+      REST(0.375, 0.5), RUN(0.5, 0.75, sign, (sign) * -4, (sign)*8), \
+      SCALLOP_RAMP(0.25, 0, SCALLOP_FROM_END, sign, (sign) * -8)
 
 static const struct scallop_piece pause_extension[] = { PAUSE(1) };
 static const struct scallop_piece pause_contraction[] = { PAUSE(-1) };
@@ -82,18 +84,22 @@ static const struct scallop_gait pause_gait = { "pause",
 
 /* wait: rest, out to 9/8, rest, back by 1/8, rest */
 #define WAIT(sign) \
-  REST(0, 0.125), RUN(0.125, 0.375, sign, (sign) * -2.25, (sign)*18), RUN(0.375, 0.625, sign, (sign)*11.25, (sign) * -18), \
-      REST(0.625, 0.75), RUN(0.75, 0.8125, -(sign), (sign)*24, (sign) * -32), \
-      RUN(0.8125, 0.875, -(sign), (sign) * -28, (sign)*32), REST_AT_LAST(0.125)
+  REST(0, 0.125), RUN(0.125, 0.375, sign, (sign) * -2.25, (sign)*18), \
+      RUN(0.375, 0.625, sign, (sign)*11.25, (sign) * -18), REST(0.625, 0.75), \
+      RUN(0.75, 0.8125, -(sign), (sign)*24, (sign) * -32), RUN(0.8125, 0.875, -(sign), (sign) * -28, (sign)*32), \
+      REST_AT_LAST(0.125)
 
 static const struct scallop_piece wait_extension[] = { WAIT(1) };
 static const struct scallop_piece wait_contraction[] = { WAIT(-1) };
-static const struct scallop_gait wait_gait = {
-  "wait", { { wait_extension, 7, 0, 0, 4.5, 0.375, false, false }, { wait_contraction, 7, 0, 0, 4.5, -0.375, false, false } }
-};
+static const struct scallop_gait wait_gait = { "wait",
+                                               { { wait_extension, 7, 0, 0, 4.5, 0.375, false, false },
+                                                 { wait_contraction, 7, 0, 0, 4.5, -0.375, false, false } } };
 
 /* Minimum jerk in half of a phase, from either end; velocity of a piece: its amplitude. */
-static inline double hump_length(const struct scallop_piece *p, double u) { return p->velocity * jerk_length(p, 2 * u); }
+static inline double hump_length(const struct scallop_piece *p, double u)
+{
+  return p->velocity * jerk_length(p, 2 * u);
+}
 static inline double hump_velocity(const struct scallop_piece *p, double u)
 {
   return 2 * p->velocity * jerk_velocity(p, 2 * u);
@@ -108,8 +114,10 @@ static inline double hump_when(const struct scallop_piece *p, double a)
 }
 
 static const struct scallop_curve hump = { hump_length, hump_velocity, hump_acceleration, hump_when, NULL };
-static const struct scallop_law whole_hump = { SCALLOP_LAW_POLYNOMIAL, 4, .polynomial = { { 0, 0, 240, -960, 960 }, 1 } };
-static const struct scallop_law half_hump = { SCALLOP_LAW_POLYNOMIAL, 4, .polynomial = { { 0, 0, 120, -480, 480 }, 1 } };
+static const struct scallop_law whole_hump = { SCALLOP_LAW_POLYNOMIAL, 4,
+                                               .polynomial = { { 0, 0, 240, -960, 960 }, 1 } };
+static const struct scallop_law half_hump = { SCALLOP_LAW_POLYNOMIAL, 4,
+                                              .polynomial = { { 0, 0, 120, -480, 480 }, 1 } };
 
 #define HUMP_TURN 0.10566243270259355889 /* (3 - sqrt 3)/12, and half of the phase minus that: l''' = 0 */
 #define HUMP_FALLS 0.39433756729740644113
@@ -137,11 +145,12 @@ static const struct scallop_gait hesitant_gait = { "hesitant",
 /* stride: l' = 3/2, then 1/2, with jumps */
 static const struct scallop_piece stride_extension[] = { STRIDE(0, 0.5, 1.5), STRIDE(0.5, 1, 0.5) };
 static const struct scallop_piece stride_contraction[] = { STRIDE(0, 0.5, -1.5), STRIDE(0.5, 1, -0.5) };
-static const struct scallop_gait stride_gait = {
-  "stride", { { stride_extension, 2, 0, 0, 1.5, 1, false, false }, { stride_contraction, 2, 0, 0, 1.5, -1, false, false } }
-};
+static const struct scallop_gait stride_gait = { "stride",
+                                                 { { stride_extension, 2, 0, 0, 1.5, 1, false, false },
+                                                   { stride_contraction, 2, 0, 0, 1.5, -1, false, false } } };
 
-/* parabola: l' = 6 s (1 - s) in one piece, which has its anchor at one end only, and which a straight line can touch at a rational point */
+/* parabola: l' = 6 s (1 - s) in one piece, which has its anchor at one end only, and which a straight line can touch at
+ * a rational point */
 static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 6, -6 }, 1 } };
 static const struct scallop_piece parabola_extension[] = { { .end = 1, .direction = 1, .law = &parabola_law } };
 static const struct scallop_piece parabola_contraction[] = {
@@ -152,9 +161,11 @@ static const struct scallop_gait parabola_gait = { "parabola",
                                                      { parabola_contraction, 1, -6, 6, 1.5, -1, false, false } } };
 
 /* The extension of one and the contraction of another */
-static inline struct scallop_gait mixed_gait(const struct scallop_gait *extension, const struct scallop_gait *contraction)
+static inline struct scallop_gait mixed_gait(const struct scallop_gait *extension,
+                                             const struct scallop_gait *contraction)
 {
-  return (struct scallop_gait){ "mixed", { extension->phase[SCALLOP_EXTENSION], contraction->phase[SCALLOP_CONTRACTION] } };
+  return (struct scallop_gait){ "mixed",
+                                { extension->phase[SCALLOP_EXTENSION], contraction->phase[SCALLOP_CONTRACTION] } };
 }
 
 /* teeth: |l'| up to 2 and down to 0, TEETH times */
@@ -168,14 +179,16 @@ static inline void grow_teeth(struct teeth *t)
   for (int kind = 0; kind < 2; kind++) {
     int sign = kind == SCALLOP_EXTENSION ? 1 : -1;
     for (int i = 0; i < TEETH; i++) {
-      double begin = (double)i / TEETH, middle = begin + 0.5 / TEETH, end = begin + 1.0 / TEETH, slope = sign * 4 * TEETH;
+      double begin = (double)i / TEETH, middle = begin + 0.5 / TEETH, end = begin + 1.0 / TEETH,
+             slope = sign * 4 * TEETH;
       t->pieces[kind][2 * i] = (struct scallop_piece)RUN(begin, middle, sign, -slope * begin, slope);
       t->pieces[kind][2 * i + 1] = (struct scallop_piece)RUN(middle, end, sign, slope * end, -slope);
     }
     t->pieces[kind][TEETH_PIECES - 1] = (struct scallop_piece)SCALLOP_RAMP(0.5 / TEETH, 0, SCALLOP_FROM_END, sign,
                                                                            -sign * 4 * TEETH);
-    t->gait.phase[kind] =
-        (struct scallop_shape){ t->pieces[kind], TEETH_PIECES, sign * 4 * TEETH, -sign * 4 * TEETH, 2, sign, false, false };
+    t->gait.phase[kind] = (struct scallop_shape){
+      t->pieces[kind], TEETH_PIECES, sign * 4 * TEETH, -sign * 4 * TEETH, 2, sign, false, false
+    };
   }
   t->gait.name = "teeth";
 }

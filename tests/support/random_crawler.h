@@ -37,12 +37,16 @@ static inline int random_below(struct random *r, int n) { return (int)(random_bi
 /* trapezoid: l' rises over the first quarter, is constant, and falls over the last eighth. Height
  * 16/13 makes the area 1. The middle piece does not touch its anchor, so it has a length of its own:
  * l(1/4) = 2/13. */
-static inline double plateau_length(const struct scallop_piece *p, double u) { return p->direction * (16 * u - 2) / 13; }
+static inline double plateau_length(const struct scallop_piece *p, double u)
+{
+  return p->direction * (16 * u - 2) / 13;
+}
 static inline double plateau_velocity(const struct scallop_piece *p, double u) { return (void)u, p->velocity; }
 static inline double plateau_acceleration(const struct scallop_piece *p, double u) { return (void)p, (void)u, 0; }
 static inline double plateau_when(const struct scallop_piece *p, double a) { return a == 0 ? p->begin : NAN; }
 
-static const struct scallop_curve plateau = { plateau_length, plateau_velocity, plateau_acceleration, plateau_when, NULL };
+static const struct scallop_curve plateau = { plateau_length, plateau_velocity, plateau_acceleration, plateau_when,
+                                              NULL };
 
 static const struct scallop_law plateau_law = { SCALLOP_LAW_POLYNOMIAL, 0, .polynomial = { { 16 }, 13 } };
 static const struct scallop_law rise_law = { SCALLOP_LAW_POLYNOMIAL, 1, .polynomial = { { 0, 64 }, 13 } };
@@ -93,7 +97,8 @@ static inline double jerk_velocity(const struct scallop_piece *p, double u)
 }
 static inline double jerk_bend(double u) { return 60 * u * (1 - u) * (1 - 2 * u); }
 static inline double jerk_acceleration(const struct scallop_piece *p, double u) { return jerk_sign(p) * jerk_bend(u); }
-/* The u between below and above with jerk_bend(u) = level, or nan; the bend is monotone there. By bisection: slow, right to the last digit. */
+/* The u between below and above with jerk_bend(u) = level, or nan; the bend is monotone there. By bisection: slow,
+ * right to the last digit. */
 static inline double jerk_place(double below, double above, double level)
 {
   if (jerk_bend(below) > jerk_bend(above)) {
@@ -142,15 +147,24 @@ static const struct scallop_gait minimum_jerk_gait = { "minimum-jerk",
 
 static const struct scallop_piece sawtooth_extension[] = { SAWTOOTH(1) };
 static const struct scallop_piece sawtooth_contraction[] = { SAWTOOTH(-1) };
-static const struct scallop_gait sawtooth_gait = {
-  "sawtooth", { { sawtooth_extension, 1, 0, 0, 1, 1, false, false }, { sawtooth_contraction, 1, 0, 0, 1, -1, false, false } }
-};
+static const struct scallop_gait sawtooth_gait = { "sawtooth",
+                                                   { { sawtooth_extension, 1, 0, 0, 1, 1, false, false },
+                                                     { sawtooth_contraction, 1, 0, 0, 1, -1, false, false } } };
 
 enum { SMOOTH_GAITS = 4, SAWTOOTH = 4, ALL_GAITS = 5 }; /* the first SMOOTH_GAITS have a continuous l' */
 static const struct scallop_gait *const every_gait[ALL_GAITS] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,
                                                                   &trapezoid_gait, &minimum_jerk_gait, &sawtooth_gait };
 
-enum family { ORDINARY, STICK_SLIP, EXTREME_RATIOS, SMALL_PERIOD, EQUAL_FORCES, NEARLY_EQUAL_FORCES, ALPHA_EDGE, FAMILIES };
+enum family {
+  ORDINARY,
+  STICK_SLIP,
+  EXTREME_RATIOS,
+  SMALL_PERIOD,
+  EQUAL_FORCES,
+  NEARLY_EQUAL_FORCES,
+  ALPHA_EDGE,
+  FAMILIES
+};
 
 static inline double crawler_eps(const struct scallop_crawler *c)
 {
@@ -160,8 +174,8 @@ static inline double crawler_eps(const struct scallop_crawler *c)
 /* For the report of a failure. */
 static inline void print_crawler(const struct scallop_crawler *c)
 {
-  print_error("m1=%.17g m2=%.17g F1=%.17g F2=%.17g L=%.17g T=%.17g alpha=%.17g %s\n", c->m1, c->m2, c->F1, c->F2, c->L, c->T,
-              c->alpha, c->gait->name);
+  print_error("m1=%.17g m2=%.17g F1=%.17g F2=%.17g L=%.17g T=%.17g alpha=%.17g %s\n", c->m1, c->m2, c->F1, c->F2, c->L,
+              c->T, c->alpha, c->gait->name);
 }
 
 /* Scales the forces so that eps is the one wanted. */
@@ -172,7 +186,8 @@ static inline void set_eps(struct scallop_crawler *c, double eps)
   c->F2 *= factor;
 }
 
-static inline struct scallop_crawler random_crawler(struct random *r, enum family family, const struct scallop_gait *gait)
+static inline struct scallop_crawler random_crawler(struct random *r, enum family family,
+                                                    const struct scallop_gait *gait)
 {
   double edge = family == EXTREME_RATIOS ? 1e3 : 5; /* the ratios are up to its square */
   struct scallop_crawler c = { random_decades(r, 1 / edge, edge), random_decades(r, 1 / edge, edge),

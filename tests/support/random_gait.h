@@ -89,7 +89,9 @@ static inline int random_knots(struct random *r, bool turning, int kind, struct 
   for (int i = 0; i < count; i++) {
     double l = knots[i].length / knots[count - 1].length;
     if (turning && i > 0 && i < count - 1)
-      l = random_below(r, 3) ? random_between(r, 0.01, 0.99) : kind == 0 ? knots[i - 1].length : 1 - knots[i - 1].length;
+      l = random_below(r, 3) ? random_between(r, 0.01, 0.99)
+          : kind == 0        ? knots[i - 1].length
+                             : 1 - knots[i - 1].length;
     knots[i].time = scallop_knot_round(knots[i].time / knots[count - 1].time);
     knots[i].length = scallop_knot_round(kind == 0 ? l : 1 - l);
   }
@@ -110,7 +112,8 @@ static inline const struct scallop_gait *random_spline(struct random *r, bool tu
   return &g->spline.gait;
 }
 
-static inline const struct scallop_gait *random_gait(struct random *r, enum random_gait_kind kind, struct random_gait *g)
+static inline const struct scallop_gait *random_gait(struct random *r, enum random_gait_kind kind,
+                                                     struct random_gait *g)
 {
   if (kind == TRAPEZOIDAL || kind == SKEWED)
     return random_straight(r, kind == SKEWED, &g->straight);

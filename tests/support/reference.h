@@ -1,4 +1,5 @@
-/* The rows of tests/support/reference.tsv: 50-digit values of a third program, scripts/python/reference.py. Header-only. */
+/* The rows of tests/support/reference.tsv: 50-digit values of a third program, scripts/python/reference.py.
+ * Header-only. */
 #ifndef SCALLOP_TESTS_SUPPORT_REFERENCE_H
 #define SCALLOP_TESTS_SUPPORT_REFERENCE_H
 

@@ -1,4 +1,5 @@
-/* What the tests of rivals share: a rival held against the exact solver, in other units, told to stop, and what it refuses. Header-only. */
+/* What the tests of rivals share: a rival held against the exact solver, in other units, told to stop, and what it
+ * refuses. Header-only. */
 #ifndef SCALLOP_TESTS_SUPPORT_RIVALS_H
 #define SCALLOP_TESTS_SUPPORT_RIVALS_H
 
@@ -64,8 +65,8 @@ static inline double observed_order(const double *error, int count, double ratio
 }
 
 /* By root and by simulation from v0, within a bound of the velocity */
-static inline void check_steady(struct scallop_rival *rival, const struct scallop_crawler *c, double v0, double tolerance,
-                                double bound)
+static inline void check_steady(struct scallop_rival *rival, const struct scallop_crawler *c, double v0,
+                                double tolerance, double bound)
 {
   struct scallop_rival_steady s;
   struct scallop_steady_result exact = steady_of(c);
@@ -78,7 +79,8 @@ static inline void check_steady(struct scallop_rival *rival, const struct scallo
   check_share(s.displacement, exact.period.displacement, bound * c->T);
 }
 
-/* Lengths, times and forces in other units: powers of two, so every digit must stay; and nothing may be remembered of the crawler before. */
+/* Lengths, times and forces in other units: powers of two, so every digit must stay; and nothing may be remembered of
+ * the crawler before. */
 static inline void check_units(struct scallop_rival *rival)
 {
   const struct units u = { .mass = 0x1p-300, .length = 0x1p200, .time = 0x1p-150 };
@@ -97,7 +99,8 @@ static inline void check_units(struct scallop_rival *rival)
 }
 
 /* Friction far above what the gait asks for: one body never moves, and the other returns. */
-static inline struct scallop_rival_period check_rest(struct scallop_rival *rival, const struct scallop_gait *gait, int heavy)
+static inline struct scallop_rival_period check_rest(struct scallop_rival *rival, const struct scallop_gait *gait,
+                                                     int heavy)
 {
   struct scallop_crawler c = scallop_crawler_default();
   c.gait = gait;

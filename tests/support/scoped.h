@@ -39,7 +39,8 @@
 #define SCOPED_KIND(kind, type) SCOPED_BY(kind, type, kind##_init(x), kind##_clear(x))
 #define SCOPED_FLINT(kind) SCOPED_BY(kind, kind##_t, kind##_init(*x), kind##_clear(*x))
 
-/* A struct of such parts: PARTS(of) names each, of(kind, pointer) with s for the struct, and the struct begins and ends with them. */
+/* A struct of such parts: PARTS(of) names each, of(kind, pointer) with s for the struct, and the struct begins and ends
+ * with them. */
 #define SCOPED_INIT(kind, part) kind##_init(part);
 #define SCOPED_CLEAR(kind, part) kind##_clear(part);
 #define SCOPED_PARTS(kind, type, PARTS) \

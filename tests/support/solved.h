@@ -1,4 +1,5 @@
-/* Answers of the solver where there must be one, what the modes are as text, and the same crawler seen otherwise. Header-only. */
+/* Answers of the solver where there must be one, what the modes are as text, and the same crawler seen otherwise.
+ * Header-only. */
 #ifndef SCALLOP_TESTS_SUPPORT_SOLVED_H
 #define SCALLOP_TESTS_SUPPORT_SOLVED_H
 

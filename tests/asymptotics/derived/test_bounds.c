@@ -1,4 +1,5 @@
-/* The proven error bounds of the steady state's series, held against certified values; and that the modes change where it is said. */
+/* The proven error bounds of the steady state's series, held against certified values; and that the modes change where
+ * it is said. */
 #include <stdlib.h>
 
 #include "tests/support/exact.h"
@@ -10,7 +11,8 @@ enum { PRECISION = 128, MOST_ORDER = 9, DIGITS = 60, CRAWLERS = 72, QUANTITIES =
 static const double parts[] = { 1, 0.999, 0.7, 0.1, 1e-4 };
 enum { PARTS = sizeof parts / sizeof *parts };
 
-static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
+static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,
+                                                    &trapezoid_gait };
 enum { GAITS = 3 };
 
 struct ratios { /* of the bound, |exact - terms below T^order| <= C T^power, to the error */
@@ -27,8 +29,8 @@ static int ascending(const void *a, const void *b)
 static void print_ratios(struct ratios *r, const char *what)
 {
   qsort(r->all, (size_t)r->count, sizeof *r->all, ascending);
-  print_message("%s: %d bounds, of the error: least %.4g, median %.3g, nine of ten below %.3g, most %.3g\n", what, r->count,
-                r->all[0], r->all[r->count / 2], r->all[9 * r->count / 10], r->all[r->count - 1]);
+  print_message("%s: %d bounds, of the error: least %.4g, median %.3g, nine of ten below %.3g, most %.3g\n", what,
+                r->count, r->all[0], r->all[r->count / 2], r->all[9 * r->count / 10], r->all[r->count - 1]);
 }
 
 /* T = part T0, rounded down to a fraction */
@@ -197,7 +199,8 @@ TEST(other_modes_beyond_the_end)
 }
 
 /* Refused, with a reason, and the bounds as they were */
-static void refuses_at(struct subject *s, slong order, slong precision, enum scallop_status wanted, const char *fragment)
+static void refuses_at(struct subject *s, slong order, slong precision, enum scallop_status wanted,
+                       const char *fragment)
 {
   const char *why = NULL;
   arb_one(s->bounds[0].C);

@@ -158,8 +158,9 @@ static void find_w_mid(arb_t w_mid, struct limit *l, const arb_t w, const arb_t 
   arb_div(w_mid, base.c_end, fraction, PRECISION);
 }
 
-/* Minimum jerk is one polynomial in four pieces. F1 = 22 F2 and alpha = 0.9: as eps grows the first crossing of the extension moves from
- * the second piece into the first, and nothing happens there: the modes hold, and this is the steady state. */
+/* Minimum jerk is one polynomial in four pieces. F1 = 22 F2 and alpha = 0.9: as eps grows the first crossing of the
+ * extension moves from the second piece into the first, and nothing happens there: the modes hold, and this is the
+ * steady state. */
 TEST(a_crossing_moves_to_another_piece)
 {
   struct scallop_crawler c = { 1, 1, 22, 1, 1, 1, 0.9, &minimum_jerk_gait };

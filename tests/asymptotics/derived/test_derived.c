@@ -1,5 +1,5 @@
-/* The derived expansions against the certified solver, which finds the same motions by another route: the error of the terms
- * below T^N is the next term, to a factor that tends to 1. One wrong coefficient and it does not. */
+/* The derived expansions against the certified solver, which finds the same motions by another route: the error of the
+ * terms below T^N is the next term, to a factor that tends to 1. One wrong coefficient and it does not. */
 #include <stdlib.h>
 
 #include "tests/support/exact.h"
@@ -83,8 +83,8 @@ struct motion {
 #define MOTION(of) \
   of(scallop_phase_expansion, &s->phase) of(scallop_steady_expansion, &s->steady) \
       of(scallop_certified_phase, &s->phase_at[0]) of(scallop_certified_phase, &s->phase_at[1]) \
-          of(scallop_certified_steady, &s->steady_at[0]) of(scallop_certified_steady, &s->steady_at[1]) of(fmpq, s->T[0]) \
-              of(fmpq, s->T[1])
+          of(scallop_certified_steady, &s->steady_at[0]) of(scallop_certified_steady, &s->steady_at[1]) \
+              of(fmpq, s->T[0]) of(fmpq, s->T[1])
 SCOPED_PARTS(motion, struct motion, MOTION)
 
 /* How many numbers the motion has: those of switches come last */
@@ -143,8 +143,8 @@ static bool certify(struct motion *m, const struct scallop_rational_crawler *cra
 
 static int undecided;
 
-/* |l'| of the trapezoid is 16/13 for a while. A range of crawlers would have c there in the limit, where it glides along the
- * curve: a body rests meanwhile, and no power series exists. */
+/* |l'| of the trapezoid is 16/13 for a while. A range of crawlers would have c there in the limit, where it glides
+ * along the curve: a body rests meanwhile, and no power series exists. */
 static bool rests_on_a_plateau(const struct scallop_rational_crawler *crawler)
 {
   SCOPED(scallop_certified_steady, c);
@@ -178,8 +178,10 @@ static void check_motion(const struct scallop_rational_crawler *crawler, int kin
            kind == STEADY ? m.steady.modes : m.phase.modes, modes);
 }
 
-/* Phases from rest and with a velocity of either sign, of the size that friction gives in a phase with eps = 1; or the steady state */
-static void check(const struct scallop_rational_crawler *crawler, bool steady, struct random *r, const struct scale *scale)
+/* Phases from rest and with a velocity of either sign, of the size that friction gives in a phase with eps = 1; or the
+ * steady state */
+static void check(const struct scallop_rational_crawler *crawler, bool steady, struct random *r,
+                  const struct scale *scale)
 {
   SCOPED(fmpq, v0);
   double size = sqrt(fraction_d(crawler->L) * (fraction_d(crawler->F1) + fraction_d(crawler->F2))

@@ -22,8 +22,9 @@ TEST(pi_squared_as_a_fraction)
     enum scallop_phase_kind kind = i % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
     draw(&p, &r, &scallop_gait_sinusoidal);
     assert_true(expand_phase(&p.phase[0], &p.crawler[0], kind, p.v0[0], ORDER));
-    assert_int_equal(scallop_expand_phase(&p.crawler[0], kind, p.v0[0], ORDER, PRECISION, pi_squared, &p.phase[1], NULL),
-                     SCALLOP_OK);
+    assert_int_equal(
+        scallop_expand_phase(&p.crawler[0], kind, p.v0[0], ORDER, PRECISION, pi_squared, &p.phase[1], NULL),
+        SCALLOP_OK);
     assert_string_equal(p.phase[0].modes, p.phase[1].modes);
     for (int q = 0; q < PHASE; q++) {
       assert_int_equal(phase_series(&p.phase[1], q)->kind, SERIES_FRACTIONS);
@@ -47,14 +48,16 @@ static void refuses_phase(struct pair *p, slong order, slong precision, const ch
   assert_non_null(why);
   assert_non_null(strstr(why, fragment));
   assert_int_equal(
-      scallop_expand_phase(&p->crawler[1], SCALLOP_EXTENSION, p->v0[0], order, precision, NULL, &p->phase[0], NULL), status);
+      scallop_expand_phase(&p->crawler[1], SCALLOP_EXTENSION, p->v0[0], order, precision, NULL, &p->phase[0], NULL),
+      status);
   assert_string_equal(p->phase[0].modes, p->phase[1].modes);
   assert_int_equal(p->phase[0].switches, p->phase[1].switches);
   for (int q = 0; q < PHASE; q++)
     check_equal(phase_series(&p->phase[0], q), phase_series(&p->phase[1], q), 1, ORDER, "a refused phase");
 }
 
-static void refuses_steady(struct pair *p, slong order, slong precision, enum scallop_status wanted, const char *fragment)
+static void refuses_steady(struct pair *p, slong order, slong precision, enum scallop_status wanted,
+                           const char *fragment)
 {
   const char *why = NULL;
   assert_int_equal(scallop_expand_steady(&p->crawler[1], order, precision, &p->steady[0], &why), wanted);
@@ -100,12 +103,15 @@ TEST(refusals)
   refuses_steady(&p, 4, PRECISION, SCALLOP_EUNDECIDED, "");
 }
 
-/* At m1 = 0.08627301503..., otherwise the default crawler, body 2 ceases to turn in the contraction as T -> 0. Near that, above it,
- * the limit is either refused or the one with the right modes: an extrapolation from the other side would be smooth and wrong. */
+/* At m1 = 0.08627301503..., otherwise the default crawler, body 2 ceases to turn in the contraction as T -> 0. Near
+ * that, above it, the limit is either refused or the one with the right modes: an extrapolation from the other side
+ * would be smooth and wrong. */
 TEST(limit_near_a_touch)
 {
   struct scallop_crawler defaults = with_gait(&scallop_gait_sinusoidal);
-  static const char *const masses[] = { "0.0863", "0.0862731", "0.086273115", "0.0862730151", "0.08627301504", "0.0862" };
+  static const char *const masses[] = {
+    "0.0863", "0.0862731", "0.086273115", "0.0862730151", "0.08627301504", "0.0862"
+  };
   int refused = 0;
   SCOPED(scallop_steady_expansion, e);
   SCOPED(scallop_rational, c);

@@ -66,8 +66,9 @@ TEST(one_piece)
   fmpq_set_si(s.v0, 1, 1);
   for (int kind = 0; kind < 2; kind++) {
     why = NULL;
-    assert_int_equal(scallop_expand_phase(&s.exact, (enum scallop_phase_kind)kind, s.v0, 4, PRECISION, NULL, &s.phase, &why),
-                     SCALLOP_EDOMAIN);
+    assert_int_equal(
+        scallop_expand_phase(&s.exact, (enum scallop_phase_kind)kind, s.v0, 4, PRECISION, NULL, &s.phase, &why),
+        SCALLOP_EDOMAIN);
     assert_non_null(strstr(why, "anchored elsewhere"));
   }
 }
@@ -125,7 +126,8 @@ TEST(gaits_without_a_branch)
 {
   struct teeth teeth;
   grow_teeth(&teeth);
-  const struct scallop_gait backward = { "backward", { scallop_gait_quadratic.phase[1], scallop_gait_quadratic.phase[0] } };
+  const struct scallop_gait backward = { "backward",
+                                         { scallop_gait_quadratic.phase[1], scallop_gait_quadratic.phase[0] } };
   /* l' falls to 0 and jumps away from there, or jumps to 0 */
   static const struct scallop_piece to_0[] = { RUN(0, 0.5, 1, 2, -4), STRIDE(0.5, 1, 1) };
   static const struct scallop_piece from_0[] = { STRIDE(0, 0.5, 1), RUN(0.5, 1, 1, -2, 4) };
@@ -163,7 +165,8 @@ TEST(gaits_without_a_law)
 /* A sine has exact coefficients at its zero only, and does not go on as a polynomial nor the other way round. */
 TEST(sines_and_polynomials)
 {
-  const struct scallop_piece *sine = scallop_gait_sinusoidal.phase[0].pieces, *ramp = scallop_gait_quadratic.phase[0].pieces;
+  const struct scallop_piece *sine = scallop_gait_sinusoidal.phase[0].pieces,
+                             *ramp = scallop_gait_quadratic.phase[0].pieces;
   bool turned;
   SCOPED(fmpq_poly, series);
   SCOPED(fmpq, u, ten);
@@ -185,7 +188,8 @@ TEST(quantities)
   for (int kind = 0; kind < 2; kind++) {
     enum scallop_phase_kind k = (enum scallop_phase_kind)kind;
     assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_REAR_AT_END), kind == 0 ? &s.phase.dx1 : &s.phase.dx2);
-    assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_FRONT_AT_END), kind == 0 ? &s.phase.dx2 : &s.phase.dx1);
+    assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_FRONT_AT_END),
+                     kind == 0 ? &s.phase.dx2 : &s.phase.dx1);
     assert_null(scallop_phase_quantity(&s.phase, k, SCALLOP_STEADY_VELOCITY));
     assert_null(scallop_phase_quantity(&s.phase, k, SCALLOP_STEADY_DISPLACEMENT));
   }
@@ -194,7 +198,8 @@ TEST(quantities)
   assert_null(scallop_steady_quantity(&s.steady, SCALLOP_LAG));
 }
 
-/* Where l'' = 0 at both ends of a phase the kinematic length is 0/0 and does not exist. A name that the paper does not have has no value. */
+/* Where l'' = 0 at both ends of a phase the kinematic length is 0/0 and does not exist. A name that the paper does not
+ * have has no value. */
 TEST(symbols)
 {
   const struct ring ring = { 3, PRECISION };

@@ -1,5 +1,5 @@
-/* What must hold of the derived expansions whatever the motion is: they do not depend on how far one looks, on units, on the
- * names of the bodies or on the direction of space, and time reversal leaves its mark. */
+/* What must hold of the derived expansions whatever the motion is: they do not depend on how far one looks, on units,
+ * on the names of the bodies or on the direction of space, and time reversal leaves its mark. */
 #include "tests/support/expansions.h"
 
 TEST(few_terms_and_many)
@@ -151,9 +151,9 @@ TEST(mirrored)
   }
 }
 
-/* Backward in time friction drives: eps becomes -eps, T becomes i T, and the steady motion is that of the exchanged phases. So for
- * a gait that looks the same backward v_mid has the coefficients of v_start with alternating signs, and the
- * displacement has powers of T^4 only. For the trapezoid neither holds. */
+/* Backward in time friction drives: eps becomes -eps, T becomes i T, and the steady motion is that of the exchanged
+ * phases. So for a gait that looks the same backward v_mid has the coefficients of v_start with alternating signs, and
+ * the displacement has powers of T^4 only. For the trapezoid neither holds. */
 TEST(reversed_in_time)
 {
   struct random r = { 20260836 };

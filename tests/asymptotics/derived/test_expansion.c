@@ -1,4 +1,5 @@
-/* The public face of the derived series and of formulas in balls, against the series inside and against values in double. */
+/* The public face of the derived series and of formulas in balls, against the series inside and against values in
+ * double. */
 #include <stdio.h>
 
 #include "asymptotics/derived/evaluate.h"
@@ -11,9 +12,10 @@ SCOPED_KIND(scallop_symbols, struct scallop_symbols)
 
 static void end_series(struct scallop_series **series) { scallop_series_free(*series); }
 
-/* The coefficient of a quantity by the face, beside the one of the series inside: the fraction, where there is one, and the ball */
-static void check_coefficient(const struct scallop_series *s, enum scallop_quantity quantity, const struct series *inside,
-                              slong power)
+/* The coefficient of a quantity by the face, beside the one of the series inside: the fraction, where there is one, and
+ * the ball */
+static void check_coefficient(const struct scallop_series *s, enum scallop_quantity quantity,
+                              const struct series *inside, slong power)
 {
   SCOPED(fmpq, got, wanted);
   SCOPED(arb, ball, exact);
@@ -121,7 +123,8 @@ TEST(steady_states)
     SCOPED(pair, p);
     draw(&p, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     const struct scallop_steady_expansion *e = &p.steady[0];
-    const struct series *const inside[] = { &e->v_start, &e->v_mid, &e->displacement, &e->mean_velocity, &e->friction_work };
+    const struct series *const inside[] = { &e->v_start, &e->v_mid, &e->displacement, &e->mean_velocity,
+                                            &e->friction_work };
     ENDED_BY(end_series) struct scallop_series *s = NULL;
     if (!expand_steady(&p.steady[0], &p.crawler[0], ORDER))
       continue;
@@ -199,7 +202,9 @@ SCOPED_KIND(point, struct point)
 
 static void draw_point(struct point *p, struct random *r, const struct scallop_gait *gait)
 {
-  double *const sizes[] = { &p->crawler.m1, &p->crawler.m2, &p->crawler.F1, &p->crawler.F2, &p->crawler.L, &p->crawler.T };
+  double *const sizes[] = {
+    &p->crawler.m1, &p->crawler.m2, &p->crawler.F1, &p->crawler.F2, &p->crawler.L, &p->crawler.T
+  };
   for (int i = 0; i < 6; i++)
     *sizes[i] = random_decades(r, 0.1, 10);
   p->crawler.alpha = random_between(r, 0.1, 0.9);
@@ -214,12 +219,14 @@ static void draw_point(struct point *p, struct random *r, const struct scallop_g
   }
 }
 
-/* In every setting, with numbers that are no doubles, from a text that is gone. Both sides round at most 24 times on the way to a term. */
+/* In every setting, with numbers that are no doubles, from a text that is gone. Both sides round at most 24 times on
+ * the way to a term. */
 TEST(formulas_of_products)
 {
-  static const char *const texts[] = { "m1*F2/(m2*F1)*L*T^2", "M*L_kin*alpha",      "l0*T/(1 + v0^2)",  "-lT/k0^2",
-                                       "exp(alpha)*sqrt(L)",  "l_start + l_end*pi", "kT*log10(10 + T)", "t1*dT/x_switch",
-                                       "max(F1, F2, L)^0.5",  "mstar + 0.1" };
+  static const char *const texts[] = {
+    "m1*F2/(m2*F1)*L*T^2", "M*L_kin*alpha",    "l0*T/(1 + v0^2)", "-lT/k0^2",           "exp(alpha)*sqrt(L)",
+    "l_start + l_end*pi",  "kT*log10(10 + T)", "t1*dT/x_switch",  "max(F1, F2, L)^0.5", "mstar + 0.1"
+  };
   static const struct scallop_part parts[] = { { "mstar", "m1*m2/M*0.3" }, { NULL, NULL } };
   struct random r = { 20261126 };
   for (int i = 0; i < check_cases(4) * COUNT(texts) * 3; i++) {
@@ -264,7 +271,8 @@ static void expand_at_point(arb_t value, const struct scallop_formula *f, const 
   arb_set_fmpq(value, number, 2 * PRECISION);
 }
 
-/* Every formula of the paper, for both phases, encloses the fraction that it is, where gait and parameters are rational. */
+/* Every formula of the paper, for both phases, encloses the fraction that it is, where gait and parameters are
+ * rational. */
 TEST(published_formulas)
 {
   struct random r = { 20261127 };

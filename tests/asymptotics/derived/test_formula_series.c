@@ -59,8 +59,9 @@ static void check_numbers(const char *cases)
 
 TEST(precedence)
 {
-  check_numbers("1 + 2*3 = 7|(1 + 2)*3 = 9|2*3 + 1 = 7|8 - 3 - 2 = 3|8 - (3 - 2) = 7|12/3/2 = 2|12/(3/2) = 8|12/3*2 = 8|"
-                "2*3^2 = 18|12/2^2 = 3|1/3 + 1/6 = 1/2|  1+ 2 * three  = 7|half*three = 3/2|0 = 0");
+  check_numbers(
+      "1 + 2*3 = 7|(1 + 2)*3 = 9|2*3 + 1 = 7|8 - 3 - 2 = 3|8 - (3 - 2) = 7|12/3/2 = 2|12/(3/2) = 8|12/3*2 = 8|"
+      "2*3^2 = 18|12/2^2 = 3|1/3 + 1/6 = 1/2|  1+ 2 * three  = 7|half*three = 3/2|0 = 0");
 }
 
 TEST(unary_minus)
@@ -72,8 +73,9 @@ TEST(unary_minus)
 
 TEST(powers)
 {
-  check_numbers("2^10 = 1024|7^1 = 7|7^0 = 1|none^0 = 1|none^3 = 0|(1 + three)^2 = 16|half^3 = 1/8|2 ^ 3 = 8|2^-1 = 1/2|"
-                "2^(2) = 4|2^3^2 = 512|2^(4/2) = 4|half^-3 = 8|(x^2 + 3*x)^2/x^2 - x^2 - 6*x = 9");
+  check_numbers(
+      "2^10 = 1024|7^1 = 7|7^0 = 1|none^0 = 1|none^3 = 0|(1 + three)^2 = 16|half^3 = 1/8|2 ^ 3 = 8|2^-1 = 1/2|"
+      "2^(2) = 4|2^3^2 = 512|2^(4/2) = 4|half^-3 = 8|(x^2 + 3*x)^2/x^2 - x^2 - 6*x = 9");
 }
 
 TEST(parentheses)
@@ -134,15 +136,15 @@ TEST(exact_functions)
       "min(x - x, none) = 0|(x^64)^half/x^32 = 1|(x^100 - x^100)^64 = 0");
   SCOPED(series, value);
   SCOPED(fmpq, c);
-  FOR_CASES (text,
-             "2^half|exp(1)|log(2)|log10(2)|sin(1)|asin(1)|2^65|2^pi|sqrt(2)*x|exp(pi)|sqrt(pi)|sin(pi)|pi^0.5|4^(1/65)")
+  FOR_CASES (
+      text, "2^half|exp(1)|log(2)|log10(2)|sin(1)|asin(1)|2^65|2^pi|sqrt(2)*x|exp(pi)|sqrt(pi)|sin(pi)|pi^0.5|4^(1/65)")
     assert_true(evaluate(&value, text) && value.kind == SERIES_BALLS && value.known == SERIES_ALL);
   assert_true(evaluate(&value, "sqrt(1 + 2*x + x^2)") && value.kind == SERIES_FRACTIONS && value.known == LENGTH);
   assert_true(series_rational_coefficient(c, &value, 1) && fmpq_is_one(c) && next_nonzero(&value, 2, LENGTH) == LENGTH);
 }
 
-/* The series at x = 2^-10 against C's library: what the series leaves off is at most 2^-53 of it, for (1 + x)^70, and each formula multiplies few ulp by
- * less than 4. */
+/* The series at x = 2^-10 against C's library: what the series leaves off is at most 2^-53 of it, for (1 + x)^70, and
+ * each formula multiplies few ulp by less than 4. */
 TEST(functions_at_a_small_x)
 {
   static const char formulas[] =
@@ -225,8 +227,9 @@ TEST(pi_is_exact)
   arb_mul_ui(got, got, 3, PRECISION);
   arb_const_pi(pi, 2 * PRECISION);
   assert_true(value.kind == SERIES_IN_PI && arb_contains(got, pi) && arb_rel_accuracy_bits(got) > PRECISION - 8);
-  FOR_CASES (text, "pi*0|pi*x - x*pi|1/pi - 1/(pi + x) - x/(pi*(pi + x))|(pi + x)^7/(pi + x)^6 - pi - x|min(pi, pi) - pi|"
-                   "(1/(pi - 22/7) - 1/(pi + x))*(pi - 22/7) - (22/7 + x)/(pi + x)") {
+  FOR_CASES (text,
+             "pi*0|pi*x - x*pi|1/pi - 1/(pi + x) - x/(pi*(pi + x))|(pi + x)^7/(pi + x)^6 - pi - x|min(pi, pi) - pi|"
+             "(1/(pi - 22/7) - 1/(pi + x))*(pi - 22/7) - (22/7 + x)/(pi + x)") {
     assert_true(evaluate(&value, text));
     assert_int_equal(next_nonzero(&value, -2, least(value.known, LENGTH)), least(value.known, LENGTH));
   }
@@ -239,9 +242,10 @@ TEST(pi_is_exact)
 /* In balls: every operation encloses the same one in double, and 0.1 is a tenth. */
 TEST(in_balls)
 {
-  static const char *const formulas[] = { "three/7 - -none", "half^three", "2^half",       "2^-3",          "abs(-three)",
-                                          "sqrt(three)",     "exp(half)",  "log(three)",   "log10(three)",  "sin(half)",
-                                          "cos(half)",       "asin(half)", "min(3, half)", "max(1,half,3)", "2*pi*0.25" };
+  static const char *const formulas[] = { "three/7 - -none", "half^three",    "2^half",    "2^-3",
+                                          "abs(-three)",     "sqrt(three)",   "exp(half)", "log(three)",
+                                          "log10(three)",    "sin(half)",     "cos(half)", "asin(half)",
+                                          "min(3, half)",    "max(1,half,3)", "2*pi*0.25" };
   const struct formula_names known = { .place = place_of };
   const double values[NAMES] = { 0.75, 3, 0.5, 0 };
   char message[FORMULA_MESSAGE];

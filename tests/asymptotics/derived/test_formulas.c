@@ -13,8 +13,8 @@ SCOPED_KIND(scallop_symbols, struct scallop_symbols)
 enum { PRECISION = 300, LENGTH = 24 };
 static const struct ring ring = { LENGTH, PRECISION };
 
-/* The size is what the formula is with the absolute value of every term, as in test_published.c: a rounding error is a few epsilon
- * of it. */
+/* The size is what the formula is with the absolute value of every term, as in test_published.c: a rounding error is a
+ * few epsilon of it. */
 struct sized {
   double value, size;
 };
@@ -115,7 +115,8 @@ static struct sized sum(struct reader *r)
   }
 }
 
-/* No formula has more than 32 operations; the inputs l0, lT and L_kin are rounded themselves, and enter with small powers. */
+/* No formula has more than 32 operations; the inputs l0, lT and L_kin are rounded themselves, and enter with small
+ * powers. */
 #define ROUNDING (32 * DBL_EPSILON)
 
 static bool of_extension(const struct scallop_formula *f)
@@ -187,7 +188,8 @@ TEST(fourth_derivatives)
 {
   struct scallop_polynomial made[2];
   const char *why;
-  const struct scallop_gait *gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait, &made[0].gait,
+  const struct scallop_gait *gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,
+                                         &trapezoid_gait,         &made[0].gait,
                                          &made[1].gait,           &minimum_jerk_gait };
   assert_int_equal(scallop_make_polynomial(&made[0], "a", (double[]){ 0, 0, 3, -2 }, 3, &why), SCALLOP_OK);
   assert_int_equal(scallop_make_polynomial(&made[1], "b", (double[]){ 0, 0, 0, 10, -15, 6 }, 5, &why), SCALLOP_OK);
@@ -202,7 +204,8 @@ TEST(fourth_derivatives)
       scallop_symbols_set(&s, &exact, kind, NULL, NULL, &ring);
       series_coefficient(k, &s.value[end ? SCALLOP_SYMBOL_kT : SCALLOP_SYMBOL_k0], 0, 128);
       double wanted = arf_get_d(arb_midref(k), ARF_RND_NEAR);
-      CHECK_NEAR(scallop_fourth_derivative(&exact.gait->phase[kind], end), wanted, 8 * DBL_EPSILON * (fabs(wanted) + 1));
+      CHECK_NEAR(scallop_fourth_derivative(&exact.gait->phase[kind], end), wanted,
+                 8 * DBL_EPSILON * (fabs(wanted) + 1));
     }
   const struct scallop_piece lawless = { .end = 1, .direction = 1 };
   CHECK_EQUAL(scallop_fourth_derivative(&(struct scallop_shape){ .pieces = &lawless, .count = 1 }, true), NAN);
@@ -210,7 +213,8 @@ TEST(fourth_derivatives)
 
 TEST(a_text_is_the_same_number_in_double_and_as_a_series)
 {
-  static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
+  static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,
+                                                      &trapezoid_gait };
   struct random r = { 20260851 };
   SCOPED(scallop_symbols, s);
   for (int i = 0; i < 300; i++) {

@@ -123,7 +123,8 @@ TEST(division_by_what_may_be_zero)
 }
 
 /* One step of a random calculation, the same in both rings. In `shorter` every series may have been cut. */
-static void random_step(struct series *to, const struct series *a, const struct series *b, int step, const struct ring *in)
+static void random_step(struct series *to, const struct series *a, const struct series *b, int step,
+                        const struct ring *in)
 {
   SCOPED(fmpq, half);
   switch (step) {
@@ -136,8 +137,8 @@ static void random_step(struct series *to, const struct series *a, const struct 
   }
 }
 
-/* Six numbers, each replaced again and again by a result of two others: whatever is known with n terms is the same with 3 n
- * terms and nothing cut off. Known is never more than the longer calculation knows. */
+/* Six numbers, each replaced again and again by a result of two others: whatever is known with n terms is the same with
+ * 3 n terms and nothing cut off. Known is never more than the longer calculation knows. */
 static void check_calculation(struct random *r, bool balls)
 {
   enum { NUMBERS = 6, STEPS = 12 };
@@ -151,7 +152,8 @@ static void check_calculation(struct random *r, bool balls)
       series_truncate(&few[i], few[i].first + 1 + random_below(r, LENGTH));
   }
   for (int i = 0; i < STEPS; i++) {
-    int to = random_below(r, NUMBERS), a = random_below(r, NUMBERS), b = random_below(r, NUMBERS), step = random_below(r, 6);
+    int to = random_below(r, NUMBERS), a = random_below(r, NUMBERS), b = random_below(r, NUMBERS),
+        step = random_below(r, 6);
     if (step == 3 && (series_coefficient_is_zero(&few[b], few[b].first) || few[b].known <= few[b].first))
       step = 2;
     random_step(&few[to], &few[a], &few[b], step, &ring);
@@ -209,7 +211,9 @@ TEST(functions_of_pi_one_by_one)
     as_balls(&w[1], &w[0]);
     for (int k = 0; k < 2; k++) {
       struct series *s = &w[k];
-      i % 3 == 0 ? series_inflate(s, s, 2) : i % 3 == 1 ? series_integral(s, s, &longer) : series_derivative(s, s, &longer);
+      i % 3 == 0   ? series_inflate(s, s, 2)
+      : i % 3 == 1 ? series_integral(s, s, &longer)
+                   : series_derivative(s, s, &longer);
       series_set_zero(s, s->first + 1);
       series_neg(s, s);
     }

@@ -23,8 +23,8 @@ static void raise_to(struct series *to, const struct series *a, slong p, slong q
     fail_msg("refused: %s", wrong);
 }
 
-/* A random series that begins with a number above 0 at x^first: in fractions or balls, cut or not. One whose first coefficient is
- * `leading`, unless that is 0 */
+/* A random series that begins with a number above 0 at x^first: in fractions or balls, cut or not. One whose first
+ * coefficient is `leading`, unless that is 0 */
 static void positive_series(struct series *s, struct random *r, slong first, slong leading)
 {
   SCOPED(fmpq, c);
@@ -279,8 +279,8 @@ static const char *random_function(struct series *to, const struct series *a, in
 }
 enum { RANDOM_FUNCTIONS = 12 };
 
-/* Whatever is known of the function of a series that is cut, with n terms, is the same with 3 n terms and nothing cut off: what is
- * cut off is not 0. */
+/* Whatever is known of the function of a series that is cut, with n terms, is the same with 3 n terms and nothing cut
+ * off: what is cut off is not 0. */
 TEST(what_is_known_is_right)
 {
   struct random r = { 20260906 };
@@ -322,7 +322,8 @@ TEST(balls_hold_the_fractions)
     if (random_function(&w[2], &w[0], i % RANDOM_FUNCTIONS, &ring))
       continue;
     assert_null(random_function(&w[3], &w[1], i % RANDOM_FUNCTIONS, &ring));
-    for (slong k = -FAR; k < least(least(w[2].known, w[3].known), FAR) && w[2].kind == SERIES_FRACTIONS; k++, compared++) {
+    for (slong k = -FAR; k < least(least(w[2].known, w[3].known), FAR) && w[2].kind == SERIES_FRACTIONS;
+         k++, compared++) {
       series_rational_coefficient(exact, &w[2], k);
       series_coefficient(ball, &w[3], k, PRECISION);
       assert_true(arb_contains_fmpq(ball, exact));

@@ -1,5 +1,5 @@
-/* The singularities of the branch that the series expand: beside the growth of the coefficients, a closed form, and the poles of rational
- * functions. */
+/* The singularities of the branch that the series expand: beside the growth of the coefficients, a closed form, and the
+ * poles of rational functions. */
 #include "asymptotics/derived/continuation.h"
 #include "asymptotics/derived/cover.h"
 #include "asymptotics/derived/derived.h"
@@ -45,9 +45,9 @@ static void check_proven(const struct scallop_singularity *s)
   assert_true(arb_rel_accuracy_bits(s->T) > 80);
 }
 
-/* How far the coefficients a_j of Z^j, Z = T^4, are from those of branch points at Z and its conjugate: b_j = j^(3/2) a_j |Z|^j is then
- * Re(A e^(i j arg Z)) but for terms of the order of 1/j, and b_(j+1) - 2 cos(arg Z) b_j + b_(j-1), of a real Z b_(j+1) -+ b_j, is of the
- * order of 1/j^2 beside it. */
+/* How far the coefficients a_j of Z^j, Z = T^4, are from those of branch points at Z and its conjugate: b_j = j^(3/2)
+ * a_j |Z|^j is then Re(A e^(i j arg Z)) but for terms of the order of 1/j, and b_(j+1) - 2 cos(arg Z) b_j + b_(j-1), of
+ * a real Z b_(j+1) -+ b_j, is of the order of 1/j^2 beside it. */
 static double strangeness(const struct series *a, double T, double angle, slong j)
 {
   double b[3];
@@ -65,7 +65,8 @@ static double strangeness(const struct series *a, double T, double angle, slong 
   return fabs(real ? b[2] - cos(angle) * b[1] : b[2] - 2 * cos(angle) * b[1] + b[0]) / most;
 }
 
-/* Twice as many coefficients make that four times smaller; had T an error of 1 %, which is one of 4 % in Z, it would stay at 0.04. */
+/* Twice as many coefficients make that four times smaller; had T an error of 1 %, which is one of 4 % in Z, it would
+ * stay at 0.04. */
 static void check_growth(const struct subject *s, double error)
 {
   enum { FEW = 14, MANY = 28, ORDER = 4 * MANY + 8, BITS = 1024 };
@@ -96,8 +97,8 @@ TEST(coefficients_grow_as_the_singularity_says)
   }
 }
 
-/* Of the default crawler, where other sheets have branch points too: one nearer, which the branch does not meet, and one on the real axis a
- * thousandth farther, between the two that are the nearest. */
+/* Of the default crawler, where other sheets have branch points too: one nearer, which the branch does not meet, and
+ * one on the real axis a thousandth farther, between the two that are the nearest. */
 TEST(branch_points_of_other_sheets)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
@@ -109,8 +110,8 @@ TEST(branch_points_of_other_sheets)
   check_growth(&s, -0.02);
 }
 
-/* From rest the last switch of a sinusoidal extension solves q (pi/2) sin(x) = eps beta x/pi, x = pi s; its branch points are where tan(x) = x, the
- * one that it meets at x = 4.4934, where eps < 0. */
+/* From rest the last switch of a sinusoidal extension solves q (pi/2) sin(x) = eps beta x/pi, x = pi s; its branch
+ * points are where tan(x) = x, the one that it meets at x = 4.4934, where eps < 0. */
 TEST(from_rest)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
@@ -140,8 +141,9 @@ TEST(first_crossing_alone)
   SCOPED(fmpq, v0);
   fmpq_set_si(v0, 1, 2);
   for (int i = 0; i < 2; i++) {
-    assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_CONTRACTION, v0, 1 + i, PRECISION, NULL),
-                     SCALLOP_OK);
+    assert_int_equal(
+        scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_CONTRACTION, v0, 1 + i, PRECISION, NULL),
+        SCALLOP_OK);
     check_proven(&s.singularity);
     T[i] = middle(s.singularity.T);
   }
@@ -256,11 +258,13 @@ TEST(joined_crossings)
   arb_poly_clear(at.law);
 }
 
-/* Without crossings that are joined the crossing with itself would be met on the way, where the derivative of the equations is singular and the
- * branch is not: for every other crawler or so on the imaginary axis of T^2. */
+/* Without crossings that are joined the crossing with itself would be met on the way, where the derivative of the
+ * equations is singular and the branch is not: for every other crawler or so on the imaginary axis of T^2. */
 TEST(a_crossing_does_not_meet_itself)
 {
-  const struct scallop_crawler c = { 2.25, 0.1640625, 0.48828125, 0.703125, 1, 1, 0.88671875, &scallop_gait_sinusoidal };
+  const struct scallop_crawler c = {
+    2.25, 0.1640625, 0.48828125, 0.703125, 1, 1, 0.88671875, &scallop_gait_sinusoidal
+  };
   STEADY_SUBJECT(s, &c);
   check_proven(&s.singularity);
   assert_true(arb_contains_zero(acb_realref(s.singularity.place)));
@@ -287,7 +291,8 @@ struct outcome {
   double covered, reach;
 };
 
-/* Of the steady state of the default crawler, sinusoidal. shift: of the velocity at z = 0 from where the branch begins */
+/* Of the steady state of the default crawler, sinusoidal. shift: of the velocity at z = 0 from where the branch
+ * begins */
 static struct outcome search_after(enum gathered what, slong shift)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);

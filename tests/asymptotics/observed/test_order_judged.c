@@ -1,4 +1,5 @@
-/* Tables of real methods, each judged by a person before the estimator saw it: finite differences, quadrature, and ODE solvers (GSL's). */
+/* Tables of real methods, each judged by a person before the estimator saw it: finite differences, quadrature, and ODE
+ * solvers (GSL's). */
 #include "tests/support/check.h"
 
 #include <stdlib.h>
@@ -57,7 +58,8 @@ static const struct {
     "2.1, 2.3, 1.4, 1.0, 1.0, 1.0: the first-order term takes over",
     "0.125 7.1401e-05  0.0625 1.6620e-05  0.03125 3.4731e-06  0.015625 1.3089e-06  0.0078125 6.5586e-07 "
     "0.00390625 3.2828e-07  0.001953125 1.6423e-07  0.0009765625 8.2137e-08 " },
-  { "Runge-Kutta (4), pendulum, against a reference that is off by 4e-7", 4, PLATEAU, false, "falls as h^4, and then stays",
+  { "Runge-Kutta (4), pendulum, against a reference that is off by 4e-7", 4, PLATEAU, false,
+    "falls as h^4, and then stays",
     "0.5 1.06e-04  0.25 2.68e-06  0.125 1.37e-07  0.0625 3.21e-07  0.03125 3.59e-07  0.015625 3.61e-07 "
     "0.0078125 3.61e-07 " },
   { "trapezoidal rule, x log x on [0, 1]", 2, FAIL, false, "1.79, 1.82, ... 1.89, 1.90: h^2 log h",

@@ -1,4 +1,5 @@
-/* Orders that nobody expected: right ones with honest intervals, which points are left out, and values instead of errors. */
+/* Orders that nobody expected: right ones with honest intervals, which points are left out, and values instead of
+ * errors. */
 #include "tests/support/check.h"
 
 #include "asymptotics/observed/order.h"
@@ -160,8 +161,8 @@ TEST(from_values)
   EXPECT(SCALLOP_ORDER_INSUFFICIENT, measure(2, true));
 }
 
-/* Values as simulations print them: pi + 0.9 h^p in doubles, rounded to a decimal, or with noise of that size; h down to far below
- * where the values stay. */
+/* Values as simulations print them: pi + 0.9 h^p in doubles, rounded to a decimal, or with noise of that size; h down
+ * to far below where the values stay. */
 enum values { IN_DOUBLES, ROUNDED, NOISY };
 
 static void fill_values(int count, double p, enum values kind, double decimal, bool even)
@@ -175,8 +176,8 @@ static void fill_values(int count, double p, enum values kind, double decimal, b
   }
 }
 
-/* Never a wrong order; and an order where there is nothing but the rounding of doubles, whatever the length of the table, or where
- * values that are rounded more stay the same in the end. */
+/* Never a wrong order; and an order where there is nothing but the rounding of doubles, whatever the length of the
+ * table, or where values that are rounded more stay the same in the end. */
 TEST(values_meet_a_floor)
 {
   static const double decimals[] = { 1e-8, 1e-10 };
@@ -198,7 +199,8 @@ TEST(values_meet_a_floor)
           }
 }
 
-/* Values that stay the same, or are noise alone, have no order; nor are they exact, for all that is known of their error. */
+/* Values that stay the same, or are noise alone, have no order; nor are they exact, for all that is known of their
+ * error. */
 TEST(values_without_an_order)
 {
   for (int i = 0; i < 12; i++)

@@ -1,5 +1,5 @@
-/* How often the verdict on tables of a known kind is right, beside least squares over all points and the mean of the pairwise orders. Prints
- * the table of docs/order.md, and fails where that says something else. */
+/* How often the verdict on tables of a known kind is right, beside least squares over all points and the mean of the
+ * pairwise orders. Prints the table of docs/order.md, and fails where that says something else. */
 #include "tests/support/check.h"
 
 #include <stdio.h>
@@ -75,7 +75,8 @@ static void corrected_2(struct table *t)
   fill(t, 5, 0.5, t->expected = 2, 1);
   print(t, whole(2, 4));
 }
-/* err = C h^p (1 + c[0] h^q + c[1] h^2q + c[2] h^3q), positive, and at the finest h the local order is within half the tolerance of p. */
+/* err = C h^p (1 + c[0] h^q + c[1] h^2q + c[2] h^3q), positive, and at the finest h the local order is within half the
+ * tolerance of p. */
 static void smooth(struct table *t, int least, double h0, double q, const double c[3])
 {
   double far, C = pow(10, uniform(-1, 1));
@@ -91,11 +92,15 @@ static void smooth(struct table *t, int least, double h0, double q, const double
   if (!positive || far > TOLERANCE / 2)
     smooth(t, least, h0, q, (double[3]){ fabs(c[0]) });
 }
-static void two_terms(struct table *t) { smooth(t, whole(5, 9), 0.5, whole(1, 2), (double[3]){ pow(10, uniform(-1, 3)) }); }
+static void two_terms(struct table *t)
+{
+  smooth(t, whole(5, 9), 0.5, whole(1, 2), (double[3]){ pow(10, uniform(-1, 3)) });
+}
 static double coefficient(void) { return pow(10, uniform(-0.5, 1)) * normal(); }
 static void four_terms(struct table *t)
 {
-  smooth(t, whole(5, 8), pow(10, uniform(-1, 0)), whole(1, 2), (double[3]){ coefficient(), coefficient(), coefficient() });
+  smooth(t, whole(5, 8), pow(10, uniform(-1, 0)), whole(1, 2),
+         (double[3]){ coefficient(), coefficient(), coefficient() });
 }
 static void noisy(struct table *t, int count, double order)
 {
@@ -318,7 +323,8 @@ static const struct kind {
   { "C h^(p +- 0.4) (1 + c h), 4 to 8 rows from 1/2", wrong_bent, false, 100 },
   { "h^2 + 2e-3 h, 5 to 10 rows from 0.1 to 1", lower_term_exact, false, 100 },
   { "the same, 3 digits", lower_term_3, false, 95 },
-  { "C h^p (c + h^q), q = 1 or 2, 4 digits, pairwise orders fall through the expected p + q/2", falls_through, false, 99 },
+  { "C h^p (c + h^q), q = 1 or 2, 4 digits, pairwise orders fall through the expected p + q/2", falls_through, false,
+    99 },
   { "h^2 log(1/h), 4 to 8 rows", logarithm_exact, false, 100 },
   { "the same, 4 digits", logarithm_4, false, 85 },
   { "C h^p + a plateau at 1e-5 to 1e-2 of the first error, 10 rows", levels_off, false, 100 },
@@ -395,8 +401,8 @@ TEST(rates)
     double share[RULES];
     count_passes(k, share, &all_used);
     char row[400];
-    snprintf(row, sizeof row, "| %s | %s | %.1f %% | %.1f %% | %.1f %% |\n", k->name, k->good ? "yes" : "no", share[VERDICT],
-             share[SQUARES], share[MEAN]);
+    snprintf(row, sizeof row, "| %s | %s | %.1f %% | %.1f %% | %.1f %% |\n", k->name, k->good ? "yes" : "no",
+             share[VERDICT], share[SQUARES], share[MEAN]);
     fputs(row, stdout);
     if (!says(row)) {
       print_error("docs/order.md does not have this row\n");
@@ -469,8 +475,8 @@ static void count_held(void (*make)(struct table *t), int given[NAMES + 1], int 
   }
 }
 
-/* How often an interval holds the order, where none is expected: confidence-95 in 95 % or more, within three standard deviations of the count,
- * wherever errors scatter, though a second term may hide in the scatter. */
+/* How often an interval holds the order, where none is expected: confidence-95 in 95 % or more, within three standard
+ * deviations of the count, wherever errors scatter, though a second term may hide in the scatter. */
 TEST(coverage)
 {
   bool kept = true;

@@ -180,8 +180,8 @@ TEST(floors)
   TABLE(0.5, 1.1e-4, 0.25, 4.4e-7, 0.125, 1.7e-9, 0.0625, 6.7e-12, 0.03125, 4.4e-16, 0.015625, 2.2e-16);
   judge(8, false, false);
   expect(SCALLOP_ORDER_PASS, "order 7.99 in rows 1 to 4; left out: roundoff in rows 5 and 6");
-  TABLE(1e-1, 4.53e-3, 1e-2, 4.53e-5, 1e-3, 4.53e-7, 1e-4, 4.53e-9, 1e-5, 5.86e-11, 1e-6, 1.63e-10, 1e-7, 5.86e-11, 1e-8,
-        6.6e-9, 1e-9, 6.6e-9, 1e-10, 6.73e-7, 1e-11, 1.04e-5);
+  TABLE(1e-1, 4.53e-3, 1e-2, 4.53e-5, 1e-3, 4.53e-7, 1e-4, 4.53e-9, 1e-5, 5.86e-11, 1e-6, 1.63e-10, 1e-7, 5.86e-11,
+        1e-8, 6.6e-9, 1e-9, 6.6e-9, 1e-10, 6.73e-7, 1e-11, 1.04e-5);
   judge(2, false, false);
   expect(SCALLOP_ORDER_PASS, NULL);
   fill(at_high_floor, 8, 0.25, 2);
@@ -189,19 +189,21 @@ TEST(floors)
   expect(SCALLOP_ORDER_FLOOR_LIMITED, NULL);
 }
 
-/* A plateau behind rows of slope 1 is none of roundoff's; a finest row that is off is no drift; a rough floor leaves the rows above it. */
+/* A plateau behind rows of slope 1 is none of roundoff's; a finest row that is off is no drift; a rough floor leaves
+ * the rows above it. */
 TEST(fine_ends)
 {
-  TABLE(0.5, 2.73, 0.166667, 0.913, 0.0555556, 0.306, 0.0185185, 0.104, 0.00617284, 0.0361, 0.00205761, 0.0136, 0.000685871,
-        0.00615, 0.000228624, 0.00365);
+  TABLE(0.5, 2.73, 0.166667, 0.913, 0.0555556, 0.306, 0.0185185, 0.104, 0.00617284, 0.0361, 0.00205761, 0.0136,
+        0.000685871, 0.00615, 0.000228624, 0.00365);
   judge(1, false, false);
   expect(SCALLOP_ORDER_PLATEAU, "err stops falling near 0.0037 in rows 7 and 8: a plateau far above roundoff");
   TABLE(0.5, 0.0625, 0.25, 0.00390625, 0.125, 0.000244140625, 0.0625, 1.52587890625e-05, 0.03125, 9.5367431640625e-07,
         0.015625, 5.93e-08);
   judge(4, false, false);
   expect(SCALLOP_ORDER_PASS, "order 4 in rows 1 to 5; left out: roundoff in row 6");
-  TABLE(0.5247, 0.886418, 0.2624, 0.221553, 0.1312, 0.0553687, 0.06559, 0.0138258, 0.0328, 0.00348085, 0.0164, 0.000863772,
-        0.008199, 0.000196189, 0.0041, 0.000101625, 0.00205, 4.78873e-05, 0.001025, 5.92781e-05, 0.0005124, 6.75894e-05);
+  TABLE(0.5247, 0.886418, 0.2624, 0.221553, 0.1312, 0.0553687, 0.06559, 0.0138258, 0.0328, 0.00348085, 0.0164,
+        0.000863772, 0.008199, 0.000196189, 0.0041, 0.000101625, 0.00205, 4.78873e-05, 0.001025, 5.92781e-05, 0.0005124,
+        6.75894e-05);
   judge(2, false, false);
   expect(SCALLOP_ORDER_PASS, NULL);
   TABLE(0.5, 1, 0.25, 0.1, 0.125, 0.03125, 0.0625, 0.015625, 0.03125, 0.0078125);
@@ -278,8 +280,9 @@ TEST(invalid_tables)
   judge(2, false, false);
   expect(SCALLOP_ORDER_INVALID, "an infinite number in row 3; h <= 0 in rows 1 and 2; noise < 0 or NaN in row 5");
   for (int i = 0; i < 30; i++)
-    points[i] =
-        (struct scallop_order_point){ .h = i + 1, .err = i % 4 == 1 || i % 4 == 2 ? NAN : 1, .row = i < 20 ? 0 : 3 * i };
+    points[i] = (struct scallop_order_point){ .h = i + 1,
+                                              .err = i % 4 == 1 || i % 4 == 2 ? NAN : 1,
+                                              .row = i < 20 ? 0 : 3 * i };
   count = 30;
   judge(2, false, false);
   expect(SCALLOP_ORDER_INVALID, "NaN in rows 2, 3, 6, 7, 10, 11, 14, 15, 18, 19, 63 and 4 more");
@@ -323,12 +326,13 @@ TEST(few_rows)
   expect(SCALLOP_ORDER_PASS, "order 2 in rows 2 to 5; left out: before a change of sign in row 1");
   TABLE(0.1, -0.1, 0.05, 0.025, 0.025, -0.00625, 0.0125, 0.00156, 0.00625, -3.9e-4);
   judge(2, false, false);
-  expect(SCALLOP_ORDER_INSUFFICIENT, "1 usable row, an order takes 3; left out: before a change of sign in rows 1 to 4");
+  expect(SCALLOP_ORDER_INSUFFICIENT,
+         "1 usable row, an order takes 3; left out: before a change of sign in rows 1 to 4");
   assert_string_equal(scallop_order_interval_text(SCALLOP_ORDER_NO_INTERVAL), "none");
 }
 
-/* NASA's example of the grid convergence index: the pressure recovery of an inlet on three grids (NPARC Alliance, Examining Spatial (Grid)
- * Convergence): p = 1.786170, gci = 0.103083 %, gci of the coarser two 0.356249 %. */
+/* NASA's example of the grid convergence index: the pressure recovery of an inlet on three grids (NPARC Alliance,
+ * Examining Spatial (Grid) Convergence): p = 1.786170, gci = 0.103083 %, gci of the coarser two 0.356249 %. */
 TEST(grid_convergence)
 {
   TABLE(4, 0.96178, 2, 0.96854, 1, 0.97050);

@@ -22,23 +22,24 @@ enum { POINTS = 2 };
   }
 /* m1, m2, F1, F2, T, l0, lT; l_start, l_end, v0, t1, dT, x_switch. F1 > F2, then F1 < F2 */
 static const struct scallop_values extension[POINTS] = {
-  AT(6743 / 4096., 4465 / 4096., 12979 / 4096., 7485 / 4096., 2459 / 4096., 37935 / 4096., -38861 / 4096., 0, 7089 / 4096.,
-     2945 / 4096., 883 / 4096., 957 / 4096., -3521 / 4096.),
-  AT(3075 / 4096., 5815 / 4096., 4461 / 4096., 14853 / 4096., 2549 / 4096., 45099 / 4096., -37089 / 4096., 0, 8715 / 4096.,
-     2605 / 4096., 485 / 4096., 701 / 4096., -3591 / 4096.),
+  AT(6743 / 4096., 4465 / 4096., 12979 / 4096., 7485 / 4096., 2459 / 4096., 37935 / 4096., -38861 / 4096., 0,
+     7089 / 4096., 2945 / 4096., 883 / 4096., 957 / 4096., -3521 / 4096.),
+  AT(3075 / 4096., 5815 / 4096., 4461 / 4096., 14853 / 4096., 2549 / 4096., 45099 / 4096., -37089 / 4096., 0,
+     8715 / 4096., 2605 / 4096., 485 / 4096., 701 / 4096., -3591 / 4096.),
 };
 
 static const struct scallop_values contraction[POINTS] = {
-  AT(2541 / 4096., 7673 / 4096., 12933 / 4096., 7771 / 4096., 3091 / 4096., -52743 / 4096., 47975 / 4096., 8193 / 4096., 0,
-     2835 / 4096., 1055 / 4096., 643 / 4096., -2451 / 4096.),
-  AT(2751 / 4096., 7579 / 4096., 7561 / 4096., 16783 / 4096., 5459 / 4096., -28889 / 4096., 47361 / 4096., 11187 / 4096., 0,
-     1869 / 4096., 781 / 4096., 591 / 4096., -1173 / 4096.),
+  AT(2541 / 4096., 7673 / 4096., 12933 / 4096., 7771 / 4096., 3091 / 4096., -52743 / 4096., 47975 / 4096., 8193 / 4096.,
+     0, 2835 / 4096., 1055 / 4096., 643 / 4096., -2451 / 4096.),
+  AT(2751 / 4096., 7579 / 4096., 7561 / 4096., 16783 / 4096., 5459 / 4096., -28889 / 4096., 47361 / 4096.,
+     11187 / 4096., 0, 1869 / 4096., 781 / 4096., 591 / 4096., -1173 / 4096.),
 };
 
 /* A gait whose l0 and -lT differ. The steady formulas read nothing but those of the extension. */
 static const struct scallop_piece straight = { .linear = true };
 static const struct scallop_gait lopsided = {
-  "lopsided", { { .pieces = &straight, .count = 1, .l0 = 16105 / 4096., .lT = -36275 / 4096. }, { .l0 = NAN, .lT = NAN } }
+  "lopsided",
+  { { .pieces = &straight, .count = 1, .l0 = 16105 / 4096., .lT = -36275 / 4096. }, { .l0 = NAN, .lT = NAN } }
 };
 
 static const struct scallop_crawler crawler[POINTS] = {
@@ -71,11 +72,12 @@ struct wanted {
 #f, equation, SCALLOP_STEADY, SCALLOP_##quantity, remainder, { v1, v2 }, { s1, s2 } \
   }
 
-/* function, equation, what it gives, exponent of the printed remainder, then value and size twice.
- * (25) prints l(T): in section 4.3.3 that is the amplitude, l at the start of the contraction. A.7 says
- * "v0 t1/2 = O(T^2)", which is no remainder. (12) prints O(dT^2), and dT is of order T^3; (A.4) O(t1^2), and t1 is of order T^2. (A.13)
- * prints none; its first line is the second over M. (B.11) prints the velocity x2'(T - dT), which is 0. x2(0) of appendix B is 0: positions count from the start.
- * (6) is the velocity at T, where l' = 0. Short exact values: A.7 is 2945 883 / 2^25, B.3 is 2835 1055 / 2^25. */
+/* function, equation, what it gives, exponent of the printed remainder, then value and size twice. (25) prints l(T): in
+ * section 4.3.3 that is the amplitude, l at the start of the contraction. A.7 says "v0 t1/2 = O(T^2)", which is no
+ * remainder. (12) prints O(dT^2), and dT is of order T^3; (A.4) O(t1^2), and t1 is of order T^2. (A.13) prints none;
+ * its first line is the second over M. (B.11) prints the velocity x2'(T - dT), which is 0. x2(0) of appendix B is 0:
+ * positions count from the start. (6) is the velocity at T, where l' = 0. Short exact values: A.7 is 2945 883 / 2^25,
+ * B.3 is 2835 1055 / 2^25. */
 static const struct wanted wanted[] = {
   EQUAL(equal_v1_end, "(6)", VELOCITY_AT_END, 0, 0, 0, 0),
   EQUAL(equal_x1_end, "(7)", REAR_AT_END, -0.6894747552320329, 0.69, -1.391731322281004, 1.4),
@@ -88,11 +90,11 @@ static const struct wanted wanted[] = {
   REST(rest_x1_end, "(19)", REAR_AT_END, 4, -0.60114079554811875, 1.1, -1.618084792184347, 1.9),
   REST(rest_x2_end, "(20)", FRONT_AT_END, 4, 1.1295720950768812, 1.4, 0.50960075469065303, 1.2),
   REST(rest_xC_end, "(21)", CENTRE_AT_END, 4, 0.26421564976438125, 1.2, -0.55424201874684697, 1.5),
-  EXTENSION(text_extension_velocity_change, "(22)", VELOCITY_CHANGE, 3, -0.027173575514144656, 1.5, -0.80351340249732869,
-            1.5),
+  EXTENSION(text_extension_velocity_change, "(22)", VELOCITY_CHANGE, 3, -0.027173575514144656, 1.5,
+            -0.80351340249732869, 1.5),
   EXTENSION(text_extension_xC_end, "(23)", CENTRE_AT_END, 4, 0.59820373100550692, 1.8, -0.17981763617887389, 2),
-  CONTRACTION(text_contraction_velocity_change, "(24)", VELOCITY_CHANGE, 3, -0.77444456145361044, 2, -1.0676023489190069,
-              5.4),
+  CONTRACTION(text_contraction_velocity_change, "(24)", VELOCITY_CHANGE, 3, -0.77444456145361044, 2,
+              -1.0676023489190069, 5.4),
   CONTRACTION(text_contraction_xC_end, "(25)", CENTRE_AT_END, 4, 0.73963165433062903, 2.3, 0.17053230175683636, 6),
   STEADY(text_steady_velocity_l0_lT, "(26)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
   STEADY(text_steady_velocity, "(27)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
@@ -101,9 +103,10 @@ static const struct wanted wanted[] = {
   EXTENSION(A_t1_unexpanded, "(A.5)", FIRST_SWITCH, 0, 0.059603637104378757, 0.06, 0.030621577116750929, 0.031),
   EXTENSION(A_t1, "(A.6)", FIRST_SWITCH, 6, 0.057707608295358414, 0.083, 0.030203652269704073, 0.039),
   EXTENSION(A_x1_first_switch, "(A.7)", REAR_AT_FIRST, 0, 0.07749900221824646, 0.078, 0.03765299916267395, 0.038),
-  EXTENSION(A_v1_switch, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -0.4631337227552516, 18, -1.7458677663002957, 15),
-  EXTENSION(A_v1_switch_from_v0, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -4.623032852862457, 13, -5.511870774443563,
-            11),
+  EXTENSION(A_v1_switch, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -0.4631337227552516, 18, -1.7458677663002957,
+            15),
+  EXTENSION(A_v1_switch_from_v0, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -4.623032852862457, 13,
+            -5.511870774443563, 11),
   EXTENSION(A_dT_unexpanded, "(A.14)", LAG, 0, 0.0797318772329716, 0.19, -0.0086516334897053304, 0.18),
   REST(rest_dT_product, "(A.15), (B.6)", LAG, 7, 0.02674971873097531, 0.13, -0.05120131674280494, 0.11),
   EXTENSION(A_dT_product, "(A.15)", LAG, 6, 0.07787782144508062, 0.24, -0.0091824999621818195, 0.17),
@@ -160,7 +163,8 @@ static int differs(const char *name, int i, double got, double value, double siz
 {
   if (check_near(got, value, ROUNDING * size))
     return 0;
-  print_error("%s at point %d = %.17g, wanted %.17g: off by %.3g of its size\n", name, i, got, value, (got - value) / size);
+  print_error("%s at point %d = %.17g, wanted %.17g: off by %.3g of its size\n", name, i, got, value,
+              (got - value) / size);
   return 1;
 }
 
@@ -237,8 +241,8 @@ TEST(equation_23_and_A25_differ_by_the_sign_of_the_last_term)
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_values *p = &extension[i];
     double last = p->of[SCALLOP_SYMBOL_v0] * 2 * p->of[SCALLOP_SYMBOL_F1]
-                  / (p->of[SCALLOP_SYMBOL_m2] * p->of[SCALLOP_SYMBOL_l0]) * p->of[SCALLOP_SYMBOL_T] * p->of[SCALLOP_SYMBOL_T]
-                  * p->of[SCALLOP_SYMBOL_T];
+                  / (p->of[SCALLOP_SYMBOL_m2] * p->of[SCALLOP_SYMBOL_l0]) * p->of[SCALLOP_SYMBOL_T]
+                  * p->of[SCALLOP_SYMBOL_T] * p->of[SCALLOP_SYMBOL_T];
     CHECK_NEAR(value_of("A_xC_end", p) - value_of("text_extension_xC_end", p), 2 * last, ROUNDING * 4);
   }
 }
@@ -283,7 +287,8 @@ TEST(appendix_B_is_appendix_A_exchanged)
   assert_int_equal(differences, 0);
 }
 
-/* The third line of (A.17) is the second with its products written out; that of (B.7) is so only with 1/2 in front of m1 l''(0) t1^2/M. */
+/* The third line of (A.17) is the second with its products written out; that of (B.7) is so only with 1/2 in front of
+ * m1 l''(0) t1^2/M. */
 TEST(lines_of_A17_and_B7)
 {
   for (int i = 0; i < POINTS; i++) {
@@ -406,8 +411,9 @@ TEST(conditions_in_doubles)
     bool holds;
   } cases[] = { { "m1 < 2*F2", true }, { "m1 > 2*F2", false }, { "2*m1 = 5", true }, { "m1", false },
                 { "m3 > 1", false },   { "F2=F1", false },     { NULL, true } };
-  const struct scallop_values values = { .of = {
-                                             [SCALLOP_SYMBOL_m1] = 2.5, [SCALLOP_SYMBOL_F2] = 3, [SCALLOP_SYMBOL_F1] = 4 } };
+  const struct scallop_values values = {
+    .of = { [SCALLOP_SYMBOL_m1] = 2.5, [SCALLOP_SYMBOL_F2] = 3, [SCALLOP_SYMBOL_F1] = 4 }
+  };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     const char *const when[] = { cases[i].when, NULL };
     const struct scallop_formula f = { .name = "f", .setting = SCALLOP_STEADY, .when = when };

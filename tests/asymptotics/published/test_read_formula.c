@@ -22,7 +22,8 @@ static struct scallop_crawler some_crawler(struct random *r, const struct scallo
   return crawler;
 }
 
-/* Every formula of the paper and every correction: read once and evaluated often, it is scallop_published_value to the last bit. */
+/* Every formula of the paper and every correction: read once and evaluated often, it is scallop_published_value to the
+ * last bit. */
 TEST(published_formulas)
 {
   const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
@@ -34,7 +35,8 @@ TEST(published_formulas)
       for (int k = 0; k < 8; k++) {
         struct scallop_crawler c = some_crawler(&r, every_gait[k % 3]);
         enum scallop_phase_kind kind = k % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
-        double v0 = random_between(&r, -3, 3), t1 = random_between(&r, 0, 1), dT = random_between(&r, 0, 1), x = t1 - dT;
+        double v0 = random_between(&r, -3, 3), t1 = random_between(&r, 0, 1), dT = random_between(&r, 0, 1),
+               x = t1 - dT;
         double got = scallop_formula_double(read, &c, kind, v0, t1, dT, x);
         CHECK_EQUAL(got, scallop_published_value(f, &c, kind, v0, t1, dT, x));
         values += isfinite(got) != 0;
@@ -117,7 +119,9 @@ TEST(refusals)
     { SCALLOP_STEADY, "F1*x_switch", NULL, "the steady state has no x_switch" },
   };
   for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-    const struct scallop_formula row = { .setting = refused[i].setting, .text = refused[i].text, .parts = refused[i].parts };
+    const struct scallop_formula row = { .setting = refused[i].setting,
+                                         .text = refused[i].text,
+                                         .parts = refused[i].parts };
     char message[SCALLOP_FORMULA_MESSAGE] = "";
     assert_null(scallop_formula_read(&row, message));
     assert_string_equal(message, refused[i].message);

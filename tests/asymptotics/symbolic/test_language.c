@@ -97,7 +97,8 @@ static const struct language *const languages[] = { &language_text, &language_c,
                                                     &language_mathml };
 enum { LANGUAGES = 5 };
 
-static void check_written(struct symbols *s, symbolic a, slong power, bool negative, const char *const wanted[LANGUAGES])
+static void check_written(struct symbols *s, symbolic a, slong power, bool negative,
+                          const char *const wanted[LANGUAGES])
 {
   for (int i = 0; i < LANGUAGES; i++) {
     struct written written = symbolic_written(s, a, power, languages[i]);
@@ -136,7 +137,8 @@ TEST(each_language)
 {
   struct symbols s = list();
   symbolic m1 = symbolic_named(&s, NAMED_m1), F1 = symbolic_named(&s, NAMED_F1), F2 = symbolic_named(&s, NAMED_F2);
-  symbolic alpha = symbolic_named(&s, NAMED_alpha), beta = symbolic_named(&s, NAMED_beta), T = symbolic_named(&s, NAMED_T);
+  symbolic alpha = symbolic_named(&s, NAMED_alpha), beta = symbolic_named(&s, NAMED_beta),
+           T = symbolic_named(&s, NAMED_T);
   symbolic zero = symbolic_number(&s, 0, 1), half = symbolic_number(&s, -1, 2), sum = symbolic_sub(&s, F1, F2);
   check_written(&s, zero, 0, false, (const char *[]){ "0", "0.0", "0", "0", "<mn>0</mn>" });
   check_written(&s, half, 0, true,
@@ -149,7 +151,8 @@ TEST(each_language)
                 (const char *[]){ "(F1 - F2)^2/T^2", "pow((F1 - F2), 2)/pow(T, 2)", "(F1 - F2)**2/T**2",
                                   "\\frac{(F_{1} - F_{2})^{2}}{T^{2}}", power_in_mathml });
   /* alpha - beta is 2 alpha - 1, alpha + beta is 1, and beta alone is 1 - alpha or stays */
-  symbolic times = symbolic_mul(&s, symbolic_sub(&s, symbolic_mul(&s, alpha, alpha), symbolic_mul(&s, beta, beta)), beta);
+  symbolic times = symbolic_mul(&s, symbolic_sub(&s, symbolic_mul(&s, alpha, alpha), symbolic_mul(&s, beta, beta)),
+                                beta);
   check_written(&s, times, 1, false,
                 (const char *[]){ "(1 - alpha)*T*(2*alpha - 1)", "beta*T*(2.0*alpha - 1.0)", "beta*T*(2*alpha - 1)",
                                   "(1 - \\alpha) T (2 \\alpha - 1)", product_in_mathml });
@@ -175,8 +178,9 @@ static void check_decimal(const char *decimal, slong power, const char *const wa
   }
 }
 
-static const char decimal_in_mathml[] = "<mn>1.25</mn><mo>&#xB7;</mo><msup><mn>10</mn><mn>-7</mn></msup><mo>&#x2062;</mo>"
-                                        "<msup><mi>T</mi><mn>2</mn></msup>";
+static const char decimal_in_mathml[] =
+    "<mn>1.25</mn><mo>&#xB7;</mo><msup><mn>10</mn><mn>-7</mn></msup><mo>&#x2062;</mo>"
+    "<msup><mi>T</mi><mn>2</mn></msup>";
 
 TEST(decimal_numbers)
 {

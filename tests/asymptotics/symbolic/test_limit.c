@@ -40,8 +40,8 @@ static void set_pi_squared(fmpq_t pi_squared)
 
 static double worst;
 
-/* What the terms leave out is of the order of the first one that is left out: the error of those below parameter^n is the next one that is
- * not 0, to a factor that differs from 1 by about the parameter. */
+/* What the terms leave out is of the order of the first one that is left out: the error of those below parameter^n is
+ * the next one that is not 0, to a factor that differs from 1 by about the parameter. */
 static bool check_limit(struct random *r, const struct scallop_gait *gait, enum limit_parameter in)
 {
   enum { FAR = 24 };
@@ -167,8 +167,8 @@ static double side(const char *text, const double *values)
   return formula_double(&formula, values);
 }
 
-/* U put into the equation. Both sides are sums of a few terms with the sign of U, each right to some ulp; asin near 1 loses half of the
- * digits, and those that near it are passed over. */
+/* U put into the equation. Both sides are sums of a few terms with the sign of U, each right to some ulp; asin near 1
+ * loses half of the digits, and those that near it are passed over. */
 TEST(equation_of_the_sinusoidal_gait_holds)
 {
   SCOPED(scallop_rational, c);
@@ -183,8 +183,9 @@ TEST(equation_of_the_sinusoidal_gait_holds)
       continue;
     series_coefficient(U, &numeric.v_start, -1, 64);
     double m1 = fraction_d(c.m1), m2 = fraction_d(c.m2);
-    const double values[] = { m1,      m2,       fraction_d(c.F1), fraction_d(c.F2), fraction_d(c.L), fraction_d(c.alpha),
-                              m1 + m2, middle(U) };
+    const double values[] = {
+      m1, m2, fraction_d(c.F1), fraction_d(c.F2), fraction_d(c.L), fraction_d(c.alpha), m1 + m2, middle(U)
+    };
     char text[400];
     const char *equation = symbolic_limit_equation(&c);
     snprintf(text, sizeof text, "%s", equation);

@@ -1,5 +1,5 @@
-/* Formulas against the numbers that asymptotics/derived gets by another arithmetic: exactly equal, at crawlers that the formulas were not
- * derived from. */
+/* Formulas against the numbers that asymptotics/derived gets by another arithmetic: exactly equal, at crawlers that the
+ * formulas were not derived from. */
 #include <string.h>
 
 #include "asymptotics/symbolic/symbolic.h"
@@ -11,9 +11,8 @@ enum { ORDER = 8, STEADY_ORDER = 14, PRECISION = 128, CRAWLERS = 300, NAMES = 8 
 
 static const struct series *numeric_of(const struct scallop_phase_expansion *e, int i)
 {
-  const struct series *const all[NAMES] = {
-    &e->t1, &e->dT, &e->v_end, &e->dx1, &e->dx2, &e->dxC, &e->at_first, &e->at_last
-  };
+  const struct series *const all[NAMES] = { &e->t1,  &e->dT,  &e->v_end,    &e->dx1,
+                                            &e->dx2, &e->dxC, &e->at_first, &e->at_last };
   return all[i];
 }
 
@@ -28,7 +27,8 @@ static int compared;
 
 /* first: the power of the formula's first coefficient */
 static void check_series(const struct series *numeric, const struct symbolic_series *series, slong first,
-                         const struct symbols *s, const fmpq *values, const struct scallop_rational_crawler *c, int which)
+                         const struct symbols *s, const fmpq *values, const struct scallop_rational_crawler *c,
+                         int which)
 {
   SCOPED(fmpq, got, wanted);
   for (slong k = 0; k < series->length; k++) {
@@ -41,9 +41,10 @@ static void check_series(const struct series *numeric, const struct symbolic_ser
   }
 }
 
-/* Another crawler with the same sign of F1 - F2, and a start velocity with this sign: in a phase they have the same modes. */
-static void draw_like(struct scallop_rational_crawler *other, fmpq_t v0, const struct scallop_rational_crawler *c, int sign,
-                      struct random *r)
+/* Another crawler with the same sign of F1 - F2, and a start velocity with this sign: in a phase they have the same
+ * modes. */
+static void draw_like(struct scallop_rational_crawler *other, fmpq_t v0, const struct scallop_rational_crawler *c,
+                      int sign, struct random *r)
 {
   do {
     random_exact_crawler(other, r, c->gait);
@@ -123,7 +124,8 @@ TEST(equal_forces_from_rest_are_those_of_F1_at_least_F2)
   symbols_end(&s);
 }
 
-/* The formulas of one crawler at others, where these have the same modes. How many had, or -1 where this crawler has no formula. */
+/* The formulas of one crawler at others, where these have the same modes. How many had, or -1 where this crawler has no
+ * formula. */
 static int check_steady(const struct scallop_gait *gait, struct random *r)
 {
   enum { AT = 16 };

@@ -52,8 +52,9 @@ TEST(ratios_are_settled_last)
 {
   const char *froude = "3.25", *ratio = "4.5", *F2 = "0.7";
   struct sweep_product product = { .groups = 2,
-                                   .group = { { 2, { listed("froude", &froude, 1), listed("F1_over_F2", &ratio, 1) }, 1 },
-                                              { 1, { listed("F2", &F2, 1) }, 1 } } };
+                                   .group = {
+                                       { 2, { listed("froude", &froude, 1), listed("F1_over_F2", &ratio, 1) }, 1 },
+                                       { 1, { listed("F2", &F2, 1) }, 1 } } };
   struct point point = point_initial(NULL);
   const struct scallop_crawler *c = &point.crawler;
   struct swept at = { .why = "" };

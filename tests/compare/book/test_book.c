@@ -1,4 +1,5 @@
-/* The reader of books, beside the table that the build makes of the paper's book by other means (scripts/dev/book.awk). */
+/* The reader of books, beside the table that the build makes of the paper's book by other means
+ * (scripts/dev/book.awk). */
 #include "compare/answers/quantities.h"
 #include "compare/book/book.h"
 #include "tests/support/said.h"
@@ -52,8 +53,8 @@ TEST(the_papers_book_in_both_readers)
 
 TEST(places_of_formulas)
 {
-  static const char book[] =
-      "formulas = ( { name = \"rest_dT\"; of = \"dT\"; text = \"T\"; }, { name = \"b\"; of = \"dx2\"; text = \"t1\"; } );";
+  static const char book[] = "formulas = ( { name = \"rest_dT\"; of = \"dT\"; text = \"T\"; }, { name = \"b\"; of = "
+                             "\"dx2\"; text = \"t1\"; } );";
   int listed = 0, all = 0, published = 0, corrected = 0, conditional = 0;
   for (const struct scallop_formula *f = scallop_published; f->name; f++, published++)
     conditional += f->when != NULL;
@@ -107,7 +108,8 @@ TEST(books_forgotten_and_read_again)
     enum exit_code code = book_read_text("test", "x.cfg", taken, is_dT);
     said_end(&said);
     assert_int_equal(code, EXIT_USAGE);
-    assert_non_null(strstr(said.text, "x.cfg:1: 'dT' cannot be the name of a formula: there is a quantity of this name"));
+    assert_non_null(
+        strstr(said.text, "x.cfg:1: 'dT' cannot be the name of a formula: there is a quantity of this name"));
     books_forget();
     assert_null(book_formula(0));
   }

@@ -1,5 +1,5 @@
-/* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and brute force,
- * radii of convergence by two routes. */
+/* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and
+ * brute force, radii of convergence by two routes. */
 #include "compare/answers/gaits.h"
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"
@@ -34,8 +34,9 @@ static double time_of(const struct events *events, const char *what)
   return NAN;
 }
 
-/* The body with the larger friction is held once the curve is no steeper than what friction does: at the end of its phase (where |l''| L =
- * 4 L/tau^2) from m_other 4 L/tau^2 = F1 + F2 on, and throughout from m_other 4 L/tau^2 = |F1 - F2| on. */
+/* The body with the larger friction is held once the curve is no steeper than what friction does: at the end of its
+ * phase (where |l''| L = 4 L/tau^2) from m_other 4 L/tau^2 = F1 + F2 on, and throughout from m_other 4 L/tau^2 = |F1 -
+ * F2| on. */
 TEST(sticking_begins_where_closed_forms_say)
 {
   struct random r = { 61 };
@@ -67,8 +68,8 @@ static void check_certified(const struct motion *s, double T, const struct scall
   assert_string_equal(got, wanted);
 }
 
-/* In order of T; between two events the modes are the same, and those of the next ones differ; each within 1e-14 of where certified
- * modes change. */
+/* In order of T; between two events the modes are the same, and those of the next ones differ; each within 1e-14 of
+ * where certified modes change. */
 TEST(events_are_where_certified_modes_change)
 {
   struct random r = { 62 };
@@ -96,8 +97,8 @@ TEST(events_are_where_certified_modes_change)
   assert_true(certified > 3 * all / 4);
 }
 
-/* Where friction changes c by less than rounding, a phase that starts from the rounded velocity of the steady state has other modes on a plateau
- * than the steady state: none of that is an event. */
+/* Where friction changes c by less than rounding, a phase that starts from the rounded velocity of the steady state has
+ * other modes on a plateau than the steady state: none of that is an event. */
 TEST(rounding_is_no_event)
 {
   const struct motion s = { .crawler = { 0.5455, 7.341, 6.783, 0.2455, 5.675, 1, 0.686,
@@ -113,7 +114,8 @@ TEST(rounding_is_no_event)
 /* Where l' jumps, the last event is where a body that is thrown comes to rest within its phase. */
 TEST(events_where_l_jumps)
 {
-  const struct motion s = { .crawler = { 0.5315, 1.448, 0.6551, 0.4, 2.804, 1, 0.817, gait_of_text("constant:0").gait } };
+  const struct motion s = { .crawler = { 0.5315, 1.448, 0.6551, 0.4, 2.804, 1, 0.817,
+                                         gait_of_text("constant:0").gait } };
   ENDED_BY(events_clear) struct events events;
   events_find(&events, &s, "");
   assert_int_equal(events.count, 2);
@@ -227,8 +229,9 @@ static struct comparison comparison_named(struct setting *s, enum quantity_id qu
   return (struct comparison){ &s->expansions, items[i], s->cache, NAN };
 }
 
-/* (A.6) t1 = x(1 - y), where for constant l'' it is x/(1 + y), y = T^2 (F1 + F2)/(m2 l0): the relative error is -y^2, so that
- * T* = sqrt(m2 l0/(F1 + F2)) tol^(1/4), until the body does not turn any more. Its unexpanded form (A.5) is exact. */
+/* (A.6) t1 = x(1 - y), where for constant l'' it is x/(1 + y), y = T^2 (F1 + F2)/(m2 l0): the relative error is -y^2,
+ * so that T* = sqrt(m2 l0/(F1 + F2)) tol^(1/4), until the body does not turn any more. Its unexpanded form (A.5) is
+ * exact. */
 TEST(reach_of_a_known_error)
 {
   struct random r = { 71 };
@@ -246,8 +249,8 @@ TEST(reach_of_a_known_error)
   }
 }
 
-/* What stands in the table is what a reader would find by trying: the error is below the tolerance at thousands of T below T*, and not
- * right above it. Some of these errors are above the tolerance, below, and above again. */
+/* What stands in the table is what a reader would find by trying: the error is below the tolerance at thousands of T
+ * below T*, and not right above it. Some of these errors are above the tolerance, below, and above again. */
 TEST(reach_against_brute_force)
 {
   const int points = (int)check_cases(3000);
@@ -283,7 +286,8 @@ TEST(reach_against_brute_force)
   assert_true(returning > 0);
 }
 
-/* The first of many T in the 20 octaves below T at which the error, in double, is not below the tolerance; T if there is none. */
+/* The first of many T in the 20 octaves below T at which the error, in double, is not below the tolerance; T if there
+ * is none. */
 static double first_above(const struct comparison *c, double T)
 {
   enum { POINTS = 1500, OCTAVES = 20 };
@@ -295,8 +299,8 @@ static double first_above(const struct comparison *c, double T)
   return T;
 }
 
-/* 0 below the limit of the error, and as far as trying finds above it. Counts reaches in found[0], and in found[1] those of errors that
- * fall first, or change their sign. */
+/* 0 below the limit of the error, and as far as trying finds above it. Counts reaches in found[0], and in found[1]
+ * those of errors that fall first, or change their sign. */
 static void check_about_limit(struct comparison *c, double limit, double share, int found[2])
 {
   double T = reach_to(c, share * limit);
@@ -314,8 +318,8 @@ static void check_about_limit(struct comparison *c, double limit, double share, 
   found[1] += ends && fabs(comparison_error(c, T / 4)) < limit;
 }
 
-/* Formulas whose error tends to a limit other than 0: (28) for alpha < 1/2, and where l' is no straight line; those of a moving body, of
- * the paper's appendices, from a velocity that they take for the steady one. */
+/* Formulas whose error tends to a limit other than 0: (28) for alpha < 1/2, and where l' is no straight line; those of
+ * a moving body, of the paper's appendices, from a velocity that they take for the steady one. */
 TEST(reach_about_the_limit_of_the_error)
 {
   static const double shares[] = { 0.99, 1.01, 2 };
@@ -324,13 +328,15 @@ TEST(reach_about_the_limit_of_the_error)
   for (int i = 0; i < 12; i++) {
     struct motion motion = { .crawler = draw(&r, i), .of = i % 4 < 2 ? OF_STEADY : OF_PHASE, .phase = i % 8 < 4 };
     struct scallop_crawler *crawler = &motion.crawler;
-    motion.v0 = motion.of == OF_STEADY ? 0
-                                       : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
+    motion.v0 = motion.of == OF_STEADY
+                    ? 0
+                    : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
     SETTING(s, &motion);
     for (int q = 0; q < QUANTITIES; q++) {
       struct series_item items[MOST_ITEMS];
-      int count = motion_has(&motion, (enum quantity_id)q) ? series_items(items, &s.expansions, (enum quantity_id)q, ORDER)
-                                                           : 0;
+      int count = motion_has(&motion, (enum quantity_id)q)
+                      ? series_items(items, &s.expansions, (enum quantity_id)q, ORDER)
+                      : 0;
       for (int item = 0; item < count; item++) {
         struct comparison c = { &s.expansions, items[item], s.cache, NAN };
         double limit = fabs(comparison_error(&c, 1e-9 * motion_natural_time(&motion)));
@@ -353,7 +359,8 @@ static double reach_of(const struct scallop_crawler *crawler, const char *name, 
   return T;
 }
 
-/* At the change of modes at T = 0.6327 the error of (28) has a sharp peak, just above 1 %, and is below that again from 0.643 to 4.5. */
+/* At the change of modes at T = 0.6327 the error of (28) has a sharp peak, just above 1 %, and is below that again from
+ * 0.643 to 4.5. */
 TEST(a_sharp_peak_counts)
 {
   struct scallop_crawler c = scallop_crawler_default();
@@ -378,7 +385,8 @@ TEST(a_wrong_limit_reaches_nowhere)
   c.T = 1e-3;
   assert_true(reach_of(&c, "derived", 1e-2, &error) > 1);
   CHECK_EQUAL(reach_of(&c, "text_steady_xC", 1e-2, &error), 0);
-  /* the roles of the bodies exchange: (a^2 F1 m1 + b^2 F2 m2) should be (b^2 F1 m2 + a^2 F2 m1), a = alpha, b = 1 - alpha */
+  /* the roles of the bodies exchange: (a^2 F1 m1 + b^2 F2 m2) should be (b^2 F1 m2 + a^2 F2 m1), a = alpha, b = 1 -
+   * alpha */
   double a2 = 0.09, b2 = 0.49, wanted = (b2 * 4 + a2) / (a2 * 4 + b2) - 1;
   CHECK_RELATIVE(error, wanted, 1e-6);
 }
@@ -405,8 +413,8 @@ TEST(what_is_0_is_0_for_every_T)
 
 enum { TERMS = 96, BITS = 768 };
 
-/* Of gaits with linear l' the branch has poles, and where these are is proven of the series; the proof that follows the branch, which knows
- * nothing of that, ends a little below them. */
+/* Of gaits with linear l' the branch has poles, and where these are is proven of the series; the proof that follows the
+ * branch, which knows nothing of that, ends a little below them. */
 TEST(the_branch_ends_at_its_poles)
 {
   struct random r = { 81 };
@@ -433,8 +441,8 @@ static void set_series(struct series *s, const fmpq_poly_t poly, slong terms)
   series_inflate(s, s, 2);
 }
 
-/* 1/((1 - z/4)(1 + z/9)) and 1/(1 - 6 z/25 + z^2/25), z = T^2: poles at 4 and -9, and at 3 +- 4 i. Of their square roots: the same
- * places, which are no poles. */
+/* 1/((1 - z/4)(1 + z/9)) and 1/(1 - 6 z/25 + z^2/25), z = T^2: poles at 4 and -9, and at 3 +- 4 i. Of their square
+ * roots: the same places, which are no poles. */
 TEST(radius_of_known_functions)
 {
   enum { COUNT = 60 };

@@ -1,5 +1,5 @@
-/* The ledger's verdicts on orders, against what pencil and paper give: they were derived by hand from the expansion of the motion; the
- * committed table is compared byte by byte elsewhere. */
+/* The ledger's verdicts on orders, against what pencil and paper give: they were derived by hand from the expansion of
+ * the motion; the committed table is compared byte by byte elsewhere. */
 #include "tests/support/full_ledger.h"
 
 static int begin(void **state) { return (void)state, fill(true); }
@@ -35,8 +35,8 @@ TEST(orders_inside)
     }
 }
 
-/* What lines (A.4), (A.17) and (B.7) leave out of l' and l at t1, the first term: t1 = tau T^2, and l' = t l0/T^2 + t^3 k0/(6 T^4) + ...
- * The ledger's v0 is 0.37 sqrt(L (F1+F2)/M) to two digits. */
+/* What lines (A.4), (A.17) and (B.7) leave out of l' and l at t1, the first term: t1 = tau T^2, and l' = t l0/T^2 + t^3
+ * k0/(6 T^4) + ... The ledger's v0 is 0.37 sqrt(L (F1+F2)/M) to two digits. */
 TEST(lines_with_given_times)
 {
   double m1 = 1.7, m2 = 0.8, M = m1 + m2, L = 11.3, pi = 3.14159265358979324, v0 = 1.8;
@@ -138,7 +138,8 @@ TEST(every_row_is_decided)
 TEST(units_do_not_matter)
 {
   struct ledger other = { .rows = NULL };
-  fill_ledger(&other, &(struct scallop_crawler){ 1.7, 0.8, 4.1e9, 1.3e9, 11.3e-3, 1, 0.66, &scallop_gait_quadratic }, true);
+  fill_ledger(&other, &(struct scallop_crawler){ 1.7, 0.8, 4.1e9, 1.3e9, 11.3e-3, 1, 0.66, &scallop_gait_quadratic },
+              true);
   assert_string_equal(other.contradiction, "");
   assert_int_equal(other.count, ledger.count);
   for (int i = 0; i < ledger.count; i++) {

@@ -1,4 +1,5 @@
-/* claims --check against a ledger with a verdict of its own, a row less and a row more: all three are found, and nothing else. */
+/* claims --check against a ledger with a verdict of its own, a row less and a row more: all three are found, and
+ * nothing else. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -10,7 +11,8 @@
 
 static const char file[] = "differences.tsv";
 
-/* In the ledger of the tool the first row about the quadratic gait that holds is upset, and the next one is called otherwise. */
+/* In the ledger of the tool the first row about the quadratic gait that holds is upset, and the next one is called
+ * otherwise. */
 static void change(char *text)
 {
   for (char *line = text; *line; line = strchr(line, '\n') + 1) {

@@ -1,4 +1,5 @@
-/* The claims in words about the figures and about steady states: verdicts, and each figure from the double solver or a closed form. */
+/* The claims in words about the figures and about steady states: verdicts, and each figure from the double solver or a
+ * closed form. */
 #include "tests/support/full_ledger.h"
 
 static int begin(void **state) { return (void)state, fill(false); }
@@ -19,16 +20,17 @@ TEST(verdicts)
     { peaks, by_ratio, true, CLAIM_HOLDS, CLAIM_REFUTED },
     { peaks, by_forces, true, CLAIM_REFUTED, CLAIM_REFUTED },
     { peaks, by_period, true, CLAIM_REFUTED, CLAIM_REFUTED },
-    { peaks, "the paper's crawler, alpha from 0.51 to 0.99 by 0.02; F1/F2 from 1.01 to 7732 by 4 %", true, CLAIM_REFUTED,
-      CLAIM_REFUTED },
+    { peaks, "the paper's crawler, alpha from 0.51 to 0.99 by 0.02; F1/F2 from 1.01 to 7732 by 4 %", true,
+      CLAIM_REFUTED, CLAIM_REFUTED },
     { peaks, "the paper's crawler, m2 = 1, m1 = 1/32, 1/16, ..., 32; F1/F2 from 1.01 to 7732 by 4 %", true, CLAIM_HOLDS,
       CLAIM_REFUTED },
     { "mean_velocity_has_one_maximum", by_ratio, true, CLAIM_REFUTED, CLAIM_REFUTED },
     { "mean_velocity_decays_once_sticking_begins", NULL, true, CLAIM_REFUTED, CLAIM_REFUTED },
-    { grows, "from rest, any masses, forces and duration; in the direction of F1 - F2", true, CLAIM_HOLDS, CLAIM_HOLDS },
+    { grows, "from rest, any masses, forces and duration; in the direction of F1 - F2", true, CLAIM_HOLDS,
+      CLAIM_HOLDS },
     { grows, "the paper's crawler, from rest, F1/F2 = 2, 10, 40", true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { grows, "the paper's crawler, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %", false,
-      CLAIM_REFUTED, CLAIM_HOLDS },
+    { grows, "the paper's crawler, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %",
+      false, CLAIM_REFUTED, CLAIM_HOLDS },
     { grows, "the paper's crawler, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %", false,
       CLAIM_REFUTED, CLAIM_REFUTED },
     { limit, "the paper's crawler, T = 1e-20, alpha from 0.51 to 0.99 by 0.08", true, CLAIM_HOLDS, CLAIM_REFUTED },
@@ -92,9 +94,11 @@ TEST(boundary_is_a_kink)
   for (int k = 0; k < 4; k++) {
     const struct scallop_crawler c = paper(k % 2);
     bool forces = k > 1;
-    const struct claim_row *row = find("mean_velocity_peaks_where_v_start_is_0", k % 2, forces ? by_forces : by_ratio, true);
+    const struct claim_row *row = find("mean_velocity_peaks_where_v_start_is_0", k % 2, forces ? by_forces : by_ratio,
+                                       true);
     double at, before, after, low = forces ? 5 : 30, high = forces ? 10 : 40, h = 1e-6;
-    READ_NUMBERS(row, " = ", 3, "%lf the certified slope d(<U> T/L)/d ln is %lf before, %lf after", &at, &before, &after);
+    READ_NUMBERS(row, " = ", 3, "%lf the certified slope d(<U> T/L)/d ln is %lf before, %lf after", &at, &before,
+                 &after);
     boundary_between(&low, &high, &c, forces);
     double here = mean_speed(low, &c, forces);
     CHECK_RELATIVE(at, low, 1e-9);
@@ -104,8 +108,8 @@ TEST(boundary_is_a_kink)
   }
 }
 
-/* docs/theory.md, Where the start velocity vanishes: the multiplier is a smooth number times f g, so at the boundary it jumps by the
- * ratio of these, and d v_start/dx by g/(1 - multiplier). */
+/* docs/theory.md, Where the start velocity vanishes: the multiplier is a smooth number times f g, so at the boundary it
+ * jumps by the ratio of these, and d v_start/dx by g/(1 - multiplier). */
 TEST(jump_of_the_slope)
 {
   for (int i = 0; i < 2; i++) {
@@ -114,11 +118,13 @@ TEST(jump_of_the_slope)
     boundary_between(&low, &high, &c, i);
     for (int after = 0; after < 2; after++) {
       double sign = after ? 1 : -1, x = after ? high : low;
-      struct scallop_steady_result near = steady_at(x * (1 + sign * h), c, i), far = steady_at(x * (1 + sign * 2 * h), c, i);
+      struct scallop_steady_result near = steady_at(x * (1 + sign * h), c, i),
+                                   far = steady_at(x * (1 + sign * 2 * h), c, i);
       c.F2 = i ? (after ? high : low) : 1;
       c.F1 = i ? 4 * c.F2 : after ? high : low;
       double beta = (c.F1 - c.F2) / (c.F1 + c.F2), eps = c.T * c.T * (c.F1 + c.F2) / ((c.m1 + c.m2) * c.L);
-      double e = c.alpha * c.alpha * eps, k = (1 - c.alpha) * (1 - c.alpha) * eps, q = 0.5 * 4; /* m1 = m2, Lambda = 4 */
+      double e = c.alpha * c.alpha * eps, k = (1 - c.alpha) * (1 - c.alpha) * eps,
+             q = 0.5 * 4; /* m1 = m2, Lambda = 4 */
       double f = after ? (q + e * beta) / (q + e) : (q - e * beta) / (q + e);
       g[after] = after ? (q - k) / (q + k * beta) : (q - k) / (q - k * beta);
       fg[after] = f * g[after];
@@ -141,8 +147,8 @@ static double highest_speed(double low, double high, const struct scallop_crawle
   return mean_speed(low, c, false);
 }
 
-/* Within 1e-6 of the first alpha that the ledger names the slope behind the boundary changes its sign. At the last one it is the
- * slope before (sinusoidal), or a second maximum overtakes the first (quadratic). */
+/* Within 1e-6 of the first alpha that the ledger names the slope behind the boundary changes its sign. At the last one
+ * it is the slope before (sinusoidal), or a second maximum overtakes the first (quadratic). */
 TEST(alphas_from_to)
 {
   for (int g = 0; g < 2; g++) {
@@ -178,19 +184,22 @@ TEST(figures_of_steady_states)
     c.T = 2;
     struct scallop_steady_result s = steady_of(&c);
     const struct claim_row *row = find("steady_state_is_reached", g,
-                                       "the paper's crawler, T = 2, from rest; read as: after finitely many periods", true);
+                                       "the paper's crawler, T = 2, from rest; read as: after finitely many periods",
+                                       true);
     READ_NUMBERS(row, "certified multiplier ", 1, "%lf", &multiplier);
     CHECK_NEAR(multiplier, s.period.multiplier, 1e-10);
-    row = find("text_steady_velocity_in_the_limit", 0, "the paper's crawler, T = 1e-20, alpha from 0.01 to 0.49 by 0.08",
-               false);
+    row = find("text_steady_velocity_in_the_limit", 0,
+               "the paper's crawler, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", false);
     double error, worst;
-    READ_NUMBERS(row, "relative error, certified: ", 2, "%lf at alpha = 0.25, largest %lf at alpha = 0.01", &error, &worst);
+    READ_NUMBERS(row, "relative error, certified: ", 2, "%lf at alpha = 0.25, largest %lf at alpha = 0.01", &error,
+                 &worst);
     CHECK_NEAR(error, 24. / 13, 1e-6); /* (r - 1)(1 - 2 alpha)/(alpha^2 r + (1 - alpha)^2), r = 4 */
     CHECK_NEAR(worst, 3 * 0.98 / 0.9805, 1e-6);
     row = find("displacement_grows_with_duration", g,
-               "the paper's crawler, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %", false);
-    READ_NUMBERS(row, "certified: from v0 = ", 6, "%lf at F1 = %lf dx_C/L is %lf for T = %lf and %lf for T = %lf", &v0, &F1,
-                 &moved, &T, &further, &longer);
+               "the paper's crawler, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %",
+               false);
+    READ_NUMBERS(row, "certified: from v0 = ", 6, "%lf at F1 = %lf dx_C/L is %lf for T = %lf and %lf for T = %lf", &v0,
+                 &F1, &moved, &T, &further, &longer);
     for (int i = 0; i < 2; i++) {
       c.F1 = F1;
       c.T = i ? longer : T;
@@ -199,8 +208,8 @@ TEST(figures_of_steady_states)
   }
 }
 
-/* docs/theory.md: with s = (F1-F2) T^2/(4 m2 L), from rest, up to sticking,
- * dx_C/dT = (F1-F2) T/M [1 - (2 F1/(F1-F2)) s^2 (3+s)/(1+s)^3], and beyond it (F1-F2) T/M / (1+s)^2, until body 1 never moves. */
+/* docs/theory.md: with s = (F1-F2) T^2/(4 m2 L), from rest, up to sticking, dx_C/dT = (F1-F2) T/M [1 - (2 F1/(F1-F2))
+ * s^2 (3+s)/(1+s)^3], and beyond it (F1-F2) T/M / (1+s)^2, until body 1 never moves. */
 TEST(extension_from_rest)
 {
   struct random r = { 77 };
@@ -223,8 +232,8 @@ TEST(extension_from_rest)
   }
 }
 
-/* The same with delta = (F1-F2)/(F1+F2), at which s a body sticks: dv_C = (F1-F2) T/M (1 - s/delta)/(1+s) is highest at the root of
- * s^2 + (3 + delta) s - delta, and the integral of s^2 (3+s)/(1+s)^3 is s + 3/(1+s) - 1/(1+s)^2. */
+/* The same with delta = (F1-F2)/(F1+F2), at which s a body sticks: dv_C = (F1-F2) T/M (1 - s/delta)/(1+s) is highest at
+ * the root of s^2 + (3 + delta) s - delta, and the integral of s^2 (3+s)/(1+s)^3 is s + 3/(1+s) - 1/(1+s)^2. */
 static double integral(double s) { return s + 3 / (1 + s) - 1 / ((1 + s) * (1 + s)); }
 
 TEST(onset_of_sticking)

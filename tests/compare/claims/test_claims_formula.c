@@ -1,5 +1,5 @@
-/* Verdicts on formulas of one's own, as `claims --formula` gives them: orders and coefficients derived by hand, or with fractions apart
- * from the toolkit. */
+/* Verdicts on formulas of one's own, as `claims --formula` gives them: orders and coefficients derived by hand, or with
+ * fractions apart from the toolkit. */
 #include "tests/support/full_ledger.h"
 
 #include "compare/answers/gaits.h"
@@ -37,8 +37,8 @@ static void check_verdict(const struct verdict *v)
   rational_crawler(&exact, &c);
   ledger_add_formula(&ledger_of_one, &exact, true, &formula);
   const struct claim_row *row = ledger_of_one.rows;
-  print_message("%s, %s: %s, order %ld, %s: %s\n", v->text, v->gait, claim_verdict_text(row->verdict), row->derived_order,
-                row->coefficient, row->reason);
+  print_message("%s, %s: %s, order %ld, %s: %s\n", v->text, v->gait, claim_verdict_text(row->verdict),
+                row->derived_order, row->coefficient, row->reason);
   assert_string_equal(ledger_of_one.contradiction, "");
   assert_int_equal(row->verdict, v->verdict);
   if (row->proven)
@@ -70,7 +70,8 @@ TEST(formulas_with_pi)
 {
   CHECK_VERDICTS(
       { "(F1 - F2)*T/M + pi*0*T", REST, V_END, 3, "sinusoidal", &usual, CLAIM_HOLDS, 3, NULL, NULL },
-      { "(F1 - F2)*T/M - 4*F1*(F1-F2)/(m2*M*pi^2*L)*T^3", REST, V_END, 5, "sinusoidal", &usual, CLAIM_HOLDS, 5, NULL, NULL },
+      { "(F1 - F2)*T/M - 4*F1*(F1-F2)/(m2*M*pi^2*L)*T^3", REST, V_END, 5, "sinusoidal", &usual, CLAIM_HOLDS, 5, NULL,
+        NULL },
       { "(F1 - F2)*T/M + 4*F1*(F1-F2)/(m2*M*pi^2*L)*T^3", REST, V_END, 5, "sinusoidal", &usual, CLAIM_REFUTED, 3, NULL,
         "T^3" },
       { "(F1 - F2)*T/M + (pi - 355/113)*T", REST, V_END, 3, "sinusoidal", &usual, CLAIM_REFUTED, 1, NULL, NULL },
@@ -78,20 +79,20 @@ TEST(formulas_with_pi)
       { "(F1 - F2)*T/M + sin(pi)*T", REST, V_END, 3, "quadratic", &usual, CLAIM_UNDECIDED, 0, NULL, "T^1" });
 }
 
-/* A number that a motion does not have makes a formula inapplicable: L_kin where l'' is the same at both ends, and what belongs to a change
- * of mode where there is none. */
+/* A number that a motion does not have makes a formula inapplicable: L_kin where l'' is the same at both ends, and what
+ * belongs to a change of mode where there is none. */
 TEST(numbers_that_do_not_exist)
 {
   static const char L_kin[] = "L_kin does not exist", no_turn[] = "no body turns";
-  CHECK_VERDICTS(
-      { "L_kin*m1*m2/M", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "minimum-jerk", &usual, CLAIM_UNDECIDED, 0, NULL,
-        L_kin },
-      { "0*L_kin", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "minimum-jerk", &usual, CLAIM_UNDECIDED, 0, NULL, L_kin },
-      { "L_kin", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "constant:0", &usual, CLAIM_UNDECIDED, 0, NULL,
-        "no expansion in powers of T is known for this motion: " },
-      { "0", REST, SCALLOP_LAG, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, no_turn },
-      { "T", REST, SCALLOP_FIRST_SWITCH, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, no_turn },
-      { "T*dT", REST, V_END, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, "dT does not exist" });
+  CHECK_VERDICTS({ "L_kin*m1*m2/M", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "minimum-jerk", &usual,
+                   CLAIM_UNDECIDED, 0, NULL, L_kin },
+                 { "0*L_kin", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "minimum-jerk", &usual, CLAIM_UNDECIDED,
+                   0, NULL, L_kin },
+                 { "L_kin", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, "constant:0", &usual, CLAIM_UNDECIDED, 0,
+                   NULL, "no expansion in powers of T is known for this motion: " },
+                 { "0", REST, SCALLOP_LAG, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, no_turn },
+                 { "T", REST, SCALLOP_FIRST_SWITCH, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, no_turn },
+                 { "T*dT", REST, V_END, 2, "quadratic", &equal, CLAIM_UNDECIDED, 0, NULL, "dT does not exist" });
 }
 
 /* Errors of order 0 and below */
@@ -105,7 +106,8 @@ TEST(errors_that_do_not_fall)
                  { "v0 + 1/T^3", MOVING, V_END, 2, "quadratic", &usual, CLAIM_REFUTED, -3, "-1", NULL });
 }
 
-/* Where l'' = 0 at the start friction holds a body until l'' exceeds it, for a time of the order of T^3. Coefficients by hand, in fractions. */
+/* Where l'' = 0 at the start friction holds a body until l'' exceeds it, for a time of the order of T^3. Coefficients
+ * by hand, in fractions. */
 /* t1 = T^3 (F1 - F2)/(24 m2 L) + ...: M eps beta = m2 l'' */
 TEST(held_at_the_start)
 {
@@ -151,9 +153,13 @@ TEST(conditions_are_exact)
                 { "M", false } };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     const char *const when[] = { cases[i].condition, NULL };
-    const struct scallop_formula formula = {
-      .name = "f", .equation = "-", .setting = REST, .quantity = V_END, .remainder = 3, .text = "(F1-F2)/M*T", .when = when
-    };
+    const struct scallop_formula formula = { .name = "f",
+                                             .equation = "-",
+                                             .setting = REST,
+                                             .quantity = V_END,
+                                             .remainder = 3,
+                                             .text = "(F1-F2)/M*T",
+                                             .when = when };
     struct ledger ledger_of_one = { .rows = NULL };
     struct scallop_crawler c = usual;
     SCOPED(scallop_rational, exact);
@@ -166,15 +172,17 @@ TEST(conditions_are_exact)
   }
 }
 
-/* What holds for one crawler by coincidence, m1 + m2 = 11/5, is not proven for all; finitely many coefficients are no equality. */
+/* What holds for one crawler by coincidence, m1 + m2 = 11/5, is not proven for all; finitely many coefficients are no
+ * equality. */
 TEST(what_is_not_proven_for_all)
 {
-  CHECK_VERDICTS(
-      { "t1 + (M - 11/5)*T^4", MOVING, SCALLOP_FIRST_SWITCH, 3, "quadratic", &usual, CLAIM_SHARPER, 51, NULL,
-        "of other crawlers as T^4" },
-      { "v0", MOVING, V_END, 2, "quadratic", &equal, CLAIM_HOLDS, 2, NULL, "of other crawlers as T^1" },
-      { "x_switch + T^20", MOVING, SCALLOP_REAR_AT_LAST, 3, "sinusoidal", &usual, CLAIM_SHARPER, 16, NULL, "below T^16" },
-      { "x_switch + T^20", MOVING, SCALLOP_REAR_AT_LAST, SCALLOP_EQUALITY, "sinusoidal", &usual, CLAIM_REFUTED, 16, NULL,
-        "the certified error is not 0" },
-      { "x_switch + T^48/(1 - 3*T)", MOVING, SCALLOP_REAR_AT_LAST, 3, "quadratic", &usual, CLAIM_SHARPER, 48, NULL, NULL });
+  CHECK_VERDICTS({ "t1 + (M - 11/5)*T^4", MOVING, SCALLOP_FIRST_SWITCH, 3, "quadratic", &usual, CLAIM_SHARPER, 51, NULL,
+                   "of other crawlers as T^4" },
+                 { "v0", MOVING, V_END, 2, "quadratic", &equal, CLAIM_HOLDS, 2, NULL, "of other crawlers as T^1" },
+                 { "x_switch + T^20", MOVING, SCALLOP_REAR_AT_LAST, 3, "sinusoidal", &usual, CLAIM_SHARPER, 16, NULL,
+                   "below T^16" },
+                 { "x_switch + T^20", MOVING, SCALLOP_REAR_AT_LAST, SCALLOP_EQUALITY, "sinusoidal", &usual,
+                   CLAIM_REFUTED, 16, NULL, "the certified error is not 0" },
+                 { "x_switch + T^48/(1 - 3*T)", MOVING, SCALLOP_REAR_AT_LAST, 3, "quadratic", &usual, CLAIM_SHARPER, 48,
+                   NULL, NULL });
 }

@@ -1,5 +1,5 @@
-/* The claims in words that a single example decides, or that hold for every crawler: verdicts, and each figure from another route, the
- * double solver, a closed form of the quadratic gait, or pencil and paper. */
+/* The claims in words that a single example decides, or that hold for every crawler: verdicts, and each figure from
+ * another route, the double solver, a closed form of the quadratic gait, or pencil and paper. */
 #include "tests/support/full_ledger.h"
 
 static int begin(void **state)
@@ -79,7 +79,8 @@ TEST(verdicts)
     }
 }
 
-/* The displacement of a sliding crawler with both asymmetries changes its sign where the row says, and stays 0 at F1 = 1000. */
+/* The displacement of a sliding crawler with both asymmetries changes its sign where the row says, and stays 0 at F1 =
+ * 1000. */
 TEST(both_asymmetries_and_no_displacement)
 {
   for (int g = 0; g < 2; g++) {
@@ -137,8 +138,8 @@ TEST(two_regimes)
   for (int g = 0; g < 2; g++) {
     const struct claim_row *row = row_of("start_velocity_has_two_regimes", g, "4 and 40");
     double v[2], moved[2];
-    READ_NUMBERS(row, "v_start T/L = ", 4, "%lf and displacement/L = %lf at F1/F2 = 4, %lf and %lf at 40", &v[0], &moved[0],
-                 &v[1], &moved[1]);
+    READ_NUMBERS(row, "v_start T/L = ", 4, "%lf and displacement/L = %lf at F1/F2 = 4, %lf and %lf at 40", &v[0],
+                 &moved[0], &v[1], &moved[1]);
     for (int i = 0; i < 2; i++) {
       struct scallop_crawler c = paper(g);
       c.F1 = i ? 40 : 4;
@@ -188,10 +189,12 @@ static bool note_centre(void *context, const struct scallop_sample *sample)
   return true;
 }
 
-/* What the centre does in each phase of the steady motion, from its trajectory: alpha = 3/4 is the third of four samples. */
+/* What the centre does in each phase of the steady motion, from its trajectory: alpha = 3/4 is the third of four
+ * samples. */
 TEST(boundary_from_trajectories)
 {
-  static const char *const which[] = { "F1/F2", "together", "T alone" }, *const values[] = { "F1/F2 = ", "F2 = ", "T = " };
+  static const char *const which[] = { "F1/F2", "together", "T alone" }, *const values[] = { "F1/F2 = ", "F2 = ",
+                                                                                             "T = " };
   for (int k = 0; k < 6; k++) {
     int g = k / 3, varied = k % 3;
     const struct claim_row *row = row_of("v_mid_peaks_where_v_start_is_0", g, which[varied]);
@@ -271,8 +274,8 @@ TEST(formulas_without_remainder)
   }
 }
 
-/* What holds for every crawler, for others than the ledger's: an extension of the quadratic gait in closed form, and start velocities of
- * any size. The ledger's scans meet hundreds of crawlers that they are about. */
+/* What holds for every crawler, for others than the ledger's: an extension of the quadratic gait in closed form, and
+ * start velocities of any size. The ledger's scans meet hundreds of crawlers that they are about. */
 TEST(statements_about_every_crawler)
 {
   struct random r = { 4711 };
@@ -287,7 +290,8 @@ TEST(statements_about_every_crawler)
       assert_int_equal(rest.regime == SCALLOP_SLIDING, s < delta);
     if (n % 2 == 0 && s < delta)
       CHECK_RELATIVE(rest.dT / (c.alpha * c.T), s / (1 + s), 1e-13); /* below 1/2, and growing with s */
-    double v0 = random_between(&r, 0.01, 4) / c.T; /* at the largest a body may never turn: friction then takes all it can */
+    double v0 = random_between(&r, 0.01, 4)
+                / c.T; /* at the largest a body may never turn: friction then takes all it can */
     struct scallop_phase_result from_v0 = phase_of(&c, SCALLOP_EXTENSION, v0);
     assert_true(from_v0.dxC > rest.dxC && from_v0.v_end - v0 < rest.v_end);
     struct scallop_steady_result steady_state = steady_of(&c);

@@ -6,8 +6,8 @@
 enum { PRECISION = 300, ORDER = 12, NEVER = ORDER };
 static const struct ring ring = { 2 * ORDER, PRECISION };
 
-/* For the quadratic gait. Each motion is a chain of straight lines there, every switching time a quotient; a script of its own,
- * with fractions and nothing of this program, compared these formulas with it at T = 1e-15 and 1e-18. */
+/* For the quadratic gait. Each motion is a chain of straight lines there, every switching time a quotient; a script of
+ * its own, with fractions and nothing of this program, compared these formulas with it at T = 1e-15 and 1e-18. */
 static const struct {
   const char *name;
   slong inside;  /* from rest F1 > F2; moving v0 > 0; steady (F1 - F2)(alpha - 1/2) > 0 */
@@ -161,7 +161,8 @@ static void check_steady_formula(struct subject *s, int k, bool inside)
     fmpq_swap(c->F1, c->F2);
   const char *all_turn = inside ? "++ -+ ++ | ++ +- ++" : "-- -+ -- | -- +- --";
   if (expand_steady(s) && strcmp(s->steady.modes, all_turn) == 0)
-    check_wrong(s, scallop_formula_named(wanted[k].name), SCALLOP_EXTENSION, inside ? wanted[k].inside : wanted[k].outside);
+    check_wrong(s, scallop_formula_named(wanted[k].name), SCALLOP_EXTENSION,
+                inside ? wanted[k].inside : wanted[k].outside);
 }
 
 TEST(published_for_the_quadratic_gait)
@@ -188,8 +189,8 @@ TEST(published_for_the_quadratic_gait)
   assert_int_equal(known, WANTED);
 }
 
-/* Right below the remainder that they state. Two gain an order from l0 = -lT, by F1 M (v0/m2)^2 (1/l0^2 - 1/lT^2) in T^4: not so
- * for the trapezoid. */
+/* Right below the remainder that they state. Two gain an order from l0 = -lT, by F1 M (v0/m2)^2 (1/l0^2 - 1/lT^2) in
+ * T^4: not so for the trapezoid. */
 static void check_right(struct subject *s, const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
   bool gains = strcmp(f->name, "corrected_rear_end") == 0 || strcmp(f->name, "corrected_xC_end") == 0;
@@ -201,7 +202,8 @@ static void check_right(struct subject *s, const struct scallop_formula *f, enum
   }
 }
 
-static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait };
+static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,
+                                                    &trapezoid_gait };
 enum { GAITS = 3 };
 
 /* From rest the body that turns has the larger friction. */
@@ -219,7 +221,8 @@ static void set_start(struct subject *s, enum scallop_setting start, bool equal_
 
 TEST(corrected_phases)
 {
-  static const enum scallop_setting starts[] = { SCALLOP_MOVING_EXTENSION, SCALLOP_AT_REST_START, SCALLOP_AT_REST_START };
+  static const enum scallop_setting starts[] = { SCALLOP_MOVING_EXTENSION, SCALLOP_AT_REST_START,
+                                                 SCALLOP_AT_REST_START };
   enum { STARTS = sizeof starts / sizeof *starts, LAST = STARTS - 1 };
   struct random r = { 20260862 };
   SCOPED(subject, s);
@@ -236,7 +239,8 @@ TEST(corrected_phases)
   }
 }
 
-/* Where a body does not turn at all in one of the phases: the names say which. Like (26) to (28) they are for the quadratic gait. */
+/* Where a body does not turn at all in one of the phases: the names say which. Like (26) to (28) they are for the
+ * quadratic gait. */
 TEST(corrected_steady_states)
 {
   struct random r = { 20260863 };

@@ -102,7 +102,8 @@ TEST(values_are_counted)
   assert_int_equal(option_values(option_of(&many, "quiet")), 0);
 }
 
-/* Each command's struct has room where it is read, begins with the request, and each of its options a name of its own. */
+/* Each command's struct has room where it is read, begins with the request, and each of its options a name of its
+ * own. */
 TEST(structs_have_room)
 {
   const struct arguments *a = NULL;

@@ -1,6 +1,6 @@
-/* Where memory is short there is no rival, and nothing is left behind. That is so for allocations of our own and the first and last
- * of the libraries': in between they fall themselves. Only where the allocator lets itself be called by another name: glibc's, and the
- * address sanitizer's. */
+/* Where memory is short there is no rival, and nothing is left behind. That is so for allocations of our own and the
+ * first and last of the libraries': in between they fall themselves. Only where the allocator lets itself be called by
+ * another name: glibc's, and the address sanitizer's. */
 #include "tests/support/check.h"
 
 #include <stdlib.h>
@@ -77,7 +77,10 @@ static void check_failures(maker *make, int kind, long from, long to)
   }
 }
 
-static struct scallop_rival *make_odeiv(int kind) { return scallop_odeiv_rival((enum scallop_odeiv_stepper)kind, 1e-6); }
+static struct scallop_rival *make_odeiv(int kind)
+{
+  return scallop_odeiv_rival((enum scallop_odeiv_stepper)kind, 1e-6);
+}
 static struct scallop_rival *make_smoothed(int kind)
 {
   return scallop_smoothed_rival((enum scallop_smoothed_stepper)kind, 1e-3, 1e-6);

@@ -48,7 +48,8 @@ TEST(closed_curve)
   map_curves_clear(&c);
 }
 
-/* Smaller than a cell: it is seen if a line of the grid has a node in it, and then followed with steps as small as it needs. */
+/* Smaller than a cell: it is seen if a line of the grid has a node in it, and then followed with steps as small as it
+ * needs. */
 TEST(small_circle)
 {
   double radius = 0.02;

@@ -1,5 +1,5 @@
-/* The building blocks of `stress --stiff`: certified scenes, creep where a body is stuck against what is measured, the order in
- * delta, and what is said when a stepper gives up. */
+/* The building blocks of `stress --stiff`: certified scenes, creep where a body is stuck against what is measured, the
+ * order in delta, and what is said when a stepper gives up. */
 #include <float.h>
 
 #include <gsl/gsl_errno.h>
@@ -49,8 +49,8 @@ TEST(certified_values)
   }
 }
 
-/* By hand: while body 1 is stuck the mechanism pulls it with -(m2 l'' + F2). l'' = -40/9 in the second half of the quadratic
- * extension, which lasts 3, and that is to its end. */
+/* By hand: while body 1 is stuck the mechanism pulls it with -(m2 l'' + F2). l'' = -40/9 in the second half of the
+ * quadratic extension, which lasts 3, and that is to its end. */
 TEST(held_by_hand_quadratic)
 {
   struct scallop_crawler c = sticking(&scallop_gait_quadratic);
@@ -89,7 +89,8 @@ TEST(held_in_a_mirror)
     assert_true(a.body == 1 && b.body == 2 && b.phase == SCALLOP_EXTENSION);
     CHECK_RELATIVE(b.creep, -a.creep, 1e-9);
     CHECK_RELATIVE(b.velocity, -a.velocity, 1e-12);
-    c.alpha = 0.25; /* and the bodies where they were: stuck in the contraction, as long, and as fast to the other side */
+    c.alpha =
+        0.25; /* and the bodies where they were: stuck in the contraction, as long, and as fast to the other side */
     struct stiff_held late = scene_of(&c).held;
     assert_true(late.body == 1 && late.phase == SCALLOP_CONTRACTION);
     CHECK_RELATIVE(late.creep, -a.creep, 1e-9);
@@ -97,8 +98,8 @@ TEST(held_in_a_mirror)
   }
 }
 
-/* Body 1 never moves. Quadratic, over both halves of the longer phase, whichever that is: l'' = +-4/90 and the signs of a
- * contraction. */
+/* Body 1 never moves. Quadratic, over both halves of the longer phase, whichever that is: l'' = +-4/90 and the signs of
+ * a contraction. */
 TEST(held_all_the_time)
 {
   const double halves = atanh(-(4 / 90.0 + 1) / 4) + atanh((4 / 90.0 - 1) / 4);
@@ -135,7 +136,8 @@ TEST(errors_are_the_periods)
     struct scallop_rival_period p, looser;
     stiff_solve(&scene, (enum scallop_smoothed_stepper)stepper, 1e-3, 1e-9, LONG, &run);
     struct scallop_rival *rivals[2] = { scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, 1e-3, 1e-9),
-                                        scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, 1e-3, 10 * 1e-9) };
+                                        scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, 1e-3,
+                                                               10 * 1e-9) };
     assert_int_equal(rivals[0]->period(rivals[0], &c, scene.v_start, NULL, &p), SCALLOP_OK);
     assert_int_equal(rivals[1]->period(rivals[1], &c, scene.v_start, NULL, &looser), SCALLOP_OK);
     CHECK_NEAR(run.error[STIFF_V_END], (p.v_end - scene.v_start) * c.T / c.L, 1e-14);
@@ -173,7 +175,8 @@ TEST(creep_is_as_predicted)
   }
 }
 
-/* A body that is let go gradually leaves at v_delta/4 ln(1/delta) and a constant; one that is let go by a jump, at its creep. */
+/* A body that is let go gradually leaves at v_delta/4 ln(1/delta) and a constant; one that is let go by a jump, at its
+ * creep. */
 TEST(last_velocity)
 {
   for (int gradual = 0; gradual < 2; gradual++) {

@@ -1,5 +1,5 @@
-/* The quick ways of writing and reading a double against C's library: the same bytes and the same bits, whatever the number, and
- * quick wherever a table has its numbers.
+/* The quick ways of writing and reading a double against C's library: the same bytes and the same bits, whatever the
+ * number, and quick wherever a table has its numbers.
  *
  * test_digits N: N times as many numbers as in `make check`. */
 #include "tests/support/cases.h"
@@ -87,7 +87,8 @@ static double near_power_of_ten(struct random *r) { return around(r, pow(10, ran
 static const struct kind {
   const char *name;
   double (*number)(struct random *r);
-  double quick; /* the share that must be: numbers of 17 digits with few behind the point are often ties                */
+  /* the share that must be: numbers of 17 digits with few behind the point are often ties */
+  double quick;
 } kinds[] = {
   { "any bits", any_bits, 0.1 },
   { "60 decades", usual, 0.98 },
@@ -120,9 +121,11 @@ TEST(writes_these)
       "0.3333333333333333|"
       "0x1.5555555555555p-1 = 0.6666666666666666|123456789012345 = 123456789012345|1234567890123456 = 1234567890123456|"
       "100000 = 100000|1e14 = 100000000000000|1e15 = 1e+15|1e16 = 1e+16|1e22 = 1e+22|1e23 = 1e+23|"
-      "9007199254740993e1 = 9.007199254740994e+16|0.0001 = 0.0001|0.00012345 = 0.00012345|0.00001 = 1e-05|1.5e-7 = 1.5e-07|"
+      "9007199254740993e1 = 9.007199254740994e+16|0.0001 = 0.0001|0.00012345 = 0.00012345|0.00001 = 1e-05|1.5e-7 = "
+      "1.5e-07|"
       "1e100 = 1e+100|-2.5e-100 = -2.5e-100|999999999999999 = 999999999999999|0.9999999999999999 = 0.9999999999999999|"
-      "9.9999999999999995e-08 = 1e-07|0x1.fffffffffffffp+1023 = 1.7976931348623157e+308|0x1p-1022 = 2.2250738585072014e-308|"
+      "9.9999999999999995e-08 = 1e-07|0x1.fffffffffffffp+1023 = 1.7976931348623157e+308|0x1p-1022 = "
+      "2.2250738585072014e-308|"
       "0x1p-1074 = 4.94065645841247e-324|inf = inf|-inf = -inf|nan = nan|-nan = nan";
   FOR_CASES (given, cases) {
     char text[DIGITS_TEXT];

@@ -1,5 +1,6 @@
-/* Output files: what is in the folder, and which error is returned, whatever fails and whatever ends the process. The calls that bring
- * a file to the disk and to its place are this file's own: they fail, or are signalled, when told to. */
+/* Output files: what is in the folder, and which error is returned, whatever fails and whatever ends the process. The
+ * calls that bring a file to the disk and to its place are this file's own: they fail, or are signalled, when told
+ * to. */
 #include "compare/text/file.h"
 #include "tests/support/scratch_folder.h"
 

@@ -1,5 +1,6 @@
-/* compare/text/plot: what gnuplot is told, what becomes of the picture, and what is said where there is none. A program of the test's
- * own takes the place of gnuplot and keeps what it is told as the picture; the last tests are of gnuplot itself, if it is installed. */
+/* compare/text/plot: what gnuplot is told, what becomes of the picture, and what is said where there is none. A program
+ * of the test's own takes the place of gnuplot and keeps what it is told as the picture; the last tests are of gnuplot
+ * itself, if it is installed. */
 #include "compare/text/plot.h"
 #include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"
@@ -140,8 +141,9 @@ TEST(gnuplot_fails)
   refused((struct plot){ .script = "mine.gp" },
           "scallop run: gnuplot: a warning\nscallop run: cannot draw plot.svg: gnuplot has drawn nothing\n");
   setenv("PATH", "/nonexistent", 1);
-  refused((struct plot){ .x = NULL },
-          "scallop run: cannot draw plot.svg: gnuplot is not installed (Debian: gnuplot-nox); the tables are written\n");
+  refused(
+      (struct plot){ .x = NULL },
+      "scallop run: cannot draw plot.svg: gnuplot is not installed (Debian: gnuplot-nox); the tables are written\n");
 }
 
 /* Where standard input is closed, the script takes its place. */
@@ -173,7 +175,8 @@ static void installed(void)
 TEST(pictures_of_each_kind)
 {
   installed();
-  static const char *const files[] = { "plot.svg", "plot.png", "plot.pdf" }, *const heads[] = { "<?xml", "\x89PNG", "%PDF" };
+  static const char *const files[] = { "plot.svg", "plot.png", "plot.pdf" }, *const heads[] = { "<?xml", "\x89PNG",
+                                                                                                "%PDF" };
   for (int i = 0; i < 6; i++) {
     bool logarithmic = i >= 3;
     const char *head = draws(

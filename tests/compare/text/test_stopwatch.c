@@ -89,7 +89,8 @@ TEST(a_limit_ends)
   assert_true(answers > 0);
 }
 
-/* Fast answers are many to a reading of the clock; slow ones have a reading each, so that a limit is not overrun by many. */
+/* Fast answers are many to a reading of the clock; slow ones have a reading each, so that a limit is not overrun by
+ * many. */
 TEST(readings_are_thinned_out)
 {
   struct stopwatch_limit limit = stopwatch_limit(60);

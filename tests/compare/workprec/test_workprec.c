@@ -1,11 +1,13 @@
-/* compare/workprec on settings made up for it: the front, errors, the cheapest setting, and settings without an answer. */
+/* compare/workprec on settings made up for it: the front, errors, the cheapest setting, and settings without an
+ * answer. */
 #include <stdlib.h>
 #include <time.h>
 
 #include "compare/workprec/setting.h"
 #include "tests/support/scratch_folder.h"
 
-/* What a made-up setting does: waits, and gives the certified answer times (1 + number 1e-3), or what its tolerance says. */
+/* What a made-up setting does: waits, and gives the certified answer times (1 + number 1e-3), or what its tolerance
+ * says. */
 static enum scallop_status give(struct setting *s, struct setting_answer *answer)
 {
   const struct timespec pause = { .tv_nsec = s->kind == METHOD_SIMULATION ? 3000000 : 0 };
@@ -75,9 +77,11 @@ TEST(the_front)
   static const struct {
     enum method_kind kind;
     long number;
-  } made[COUNT] = {
-    { METHOD_OTHER, 0 }, { METHOD_SIMULATION, 0 }, { METHOD_SIMULATION, 2 }, { METHOD_EXACT, 2 }, { METHOD_SIMULATION, 3 }
-  };
+  } made[COUNT] = { { METHOD_OTHER, 0 },
+                    { METHOD_SIMULATION, 0 },
+                    { METHOD_SIMULATION, 2 },
+                    { METHOD_EXACT, 2 },
+                    { METHOD_SIMULATION, 3 } };
   for (int i = 0; i < COUNT; i++)
     add(b, made[i].kind, made[i].number, give);
   measure(b, 0.05);
@@ -178,10 +182,10 @@ TEST(the_cheapest)
   add_measured(b, METHOD_ROOT, "gsl, root", "1.00e-4", 1e-4);
   add_measured(b, METHOD_SIMULATION, "gsl, simulated", "1.00e-4", 5e-4);
   static const char *const expected[][2] = {
-    { "1e-2",
-      "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\tgsl, root\tas is\t100\tgsl, simulated\tas is\t500" },
-    { "1e-4",
-      "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\tgsl, root\tas is\t100\tgsl, simulated\tas is\t500" },
+    { "1e-2", "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\tgsl, root\tas is\t100\tgsl, "
+              "simulated\tas is\t500" },
+    { "1e-4", "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\tgsl, root\tas is\t100\tgsl, "
+              "simulated\tas is\t500" },
     { "1e-6", "published\tas is\t1.00e-6\texact\tas is\t10\texact\tas is\t10\t-\t-\tnan\t-\t-\tnan" },
     { "1e-8", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },
     { "1e-10", "exact\tas is\t1e-16\tcertified\tas is\t1e+03\texact\tas is\t1\t-\t-\tnan\t-\t-\tnan" },

@@ -1,5 +1,5 @@
-/* A book of formulas: one that is taken has formulas that can be evaluated, in double and as series, which agree with themselves; one that is not
- * has a message. */
+/* A book of formulas: one that is taken has formulas that can be evaluated, in double and as series, which agree with
+ * themselves; one that is not has a message. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -28,7 +28,8 @@ static bool is_small(const struct formula *read)
 }
 
 /* value in balls of these bits; NULL or the message */
-static const char *expand(struct series *value, const struct scallop_formula *f, slong length, char message[FORMULA_MESSAGE])
+static const char *expand(struct series *value, const struct scallop_formula *f, slong length,
+                          char message[FORMULA_MESSAGE])
 {
   const struct ring ring = { length, 128 };
   const struct scallop_crawler c = { 1.25, 0.75, 3.5, 1.125, 9.5, 1, 0.625, &scallop_gait_quadratic };
@@ -95,7 +96,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     written_begin(&written);
     enum exit_code code = book_read_text("claims", "x.cfg", text, quantity_is_other);
     written_end(&written);
-    if (written.out_size > 0 || (written.err_size > 0) != (code != EXIT_DONE) || (code != EXIT_DONE && code != EXIT_USAGE))
+    if (written.out_size > 0 || (written.err_size > 0) != (code != EXIT_DONE)
+        || (code != EXIT_DONE && code != EXIT_USAGE))
       fuzz_fail("exit code %d, on standard output '%s', on standard error '%s'", (int)code, written.out, written.err);
     written_free(&written);
     for (int i = 0; code == EXIT_DONE && book_formula(i); i++)

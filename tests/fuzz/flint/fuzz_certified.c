@@ -1,5 +1,6 @@
-/* The two solvers against each other: doubles and ball arithmetic, for the same doubles. Coarse on purpose, 1e-9 of the natural size
- * of each result: tests/numerics/certified/test_certified.c counts ulps, this looks for the crawler where one of them is lost. */
+/* The two solvers against each other: doubles and ball arithmetic, for the same doubles. Coarse on purpose, 1e-9 of the
+ * natural size of each result: tests/numerics/certified/test_certified.c counts ulps, this looks for the crawler where
+ * one of them is lost. */
 #include "tests/fuzz/crawler.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/scoped.h"
@@ -55,7 +56,8 @@ static void judge_steady(const struct scallop_rational_crawler *exact)
     near("v_mid", r.period.v_mid, certified.v_mid, v);
     near("displacement", r.period.displacement, certified.displacement, c->L);
     near("mean_velocity", r.mean_velocity, certified.mean_velocity, c->L / c->T);
-    bool same = modes_alike(&r.period.modes[0], &certified.modes[0]) && modes_alike(&r.period.modes[1], &certified.modes[1]);
+    bool same = modes_alike(&r.period.modes[0], &certified.modes[0])
+                && modes_alike(&r.period.modes[1], &certified.modes[1]);
     if (same && !arb_is_zero(certified.v_start) && !arb_is_zero(certified.v_mid))
       near("multiplier", r.period.multiplier, certified.multiplier,
            1); /* it jumps where a mode goes; at rest it has two sides */

@@ -1,5 +1,6 @@
-/* A formula made of the paper's and of random terms, for a random crawler and gait, from rest, from v0 or in the steady state: the verdict must not
- * contradict itself (numbers against names, expansion against certified errors), and what is undecided has a reason. */
+/* A formula made of the paper's and of random terms, for a random crawler and gait, from rest, from v0 or in the steady
+ * state: the verdict must not contradict itself (numbers against names, expansion against certified errors), and what
+ * is undecided has a reason. */
 #include <stdio.h>
 #include <string.h>
 
@@ -23,7 +24,10 @@ static int take(struct bytes *b, int below)
   return below > 0 ? *b->data++ % below : 0;
 }
 
-static void take_fraction(fmpq_t x, struct bytes *b, int below) { fmpq_set_si(x, 1 + take(b, below - 1), (ulong)below); }
+static void take_fraction(fmpq_t x, struct bytes *b, int below)
+{
+  fmpq_set_si(x, 1 + take(b, below - 1), (ulong)below);
+}
 
 static void take_crawler(struct scallop_rational_crawler *c, struct bytes *b)
 {

@@ -1,5 +1,5 @@
-/* Text as an exact fraction, and back: all bytes as text, and eight of them as a double. What strtod takes for a finite number is
- * taken, and strtod's double is the one nearest to the fraction. */
+/* Text as an exact fraction, and back: all bytes as text, and eight of them as a double. What strtod takes for a finite
+ * number is taken, and strtod's double is the one nearest to the fraction. */
 #include "compare/answers/point_flint.h"
 
 #include <ctype.h>
@@ -63,7 +63,8 @@ static void mean_decimals(double value)
     fuzz_fail("%a is meant as a decimal to which it is not the nearest", value);
 }
 
-/* The digits of a ball are those of the number, to a unit of the last; rounded up, the largest are beyond every double. */
+/* The digits of a ball are those of the number, to a unit of the last; rounded up, the largest are beyond every
+ * double. */
 static void write_digits(double value, long digits)
 {
   SCOPED(arb, ball);

@@ -1,5 +1,5 @@
-/* Formulas as series: identities that hold for whatever is taken, the same with more terms and bits, the value of a formula of numbers
- * in balls and by another parser, modulo a prime, and an untouched value where it refuses. */
+/* Formulas as series: identities that hold for whatever is taken, the same with more terms and bits, the value of a
+ * formula of numbers in balls and by another parser, modulo a prime, and an untouched value where it refuses. */
 #include "asymptotics/derived/formula_flint.h"
 
 #include <stdlib.h>
@@ -192,7 +192,8 @@ static void judge_in_balls(const struct series *value, const char *text)
   _arb_vec_clear(values, SYMBOLS);
 }
 
-/* As a formula, where it has one: h a symbol, b nothing that is known. With 1/2 for h the coefficients are the same, where those are defined. */
+/* As a formula, where it has one: h a symbol, b nothing that is known. With 1/2 for h the coefficients are the same,
+ * where those are defined. */
 static void judge_symbolic(const struct series *value, const char *text)
 {
   struct formula formula;

@@ -197,7 +197,8 @@ TEST(as_doubles)
     assert_true(written_gait(gait_of(texts[i])) == gait_of(texts[i]));
 }
 
-/* UP + DOWN = 1 of decimals, as of the doubles nearest to them or only nearly so; symmetries of decimals, not of doubles. */
+/* UP + DOWN = 1 of decimals, as of the doubles nearest to them or only nearly so; symmetries of decimals, not of
+ * doubles. */
 TEST(edges)
 {
   struct random r = { 20261516 };

@@ -114,8 +114,8 @@ static void in_doubles(double got[PHASE], const struct problem *p, const struct 
   }
 }
 
-/* Within ULPS of the larger of the number and its condition: the sum over the inputs p of |p dq/dp|, by certified differences; inf where
- * a mode changes. */
+/* Within ULPS of the larger of the number and its condition: the sum over the inputs p of |p dq/dp|, by certified
+ * differences; inf where a mode changes. */
 static void compare(const struct problem *p)
 {
   SCOPED(answer, a, moved);
@@ -133,7 +133,8 @@ static void compare(const struct problem *p)
       cond[q] += known ? 1e30 * apart(number(&a, q), number(&moved, q)) : INFINITY;
   }
   for (int q = 3; q < 5 && !p->steady; q++)
-    cond[q] = fmax(cond[q], p->crawler.L); /* the double solver has dx1 and dx2 from dxC and half of L: of a body that hardly
+    cond[q] = fmax(cond[q],
+                   p->crawler.L); /* the double solver has dx1 and dx2 from dxC and half of L: of a body that hardly
                                               moves only the digits that are left */
   for (int q = first_number(&a); q < numbers(&a); q++) {
     SCOPED(arb, ball);
@@ -153,7 +154,8 @@ TEST(phases_agree_with_doubles)
 {
   struct random r = { 20260701 };
   for (int i = 0; i < 140 * ALL_GAITS; i++) {
-    struct problem p = { .crawler = random_crawler(&r, (enum family)(i / ALL_GAITS % FAMILIES), every_gait[i % ALL_GAITS]) };
+    struct problem p = { .crawler = random_crawler(&r, (enum family)(i / ALL_GAITS % FAMILIES),
+                                                   every_gait[i % ALL_GAITS]) };
     p.kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
     p.v0 = random_start(&r, &p.crawler, p.kind);
     compare(&p);
@@ -239,8 +241,8 @@ TEST(more_digits_agree)
   }
 }
 
-/* A thousand digits where a double has none: T = 1e-30. The displacement of the default crawler tends to
- * (F1 - F2)(2 alpha - 1) L m / (alpha^2 F1 m1 + (1 - alpha)^2 F2 m2), m = m1 m2/M, with an error of order T^4: 120/37. */
+/* A thousand digits where a double has none: T = 1e-30. The displacement of the default crawler tends to (F1 - F2)(2
+ * alpha - 1) L m / (alpha^2 F1 m1 + (1 - alpha)^2 F2 m2), m = m1 m2/M, with an error of order T^4: 120/37. */
 TEST(a_thousand_digits_of_a_small_period)
 {
   struct problem p = { .crawler = scallop_crawler_default(), .steady = true };

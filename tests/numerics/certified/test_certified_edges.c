@@ -37,8 +37,9 @@ TEST(exact_coincidences_are_said)
   check_undecided(&c, "0", "force that holds body 2");
 }
 
-/* With l' to its digits the limit can be met within a phase as well: minimum jerk at t = 1/4, where l' = 135/128 and l'' = 45/8. Body 1
- * comes to rest there, v0 - l'/2 - (F1 + F2) t/2 = 0, and F1 - F2 = 45/8 is what it takes to hold it. */
+/* With l' to its digits the limit can be met within a phase as well: minimum jerk at t = 1/4, where l' = 135/128 and
+ * l'' = 45/8. Body 1 comes to rest there, v0 - l'/2 - (F1 + F2) t/2 = 0, and F1 - F2 = 45/8 is what it takes to hold
+ * it. */
 TEST(a_limit_met_where_a_body_comes_to_rest)
 {
   struct scallop_crawler c = { 1, 1, 6, 0.375, 1, 2, 0.5, &minimum_jerk_gait };
@@ -75,9 +76,10 @@ TEST(a_law_against_its_amplitude)
   assert_true(arb_equal_si(s.v_start, 7));
 }
 
-/* From rest, where the search for the steady state begins, body 2 comes to rest exactly in the middle of the contraction, with l' at its
- * peak: there v = 2 m1/M + eps/2 in L/tau. M = 100, and eps = 1 in the extension: it ends with v = 2 m1/M a + 1/(2 a), a = alpha/(1 - alpha),
- * for that F1/F2. Velocities nearby are decided; unless, at alpha = 5/6, from rest is the steady state. */
+/* From rest, where the search for the steady state begins, body 2 comes to rest exactly in the middle of the
+ * contraction, with l' at its peak: there v = 2 m1/M + eps/2 in L/tau. M = 100, and eps = 1 in the extension: it ends
+ * with v = 2 m1/M a + 1/(2 a), a = alpha/(1 - alpha), for that F1/F2. Velocities nearby are decided; unless, at alpha =
+ * 5/6, from rest is the steady state. */
 static const struct from_rest {
   int alpha[2], F1, F2, over;
   int v0[2]; /* at the start of the contraction */
@@ -183,7 +185,8 @@ TEST(zeros_are_exact)
     }
 }
 
-/* F1 - F2 exceeds m2 l'' = 4 by 1e-60: too little to see in the first rough steps, which must not keep it from the exact answer. */
+/* F1 - F2 exceeds m2 l'' = 4 by 1e-60: too little to see in the first rough steps, which must not keep it from the
+ * exact answer. */
 TEST(barely_held)
 {
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_quadratic };
@@ -201,8 +204,8 @@ struct at_limit {
   const char *modes[2];
 };
 
-/* tau^2 l'' = +-4 L in all of them. m2 |l''| = F1 - F2 or F1 + F2, or the same with the bodies exchanged: in the extension, in the
- * contraction or in both. Thirds and fifths are no doubles: exact arithmetic it is. */
+/* tau^2 l'' = +-4 L in all of them. m2 |l''| = F1 - F2 or F1 + F2, or the same with the bodies exchanged: in the
+ * extension, in the contraction or in both. Thirds and fifths are no doubles: exact arithmetic it is. */
 static const struct at_limit at_limits[] = {
   { 1, 1, 5, 1, 1, 2, { 1, 2 }, { "0+", "0-" } },          /* 4 = F1 - F2 from the first moment on    */
   { 1, 1, 1, 5, 1, 2, { 1, 2 }, { "-0", "+0" } },          /* the mirror image                        */

@@ -26,7 +26,8 @@ static void friction_impulse(arb_t impulse, const struct scallop_rational_crawle
   }
 }
 
-/* v_end = v0 + impulse / M; dx2 - dx1 = +-L; dxC is their mean; d v_end / d v0 is what a change of v0 by 1e-40 makes of it. */
+/* v_end = v0 + impulse / M; dx2 - dx1 = +-L; dxC is their mean; d v_end / d v0 is what a change of v0 by 1e-40 makes of
+ * it. */
 static void check_laws(const struct scallop_rational_crawler *c, enum scallop_phase_kind kind, const fmpq_t v0,
                        struct scallop_certified_phase *p, struct scallop_certified_phase *moved)
 {
@@ -78,7 +79,8 @@ TEST(phases_obey_laws)
   assert_true(slid > 30);
 }
 
-/* "++ -+ ++" in the quadratic gait of the default crawler: where body 1 is at its turns, from l = 2 L (t/tau)^2 at both ends. */
+/* "++ -+ ++" in the quadratic gait of the default crawler: where body 1 is at its turns, from l = 2 L (t/tau)^2 at both
+ * ends. */
 TEST(turning_places)
 {
   struct scallop_crawler c = scallop_crawler_default();
@@ -92,8 +94,8 @@ TEST(turning_places)
   CHECK_RELATIVE(middle(p.at_last), middle(p.dx1) - rest, 1e-13);
 }
 
-/* Where the rear body is at the last change of mode, body 1 of an extension: whether it turns then, as from rest where F1 > F2, or body 2 does.
- * From there to the end both bodies go the same way, and l' falls along a straight line. */
+/* Where the rear body is at the last change of mode, body 1 of an extension: whether it turns then, as from rest where
+ * F1 > F2, or body 2 does. From there to the end both bodies go the same way, and l' falls along a straight line. */
 TEST(the_rear_body_is_the_same_whichever_turns)
 {
   static const double F1[] = { 4, 0.7 };

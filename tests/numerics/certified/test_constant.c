@@ -1,4 +1,5 @@
-/* The gait constant:R. With R = 0, l' constant out and back, all is known in closed form (docs/theory.md), and is what R -> 0 tends to. */
+/* The gait constant:R. With R = 0, l' constant out and back, all is known in closed form (docs/theory.md), and is what
+ * R -> 0 tends to. */
 #include <float.h>
 
 #include "compare/answers/gaits.h"
@@ -16,8 +17,8 @@ static const struct scallop_gait *gait_of(const char *text)
   return gait;
 }
 
-/* A crawler in units of L, T and (F1 + F2)/M, with F1 > F2 and the extension the longer phase: others are seen in a mirror (velocities change
- * their sign, the bodies their names) and with the phases and the bodies exchanged. */
+/* A crawler in units of L, T and (F1 + F2)/M, with F1 > F2 and the extension the longer phase: others are seen in a
+ * mirror (velocities change their sign, the bodies their names) and with the phases and the bodies exchanged. */
 struct model {
   long double a, b, eps, delta; /* fractions of the period; (F1 - F2)/(F1 + F2)                                     */
   long double U, W, lower[2];   /* where the rear body turns in the extension and in the contraction; the front body */
@@ -52,7 +53,10 @@ static long double falls(const struct model *m, long double c0, long double abov
   return fmaxl(stop, c0 - m->eps * first - m->eps * m->delta * (time - first));
 }
 
-static long double extension(const struct model *m, long double c0) { return -falls(m, -c0, -m->lower[0], -m->U, m->a); }
+static long double extension(const struct model *m, long double c0)
+{
+  return -falls(m, -c0, -m->lower[0], -m->U, m->a);
+}
 static long double contraction(const struct model *m, long double c0) { return falls(m, c0, m->W, m->lower[1], m->b); }
 
 struct steady {
@@ -99,7 +103,8 @@ static struct scallop_crawler next_crawler(struct random *r, const struct scallo
   struct scallop_crawler c;
   do
     c = random_crawler(r, families[random_below(r, 3)], gait);
-  while (fabs(c.F1 - c.F2) > 0.9 * (c.F1 + c.F2) || fabs(c.F1 - c.F2) < 1e-3 * (c.F1 + c.F2) || fabs(c.alpha - 0.5) < 1e-3);
+  while (fabs(c.F1 - c.F2) > 0.9 * (c.F1 + c.F2) || fabs(c.F1 - c.F2) < 1e-3 * (c.F1 + c.F2)
+         || fabs(c.alpha - 0.5) < 1e-3);
   return c;
 }
 
@@ -120,7 +125,8 @@ TEST(steady_states_by_hand)
     CHECK_NEAR(s.period.v_mid / unit, (double)hand.v_mid, allowed);
     CHECK_NEAR(s.period.multiplier, (double)hand.multiplier, 8 * DBL_EPSILON);
     bool both = hand.multiplier == 0 && steady_by_hand(&m).v_mid == m.U && steady_by_hand(&m).v_start == m.lower[1];
-    if (both && m.U <= m.W && m.lower[1] >= m.lower[0]) /* body 1 is held in both phases: it goes back as far as it came */
+    if (both && m.U <= m.W
+        && m.lower[1] >= m.lower[0]) /* body 1 is held in both phases: it goes back as far as it came */
       assert_true(s.period.displacement == 0);
     if (hand.multiplier == 0 && m.U <= m.W && !both) { /* L (m2/(M a) - eps delta b^2) */
       long double way = m.U * (m.a + m.b) - m.eps * m.delta * m.b * m.b;
@@ -132,10 +138,12 @@ TEST(steady_states_by_hand)
   for (int i = 0; i < 4; i++)
     if (seen[i] < 5)
       fail_msg("case %d was seen %d times", i, seen[i]);
-  print_message("held %d, sliding %d, both bodies turn %d, held in both phases %d\n", seen[0], seen[1], seen[2], seen[3]);
+  print_message("held %d, sliding %d, both bodies turn %d, held in both phases %d\n", seen[0], seen[1], seen[2],
+                seen[3]);
 }
 
-/* What R changes is of the order of R, as long as R is small beside what is left until there is an interval of steady states. */
+/* What R changes is of the order of R, as long as R is small beside what is left until there is an interval of steady
+ * states. */
 TEST(short_ramps_tend_to_none)
 {
   struct random r = { 2026112202 };
@@ -199,9 +207,9 @@ TEST(certified_and_wide)
   }
 }
 
-/* Where the steady states fill an interval: F1 = F2; alpha = 1/2; (F1 - F2) alpha = (F1 + F2) (1 - alpha), where the longer phase gains in
- * opposite motion what friction takes from both bodies, which go forward, in the other. The ends of that one by hand, in L/T: eps b under the
- * line in the contraction at W, and U in the extension. */
+/* Where the steady states fill an interval: F1 = F2; alpha = 1/2; (F1 - F2) alpha = (F1 + F2) (1 - alpha), where the
+ * longer phase gains in opposite motion what friction takes from both bodies, which go forward, in the other. The ends
+ * of that one by hand, in L/T: eps b under the line in the contraction at W, and U in the extension. */
 TEST(intervals)
 {
   const struct scallop_gait *gait = gait_of("constant:0");
@@ -235,8 +243,9 @@ TEST(intervals)
   }
 }
 
-/* The third condition holds for the decimals 0.006, 0.15 and 0.52, but not for the doubles nearest to them. These are what the solvers take, and
- * their steady state is unique: an end of the interval, from which a parameter an ulp off moves it to the other end. */
+/* The third condition holds for the decimals 0.006, 0.15 and 0.52, but not for the doubles nearest to them. These are
+ * what the solvers take, and their steady state is unique: an end of the interval, from which a parameter an ulp off
+ * moves it to the other end. */
 TEST(an_interval_of_decimals_only)
 {
   const struct scallop_crawler doubles = { 1.8, 0.105, 0.006, 0.15, 1.6, 1.4, 0.52, gait_of("constant:0") };
@@ -261,11 +270,13 @@ TEST(an_interval_of_decimals_only)
   assert_non_null(strstr(why, "fill an interval"));
 }
 
-/* v_start is 0 exactly, and -2 L/T, and P(v) - v as well: that this is the only steady state is still shown from either side of it. */
+/* v_start is 0 exactly, and -2 L/T, and P(v) - v as well: that this is the only steady state is still shown from either
+ * side of it. */
 TEST(exactly_steady)
 {
   const struct scallop_gait *gait = gait_of("constant:0");
-  const struct scallop_crawler crawlers[] = { { 5, 3, 3, 1, 0.125, 1, 0.75, gait }, { 1, 1, 4, 1, 10, 10, 0.75, gait } };
+  const struct scallop_crawler crawlers[] = { { 5, 3, 3, 1, 0.125, 1, 0.75, gait },
+                                              { 1, 1, 4, 1, 10, 10, 0.75, gait } };
   for (int i = 0; i < 2; i++) {
     SCOPED(scallop_certified_steady, s);
     certify_steady(&s, &crawlers[i], DIGITS);
@@ -274,7 +285,8 @@ TEST(exactly_steady)
   }
 }
 
-/* With equal forces the centre of mass rests: no body turns where l' jumps to 0 from some other value, and nothing is sheared. */
+/* With equal forces the centre of mass rests: no body turns where l' jumps to 0 from some other value, and nothing is
+ * sheared. */
 TEST(nothing_turns_at_the_end)
 {
   const struct scallop_crawler c = { 1, 1, 2, 2, 8, 1, 0.5, gait_of("constant:0") };

@@ -15,7 +15,8 @@ static struct scallop_crawler anchored(const struct scallop_gait *gait)
   return c;
 }
 
-/* In the dwell at the start v' = -(F1 + F2)/M = -64: from v0 = 3 both rest after 3/64, 9/128 further on; then body 2 goes out and back. */
+/* In the dwell at the start v' = -(F1 + F2)/M = -64: from v0 = 3 both rest after 3/64, 9/128 further on; then body 2
+ * goes out and back. */
 TEST(comes_to_rest_in_a_dwell)
 {
   struct scallop_crawler c = anchored(&wait_gait);
@@ -68,8 +69,9 @@ TEST(passes_a_dwell)
   CHECK_RELATIVE(p.balance, -1, 1e-15);
 }
 
-/* A dwell of a fourth of the time costs a fourth of the friction there is. What the phases of unlike duration bring has to be more, or it comes to
- * rest there however short the period is: (F1 - F2)/(F1 + F2) (2 alpha - 1) 3/4 = 0.576 here, and 0.225 by default. With phases of one duration what the contraction does is the mirror image of what the
+/* A dwell of a fourth of the time costs a fourth of the friction there is. What the phases of unlike duration bring has
+ * to be more, or it comes to rest there however short the period is: (F1 - F2)/(F1 + F2) (2 alpha - 1) 3/4 = 0.576
+ * here, and 0.225 by default. With phases of one duration what the contraction does is the mirror image of what the
  * extension does, half a period late. */
 TEST(slides_on)
 {
@@ -161,7 +163,8 @@ TEST(mirror)
 {
   struct random r = { 20261202 };
   for (int i = 0; i < 50 * DWELLING; i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, dwelling[i % DWELLING]), m = exchanged(&c);
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, dwelling[i % DWELLING]),
+                           m = exchanged(&c);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), size = c.L + fabs(v0) * c.T;
     struct scallop_phase_result one = phase_of(&c, SCALLOP_EXTENSION, v0);
     struct scallop_phase_result other = phase_of(&m, SCALLOP_EXTENSION, -v0);

@@ -1,5 +1,5 @@
-/* The energy that friction takes in a period of the steady state, and the cost of transport: against the work of the mechanism, in double
- * against binary128, and that against balls. */
+/* The energy that friction takes in a period of the steady state, and the cost of transport: against the work of the
+ * mechanism, in double against binary128, and that against balls. */
 #include <float.h>
 
 #include "compare/answers/answer_flint.h"
@@ -22,14 +22,15 @@ struct mechanism {
   double work, size; /* of the tension, and the sum of the magnitudes of its parts */
 };
 
-/* The tension pulls body 1 by +S and body 2 by -S, apart with power -S l'. From Newton's law for a body that moves, in units of the
- * crawler: m_i x_i'' = +-S - F_i s_i. */
+/* The tension pulls body 1 by +S and body 2 by -S, apart with power -S l'. From Newton's law for a body that moves, in
+ * units of the crawler: m_i x_i'' = +-S - F_i s_i. */
 static double power(const struct mechanism *m, const struct scallop_interval *i, double u)
 {
   const struct scallop_crawler *c = m->crawler;
   double rate = i->piece->curve->velocity(i->piece, u), bend = i->piece->curve->acceleration(i->piece, u);
   double M = c->m1 + c->m2, c_rate = i->mode.s1 && i->mode.s2 ? i->c_slope : i->glue * bend;
-  double unit = c->L / (m->tau * m->tau), x1 = unit * (c_rate - c->m2 / M * bend), x2 = unit * (c_rate + c->m1 / M * bend);
+  double unit = c->L / (m->tau * m->tau), x1 = unit * (c_rate - c->m2 / M * bend),
+         x2 = unit * (c_rate + c->m1 / M * bend);
   double push = i->mode.s2 ? c->m2 * x2 + c->F2 * i->mode.s2 : -(c->m1 * x1 + c->F1 * i->mode.s1);
   return i->mode.s1 == 0 && i->mode.s2 == 0 ? 0 : push * rate * c->L;
 }
@@ -50,9 +51,10 @@ static void add_work(void *context, const struct scallop_interval *i)
     }
 }
 
-/* The kinetic energy returns after a period, so that friction takes what the mechanism gives. Of gaits whose l' jumps the impulses at the
- * jumps give nothing on the whole: they change the energy of l' alone, which returns too. Allowed: 1e-11 of the parts for the rule, and what
- * the kinetic energy of the centre of mass changes by where a velocity is a few ulp off. */
+/* The kinetic energy returns after a period, so that friction takes what the mechanism gives. Of gaits whose l' jumps
+ * the impulses at the jumps give nothing on the whole: they change the energy of l' alone, which returns too. Allowed:
+ * 1e-11 of the parts for the rule, and what the kinetic energy of the centre of mass changes by where a velocity is a
+ * few ulp off. */
 TEST(takes_what_the_mechanism_gives)
 {
   struct random r = { 20261122 };
@@ -117,7 +119,8 @@ TEST(double_is_right)
   double worst[NAMED] = { 0, 0 };
   int costs = 0;
   for (int n = 0; n < CRAWLERS; n++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(n / SMOOTH_GAITS % FAMILIES), every_gait[n % SMOOTH_GAITS]);
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n / SMOOTH_GAITS % FAMILIES),
+                                              every_gait[n % SMOOTH_GAITS]);
     const struct motion m = steady_motion(&c);
     struct answer a, exact;
     double unit[NAMED];
@@ -151,7 +154,8 @@ TEST(binary128_is_certified)
   SCOPED(arb, binary, part);
   ball_answer_init(&b);
   for (int n = 0; n < CRAWLERS / 3; n++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(n / SMOOTH_GAITS % FAMILIES), every_gait[n % SMOOTH_GAITS]);
+    struct scallop_crawler c = random_crawler(&r, (enum family)(n / SMOOTH_GAITS % FAMILIES),
+                                              every_gait[n % SMOOTH_GAITS]);
     const struct motion m = steady_motion(&c);
     struct answer a;
     if (!answer_of_doubles(&b, &m, DIGITS))

@@ -1,4 +1,5 @@
-/* Gaits made to measure, exactly: the laws of struct scallop_law in balls and in doubles, certified against double, and derived series. */
+/* Gaits made to measure, exactly: the laws of struct scallop_law in balls and in doubles, certified against double, and
+ * derived series. */
 #include <float.h>
 
 #include "asymptotics/derived/derived.h"
@@ -12,7 +13,8 @@ enum { BITS = 300, PRECISION = 400, ORDER = 14 };
 
 static void ball_of(arb_t x, double value) { arb_set_d(x, value); }
 
-/* The ways of all pieces add up to 1, and where one piece ends the next one has the same l': exactly, as far as 300 bits tell. */
+/* The ways of all pieces add up to 1, and where one piece ends the next one has the same l': exactly, as far as 300
+ * bits tell. */
 static void laws_fit_together(const struct scallop_shape *shape, int kind)
 {
   SCOPED(arb, sum, way, u, v, before);
@@ -36,8 +38,9 @@ static void laws_fit_together(const struct scallop_shape *shape, int kind)
   CHECK_AT_MOST(apart(sum, way), 1e-60 * shape->peak);
 }
 
-/* l', l'' and l in doubles are those of the law: l' to its last digits also where it is next to nothing. Bernstein's form cancels
- * where its coefficients have both signs, by at most the largest of them over |l'|; the curves are evaluated in long double. */
+/* l', l'' and l in doubles are those of the law: l' to its last digits also where it is next to nothing. Bernstein's
+ * form cancels where its coefficients have both signs, by at most the largest of them over |l'|; the curves are
+ * evaluated in long double. */
 static void doubles_follow_the_law(struct random *r, const struct scallop_shape *shape)
 {
   const double ulp = DBL_EPSILON;
@@ -85,8 +88,9 @@ TEST(pieces_that_go_on)
   const struct scallop_knot out[3] = { { 0, 0, 0 }, { 0.75, 0.5, 0.5 }, { 1, 1, 0 } },
                             back[2] = { { 0, 1, 0 }, { 1, 0, 0 } };
   bool turned = false;
-  assert_int_equal(scallop_make_spline(&s, "", (const struct scallop_knot *const[2]){ out, back }, (const int[2]){ 3, 2 }),
-                   SCALLOP_OK);
+  assert_int_equal(
+      scallop_make_spline(&s, "", (const struct scallop_knot *const[2]){ out, back }, (const int[2]){ 3, 2 }),
+      SCALLOP_OK);
   const struct scallop_piece *p = s.gait.phase[0].pieces;
   assert_true(scallop_piece_goes_on(p, p + 1, &turned));
   assert_true(turned);
@@ -101,8 +105,9 @@ TEST(pieces_that_go_on)
     assert_true(scallop_piece_goes_on(p + i, p + i + 1, &turned));
 }
 
-/* Pieces that are not those of the paper's gaits add their own: where c goes on from one to the next it is rounded twice, a unit at most. In
- * directed rounding all these have one sign, and no spread is promised. pieces: 0, or how many there are of a spline. */
+/* Pieces that are not those of the paper's gaits add their own: where c goes on from one to the next it is rounded
+ * twice, a unit at most. In directed rounding all these have one sign, and no spread is promised. pieces: 0, or how
+ * many there are of a spline. */
 static void judge(const struct stress_case *s, int pieces)
 {
   struct stress_judgement j;
@@ -110,26 +115,30 @@ static void judge(const struct stress_case *s, int pieces)
   for (int q = 0; q < STRESS_QUANTITIES; q++) {
     const char *broken = stress_broken(&j, q);
     if (pieces > 0 && j.outcome != STRESS_BROKEN)
-      broken = !j.number[q].exists || j.number[q].error <= (STRESS_PROMISE + pieces) * j.number[q].unit ? NULL : "error";
+      broken = !j.number[q].exists || j.number[q].error <= (STRESS_PROMISE + pieces) * j.number[q].unit ? NULL
+                                                                                                        : "error";
     if (!broken)
       continue;
     print_crawler(&s->crawler);
     fail_msg("%s of %s: %.3g units, %.3g over the rounding modes; phase %d, v0 = %.17g", broken,
-             stress_quantity_name(s->kind, q), j.number[q].error / j.number[q].unit, j.number[q].rounding / j.number[q].unit,
-             (int)s->phase, s->v0);
+             stress_quantity_name(s->kind, q), j.number[q].error / j.number[q].unit,
+             j.number[q].rounding / j.number[q].unit, (int)s->phase, s->v0);
   }
 }
 
 /* The promise of numerics.h: 8 units */
 TEST(promise)
 {
-  static const enum family families[] = { ORDINARY, STICK_SLIP, EQUAL_FORCES, EXTREME_RATIOS, SMALL_PERIOD, ALPHA_EDGE };
+  static const enum family families[] = {
+    ORDINARY, STICK_SLIP, EQUAL_FORCES, EXTREME_RATIOS, SMALL_PERIOD, ALPHA_EDGE
+  };
   struct random r = { 20261212 };
   struct random_gait made;
   for (int i = 0; i < check_cases(36 * WITHOUT_TURN); i++) {
     const struct scallop_gait *gait = random_gait(&r, (enum random_gait_kind)(i % WITHOUT_TURN), &made);
     int pieces = i % WITHOUT_TURN == SPLINE ? gait->phase[0].count + gait->phase[1].count : 0;
-    struct stress_case s = { .kind = STRESS_STEADY, .crawler = random_crawler(&r, families[i / WITHOUT_TURN % 6], gait) };
+    struct stress_case s = { .kind = STRESS_STEADY,
+                             .crawler = random_crawler(&r, families[i / WITHOUT_TURN % 6], gait) };
     judge(&s, pieces);
     s.kind = STRESS_PHASE;
     s.phase = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
@@ -138,8 +147,8 @@ TEST(promise)
   }
 }
 
-/* Where l' changes its sign within a phase, and c is small there, a body's turn is known to an ulp of the phase and not of the time from
- * there: so velocities are right to an ulp of the largest l'. */
+/* Where l' changes its sign within a phase, and c is small there, a body's turn is known to an ulp of the phase and not
+ * of the time from there: so velocities are right to an ulp of the largest l'. */
 TEST(turning)
 {
   struct random r = { 20261213 };
@@ -150,7 +159,8 @@ TEST(turning)
     struct scallop_crawler c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, gait);
     struct scallop_steady_result got = steady_of(&c);
     certify_steady(&wanted, &c, 20);
-    double peak = fmax(gait->phase[0].peak, gait->phase[1].peak), unit = peak * c.L / (c.T * fmin(c.alpha, 1 - c.alpha));
+    double peak = fmax(gait->phase[0].peak, gait->phase[1].peak),
+           unit = peak * c.L / (c.T * fmin(c.alpha, 1 - c.alpha));
     check_number(got.period.v_start, wanted.v_start, 1e-13 * unit, &c, "v_start");
     check_number(got.period.v_mid, wanted.v_mid, 1e-13 * unit, &c, "v_mid");
     check_number(got.period.displacement, wanted.displacement, 1e-13 * unit * c.T, &c, "displacement");
@@ -158,8 +168,8 @@ TEST(turning)
   }
 }
 
-/* l' = s^p (1 - s) times factors s - root. The roots are anywhere, and next to the start, the middle, the end and each other: so there are
- * pieces that are much shorter than an ulp of l, and l goes back further than its amplitude. */
+/* l' = s^p (1 - s) times factors s - root. The roots are anywhere, and next to the start, the middle, the end and each
+ * other: so there are pieces that are much shorter than an ulp of l, and l goes back further than its amplitude. */
 static const struct scallop_gait *far_turning(struct random *r, struct scallop_polynomial *g)
 {
   enum { MOST = 8 };
@@ -168,7 +178,8 @@ static const struct scallop_gait *far_turning(struct random *r, struct scallop_p
   slope[degree] = 1;
   for (int i = 0; i <= roots; i++) { /* times a + s, the last one times 1 - s */
     double closeness = random_decades(r, 1e-9, 0.1), side = random_below(r, 2) ? 1 : -1;
-    const double places[] = { random_between(r, 0.02, 0.98), 0.5 + side * closeness, closeness, 1 - closeness, root + 0.02 };
+    const double places[] = { random_between(r, 0.02, 0.98), 0.5 + side * closeness, closeness, 1 - closeness,
+                              root + 0.02 };
     root = i < roots ? places[random_below(r, 5)] : 1;
     for (int k = ++degree; k >= 0; k--)
       slope[k] = (k > 0 ? slope[k - 1] : 0) - root * slope[k];
@@ -220,7 +231,8 @@ static void all_agree(const struct scallop_crawler *c, enum scallop_phase_kind k
   check_wide(&wide_phase.v_end, p.v_end, 1e-28 * (unit + fabs(v0)), c);
 }
 
-/* Where l goes back further than its amplitude, or hardly at all, the ways of the pieces add up to the amplitude all the same. */
+/* Where l goes back further than its amplitude, or hardly at all, the ways of the pieces add up to the amplitude all
+ * the same. */
 TEST(turning_far_and_hardly)
 {
   static const char *const texts[] = { "polynomial:0,0,-60,125,-64",
@@ -247,8 +259,9 @@ TEST(turning_far_and_hardly)
   }
 }
 
-/* The terms below T^ORDER are the certified value, up to about the next one; and the first one is the paper's (26), in which
- * 1/l_0 - 1/l_T = (up + down)(1 - up/2 - down/2), for these crawlers to the last digit, as l' is linear where the bodies turn. */
+/* The terms below T^ORDER are the certified value, up to about the next one; and the first one is the paper's (26), in
+ * which 1/l_0 - 1/l_T = (up + down)(1 - up/2 - down/2), for these crawlers to the last digit, as l' is linear where the
+ * bodies turn. */
 TEST(derived_series)
 {
   static const struct {
@@ -274,7 +287,8 @@ TEST(derived_series)
     CHECK_AT_MOST(apart(value, wanted.v_start), 1e-30);
     series_value(value, &e.displacement, at, ORDER, PRECISION);
     CHECK_AT_MOST(apart(value, wanted.displacement), 1e-34);
-    /* (F1 - F2)(2 alpha - 1) L m* / (2 (1/l_0 - 1/l_T) [alpha^2 F1 m1 + (1 - alpha)^2 F2 m2]) for the default crawler */
+    /* (F1 - F2)(2 alpha - 1) L m* / (2 (1/l_0 - 1/l_T) [alpha^2 F1 m1 + (1 - alpha)^2 F2 m2]) for the default
+     * crawler */
     assert_true(series_rational_coefficient(first, &e.v_start, -1));
     fmpq_set_si(formula, 60 * cases[i].denominator, (ulong)(37 * cases[i].numerator));
     fmpq_canonicalise(formula);

@@ -1,5 +1,5 @@
-/* Motions with gaits of every kind that model.h allows: the exact solver against the certified one, which is written apart from it,
- * and what becomes of more modes than are kept. */
+/* Motions with gaits of every kind that model.h allows: the exact solver against the certified one, which is written
+ * apart from it, and what becomes of more modes than are kept. */
 #include "numerics/rivals/arkode.h"
 #include "numerics/rivals/cvode.h"
 #include "numerics/rivals/odeiv.h"
@@ -11,9 +11,10 @@ enum { ODD = 10, DIGITS = 30 };
 static const double TOLERANCE = 1e-12;
 static struct teeth teeth;
 static struct scallop_gait curved_first, curved_last, jerk_last;
-static const struct scallop_gait *const odd_gaits[ODD] = { &there_and_back_gait, &detour_gait,   &teeth.gait,   &pause_gait,
-                                                           &wait_gait,           &hesitant_gait, &curved_first, &curved_last,
-                                                           &jerk_last,           &stride_gait };
+static const struct scallop_gait *const odd_gaits[ODD] = { &there_and_back_gait, &detour_gait, &teeth.gait,
+                                                           &pause_gait,          &wait_gait,   &hesitant_gait,
+                                                           &curved_first,        &curved_last, &jerk_last,
+                                                           &stride_gait };
 enum { CONTINUOUS = 9 }; /* the first of them */
 
 static int make_gaits(void **state)
@@ -55,8 +56,9 @@ static struct scallop_crawler draw(struct random *r, int i, const struct scallop
 }
 
 /* The same number of them, and the same ones as far as they are kept */
-static void check_modes(const struct scallop_modes *certified, const struct scallop_modes *got, enum scallop_regime wanted,
-                        enum scallop_regime regime, const struct scallop_crawler *c, double v0)
+static void check_modes(const struct scallop_modes *certified, const struct scallop_modes *got,
+                        enum scallop_regime wanted, enum scallop_regime regime, const struct scallop_crawler *c,
+                        double v0)
 {
   char one[SCALLOP_MODES_TEXT], other[SCALLOP_MODES_TEXT];
   int kept = got->count <= SCALLOP_MODES_KEPT ? got->count : SCALLOP_MODES_KEPT;
@@ -120,8 +122,8 @@ TEST(steady_states)
   }
 }
 
-/* With phases of one duration a gait leads nowhere if the contraction does the opposite of the extension, and detour does not,
- * though |l'| is the same. */
+/* With phases of one duration a gait leads nowhere if the contraction does the opposite of the extension, and detour
+ * does not, though |l'| is the same. */
 TEST(the_same_speeds_in_other_directions)
 {
   struct scallop_crawler c = with_gait(&there_and_back_gait);
@@ -201,7 +203,8 @@ TEST(batch)
   }
   const struct scallop_crawlers all = columns_all(&in, COUNT);
   assert_int_equal(
-      scallop_steady_batch(&all, &(struct scallop_steady_states){ .v_start = v_start, .modes = modes, .status = status }, 1),
+      scallop_steady_batch(&all,
+                           &(struct scallop_steady_states){ .v_start = v_start, .modes = modes, .status = status }, 1),
       0);
   for (int i = 0; i < COUNT; i++) {
     const struct scallop_crawler c = columns_row(&in, i);

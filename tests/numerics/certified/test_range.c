@@ -14,8 +14,8 @@
 static struct scallop_crawler crawler_in(double L, double T, double eps, double alpha)
 {
   double friction = eps * (L / T) / T, M = friction < 1 ? 1e9 : 1; /* friction: (F1 + F2)/M */
-  return (
-      struct scallop_crawler){ M / 2, M / 2, 0.8 * M * friction, 0.2 * M * friction, L, T, alpha, &scallop_gait_quadratic };
+  return (struct scallop_crawler){ M / 2, M / 2, 0.8 * M * friction,     0.2 * M * friction, L,
+                                   T,     alpha, &scallop_gait_quadratic };
 }
 
 enum phase_number { V_END, DX1, DX2, DXC, T1, DT, PHASE_NUMBERS };
@@ -45,7 +45,8 @@ TEST(one_phase)
     struct scallop_crawler c = crawler_in(phases[i].L, phases[i].T, phases[i].eps, 0.5);
     struct scallop_crawler moderate = crawler_in(1, 2, phases[i].eps, 0.5);
     double x[PHASE_NUMBERS], tau = c.T / 2;
-    REFUSES(scallop_phase_result, scallop_phase(&c, SCALLOP_EXTENSION, phases[i].v0 * (c.L / tau), &out), SCALLOP_ERANGE);
+    REFUSES(scallop_phase_result, scallop_phase(&c, SCALLOP_EXTENSION, phases[i].v0 * (c.L / tau), &out),
+            SCALLOP_ERANGE);
     struct scallop_phase_result r = phase_of(&moderate, SCALLOP_EXTENSION, phases[i].v0);
     take(x, &r);
     const double unit[PHASE_NUMBERS] = { c.L / tau, c.L, c.L, c.L, tau, tau };
@@ -58,7 +59,8 @@ TEST(one_phase)
 static void check_rivals(const struct scallop_crawler *c, double v0)
 {
   struct scallop_rival *rival[] = { scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-6), scallop_cvode_rival(1e-6),
-                                    scallop_arkode_rival(1e-6), scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-2, 1e-6) };
+                                    scallop_arkode_rival(1e-6),
+                                    scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-2, 1e-6) };
   for (size_t i = 0; i < sizeof rival / sizeof *rival; i++)
     if (rival[i]) {
       struct scallop_rival_period p = { .v_end = 7 };
@@ -124,7 +126,8 @@ static bool keep(void *context, const struct scallop_sample *sample)
   struct last_sample *last = context;
   last->count++;
   last->sample = *sample;
-  return isfinite(sample->t) && isfinite(sample->x1) && isfinite(sample->x2) && isfinite(sample->v1) && isfinite(sample->v2);
+  return isfinite(sample->t) && isfinite(sample->x1) && isfinite(sample->x2) && isfinite(sample->v1)
+         && isfinite(sample->v2);
 }
 
 /* v0 in units of L/T. Whichever number of the next sample would overflow, those
@@ -158,8 +161,9 @@ TEST(smoothed_phases)
     double times[TIMES], unit = fast ? c.L / c.T : 2 * (c.L / c.T);
     for (int k = 0; k < TIMES; k++)
       times[k] = k * (c.T / 2) / TIMES;
-    assert_int_equal(scallop_smoothed_phase(rival, &c, SCALLOP_EXTENSION, v0[i] * unit, NULL, times, TIMES, keep, &last),
-                     SCALLOP_ERANGE);
+    assert_int_equal(
+        scallop_smoothed_phase(rival, &c, SCALLOP_EXTENSION, v0[i] * unit, NULL, times, TIMES, keep, &last),
+        SCALLOP_ERANGE);
     assert_true(last.count > 0 && last.count < TIMES);
     assert_true(keep(&(struct last_sample){ 0 }, &last.sample));
   }

@@ -1,4 +1,5 @@
-/* Gaits that rise within 1e-2 to 1e-8 of a phase: every number of a phase and of the steady state within the units that are promised. */
+/* Gaits that rise within 1e-2 to 1e-8 of a phase: every number of a phase and of the steady state within the units that
+ * are promised. */
 #include "compare/stress/judge.h"
 #include "tests/support/random_rises.h"
 #include "tests/support/solved.h"
@@ -14,15 +15,16 @@ static void judge(const struct stress_case *stressed)
     if (stress_broken(&j, q)) {
       const struct stress_number *n = &j.number[q];
       stress_arguments(stressed, text);
-      fail_msg("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s", stress_quantity_name(stressed->kind, q),
-               n->got, n->exact, n->error / n->unit, n->unit / n->ulp, text);
+      fail_msg("%s: %.17g, wanted %.17g: off by %.3g units, condition %.3g; %s",
+               stress_quantity_name(stressed->kind, q), n->got, n->exact, n->error / n->unit, n->unit / n->ulp, text);
     }
 }
 
 /* Of one crawler in three friction does much within a rise. */
 static struct stress_case draw(struct random *r, const struct scallop_gait *gait, enum stress_kind kind)
 {
-  struct stress_case s = { .kind = kind, .crawler = random_crawler(r, random_below(r, 2) ? ORDINARY : STICK_SLIP, gait) };
+  struct stress_case s = { .kind = kind,
+                           .crawler = random_crawler(r, random_below(r, 2) ? ORDINARY : STICK_SLIP, gait) };
   if (random_below(r, 3) == 0)
     set_eps(&s.crawler, random_decades(r, 1e2, 1e9));
   s.phase = random_below(r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;

@@ -26,7 +26,8 @@ static bool certified(const struct scallop_crawler *crawler, struct scallop_wide
   SCOPED(scallop_certified_steady, c);
   scallop_rational_of(&exact, crawler);
   bool solved = scallop_certified_steady(&exact, DIGITS, &c, NULL) == SCALLOP_OK;
-  const arb_struct *const numbers[NUMBERS] = { c.froude, c.v_start, c.v_mid, c.displacement, c.mean_velocity, c.multiplier };
+  const arb_struct *const numbers[NUMBERS] = { c.froude,       c.v_start,       c.v_mid,
+                                               c.displacement, c.mean_velocity, c.multiplier };
   for (int i = 0; solved && i < NUMBERS; i++)
     out[i] = two_doubles(numbers[i]);
   return solved;
@@ -34,12 +35,14 @@ static bool certified(const struct scallop_crawler *crawler, struct scallop_wide
 
 static void list(const struct scallop_wide_steady *w, struct scallop_wide out[NUMBERS])
 {
-  const struct scallop_wide all[NUMBERS] = { w->froude,        w->period.v_start,   w->period.v_mid, w->period.displacement,
+  const struct scallop_wide all[NUMBERS] = { w->froude,        w->period.v_start,
+                                             w->period.v_mid,  w->period.displacement,
                                              w->mean_velocity, w->period.multiplier };
   memcpy(out, all, sizeof all);
 }
 
-/* Families of moderate ratios, whose condition numbers are below 1e4 or so; sizes: what the numbers are compared with. */
+/* Families of moderate ratios, whose condition numbers are below 1e4 or so; sizes: what the numbers are compared
+ * with. */
 TEST(near_certified)
 {
   struct random r = { 20261201 };
@@ -63,7 +66,8 @@ TEST(near_certified)
         worst[width] = fmax(worst[width], wide_apart(&got[i], &exact[i]) / (ulp * size[i]));
     }
   }
-  print_message("%d crawlers, worst in ulp of the size: long double %.3g, binary128 %.3g\n", solved, worst[0], worst[1]);
+  print_message("%d crawlers, worst in ulp of the size: long double %.3g, binary128 %.3g\n", solved, worst[0],
+                worst[1]);
   assert_true(solved > CRAWLERS * 3 / 4);
   CHECK_AT_MOST(worst[0], 1e4);
   CHECK_AT_MOST(worst[1], 1e4);
@@ -179,7 +183,8 @@ TEST(polynomial_gaits)
 TEST(refusals)
 {
   struct scallop_crawler c = scallop_crawler_default(), small = c, lawless = c, many = c;
-  struct scallop_piece pieces[] = { scallop_gait_sinusoidal.phase[0].pieces[0], scallop_gait_sinusoidal.phase[0].pieces[1] };
+  struct scallop_piece pieces[] = { scallop_gait_sinusoidal.phase[0].pieces[0],
+                                    scallop_gait_sinusoidal.phase[0].pieces[1] };
   struct scallop_gait unknown = scallop_gait_sinusoidal;
   const struct scallop_steady_result steady = { 0 };
   const struct scallop_phase_result phase = { .t1 = 0 };
@@ -210,8 +215,8 @@ TEST(refusals)
 #if defined __x86_64__ || defined __i386__
 static void set_control_word(unsigned short word) { __asm__ volatile("fldcw %0" : : "m"(word)); }
 
-/* The processor may be set to round long double to 53 bits: then binary128 takes its place, and no solve waits for digits that never
- * come. */
+/* The processor may be set to round long double to 53 bits: then binary128 takes its place, and no solve waits for
+ * digits that never come. */
 TEST(long_double_rounded_to_double)
 {
   enum { USUAL = 0x37f, ROUNDED = 0x27f };
@@ -278,8 +283,8 @@ static struct scallop_crawler in_unit(const struct scallop_crawler *c, double un
   return other;
 }
 
-/* At the last units in which the numbers are in range in double: true ones are beyond, some times, and then that is said, and else never.
- * With so long a period and such small masses no number is larger than the displacement. */
+/* At the last units in which the numbers are in range in double: true ones are beyond, some times, and then that is
+ * said, and else never. With so long a period and such small masses no number is larger than the displacement. */
 TEST(beyond_the_range)
 {
   enum { TRIES = 120, LAST = 6 };

@@ -53,14 +53,15 @@ TEST(every_edge)
 /* This one did not end: the line touches the curve at the very time from which friction can hold the body. */
 TEST(touches_where_it_is_held)
 {
-  struct scallop_crawler c = { 0x1.49c2df9c1169bp+1, 0x1.78116d2fc8bbcp-1, 0x1.3305d4310c97ep+8, 0x1.7a4c877234cdap+7,
-                               0x1.5ac4f07b010d9p+3, 0x1.0a883a7556ce8p+0, 0x1.9a4765770dcfap-3, &scallop_gait_sinusoidal };
+  struct scallop_crawler c = { 0x1.49c2df9c1169bp+1, 0x1.78116d2fc8bbcp-1,    0x1.3305d4310c97ep+8,
+                               0x1.7a4c877234cdap+7, 0x1.5ac4f07b010d9p+3,    0x1.0a883a7556ce8p+0,
+                               0x1.9a4765770dcfap-3, &scallop_gait_sinusoidal };
   struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, 0x1.0237f030f73d5p+5);
   modes_are(&r.modes, "++ -+ 0+ ++");
 }
 
-/* Body 1 comes to rest against a friction that stops it in less time than an ulp of the phase: it is held from then on, and was
- * once found to slide on for a twelfth of the phase. */
+/* Body 1 comes to rest against a friction that stops it in less time than an ulp of the phase: it is held from then on,
+ * and was once found to slide on for a twelfth of the phase. */
 TEST(stops_at_once)
 {
   struct scallop_crawler c = { 1.6810482026957038e-09, 19782534.230478894,  231.11260285226103, 0.13007378432978592, 1,
@@ -70,7 +71,8 @@ TEST(stops_at_once)
   CHECK_NEAR(r.dx1, 0, 1e-14);
 }
 
-/* m1 = m2 = 1, tau = 1, L = 1: l' = 0 at t = 3/4, where both bodies, which go backward at -12 + 16 t -+ l'/2, come to rest at once. */
+/* m1 = m2 = 1, tau = 1, L = 1: l' = 0 at t = 3/4, where both bodies, which go backward at -12 + 16 t -+ l'/2, come to
+ * rest at once. */
 TEST(stops_where_the_length_turns)
 {
   struct scallop_crawler c = { 1, 1, 20, 12, 1, 2, 0.5, &there_and_back_gait };
@@ -82,8 +84,8 @@ TEST(stops_where_the_length_turns)
   CHECK_EQUAL(r.dx2, -4.5 + 1.125 / 2 - 0.125);
 }
 
-/* m1 = m2 = 1, tau = 1, L = 1, F1 - F2 = 6: body 1 is held while l'' = 5, lets go for 1/32 where l'' = 8, at an acceleration of -1, and comes
- * back as fast where l'' = 4. Each piece is straight. */
+/* m1 = m2 = 1, tau = 1, L = 1, F1 - F2 = 6: body 1 is held while l'' = 5, lets go for 1/32 where l'' = 8, at an
+ * acceleration of -1, and comes back as fast where l'' = 4. Each piece is straight. */
 #define BUMP_END (9. / 32 + 67. / 560)
 #define BUMP_FALL ((1.5 + 4 * 67. / 560) / (1 - BUMP_END))
 #define BUMP(sign) \
@@ -133,8 +135,10 @@ TEST(weak_forces)
 /* So light a body that the steady velocity is 1e-147 of l': no bracket is too wide. */
 TEST(far_from_the_guess)
 {
-  struct scallop_crawler c = { 1, 1.2351507177350147e+146, 1.2480035652144186,      0.28962761566487188, 0.1436206993167419,
-                               1, 0.39310801961328146,     &scallop_gait_sinusoidal };
+  struct scallop_crawler c = {
+    1, 1.2351507177350147e+146, 1.2480035652144186,      0.28962761566487188, 0.1436206993167419,
+    1, 0.39310801961328146,     &scallop_gait_sinusoidal
+  };
   struct scallop_steady_result s = steady_of(&c);
   CHECK_NEAR(s.period.v_start, -7.170448668775392e-147, 1e-160);
   CHECK_NEAR(s.period.v_end, s.period.v_start, 1e-160);

@@ -183,7 +183,8 @@ struct integral {
 
 enum integrand { WORK, DISSIPATION, CENTRE, BODY_1, BODY_2 };
 
-static double summand(const struct phase *p, const struct scallop_interval *i, enum integrand what, double u, double *terms)
+static double summand(const struct phase *p, const struct scallop_interval *i, enum integrand what, double u,
+                      double *terms)
 {
   double l = rate(i, u), c = centre(i, u), mu1 = p->mu[0], mu2 = p->mu[1];
   double size1 = fabs(c) + mu2 * fabs(l), size2 = fabs(c) + mu1 * fabs(l);

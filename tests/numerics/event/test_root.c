@@ -70,7 +70,8 @@ static double flattened(const void *context, double u, double *slope)
   return p->low - u - p->high * pow(u, p->n);
 }
 
-/* From the end where a high power rules a step comes a fixed part nearer to the root: more steps than there are, and the last may cross it. */
+/* From the end where a high power rules a step comes a fixed part nearer to the root: more steps than there are, and
+ * the last may cross it. */
 TEST(roots_far_from_the_steep_end)
 {
   for (int n = 2; n <= 6; n++)
@@ -108,8 +109,8 @@ static double pole(double u, double root) { return u == root ? 1 : 1 / (root - u
 static double steep(double u, double root) { return expm1(300 * (u / root - 1)); }
 static double tiny(double u, double root) { return 1e-310 * (u / root - 1); }
 
-static double (*const functions[])(double,
-                                   double) = { line, parabola, cube, flat, root_of_magnitude, jump, pole, steep, tiny };
+static double (*const functions[])(double, double) = { line, parabola, cube,  flat, root_of_magnitude,
+                                                       jump, pole,     steep, tiny };
 enum { FUNCTIONS = sizeof functions / sizeof *functions };
 
 /* As the header promises */
@@ -125,7 +126,8 @@ static int evaluations(double (*value)(double, double), double root, double from
   int count = 0;
   const struct counted c = { value, root, &count };
   double u = itp_root(counted, &c, from, to);
-  assert_true(value(u, root) == 0 || (value(nextafter(u, 0), root) > 0) != (value(nextafter(u, 2 * to + from), root) > 0));
+  assert_true(value(u, root) == 0
+              || (value(nextafter(u, 0), root) > 0) != (value(nextafter(u, 2 * to + from), root) > 0));
   assert_true(count <= most(from, to));
   return count;
 }

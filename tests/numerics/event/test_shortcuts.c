@@ -1,5 +1,6 @@
-/* The short cuts of the solver against the long way: the closed forms of ramps.c, the roots of concave.c and the joint Newton's method of regular.c
- * beside the walk from event to event, which a gait takes that does not say what it is (concave and ramps left false). */
+/* The short cuts of the solver against the long way: the closed forms of ramps.c, the roots of concave.c and the joint
+ * Newton's method of regular.c beside the walk from event to event, which a gait takes that does not say what it is
+ * (concave and ramps left false). */
 #include <float.h>
 
 #include "numerics/event/concave.h"
@@ -81,7 +82,8 @@ static struct walked walk(const struct motion_input *in, double c0, enum scallop
   return w;
 }
 
-/* The same operations in the same order, but for the way along a curve: the same bits where slopes are powers of 2, else nearly. */
+/* The same operations in the same order, but for the way along a curve: the same bits where slopes are powers of 2,
+ * else nearly. */
 static void check_phase(const struct motion_input *in, double c0, enum scallop_phase_kind kind)
 {
   struct motion m;
@@ -235,8 +237,8 @@ static void many_steady_states(const struct scallop_gait *gait)
     shortened += s.work.periods == 1;
     check_steady(&c);
   }
-  print_message("%s: %ld of %d by a short cut, worst %.1f ulp of max(value, condition)\n", gait->name, shortened, CRAWLERS,
-                worst_share);
+  print_message("%s: %ld of %d by a short cut, worst %.1f ulp of max(value, condition)\n", gait->name, shortened,
+                CRAWLERS, worst_share);
   assert_true(shortened > CRAWLERS / 4);
   assert_true(touches <= (gait == &trapezoid_gait ? CRAWLERS / 100 : 0));
 }
@@ -260,5 +262,6 @@ TEST(work_is_counted)
   struct scallop_gait gait = plain(c.gait);
   c.gait = &gait;
   r = steady_of(&c);
-  assert_true(r.work.periods > 1 && r.work.events == 4 * r.work.periods && r.work.gait_evaluations > 20 * r.work.periods);
+  assert_true(r.work.periods > 1 && r.work.events == 4 * r.work.periods
+              && r.work.gait_evaluations > 20 * r.work.periods);
 }

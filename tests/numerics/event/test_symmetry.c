@@ -283,7 +283,8 @@ static void steady_is_a_fixed_point(struct random *r, const struct scallop_crawl
   CHECK_RELATIVE(s.mean_velocity, p->displacement / c->T, BOUND * ULP);
   struct scallop_period_result again = period_of(c, p->v_start);
   CHECK_NEAR(again.v_mid, p->v_mid, BOUND * ULP * v);
-  /* the same operations both ways, so that no condition number comes in, unless they are contracted (tests/support/check.h) */
+  /* the same operations both ways, so that no condition number comes in, unless they are contracted
+   * (tests/support/check.h) */
   CHECK_NEAR(again.displacement, p->displacement, (BOUND * ULP + SAME_BITS) * (v * c->T + fabs(p->displacement)));
 }
 

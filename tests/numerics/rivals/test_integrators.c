@@ -1,9 +1,10 @@
-/* GSL's integrators, CVODE and ARKODE against the exact solver. They share the model and nothing else, so each checks the other: over seeded
- * crawlers of every regime they agree to the tolerance.
+/* GSL's integrators, CVODE and ARKODE against the exact solver. They share the model and nothing else, so each checks
+ * the other: over seeded crawlers of every regime they agree to the tolerance.
  *
- * The bound: bound_of[method] tolerance (L/(T min(alpha, 1 - alpha)) + |v|) for velocities, and T times that for the displacement.
- * Friction never lets an error in velocity grow (the multiplier is at most 1), so the errors of the steps add up and no more; Adams's
- * method takes the more of them. The largest share of the bound that was seen is printed. */
+ * The bound: bound_of[method] tolerance (L/(T min(alpha, 1 - alpha)) + |v|) for velocities, and T times that for the
+ * displacement. Friction never lets an error in velocity grow (the multiplier is at most 1), so the errors of the steps
+ * add up and no more; Adams's method takes the more of them. The largest share of the bound that was seen is
+ * printed. */
 #include <stdio.h>
 #include <unistd.h>
 
@@ -52,8 +53,9 @@ static double any_start(struct random *r, const struct scallop_crawler *c)
   return i == 2 ? steady.period.v_start : -steady.period.v_start;
 }
 
-/* Every family of crawlers and every gait: with plateaus, with l'' = 0 at both ends of a phase, with jumps of l'. Every regime, both
- * directions of travel, crawlers that turn round, and bodies that are let go and stopped again must have been among them. */
+/* Every family of crawlers and every gait: with plateaus, with l'' = 0 at both ends of a phase, with jumps of l'. Every
+ * regime, both directions of travel, crawlers that turn round, and bodies that are let go and stopped again must have
+ * been among them. */
 static void agree(int first, int end, long events[METHODS])
 {
   struct random r = { 20130311 };
@@ -98,8 +100,8 @@ TEST(integrators_of_gsl_agree)
 TEST(cvode_agrees) { agree(CVODE, CVODE + 1, (long[METHODS]){ 0 }); }
 TEST(arkode_agrees) { agree(ARKODE, ARKODE + 1, (long[METHODS]){ 0 }); }
 
-/* Both at rest where l'' = 0, with equal forces: friction could hold either, but l' is about to part them, and then neither can
- * hold the other. */
+/* Both at rest where l'' = 0, with equal forces: friction could hold either, but l' is about to part them, and then
+ * neither can hold the other. */
 TEST(parted_from_rest)
 {
   struct scallop_crawler c = { 3.2, 0.28, 0.024, 0.024, 12.6, 1.45, 0.4, &minimum_jerk_gait };
@@ -110,8 +112,8 @@ TEST(parted_from_rest)
   }
 }
 
-/* No tolerance bounds the error from below: tightening it must pay. ARKODE's steps grow from so little after each event that a tolerance
- * above 1e-6 bounds few of them. */
+/* No tolerance bounds the error from below: tightening it must pay. ARKODE's steps grow from so little after each event
+ * that a tolerance above 1e-6 bounds few of them. */
 TEST(tolerance_controls_error)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
@@ -126,8 +128,8 @@ TEST(tolerance_controls_error)
   }
 }
 
-/* Body 1 comes to zero and is off again within one step, which begins and ends with it moving forward: only a look inside the step can
- * tell, and CVODE must stop where it turns. */
+/* Body 1 comes to zero and is off again within one step, which begins and ends with it moving forward: only a look
+ * inside the step can tell, and CVODE must stop where it turns. */
 TEST(dip_within_a_step)
 {
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 2, 0.5, &scallop_gait_sinusoidal };
@@ -138,8 +140,8 @@ TEST(dip_within_a_step)
       assert_true(compare(&c, 1.32, &exact, method, pow(10, -digits)).events >= 2);
 }
 
-/* One body 1e17 times lighter: its acceleration cannot be had as a difference from the other's, or locating its events takes over a
- * hundred steps. A crawler from a random search. */
+/* One body 1e17 times lighter: its acceleration cannot be had as a difference from the other's, or locating its events
+ * takes over a hundred steps. A crawler from a random search. */
 TEST(light_body)
 {
   const struct scallop_crawler c = {

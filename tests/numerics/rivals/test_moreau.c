@@ -107,7 +107,8 @@ TEST(first_order_sinusoidal) { first_order(&scallop_gait_sinusoidal); }
 TEST(first_order_trapezoid) { first_order(&trapezoid_gait); }
 TEST(first_order_minimum_jerk) { first_order(&minimum_jerk_gait); }
 
-/* The steady state is a fixed point of the stepped map, to what the error of a period becomes: 1/(1 - multiplier) times as much. */
+/* The steady state is a fixed point of the stepped map, to what the error of a period becomes: 1/(1 - multiplier) times
+ * as much. */
 TEST(steady_states)
 {
   const long steps = 4096;

@@ -1,5 +1,5 @@
-/* Steady states by simulation and as the root of a period map: on maps whose answer is known, and on GSL's integrators beside
- * the exact solver. What a rival's steady state is off by is the error of its period over 1 - multiplier. */
+/* Steady states by simulation and as the root of a period map: on maps whose answer is known, and on GSL's integrators
+ * beside the exact solver. What a rival's steady state is off by is the error of its period over 1 - multiplier. */
 #include <gsl/gsl_errno.h>
 
 #include "numerics/rivals/odeiv.h"
@@ -26,7 +26,8 @@ static enum scallop_status map_period(struct scallop_rival *self, const struct s
   m->calls++;
   if (m->status != SCALLOP_OK || !isfinite(v))
     return m->status != SCALLOP_OK ? m->status : SCALLOP_ERANGE;
-  *period = (struct scallop_rival_period){ .v_end = v, .displacement = 2 * v0, .steps = 3, .evaluations = 5, .events = 7 };
+  *period =
+      (struct scallop_rival_period){ .v_end = v, .displacement = 2 * v0, .steps = 3, .evaluations = 5, .events = 7 };
   return SCALLOP_OK;
 }
 
@@ -60,7 +61,10 @@ static double rounded(struct map *m, double v) { return unsure(m, v, 2 * DBL_EPS
 static double jumping(struct map *m, double v) { return v > m->fixed ? v - 1e-6 : v + 1.3e-6; }
 
 /* To and fro for ever, but only after strides have become long enough not to see it. */
-static double ending_in_a_cycle(struct map *m, double v) { return v > 0.5 ? v - 0.01 : v == m->fixed ? 0.41 : m->fixed; }
+static double ending_in_a_cycle(struct map *m, double v)
+{
+  return v > 0.5 ? v - 0.01 : v == m->fixed ? 0.41 : m->fixed;
+}
 
 /* Friction is seen on one side only. */
 static double one_sided(struct map *m, double v) { return v * m->fixed > 0 ? v : v / 2; }
@@ -200,8 +204,8 @@ static struct scallop_rival *make(int stepper, double tolerance)
   return scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, tolerance);
 }
 
-/* The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that differs on the two sides of the steady
- * state. */
+/* The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that differs on the two
+ * sides of the steady state. */
 static void compare(const struct scallop_crawler *c, int stepper, double tolerance, double v0)
 {
   RIVAL(rival, make(stepper, tolerance));
@@ -226,8 +230,8 @@ static void agrees_for(const struct scallop_gait *gait)
     for (int stepper = 0; stepper < STEPPERS; stepper++)
       compare(&c, stepper, i % 3 ? 1e-9 : 1e-6, v0);
   }
-  print_message("%s: %d sliding, %d stick-slip, %d at rest; worst %.2g of the bound\n", gait->name, regimes[0], regimes[1],
-                regimes[2], worst_share);
+  print_message("%s: %d sliding, %d stick-slip, %d at rest; worst %.2g of the bound\n", gait->name, regimes[0],
+                regimes[1], regimes[2], worst_share);
   for (int i = 0; i < 3; i++)
     assert_true(regimes[i] >= 3);
 }

@@ -182,7 +182,8 @@ static void refused(const struct scallop_crawler *c, double v0, double delta, en
 
 TEST(bad_arguments)
 {
-  const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY }, bad_deltas[] = { 0, -1e-3, NAN, INFINITY };
+  const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY },
+               bad_deltas[] = { 0, -1e-3, NAN, INFINITY };
   for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
     assert_null(make(SCALLOP_SMOOTHED_MSBDF, 1e-3, bad_tolerances[i]));
   for (size_t i = 0; i < sizeof bad_deltas / sizeof *bad_deltas; i++)
@@ -277,8 +278,8 @@ static bool note(void *context, const struct scallop_sample *sample)
   return look->count < look->wanted;
 }
 
-static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, int stepper,
-                                   double delta, const double *times, int count, struct look *look)
+static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
+                                   int stepper, double delta, const double *times, int count, struct look *look)
 {
   RIVAL(rival, scallop_smoothed_rival(stepper_of(stepper), delta, 1e-8 * delta));
   look->count = 0;
@@ -345,7 +346,8 @@ TEST(samples_follow_the_exact_motion)
       for (int k = 0; k < LOOKS; k++)
         times[k] = k * c.T / 64;
       struct look look = { .count = 0 };
-      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, SCALLOP_SMOOTHED_MSBDF, 1e-7, times, LOOKS, &look), SCALLOP_OK);
+      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, SCALLOP_SMOOTHED_MSBDF, 1e-7, times, LOOKS, &look),
+                       SCALLOP_OK);
       assert_int_equal(look.count, LOOKS);
       look.wanted = LOOKS;
       look.count = 0;
@@ -368,7 +370,8 @@ TEST(looks_that_end)
   struct scallop_crawler c = scallop_crawler_default();
   struct look look = { .count = 0 };
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, bad[i], 2, &look), SCALLOP_EDOMAIN);
+    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, bad[i], 2, &look),
+                     SCALLOP_EDOMAIN);
     assert_int_equal(look.count, 0);
   }
   assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, good, -1, &look), SCALLOP_EDOMAIN);
@@ -382,7 +385,8 @@ TEST(looks_that_end)
   long left = 0;
   PATIENCE(none, left);
   look = (struct look){ .wanted = 9 };
-  assert_int_equal(scallop_smoothed_phase(rival, &c, SCALLOP_EXTENSION, 1, &none, good, 3, note, &look), SCALLOP_ESTOPPED);
+  assert_int_equal(scallop_smoothed_phase(rival, &c, SCALLOP_EXTENSION, 1, &none, good, 3, note, &look),
+                   SCALLOP_ESTOPPED);
   assert_int_equal(look.count, 1); /* of the start */
 }
 
