@@ -149,7 +149,7 @@ static void note_interval(void *context, const struct scallop_interval *interval
 int walk(double v0, int periods)
 {
   struct walk w = { .count = 0 };
-  for (int n = 0; n < periods; n++) {
+  for (int n = 0; n < periods && w.count < EXPLORER_MOST; n++) {
     struct scallop_period_result p;
     enum scallop_status status = scallop_period(&explorer_crawler, v0, &p);
     if (status < 0)
