@@ -42,8 +42,8 @@ struct symbol {
   enum symbol_meaning meaning;
   int derivative; /* n >= 2, else 0                                                               */
   enum scallop_phase_kind kind;
-  char name
-      [SYMBOL_NAME]; /* l0, l3_0, k0, l5_0, l6_0, ... for n = 2, 3, ..., and lT, l3_T, kT, ... at the end; _c of a second phase */
+  /* l0, l3_0, k0, l5_0, l6_0, ... for n = 2, 3, ..., and lT, l3_T, kT, ... at the end; _c of a second phase */
+  char name[SYMBOL_NAME];
 };
 
 /* A rational function of the symbols: over/under, without a common divisor, the leading coefficient of under > 0. */
@@ -150,7 +150,8 @@ enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallo
  * share_e the part of the extension, and share_c of the contraction, in which both bodies move alike: mu |l'| < M |U|,
  * mu = m2 and m1 where U > 0, m1 and m2 where U < 0. */
 enum limit_parameter {
-  LIMIT_IN_PRODUCT, /* (F1 - F2)(2 alpha - 1)/(F1 + F2), all else fixed: the first term is (26), and (27) for the paper's gaits */
+  /* (F1 - F2)(2 alpha - 1)/(F1 + F2), all else fixed: the first term is (26), and (27) for the paper's gaits */
+  LIMIT_IN_PRODUCT,
   LIMIT_IN_ALPHA,    /* 2 alpha - 1                                                         */
   LIMIT_IN_FRICTION, /* (F1 - F2)/(F1 + F2)                                                 */
   LIMIT_PARAMETERS

@@ -23,8 +23,8 @@ static struct symbolic_series share_of(struct symbols *s, enum scallop_phase_kin
   return share;
 }
 
-struct
-    weights { /* F1/(F1 + F2), F2/(F1 + F2), alpha, beta, and (F1 - F2)(2 alpha - 1)/(F1 + F2), as series in the small parameter */
+/* F1/(F1 + F2), F2/(F1 + F2), alpha, beta, and (F1 - F2)(2 alpha - 1)/(F1 + F2), as series in the small parameter */
+struct weights {
   struct symbolic_series force[2], fraction[2], drive;
 };
 
