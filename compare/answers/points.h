@@ -23,13 +23,15 @@ struct request {
 /* What a command adds to the row of a point behind its parameters: the cells of its columns. refused is NULL, or why
  * the point could not even be read; the row then has no numbers and that status. Returns NULL, or why it was not
  * solved. */
+struct sheet;
 typedef const char *point_row(struct table *table, const struct point *point, const void *context, const char *refused);
 
 /* A row has the crawler's parameters and extra; then, of a file, the columns that are no parameters, byte for byte, but
  * for those whose names are taken; then columns. */
 struct point_table {
   const char *const *extra; /* parameters beyond the crawler's that the points may name, phase or v0, NULL-terminated */
-  const char *const *columns; /* of the command */
+  const char *const *columns; /* of the command; of a sheet the texts of its own names */
+  struct sheet *sheet;        /* which has the columns and rows, or NULL: row adds the cells of the columns */
   bool v0_may_be_nan;         /* where none was given */
   bool as_written;            /* parameters with all the digits that were given */
   point_row *row;

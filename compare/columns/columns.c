@@ -164,8 +164,7 @@ static const char *begin(struct table_choice *choice, const char *const *column,
   return NULL;
 }
 
-/* The number that a text is: decimal, or a fraction such as -3/40; else nan */
-static double number_of(const char *text)
+double column_number(const char *text)
 {
   double x, over = 1;
   char whole[64];
@@ -197,7 +196,7 @@ static bool keep(struct table_choice *choice, int place, const struct table_cell
     c->room[place] = 2 * size;
   }
   c->cell[place].text = memcpy(c->text[place], cell->text, size);
-  c->value[place] = number_of(cell->text);
+  c->value[place] = column_number(cell->text);
   return true;
 }
 
