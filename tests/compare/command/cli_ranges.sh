@@ -168,7 +168,7 @@ if rows[0]["note"] != 'naïve, "so" \\ x|y':
     bad(rows[0])
 END
 run 3 steady --points marked.tsv --format markdown --quiet --columns note,case
-sed -n 3p out | grep -q -F -x "$(printf '| na\303\257ve, "so" \\ x\\|y | 007 |')" || note "$(cat out)"
+sed -n 3p out | grep -q -F -x "$(printf '| na\303\257ve, "so" \\\\ x\\|y | 007 |')" || note "$(cat out)"
 printf 'T\ta\001b\tbad\n1\tc\002d\t\377\n' >odd.tsv
 run 0 steady --points odd.tsv
 [ "$(rows out | cut -f 9,10)" = "$(printf 'c\002d\t\377')" ] || note "$(rows out | cut -f 9,10)"

@@ -450,11 +450,6 @@ mkfifo pipe
 timeout 2 "$tool" steady -o pipe 2>err
 [ -p pipe ] || note "the named pipe was replaced by a file"
 finish "-o does not replace what is no plain file"
-printf 'T\n0.5\n1\n' >both.tsv
-"$tool" steady --points both.tsv >want
-run 0 steady --points both.tsv -o both.tsv
-cmp -s both.tsv want || note "another table"
-finish "-o onto the file that is read"
 find . -name '*.part' >parts
 [ ! -s parts ] || note "left behind: $(cat parts)"
 finish "no *.part file is left"
