@@ -157,8 +157,6 @@ static void write_command(FILE *to, const struct command *command)
   options_initial(&initial, command);
   for (const struct option *o = command->options; o->name; o++) {
     char text[HELP_OPTION];
-    if (o->kind == &dropped_option)
-      continue;
     describe(&initial, o, text);
     option_line(to, o->name, o->argument, text);
   }
