@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/gait_file.h"
+#include "compare/points/gait_file.h"
 
 struct scallop_crawler explorer_crawler = { 1, 1, 4, 1, 10, 1, 0.75, &scallop_gait_quadratic };
 double explorer_numbers[EXPLORER_NUMBERS], explorer_rows[EXPLORER_ROWS][EXPLORER_MOST];

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/counts.h"
+#include "compare/points/gaits.h"
 #include "compare/answers/mode_change.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"

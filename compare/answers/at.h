@@ -6,8 +6,7 @@
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
 #include "compare/answers/mode_change.h"
-#include "compare/answers/points.h"
-#include "compare/answers/sweep.h"
+#include "compare/points/sweep.h"
 
 enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
 

@@ -4,12 +4,12 @@
 #include <string.h>
 
 #include "compare/answers/at.h"
-#include "compare/answers/counts.h"
+#include "compare/points/counts.h"
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/book/book.h"
-#include "compare/answers/gaits.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/gaits.h"
+#include "compare/points/point_flint.h"
 #include "numerics/certified/certified.h"
 
 /* Series that do not depend on T are kept for so many crawlers: those derived last. */

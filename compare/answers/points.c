@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/answers/sheet.h"
 #include "compare/columns/columns.h"
 #include "compare/text/tsv.h"
@@ -41,12 +41,6 @@ static const char *known_parameter(const char *name, const char *const *extra)
   return own ? own : name_among(extra, name);
 }
 
-/* What other programs call a parameter */
-static const struct {
-  const char *word, *parameter;
-} synonyms[] = { { "period", "T" }, { "stroke", "L" },     { "mass1", "m1" },
-                 { "mass2", "m2" }, { "friction1", "F1" }, { "friction2", "F2" } };
-
 /* The letters and digits of a name */
 static void squeeze(char plain[COLUMN_NAME], const char *name)
 {
@@ -76,9 +70,6 @@ static const char *meant(const char *name, const char *const *extra)
     for (const char *const *p = list == 0 ? crawler_parameters : extra; !known && *p; p++)
       if ((strlen(*p) > 1 && likely(plain, *p)) || resembles(plain, *p))
         known = *p;
-  for (size_t i = 0; !known && i < sizeof synonyms / sizeof *synonyms; i++)
-    if (likely(plain, synonyms[i].word))
-      known = synonyms[i].parameter;
   return known;
 }
 

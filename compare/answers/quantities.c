@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/point.h"
+#include "compare/points/point.h"
 #include "compare/text/message.h"
 
 const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
@@ -216,6 +216,14 @@ static int named_about(struct quantity *q, struct quantities *all, const char *r
   return q->which < NAMED_QUANTITIES && (q->kind == QUANTITY_CERTIFIED || quantity_rows[q->which].has_series) ? 0 : -1;
 }
 
+static bool name_among_carried(const struct quantities *all, const char *name)
+{
+  int i = 0;
+  while (i < all->carries && strcmp(all->carried[i], name) != 0)
+    i++;
+  return i < all->carries;
+}
+
 int quantity_named(struct quantities *all, const char *name)
 {
   struct quantity q = { .of = -1 };
@@ -226,7 +234,8 @@ int quantity_named(struct quantities *all, const char *name)
   if (strlen(name) >= QUANTITY_NAME)
     return -1;
   snprintf(q.name, sizeof q.name, "%s", name);
-  for (int i = 0; i < PREFIXES && found < 0; i++) {
+  bool is_carried = name_among_carried(all, name);
+  for (int i = 0; i < PREFIXES && found < 0 && !is_carried; i++) {
     size_t length = strlen(prefixes[i].text);
     q.kind = prefixes[i].kind;
     if (strncmp(name, prefixes[i].text, length) == 0 && (found = named_about(&q, all, name + length)) < 0)

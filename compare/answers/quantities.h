@@ -25,6 +25,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "compare/text/aligned.h"
+#include "compare/points/sweep.h"
 #include "model/model.h"
 
 /* What a quantity is of: the steady state, or one phase from a start velocity. */
@@ -84,7 +85,7 @@ const char *formula_quantity_text(const struct scallop_formula *formula, enum sc
 /* Does the formula take switching times, or a position at one, as given? */
 bool formula_takes_given(const struct scallop_formula *formula);
 
-enum { QUANTITY_NAME = 64, QUANTITY_LABELS = 8, MOST_QUANTITIES = 400 };
+enum { QUANTITY_NAME = 64, QUANTITY_LABELS = SWEEP_LABELS, MOST_QUANTITIES = 400 };
 
 enum quantity_kind {
   QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                  */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/counts.h"
+#include "compare/points/counts.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/text/message.h"
@@ -51,7 +51,9 @@ const char *sheet_no_quantity(const struct sheet *s, const char *name)
 {
   const char *near = quantity_near(&s->asked->quantities, name);
   snprintf(message, WRONG, "there is no quantity '%.80s'%s", name,
-           *name == '(' ? formula_instead(name) : did_you_mean(near));
+           *name == '(' ? formula_instead(name)
+           : near       ? did_you_mean(near)
+                        : " (docs/scenes.md lists them)");
   return message;
 }
 
@@ -94,7 +96,9 @@ static const char *find(struct sheet *s, struct sheet_column *column, const char
     if (column->formula && quantity_is_text(q) && q->kind != QUANTITY_CERTIFIED && q->kind != QUANTITY_CARRIED)
       why = "is a text, which stands alone in a column";
     if (why) {
-      snprintf(message, WRONG, "%s %s", q->name, why);
+      bool is_other = strcmp(text, q->name) != 0;
+      snprintf(message, WRONG, "%s%.100s%s%s %s", is_other ? "'" : "", is_other ? text : "", is_other ? "': " : "",
+               q->name, why);
       return message;
     }
   }
@@ -120,7 +124,7 @@ const char *sheet_add(struct sheet *s, const char *text)
   const char *why = find(s, column, text, formula);
   for (int i = 0; i < s->count - 1 && !why; i++)
     if (strcmp(s->column[i].name, name) == 0)
-      why = wrong(name, "this column is there twice");
+      snprintf(message, WRONG, "the column %.100s is there twice", name), why = message;
   for (int i = 0; i < s->count - 1; i++)
     s->early_status |= s->column[i].quantity >= 0
                        && s->asked->quantities.item[s->column[i].quantity].kind == QUANTITY_STATUS;

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/claims/claims.h"
 #include "compare/claims/evidence.h"
 #include "compare/answers/points.h"

@@ -2,7 +2,7 @@
 
 #include "compare/command/commands.h"
 #include "compare/claims/claims.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/command/with_flint.h"
 
 #pragma weak claims_table

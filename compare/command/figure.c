@@ -10,7 +10,7 @@
 
 static const struct option options_of_figure[] = {
   OPTIONS_CRAWLER(OF_SCENE, OF_SCENE),
-  OPTION_FLAG("stats", "afterwards, on standard error, what was done", scene_options, stats),
+  OPTION_STATS,
   OPTION_FORMAT(OF_SCENE),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, OF_SCENE, DOUBLE_DIGITS),
   OPTIONS_PLOT,

@@ -2,7 +2,7 @@
 
 #include "compare/command/list.h"
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/command/commands.h"
 #include "compare/text/aligned.h"
 

@@ -6,7 +6,7 @@
 
 #include "compare/answers/sheet.h"
 #include "compare/answers/points.h"
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/command/commands.h"
 #include "compare/command/with_flint.h"
 
@@ -23,7 +23,7 @@ static const struct motion_options of_steady = { .of = OF_STEADY }, of_phase = {
       OPTION_FLAG("error", "after each number an estimate of its error", motion_options, error), OPTION_POINTS, \
       OPTION_FORMAT("tsv"), \
       OPTION_DIGITS(DIGITS, READ_BACK "; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), OPTIONS_PLOT, \
-      OPTIONS_LAST
+      OPTION_STATS, OPTIONS_LAST
 
 static const struct option steady_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTIONS_OF_ROWS };
 static const struct option phase_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTION_PHASE(NULL), OPTION_V0(NULL),

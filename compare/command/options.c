@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/text/plot.h"

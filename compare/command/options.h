@@ -131,6 +131,7 @@ struct option_rule {
       OPTION_PLOT("plot-title", "TEXT", "the title of the picture", "the parameters that hold"), \
       OPTION_PLOT("plot-size", "WxH", "width and height in pixels, from 200 to 10000", \
                   "800x500, more where there is more to show")
+#define OPTION_STATS OPTION_FLAG("stats", "afterwards, on standard error, what was computed, as counts", request, stats)
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
 #define OPTION_PAGER \
   OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)

@@ -1,7 +1,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 
 #include "compare/command/commands.h"
 #include "compare/command/run.h"
@@ -14,7 +13,7 @@
 static const struct option options_of_run[] = {
   OPTIONS_CRAWLER(OF_SCENE, OF_SCENE),
   OPTION_FLAG("check-only", "read and check the scenes, and do nothing", scene_options, check_only),
-  OPTION_FLAG("stats", "afterwards, on standard error, what was done", scene_options, stats),
+  OPTION_STATS,
   OPTION_FLAG("no-plots", "tables only", scene_options, no_plots),
   OPTION_TEXT("into", "FOLDER",
               "the folder for all files that scenes name; a name that may lead out of it, /x or ../x, is refused",
@@ -32,16 +31,6 @@ struct scenes {
   int count;
   struct scene *scene;
 };
-
-static void print_stats(void)
-{
-  struct rusage usage;
-  fputs("# what was done\nstage\tcount\n", stderr);
-  for (int k = 0; k < COUNTS; k++)
-    fprintf(stderr, "%s\t%ld\n", count_name((enum count)k), count_of((enum count)k));
-  if (getrusage(RUSAGE_SELF, &usage) == 0)
-    fprintf(stderr, "peak_memory_kB\t%ld\n", usage.ru_maxrss);
-}
 
 /* The tables of commands that a scene can want, each with an option that its name stands for. */
 static const struct {
@@ -141,8 +130,6 @@ static enum exit_code run_all(const struct scenes *all, const struct arguments *
     enum exit_code one = scene_run(&all->scene[i], o);
     code = one > code ? one : code;
   }
-  if (o->stats)
-    print_stats();
   return code;
 }
 

@@ -5,7 +5,7 @@
 #include "numerics/numerics.h"
 #include "compare/answers/answer.h"
 #include "compare/book/book.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/answers/points.h"
 #include "compare/command/commands.h"
 #include "compare/command/series_flint.h"

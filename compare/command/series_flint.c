@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compare/answers/answer_flint.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/command/emit_flint.h"
 #include "compare/command/series_flint.h"
 

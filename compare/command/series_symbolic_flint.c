@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "asymptotics/symbolic/language.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/command/emit_flint.h"
 #include "compare/command/series_flint.h"
 

@@ -1,15 +1,17 @@
 /* Scenes: files that say which crawler and gait, what varies, and which tables are wanted. docs/scenes.md has the
  * language.
  *
- * A scene is read (read.c) and run: each point of what varies is visited once, and each table gets its rows there. Terms: a variable is a parameter, ratio or label that
- * varies; variables of a group advance together; a product is every combination of its groups; a want is one table.
+ * A scene is read (read.c) and run: each point of what varies is visited once, and each table gets its rows there.
+ * Terms: a variable is a parameter, ratio or label that varies; variables of a group advance together; a product is
+ * every combination of its groups; a want is one table.
  *
  * Promises: nothing is computed or written before all of a scene is read and checked; the tables of a scene are
  * replaced together, when all are complete. */
 #ifndef SCALLOP_COMPARE_SCENES_SCENE_H
 #define SCALLOP_COMPARE_SCENES_SCENE_H
 
-#include "compare/answers/counts.h"
+#include "compare/points/counts.h"
+#include "compare/answers/points.h"
 #include "compare/answers/sheet.h"
 #include "compare/config/config.h"
 #include "asymptotics/formula.h"
@@ -55,7 +57,7 @@ enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 struct scene_options {
   struct request request;
   const char *folder; /* below which all files go, or NULL */
-  bool check_only, stats, no_plots;
+  bool check_only, no_plots;
 };
 
 struct scene;

@@ -8,7 +8,7 @@
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/stress/judge.h"
 #include "compare/text/progress.h"
 #include "model/exact/flint.h"

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/answers/points.h"
 #include "compare/workprec/setting.h"
 

@@ -185,7 +185,6 @@ refused 2 'one to eight columns' steady --plot no.svg --plot-y v_start,,v_mid
 refused 2 'one to eight columns' steady --plot no.svg --plot-y 1,2,3,4,5,6,7,8,9
 refused 2 'control characters' steady --plot no.svg --plot-title "$(printf 'a\nb')"
 refused 2 'does not take the option' claims --plot no.svg
-refused 2 'nothing to do with --explain' figure 4 --explain --plot no.svg
 refused 4 'No such file' steady --points points.tsv --plot missing/no.svg
 [ ! -s out ] || note "a table, though its picture has no place"
 refused 4 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed

@@ -130,11 +130,11 @@ run 0 order errors.txt --columns verdict --format json
 finish "every table of rows takes --columns"
 for command in steady phase trajectory series 'series --source derived' 'breakdown --only radius' 'figure 4' 'order errors.txt' 'claims --quiet --gait quadratic'; do
   # shellcheck disable=SC2086
-  refuse "^scallop [a-z]*: --columns: there is no column 'nonsense_of_mine'" $command --columns nonsense_of_mine
+  refuse "^scallop [a-z]*: --columns: there is no \(column\|quantity\) 'nonsense_of_mine'" $command --columns nonsense_of_mine
 done
-refuse "there is no column 'statu': did you mean 'status'" steady --columns statu -o none.tsv
+refuse "there is no quantity 'statu': did you mean 'status'" steady --columns statu -o none.tsv
 [ ! -e none.tsv ] || note "none.tsv is there"
-refuse "'F1/': character" steady --columns 'r=F1/'
+refuse "'r=F1/': character" steady --columns 'r=F1/'
 refuse "'' is not allowed here: it takes names of columns" steady --columns F1,,F2
 refuse "is there twice" steady --columns F1,F1
 refuse "columns is for tables" series --source derived --emit c --columns power

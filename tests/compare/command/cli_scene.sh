@@ -244,7 +244,6 @@ run 4 run own.cfg
 grep -q 'it is a file that this command reads' err || note "a table in place of the scene: $(cat err)"
 printf 'want = ( { what = "steady"; file = "p.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; }, { what = "phase"; file = "q.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_end"; }; } );\n' >picture.cfg
 run 2 run picture.cfg
-run 4 run own.cfg --explain -o own.cfg
 echo 'title = "included";' >inc.cfg
 printf '@include "inc.cfg"\nwant = ( { what = "steady"; file = "inc.cfg"; } );\n' >including.cfg
 run 4 run including.cfg
