@@ -276,10 +276,8 @@ static bool begin(struct table *table, const struct style *style, const struct p
   const char *carried[TSV_CELLS + 1] = { NULL };
   for (int i = 0; r && i < r->carries; i++)
     carried[i] = r->tsv.column[r->carried[i]];
-  if (!table_open(table, style))
+  if (!table_head(table, style, "%s", style->command))
     return false;
-  table_note(table, "scallop " SCALLOP_VERSION);
-  table_note(table, "command: %s", style->command);
   table_columns(table, crawler_parameters);
   table_columns(table, of->extra);
   table_columns(table, carried);

@@ -40,10 +40,8 @@ static enum exit_code explain(const struct scenes *all, const struct scene_optio
 {
   static const char *const columns[] = { "scene", "stage", "count", "known", "for", NULL };
   static struct table table;
-  if (!table_open(&table, &o->request.style))
+  if (!table_head(&table, &o->request.style, "run --explain"))
     return EXIT_FILE;
-  table_note(&table, "scallop " SCALLOP_VERSION);
-  table_note(&table, "command: run --explain");
   table_note(&table, "count: as --stats will count, where every point can be solved");
   table_columns(&table, columns);
   table_begin_rows(&table);
