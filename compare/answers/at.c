@@ -345,7 +345,7 @@ double at_number(struct at *s, int quantity)
   const struct quantity *q = ask(s, quantity);
   if (!s->has[quantity]) {
     long before = s->failures;
-    s->value[quantity] = quantity_is_text(q) ? column_number(at_text(s, quantity, 0)) : compute(s, q);
+    s->value[quantity] = quantity_is_text(q) ? text_number(at_text(s, quantity, 0)) : compute(s, q);
     s->has[quantity] = s->failures == before; /* a failure is told in each row; solutions are kept */
   }
   return s->value[quantity];

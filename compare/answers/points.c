@@ -330,10 +330,8 @@ static enum exit_code begin_sheet(struct making *m, const char *const *carried)
 static enum exit_code begin(struct making *m, const char *const *carried)
 {
   enum exit_code code = m->of->sheet ? begin_sheet(m, carried) : EXIT_DONE;
-  if (code != EXIT_DONE || !table_open(&m->table, &m->style))
+  if (code != EXIT_DONE || !table_head(&m->table, &m->style, "%s", m->style.command))
     return code != EXIT_DONE ? code : EXIT_FILE;
-  table_note(&m->table, "scallop " SCALLOP_VERSION);
-  table_note(&m->table, "command: %s", m->style.command);
   if (m->of->sheet)
     sheet_head(m->of->sheet, &m->table);
   else {

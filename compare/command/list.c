@@ -165,11 +165,8 @@ static void write_command(FILE *to, const struct command *command)
 
 void help_of(FILE *to, const struct command *command)
 {
-  struct wrapped kept;
-  FILE *file = wrap_begin(&kept);
-  if (file && command)
-    write_command(file, command);
-  else if (file)
-    write_program(file);
-  wrap_end(&kept, to, HELP_WIDTH);
+  if (command)
+    write_command(to, command);
+  else
+    write_program(to);
 }

@@ -220,10 +220,8 @@ static bool begin(struct report *r)
            equation ? equation : "", equation ? "." : "");
   if (!r->as_table)
     return emission_open(&r->emission, &o->request.style, o->emit.value, command, note);
-  if (!table_open(&r->table, &o->request.style))
+  if (!table_head(&r->table, &o->request.style, "%s", command))
     return false;
-  table_note(&r->table, "scallop " SCALLOP_VERSION);
-  table_note(&r->table, "command: %s", command);
   note_parameters(&r->table, &o->request.point, NULL, true);
   if (o->request.point.has_v0)
     table_note(&r->table, "v0: %s", o->request.point.written_v0);

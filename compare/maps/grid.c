@@ -297,7 +297,7 @@ static enum exit_code run(struct grid *g)
     return EXIT_FILE;
   bool begun = begin_table(g, &t);
   make_title(g, title);
-  bool kept = begun && (!t.out.target || journal_open(j, style->output, title));
+  bool kept = begun && (!t.sink[0].out.target || journal_open(j, style->output, title));
   if (kept && j->done_count > 0 && !style->quiet)
     complain("breakdown", "going on from %s: %ld of %ld are done", j->path, j->done_count, j->rows);
   if (kept)

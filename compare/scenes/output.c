@@ -93,8 +93,7 @@ void output_begin(const struct running *r, struct output *o)
 {
   struct table *t = &o->table;
   const struct scene *s = r->scene;
-  table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
+  table_command(t, "run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
   if (s->title)
     table_note(t, "%s", s->title);
   bool given = note_given(t, r, o->want);

@@ -138,7 +138,7 @@ refuse "'r=F1/': character" steady --columns 'r=F1/'
 refuse "'' is not allowed here: it takes names of columns" steady --columns F1,,F2
 refuse "is there twice" steady --columns F1,F1
 refuse "columns is for tables" series --source derived --emit c --columns power
-refuse "columns is for tables" order errors.txt --format tap --columns verdict
+refuse "columns is for tables" order errors.txt --format junit --columns verdict
 finish "columns that are not there are refused, and nothing is written"
 
 # ---- columns that are carried along ----

@@ -123,9 +123,9 @@ for command in $takes_crawler claims; do
   refuse 2 "unexpected argument 'foo'" $command foo
 done
 refuse 2 "--expect and --at-least exclude each other" order a --expect 1 --at-least 1
-refuse 2 "--rows: 'tap' is a format for verdicts" order a --rows --format tap
+refuse 2 "--rows: 'junit' is a format for verdicts" order a --rows --format junit
 refuse 2 "--expect: '1/0'.*fraction" order a --expect 1/0
-refuse 2 "--format: 'xml'.*tsv, json, csv, markdown, table, tap or junit" order a --format xml
+refuse 2 "--format: 'xml'.*tsv, json, csv, markdown, table or junit" order a --format xml
 refuse 2 "unexpected argument '3'" figure 2 3
 refuse 2 "unexpected argument '-'" steady -
 finish "unexpected operands"
