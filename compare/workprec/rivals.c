@@ -4,11 +4,7 @@
 #include <stdio.h>
 
 #include "compare/workprec/setting.h"
-#include "numerics/rivals/arkode.h"
-#include "numerics/rivals/cvode.h"
-#include "numerics/rivals/moreau.h"
-#include "numerics/rivals/odeiv.h"
-#include "numerics/rivals/smoothed.h"
+#include "numerics/rivals/rival.h"
 
 static enum scallop_status solve_rival(struct setting *s, struct setting_answer *answer)
 {
@@ -52,15 +48,10 @@ static struct scallop_rival *make_cvode(int stepper, const struct accuracy *a)
   return scallop_cvode_rival(a->tolerance);
 }
 
-static struct scallop_rival *make_arkode(int stepper, const struct accuracy *a)
-{
-  (void)stepper;
-  return scallop_arkode_rival(a->tolerance);
-}
-
 static struct scallop_rival *make_smoothed(int stepper, const struct accuracy *a)
 {
-  return scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, a->delta, a->tolerance);
+  (void)stepper;
+  return scallop_smoothed_rival(a->delta, a->tolerance);
 }
 
 static struct scallop_rival *make_moreau(int stepper, const struct accuracy *a)
@@ -81,12 +72,8 @@ static const struct rival {
 } rivals[] = {
   { "gsl rkf45", make_odeiv, SCALLOP_ODEIV_RKF45, tolerances, 5, 1, NULL },
   { "gsl rk8pd", make_odeiv, SCALLOP_ODEIV_RK8PD, tolerances, 6, 1, NULL },
-  { "gsl msadams", make_odeiv, SCALLOP_ODEIV_MSADAMS, tolerances, 5, 1, NULL },
   { "cvode", make_cvode, 0, tolerances, 5, 1, scallop_has_cvode },
-  { "arkode", make_arkode, 0, tolerances, 5, 1, scallop_has_arkode },
-  { "smoothed msbdf", make_smoothed, SCALLOP_SMOOTHED_MSBDF, smoothed, 6, 0, NULL },
-  { "smoothed bsimp", make_smoothed, SCALLOP_SMOOTHED_BSIMP, smoothed, 6, 0, NULL },
-  { "smoothed rk4imp", make_smoothed, SCALLOP_SMOOTHED_RK4IMP, smoothed, 6, 0, NULL },
+  { "smoothed msbdf", make_smoothed, 0, smoothed, 6, 0, NULL },
   { "moreau", make_moreau, 0, steps, 5, 1, NULL },
 };
 

@@ -19,7 +19,7 @@ finish "workprec --quick: header and columns"
 cat >>tables.py <<'END'
 exact_methods = ["exact", "exact, batch", "exact, one period", "certified"]
 formulas = ["published", "limit", "derived series", "derived series, coefficients known"]
-makers = ["gsl rkf45", "gsl rk8pd", "gsl msadams", "cvode", "arkode", "smoothed msbdf", "smoothed bsimp", "smoothed rk4imp", "moreau"]
+makers = ["gsl rkf45", "gsl rk8pd", "cvode", "smoothed msbdf", "moreau"]
 rivals = [m + ", " + way for m in makers for way in ("simulated", "root")]
 def select(rows, **wanted):
     return [r for r in rows if all(r[k] == v for k, v in wanted.items())]
@@ -64,7 +64,7 @@ for r in read("table.tsv"):
     n, median = int(r["repetitions"]), number(r, "time_median")
     least, q1, q3, error = number(r, "time_min", "time_q1", "time_q3", "error")
     noise = r["status"] == "no convergence" and is_rival(r) # the noise of its map is larger than its slope
-    if not (ok or cut or out or noise) or (out and not r["method"].startswith(("cvode", "arkode"))):
+    if not (ok or cut or out or noise) or (out and not r["method"].startswith("cvode")):
         bad(r)
     if ok and not (n >= 1 and 0 < least <= q1 <= median <= q3 and error >= 0):
         bad("not in order:", r)
