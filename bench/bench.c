@@ -236,7 +236,7 @@ static double odeiv_error(const struct method *m, struct scallop_rival *rival, l
 /* The cheapest tolerance that reaches the goal. */
 static void choose_tolerance(struct method *m)
 {
-  long fewest = 0, evaluations;
+  long fewest = 0, evaluations = 0;
   for (int i = 4; i <= 30; i++) { /* half decades: 1e-2 to 1e-15 */
     double tolerance = pow(10, -0.5 * i);
     struct scallop_rival *rival = scallop_odeiv_rival(m->stepper, tolerance);

@@ -62,10 +62,9 @@ do for [row=1:gaits] {
     if (c == 1) { set ytics ("1" 1, "10^{-4}" 1e-4, "10^{-8}" 1e-8, "10^{-12}" 1e-12, "10^{-16}" 1e-16, "< 10^{-20}" 1e-20) }
     if (c > 1) { set ytics ("" 1, "" 1e-4, "" 1e-8, "" 1e-12, "" 1e-16, "" 1e-20) }
     unset key
-    if (row == gaits && c == 1) { set key at screen 0.53,0.005 center bottom vertical maxrows (shown == 1 ? 8 : 5) samplen 3.5 width -1 }
+    if (row == gaits && c == 1) { set key at screen 0.53,0.005 center bottom vertical maxrows (shown == 1 ? 8 : 4) samplen 3.5 width -1 }
     plot table using "time_median":(front(g, T)) smooth unique with steps lw 9 lc rgb "#cccccc" notitle, \
       table using "time_median":(is("published", g, T)) with points pt 1 ps 1.5 lw 2 lc rgb "black" notitle, \
-      table using "time_median":(is("derived series, coefficients known", g, T)) with linespoints pt 3 ps 1.1 lw 1.5 dt 3 lc rgb "black" notitle, \
       table using "time_median":(is("derived series", g, T)) with linespoints pt 2 ps 1.1 lw 1.5 dt 4 lc rgb "black" notitle, \
       table using "time_median":(is("exact", g, T)) with points pt 7 ps 2.2 lc rgb "black" notitle, \
       table using "time_median":(is("certified", g, T)) with linespoints pt 5 ps 1.3 lw 1.5 lc rgb "black" notitle, \
@@ -76,7 +75,6 @@ do for [row=1:gaits] {
       table using "time_median":(cut(g, T)) with points pt 2 ps 0.7 lw 1 lc rgb "#c8102e" notitle, \
       keyentry with lines lw 9 lc rgb "#cccccc" title "Pareto front", \
       keyentry with points pt 1 ps 1.5 lw 2 lc rgb "black" title "published (28)", \
-      keyentry with linespoints pt 3 ps 1.1 lw 1.5 dt 3 lc rgb "black" title "series, coefficients known", \
       keyentry with linespoints pt 2 ps 1.1 lw 1.5 dt 4 lc rgb "black" title "series, derived", \
       keyentry with points pt 7 ps 2.2 lc rgb "black" title "exact", \
       keyentry with linespoints pt 5 ps 1.3 lw 1.5 lc rgb "black" title "certified", \
