@@ -42,7 +42,7 @@ threaded  := numerics/batch
 object     = $(patsubst %,$(B)/%.o,$(1))
 shipped   := $(call object,$(addprefix shipped_,scenes scripts completion))
 core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
-full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
+full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded))) $(shipped)
 
 # A test or a fuzz target needs what its room needs; tests/ mirrors the rooms. libFuzzer drives a target (make fuzz), or tests/corpus does.
 of_tests  := $(call found,tests,test_*)
@@ -77,11 +77,10 @@ $(call object,$(cvode)): $(B)/with-sundials-$(with_sundials)
 $(B)/with-sundials-$(with_sundials):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
-# Scenes, their plot scripts, the completion and the ledger, in the program
+# Scenes, their plot scripts and the completion, in the program
 $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
 $(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(sort $(wildcard scripts/plots/figure*.gp))
 $(B)/shipped_completion.c: scripts/dev/completion.bash
-$(B)/shipped_ledger.c: data/claims.tsv
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg
 	@mkdir -p $(@D) && awk -f $^ >$@
 $(B)/shipped_%.c: scripts/dev/embed.sh
@@ -102,7 +101,7 @@ $(programs) $(tests) $(fuzz) $(B)/scallop-bench:
 $(B)/nothing: $(B)/bench/nothing.o
 	@$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
 -include $(shell find $(B) -name root -prune -o -name '*.d' -print 2>/dev/null)
-# They come with the objects. Without this rule make takes build/shipped_ledger.d for a program, of a file shipped_ledger.d.c.
+# They come with the objects. Without this rule make takes build/shipped_scenes.d for a program, of a file shipped_scenes.d.c.
 $(B)/%.d: ;
 
 # A target that is the script of its name is given the build, and the programs to run; some make once more, in a folder of their own.

@@ -77,7 +77,6 @@ struct claim_row {
 struct ledger { /* begins as { 0 }                                                                */
   struct claim_row *rows;
   int count;
-  long expected;           /* rows, for the time that is left; 0: not known */
   char contradiction[400]; /* "", or what contradicts itself (the last one), or that memory ran out */
 };
 void ledger_add(struct ledger *ledger, const struct claim_row *row);
@@ -106,13 +105,10 @@ struct claims_options {
   struct request request;
   const char *errors;        /* the names whose errors are wanted, or NULL */
   struct given_word verdict; /* of the rows that are wanted, or all */
-  bool check, summary;
+  bool summary;
   const char *formula, *claimed; /* one formula instead of the paper's or of request.book; NULL: none */
   struct given_word of, start, phase;
 };
 enum exit_code claims_table(const struct claims_options *options);
-/* claims --check: a table of the verdicts that differ from those of the ledger, the text of a table. EXIT_CHECK_FAILED:
- * some do. */
-enum exit_code claims_check(const struct claims_options *options, const char *ledger);
 
 #endif

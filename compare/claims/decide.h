@@ -50,9 +50,9 @@ struct claim {
   bool of_its_crawler;               /* the paper's, not the ledger's                                          */
   bool proven;                       /* for the paper's gaits, in docs/theory.md: The motion in words                 */
 };
-/* In the order of the ledger; the last has name NULL. Decided once; for each gait with the paper's crawler (examples),
+/* In the order of the ledger; the last has name NULL. Decided for each gait with the paper's crawler (examples),
  * or with random ones; and for each gait with the paper's crawler and with the ledger's (families). */
-extern const struct claim claims_once[], claims_at_random[], claims_by_example[], claims_of_families[];
+extern const struct claim claims_at_random[], claims_by_example[], claims_of_families[];
 
 enum { EVIDENCE_BITS = 160, MOTIONS = 10, FOUND = 9 };
 
@@ -105,14 +105,13 @@ void say(struct question *q, char *text, size_t size, const char *format);
 
 decide proven, at_random;
 
-decide displacement_from_rest, velocity_in_the_limit, reached;
+decide velocity_in_the_limit, reached;
 struct alphas { /* in hundredths, from first on by 8; one of them to name; the relative error, a formula */
   int first, shown;
   const char *error;
 };
 /* boundary.c: where the start velocity vanishes; the claim's `varied` says of which family */
 decide start_velocity_changes_sign, peaks_at_boundary, one_maximum, decays_once_sticking, through_boundary;
-decide peak_for_alphas, peak_for_masses, peak_at_random;
 /* figures.c */
 decide displacement_grows, velocity_change_peaks, velocity_grows_with_alpha, velocity_as_1_over_T;
 decide never_falls; /* with ratios F1/F2, 0 behind the last one */

@@ -42,7 +42,7 @@ void ledger_add(struct ledger *ledger, const struct claim_row *row)
   }
   ledger->rows = rows;
   rows[ledger->count++] = *row;
-  progress_count(ledger->count, ledger->expected);
+  progress_count(ledger->count, 0);
 }
 
 void ledger_free(struct ledger *ledger)

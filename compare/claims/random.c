@@ -81,29 +81,6 @@ static void settles(struct question *q)
   conclude(q);
 }
 
-/* x1: for how many of 100 the displacement from rest falls, against F1 - F2, as the duration grows, past sticking
- * too */
-void displacement_from_rest(struct question *q)
-{
-  enum { CRAWLERS = 100, DURATIONS = 150 };
-  struct scallop_crawler crawlers[CRAWLERS];
-  int count = random_crawlers(crawlers, CRAWLERS, q->crawler.gait);
-  q->found[0] = count > 0 ? 0 : NAN;
-  for (int k = 0; k < count; k++) {
-    struct scallop_crawler *c = &crawlers[k];
-    double before = -INFINITY;
-    bool falls = false;
-    c->T = 0.01 * natural_time(c);
-    for (int i = 0; i < DURATIONS; i++, c->T *= 1.05) {
-      double x = extension(c, 0).dxC * (c->F1 > c->F2 ? 1 : -1);
-      falls = falls || !(x >= before - 1e-14);
-      before = x;
-    }
-    q->found[0] += falls;
-  }
-  conclude(q);
-}
-
 #define SET "400 quasi-random crawlers, masses and forces within 100:1"
 #define STRONGER_FIRST " F1=max(F1,F2) F2=min(F1,F2)"
 static const char whole_set[] = SET ", sliding to stick-slip",
@@ -174,10 +151,5 @@ const struct claim claims_at_random[] = {
   { "start_velocity_is_forward_at_high_Froude", "5", "v_start", at_random, SET ", Froude number 1e8",
     "steady T=1e-4*sqrt((m1+m2)/(F1+F2)*L)", .says = "0 <= v_start*displacement",
     .measured = "v_start against the displacement: {+never}{-for one at least}" },
-  { "mean_velocity_peaks_where_v_start_is_0", "4.4", "mean velocity", peak_at_random,
-    "100 quasi-random crawlers, masses and forces within 100:1, alpha > 1/2; F1/F2 from 1.01 to 7732 by 4 %",
-    "steady at=x1; steady at=x2", .says = "mean_velocity:2 <= mean_velocity",
-    .measured = "in doubles: {0f x3} have a boundary, and for {0f x4} of these it is the highest point",
-    .reason = "mean_velocity is lower at the boundary, the first row: {table} | cut -f 3,13" },
   { .name = NULL },
 };

@@ -1,4 +1,4 @@
-/* The ledger as a table, and its verdicts against those of the ledger that comes with the tool. */
+/* The ledger as a table. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,9 +8,6 @@
 #include "compare/claims/evidence.h"
 #include "compare/answers/points.h"
 #include "compare/book/book.h"
-#include "compare/text/memory.h"
-#include "compare/text/shipped.h"
-#include "compare/text/tsv.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
                                        "order",         "order_lo",    "order_hi",  "points",     "verdict",
@@ -206,22 +203,9 @@ static bool has_crawler(const struct point *p)
   return has;
 }
 
-/* As many as in the ledger that comes with the tool, which is of two gaits, or of the books' formulas: for the time
- * that is left */
-static long expected_rows(const struct claims_options *o)
-{
-  long rows = 0;
-  for (int i = 0; is_of_book(o) && book_formula(i); i++)
-    rows += 2;
-  for (const char *line = shipped_text(shipped_ledger, "claims"); !is_of_book(o) && line && *line; line++)
-    rows += line[0] == '\n' && line[1] != '#';
-  return o->request.point.has_gait ? rows / 2 : rows;
-}
-
 /* All rows, or those about the requested errors */
 static void fill(struct ledger *ledger, const struct claims_options *o)
 {
-  ledger->expected = o->errors ? 0 : expected_rows(o);
   const struct point *p = &o->request.point;
   struct scallop_rational_crawler exact;
   scallop_rational_init(&exact);
@@ -238,8 +222,8 @@ static void fill(struct ledger *ledger, const struct claims_options *o)
 static void begin(struct table *table, const struct claims_options *o, const char *const *names)
 {
   static const char *const varied[] = { "T", "gait", NULL };
-  table_command(table, "claims%s%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
-                o->check ? " --check" : "", o->summary ? " --summary" : "", o->verdict.given ? " --verdict " : "",
+  table_command(table, "claims%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
+                o->summary ? " --summary" : "", o->verdict.given ? " --verdict " : "",
                 o->verdict.given ? o->verdict.value : "");
   if (o->request.book)
     table_note(table, "book: %s", o->request.book);
@@ -272,7 +256,7 @@ static bool is_wanted(const struct claim_row *row, const struct claims_options *
   return !o->verdict.given || strcmp(claim_verdict_text(row->verdict), o->verdict.value) == 0;
 }
 
-static enum exit_code write_ledger(const struct claims_options *o)
+enum exit_code claims_table(const struct claims_options *o)
 {
   struct table table;
   struct ledger ledger = { .rows = NULL };
@@ -304,113 +288,4 @@ static enum exit_code write_ledger(const struct claims_options *o)
     code = code_of_book(&ledger);
   ledger_free(&ledger);
   return code;
-}
-
-/* --check */
-
-enum { KEYS = 5, VERDICT = KEYS, ORDER, KEPT };
-static const char *const kept_columns[KEPT] = { "claim",      "equation", "quantity",     "gait",
-                                                "conditions", "verdict",  "derived_order" };
-static const char *const check_columns[] = { "claim",           "equation", "quantity",      "gait",
-                                             "conditions",      "verdict",  "derived_order", "committed",
-                                             "committed_order", NULL };
-
-struct committed { /* a row of the earlier ledger */
-  const char *cell[KEPT];
-  bool met; /* some row of today's is this one */
-};
-
-struct check {
-  struct table table;
-  struct tsv tsv;
-  struct committed *rows;
-  int count, differ;
-};
-
-/* NULL, or what is wrong. The cells are those of check->tsv. */
-static const char *read_committed(struct check *check, const char *ledger)
-{
-  struct tsv *t = &check->tsv;
-  int place[KEPT];
-  if (!tsv_open_text(t, "the ledger that comes with the tool", ledger) || !tsv_next(t) || !tsv_take_header(t))
-    return "out of memory";
-  for (int k = 0; k < KEPT; k++)
-    if ((place[k] = tsv_column(t, kept_columns[k])) < 0)
-      return tsv_at(t, "there is no column '%s'", kept_columns[k]);
-  while (tsv_next(t)) {
-    struct committed *rows = with_room(check->rows, check->count, sizeof *rows);
-    if (!rows)
-      return "out of memory";
-    check->rows = rows;
-    if (t->count != t->columns)
-      return tsv_at(t, "%d columns where the header has %d", t->count, t->columns);
-    rows[check->count] = (struct committed){ .met = false };
-    for (int k = 0; k < KEPT; k++)
-      rows[check->count].cell[k] = t->cell[place[k]];
-    check->count++;
-  }
-  return NULL;
-}
-
-/* The keys, and the verdict and order of both ledgers */
-static void write_difference(struct check *check, const char *const *keys, const char *const *now,
-                             const char *const *then)
-{
-  write_texts(&check->table, keys, KEYS);
-  write_texts(&check->table, now, 2);
-  write_texts(&check->table, then, 2);
-  check->differ++;
-}
-
-static const char *const none[] = { "-", "-" };
-
-static void check_row(struct check *check, const struct claim_row *row)
-{
-  const char *const keys[KEYS] = { row->claim, row->equation, row->quantity, row->gait, row->conditions };
-  const char *const now[] = { claim_verdict_text(row->verdict), derived_text(row) };
-  for (struct committed *c = check->rows, *last = c + check->count; c < last; c++) {
-    bool same = !c->met;
-    for (int k = 0; same && k < KEYS; k++)
-      same = strcmp(keys[k], c->cell[k]) == 0;
-    if (!same)
-      continue;
-    c->met = true;
-    if (strcmp(now[0], c->cell[VERDICT]) != 0 || strcmp(now[1], c->cell[ORDER]) != 0)
-      write_difference(check, keys, now, &c->cell[VERDICT]);
-    return;
-  }
-  write_difference(check, keys, now, none);
-}
-
-enum exit_code claims_check(const struct claims_options *o, const char *committed)
-{
-  struct check check = { .count = 0 };
-  struct ledger ledger = { .rows = NULL };
-  const char *wrong = read_committed(&check, committed);
-  enum exit_code code = wrong ? EXIT_UNSOLVED : EXIT_DONE;
-  if (wrong)
-    complain("claims", "%s", wrong);
-  else if (!table_open(&check.table, &o->request.style))
-    code = EXIT_FILE;
-  if (code == EXIT_DONE) {
-    begin(&check.table, o, check_columns);
-    fill(&ledger, o);
-    for (int i = 0; i < ledger.count; i++)
-      check_row(&check, &ledger.rows[i]);
-    for (const struct committed *c = check.rows; c < check.rows + check.count; c++)
-      if (!c->met && (!o->request.point.has_gait || strcmp(c->cell[3], o->request.point.crawler.gait->name) == 0))
-        write_difference(&check, c->cell, none, &c->cell[VERDICT]);
-    code = end(&check.table, &ledger);
-  }
-  if (code == EXIT_DONE && !o->request.style.quiet)
-    fprintf(stderr, "%d verdicts, %d differ from %s\n", ledger.count, check.differ, check.tsv.name);
-  free(check.rows);
-  tsv_close(&check.tsv);
-  ledger_free(&ledger);
-  return code == EXIT_DONE && check.differ > 0 ? EXIT_CHECK_FAILED : code;
-}
-
-enum exit_code claims_table(const struct claims_options *options)
-{
-  return options->check ? claims_check(options, shipped_text(shipped_ledger, "claims")) : write_ledger(options);
 }

@@ -14,9 +14,6 @@ static const struct option options_of_claims[] = {
   OPTION_TEXT("errors", "CLAIM",
               "print the errors behind a claim instead: names or equations, \"(28)\", separated by commas, or all",
               NULL, claims_options, errors, "names of claims, separated by commas, or all"),
-  OPTION_FLAG("check",
-              "compare the verdicts with those of the ledger that comes with the tool: exit code 1 if any differs",
-              claims_options, check),
   OPTION_WORD("verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all",
               claims_options, verdict, verdicts),
   OPTION_FLAG("summary",
@@ -37,11 +34,8 @@ static const struct option options_of_claims[] = {
   OPTIONS_OF_DOUBLES,
 };
 static const struct option_rule rules[] = {
-  { "errors", RULE_WITH, "check", "and --check exclude each other" },
   { "verdict", RULE_WITH, "errors", "is for the ledger itself: leave --errors out" },
-  { "verdict", RULE_WITH, "check", "is for the ledger itself: leave --check out" },
-  { "book formula", RULE_WITH, "check", "and --check exclude each other" },
-  { "summary", RULE_WITH, "check errors verdict book formula", "sums up the whole ledger: leave the other option out" },
+  { "summary", RULE_WITH, "errors verdict book formula", "sums up the whole ledger: leave the other option out" },
   { "book", RULE_WITH, "formula", "and --formula exclude each other" },
   { "of claimed start phase", RULE_WITHOUT, "formula", NULL },
   { "formula", RULE_WITHOUT, "of", "takes --of QUANTITY: what the formula gives" },
@@ -117,8 +111,6 @@ const struct command command_claims = {
            "conditions, how many of them failed, the first condition under which it fails, and the evidence:\n"
            "of a claim that holds, the weakest of its checks; else that of the check named. Two lines on\n"
            "standard error count the claims.\n"
-           "--check: the verdicts are compared with those of the ledger that comes with the tool\n"
-           "(data/claims.tsv of its sources); anything that differs is printed, and the exit code is 1.\n"
            "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the\n"
            "fit used it; `scallop order` reads such a table.\n"
            "--book, --formula: the same table for formulas of your own (source 'book'), one row for each formula\n"

@@ -11,7 +11,6 @@ extern const struct shipped shipped_scenes[];  /* data/scenes/                  
 extern const struct shipped shipped_scripts[]; /* gnuplot scripts of scripts/plots/                                  */
 extern const struct shipped
     shipped_completion[];                     /* scripts/dev/completion.bash alone                                    */
-extern const struct shipped shipped_ledger[]; /* data/claims.tsv; only in the program that has FLINT               */
 
 /* The text called name ("figure4"), or NULL. */
 const char *shipped_text(const struct shipped *list, const char *name);

@@ -185,7 +185,6 @@ run 4 claims --book .
 printf 'a\0b' >bad.cfg
 run 2 claims --book bad.cfg
 grep -q 'this is not a text file' err || note "$(cat err)"
-run 2 claims --book mine.cfg --check
 run 2 claims --formula T
 run 2 claims --formula T --of v_end
 run 2 claims --of v_end

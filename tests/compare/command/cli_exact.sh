@@ -244,16 +244,10 @@ for program in copies/scallop copies/scallop-flint links/scallop links/scallop-f
 done
 finish "a scallop under the name of scallop-flint is named, and executed once"
 
-# ---- claims --check ----
-awk -F '\t' 'BEGIN { OFS = "\t" } !done && $10 == "holds" { $10 = "refuted"; done = 1 } { print }' ledger.tsv >changed.tsv
-mkdir data
-cp changed.tsv data/claims.tsv
-run 0 claims --check --gait quadratic
-grep -q ', 0 differ from the ledger that comes with the tool$' err || note "$(cat err)"
-finish "claims --check reads the tool's own ledger, in any folder, and of one gait what is about it"
-refused_at_once "claims --against" 2 "--against is no longer there: .scallop claims | diff - FILE." claims --against ledger.tsv
-refused_at_once "claims --check and --errors" 2 "exclude each other" claims --check --errors rest_dT
-refused_at_once "claims --check and --verdict" 2 "leave --check out" claims --check --verdict holds
+# ---- claims ----
+for option in --against --check; do
+  refused_at_once "claims $option" 2 "$option is no longer there: .scallop claims | diff - FILE." claims $option
+done
 refused_at_once "claims --verdict of no such name" 2 "it takes holds, sharper, refuted or undecided" claims --verdict refused
 run 0 claims --verdict sharper --quiet
 awk -F '\t' '/^#/ || $1 == "claim" || $10 == "sharper"' ledger.tsv | sed 's/^# command: claims$/& --verdict sharper/' >wanted.tsv

@@ -56,7 +56,7 @@ finish "headers are looked for where CPPFLAGS says"
 
 # -W takes a file for a new one
 (cd "$root" && "${MAKE:-make}" -n B="$build" -W scripts/dev/embed.sh all) >out 2>&1 || note "exit code $?"
-grep -q 'shipped_ledger' out || note "nothing is remade"
+grep -q 'shipped_scenes' out || note "nothing is remade"
 grep -e 'error: ' -e '\.d\.c' out >said && note "$(head -n 3 said)"
 finish "make after a change of what writes sources"
 

@@ -26,7 +26,6 @@ lacks() { # NAME ARGUMENT...
   finish "$name"
 }
 lacks "claims says what is missing" claims
-lacks "claims --check says what is missing" claims --check
 lacks "steady --certified says what is missing" steady --certified
 lacks "phase --certified says what is missing" phase --certified --digits 40
 lacks "series --source derived says what is missing" series --source derived
