@@ -73,13 +73,11 @@ static bool solve_wider(const struct stress_case *s, struct answer *a)
 
 static bool certify(const struct motion *m, struct answer *a, const char **why)
 {
-  struct ball_answer proven;
-  ball_answer_init(&proven);
+  SCOPED(ball_answer, proven);
   bool done = answer_of_doubles(&proven, m, DIGITS);
   for (int q = 0; q < QUANTITIES && done; q++)
     a->value[q] = proven.value[q] ? ball_middle(proven.value[q]) : (struct scallop_wide){ NAN, 0 };
   *why = proven.why;
-  ball_answer_clear(&proven);
   return done;
 }
 
