@@ -35,7 +35,11 @@ static const struct scallop_wide *numbers(const struct stress_case *s, const str
 }
 
 /* The multiplier and the switching times jump where modes change, however small the change of a parameter. */
-static bool may_jump(const struct stress_case *s, int q) { return is_phase(s) ? q < 2 : q == STRESS_QUANTITIES - 1; }
+static bool may_jump(const struct stress_case *s, int q)
+{
+  int id = first_of(s->kind) + q;
+  return id == Q_T1 || id == Q_DT || id == Q_MULTIPLIER;
+}
 
 static double distance(const struct scallop_wide *a, const struct scallop_wide *b)
 {
