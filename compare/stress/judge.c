@@ -35,7 +35,11 @@ static const struct scallop_wide *numbers(const struct stress_case *s, const str
 }
 
 /* The multiplier and the switching times jump where modes change, however small the change of a parameter. */
-static bool may_jump(const struct stress_case *s, int q) { return is_phase(s) ? q < 2 : q == STRESS_QUANTITIES - 1; }
+static bool may_jump(const struct stress_case *s, int q)
+{
+  int id = first_of(s->kind) + q;
+  return id == Q_T1 || id == Q_DT || id == Q_MULTIPLIER;
+}
 
 static double distance(const struct scallop_wide *a, const struct scallop_wide *b)
 {
@@ -73,13 +77,11 @@ static bool solve_wider(const struct stress_case *s, struct answer *a)
 
 static bool certify(const struct motion *m, struct answer *a, const char **why)
 {
-  struct ball_answer proven;
-  ball_answer_init(&proven);
+  SCOPED(ball_answer, proven);
   bool done = answer_of_doubles(&proven, m, DIGITS);
   for (int q = 0; q < QUANTITIES && done; q++)
     a->value[q] = proven.value[q] ? ball_middle(proven.value[q]) : (struct scallop_wide){ NAN, 0 };
   *why = proven.why;
-  ball_answer_clear(&proven);
   return done;
 }
 

@@ -4,56 +4,37 @@
 
 enum { DIGITS = 60, BITS = 220 };
 
-void ball_period_init(struct ball_period *p)
-{
-  fmpq_init(p->v_mid);
-  arb_init(p->v_end);
-  arb_init(p->displacement);
-}
-
-void ball_period_clear(struct ball_period *p)
-{
-  fmpq_clear(p->v_mid);
-  arb_clear(p->v_end);
-  arb_clear(p->displacement);
-}
-
 bool ball_period_solve(struct ball_period *p, const struct scallop_rational_crawler *c, const fmpq_t v_start,
                        long digits, const char **why)
 {
-  struct ball_answer phase;
-  bool solved = true;
-  ball_answer_init(&phase);
+  SCOPED(ball_answer, phase);
   arb_zero(p->displacement);
-  for (int kind = SCALLOP_EXTENSION; solved && kind <= SCALLOP_CONTRACTION; kind++) {
+  for (int kind = SCALLOP_EXTENSION; kind <= SCALLOP_CONTRACTION; kind++) {
     bool first = kind == SCALLOP_EXTENSION;
-    solved = answer_in_balls(&phase, c, OF_PHASE, (enum scallop_phase_kind)kind, first ? v_start : p->v_mid, digits);
-    if (!solved)
-      break;
+    if (!answer_in_balls(&phase, c, OF_PHASE, (enum scallop_phase_kind)kind, first ? v_start : p->v_mid, digits)) {
+      *why = phase.why ? phase.why : scallop_status_text(phase.status);
+      return false;
+    }
     arb_add(p->displacement, p->displacement, phase.value[Q_DXC], 4 * digits);
     arb_set(p->v_end, phase.value[Q_V_END]);
     p->modes[kind] = phase.modes[0];
     if (first)
       ball_middle_exact(p->v_mid, p->v_end);
   }
-  *why = phase.why ? phase.why : scallop_status_text(phase.status);
-  ball_answer_clear(&phase);
-  return solved;
+  return true;
 }
 
 struct scallop_wide ball_middle(const arb_t x)
 {
   struct scallop_wide w = { 0, 0 };
-  arf_t low;
+  SCOPED(arf, low);
   if (arb_contains_zero(x))
     return w;
-  arf_init(low);
   w.high = arf_get_d(arb_midref(x), ARF_RND_NEAR);
   arf_set_d(low, w.high);
   arf_sub(low, arb_midref(x), low, ARF_PREC_EXACT, ARF_RND_NEAR);
   if (isfinite(w.high))
     w.low = arf_get_d(low, ARF_RND_NEAR);
-  arf_clear(low);
   return w;
 }
 
@@ -83,13 +64,11 @@ bool trajectory_in_double(const struct stress_case *s, struct scallop_wide end[T
 /* (1 - lambda^m)/(1 - lambda), and lambda^m */
 static void geometric(arb_t sum, arb_t power, const arb_t lambda, ulong m)
 {
-  arb_t below;
-  arb_init(below);
+  SCOPED(arb, below);
   arb_pow_ui(power, lambda, m, BITS);
   arb_sub_ui(sum, power, 1, BITS);
   arb_sub_ui(below, lambda, 1, BITS);
   arb_div(sum, sum, below, BITS);
-  arb_clear(below);
 }
 
 /* Periods from v* - d, v*, v* + d */
@@ -99,7 +78,7 @@ enum { BEFORE, STEADY, AFTER, STARTS };
 static void sum_periods(struct scallop_wide *end, const struct ball_period *p, const arb_t v, const arb_t d,
                         const arb_t lambda, long n)
 {
-  arb_ptr t = _arb_vec_init(5), linear = t, bent = t + 1, sum = t + 2, power = t + 3, square = t + 4;
+  SCOPED(arb, linear, bent, sum, power, square);
   arb_sub(linear, p[AFTER].displacement, p[BEFORE].displacement, BITS); /* 2 B d */
   arb_mul_2exp_si(linear, linear, -1);
   arb_add(bent, p[AFTER].displacement, p[BEFORE].displacement, BITS); /* 2 D + 2 C d^2 */
@@ -115,51 +94,43 @@ static void sum_periods(struct scallop_wide *end, const struct ball_period *p, c
   arb_addmul(sum, power, d, BITS);
   end[END_X] = ball_middle(bent);
   end[END_V] = ball_middle(sum);
-  _arb_vec_clear(t, 5);
 }
 
+/* v0 lies a distance d beyond v*, and as far before it is 2 v* - v0. */
 static bool solve_periods(struct ball_period p[STARTS], const struct scallop_rational_crawler *c, const arb_t v_start,
                           const fmpq_t v0)
 {
   const char *why;
-  fmpq_t v;
-  fmpq_init(v);
+  SCOPED(fmpq, v);
   ball_middle_exact(v, v_start);
-  bool solved = ball_period_solve(&p[AFTER], c, v0, DIGITS, &why) && ball_period_solve(&p[STEADY], c, v, DIGITS, &why);
+  if (!ball_period_solve(&p[AFTER], c, v0, DIGITS, &why) || !ball_period_solve(&p[STEADY], c, v, DIGITS, &why))
+    return false;
   fmpq_mul_2exp(v, v, 1);
   fmpq_sub(v, v, v0);
-  solved = solved && ball_period_solve(&p[BEFORE], c, v, DIGITS, &why) && same_modes(p[AFTER].modes, p[BEFORE].modes);
-  fmpq_clear(v);
-  return solved;
+  return ball_period_solve(&p[BEFORE], c, v, DIGITS, &why) && same_modes(p[AFTER].modes, p[BEFORE].modes);
 }
+
+struct periods {
+  struct ball_period from[STARTS];
+};
+#define PERIODS_PARTS(of) \
+  of(ball_period, &s->from[BEFORE]) of(ball_period, &s->from[STEADY]) of(ball_period, &s->from[AFTER])
+SCOPED_PARTS(periods, struct periods, PERIODS_PARTS)
 
 bool trajectory_in_balls(const struct stress_case *s, struct scallop_wide end[TRAJECTORY_ENDS])
 {
-  struct scallop_rational_crawler c;
-  struct ball_answer steady;
-  struct ball_period period[STARTS];
-  fmpq_t v0;
-  arb_t d;
-  scallop_rational_init(&c);
-  ball_answer_init(&steady);
-  for (int i = 0; i < STARTS; i++)
-    ball_period_init(&period[i]);
-  fmpq_init(v0);
-  arb_init(d);
+  SCOPED(scallop_rational, c);
+  SCOPED(ball_answer, steady);
+  SCOPED(periods, period);
+  SCOPED(fmpq, v0);
+  SCOPED(arb, d);
   scallop_rational_of(&c, &s->crawler);
   scallop_rational_set_double(v0, s->v0);
-  bool solved = answer_in_balls(&steady, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, DIGITS)
-                && solve_periods(period, &c, steady.value[Q_V_START], v0);
-  if (solved) {
-    arb_set_d(d, s->v0);
-    arb_sub(d, d, steady.value[Q_V_START], BITS);
-    sum_periods(end, period, steady.value[Q_V_START], d, steady.value[Q_MULTIPLIER], s->periods);
-  }
-  arb_clear(d);
-  fmpq_clear(v0);
-  for (int i = 0; i < STARTS; i++)
-    ball_period_clear(&period[i]);
-  ball_answer_clear(&steady);
-  scallop_rational_clear(&c);
-  return solved;
+  if (!answer_in_balls(&steady, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, DIGITS)
+      || !solve_periods(period.from, &c, steady.value[Q_V_START], v0))
+    return false;
+  arb_set_d(d, s->v0);
+  arb_sub(d, d, steady.value[Q_V_START], BITS);
+  sum_periods(end, period.from, steady.value[Q_V_START], d, steady.value[Q_MULTIPLIER], s->periods);
+  return true;
 }

@@ -13,6 +13,7 @@
 
 #include "compare/answers/answer_flint.h"
 #include "compare/stress/families.h"
+#include "model/exact/scoped.h"
 
 /* Two certified phases, the second from the middle of the ball that the first ends in. */
 struct ball_period {
@@ -20,8 +21,10 @@ struct ball_period {
   arb_t v_end, displacement;
   struct scallop_modes modes[2];
 };
-void ball_period_init(struct ball_period *period);
-void ball_period_clear(struct ball_period *period);
+#define BALL_PERIOD_PARTS(of) of(fmpq, s->v_mid) of(arb, s->v_end) of(arb, s->displacement)
+SCOPED_PARTS(ball_period, struct ball_period, BALL_PERIOD_PARTS)
+SCOPED_KIND(ball_answer, struct ball_answer)
+
 /* False: not certified to so many digits; *why is the reason. */
 bool ball_period_solve(struct ball_period *period, const struct scallop_rational_crawler *crawler, const fmpq_t v_start,
                        long digits, const char **why);

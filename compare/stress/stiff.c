@@ -58,19 +58,13 @@ static const struct {
   { "stiff", 1.01, 100 }, /* eps = 1005                                                                  */
 };
 
-static bool has_parameters(const struct stress_options *o)
-{
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (o->request.point.written[i])
-      return true;
-  return false;
-}
-
 /* All are solved before anything is written. */
 static bool make_scenes(struct book *b)
 {
   const struct point *p = &b->options->request.point;
-  bool given = has_parameters(b->options);
+  bool given = false;
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    given |= p->written[i] != NULL;
   int count = given ? 1 : (int)(sizeof made / sizeof *made);
   for (int i = 0; i < count; i++)
     for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
@@ -192,14 +186,12 @@ static void write_series(struct book *b, const struct stiff_scene *scene, const 
 /* As delta -> 0, until the stepper gives up. Returns how many runs were made. */
 static int solve_series(const struct book *b, const struct stiff_scene *scene, struct stiff_run *runs)
 {
-  for (int i = 0; i < b->deltas; i++) {
-    double delta = deltas[i];
-    progress_show(&b->progress, "%s, %s: delta = %g", scene->name, scene->crawler.gait->name, delta);
-    stiff_solve(scene, delta, stiff_tolerance(delta), b->most, &runs[i]);
-    if (!runs[i].solved)
-      return i + 1;
-  }
-  return b->deltas;
+  int count = 0;
+  do {
+    progress_show(&b->progress, "%s, %s: delta = %g", scene->name, scene->crawler.gait->name, deltas[count]);
+    stiff_solve(scene, deltas[count], stiff_tolerance(deltas[count]), b->most, &runs[count]);
+  } while (runs[count++].solved && count < b->deltas);
+  return count;
 }
 
 static void solve_all(struct book *b)

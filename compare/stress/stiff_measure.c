@@ -101,49 +101,38 @@ static void find_held(struct stiff_scene *scene, double v_mid)
 
 /* The certified steady start velocity, rounded, and the period from it: its own certified values, not those of the
  * steady state. */
-static bool certify(struct stiff_scene *scene, const char **why)
+static const char *certify(struct stiff_scene *scene)
 {
   const struct motion steady = { .of = OF_STEADY, .crawler = scene->crawler };
-  struct scallop_rational_crawler exact;
-  struct ball_answer proven;
-  struct ball_period period;
-  fmpq_t v;
-  fmpq_init(v);
-  scallop_rational_init(&exact);
-  ball_answer_init(&proven);
-  ball_period_init(&period);
+  const char *why;
+  SCOPED(scallop_rational, exact);
+  SCOPED(ball_answer, proven);
+  SCOPED(ball_period, period);
+  SCOPED(fmpq, v);
   scallop_rational_of(&exact, &scene->crawler);
-  bool solved = answer_of_doubles(&proven, &steady, REFERENCE_DIGITS);
-  *why = proven.why ? proven.why : scallop_status_text(proven.status);
-  if (solved) {
-    scene->v_start = ball_middle(proven.value[Q_V_START]).high;
-    scene->regime = proven.regime;
-    scallop_rational_set_double(v, scene->v_start);
-    solved = ball_period_solve(&period, &exact, v, REFERENCE_DIGITS, why);
-  }
-  if (solved) {
-    scene->v_end = ball_middle(period.v_end);
-    scene->displacement = ball_middle(period.displacement);
-    motion_modes_text(scene->modes, OF_STEADY, period.modes);
-    find_held(scene, fmpq_get_d(period.v_mid));
-  }
-  ball_period_clear(&period);
-  ball_answer_clear(&proven);
-  scallop_rational_clear(&exact);
-  fmpq_clear(v);
-  return solved;
+  if (!answer_of_doubles(&proven, &steady, REFERENCE_DIGITS))
+    return proven.why ? proven.why : scallop_status_text(proven.status);
+  scene->v_start = ball_middle(proven.value[Q_V_START]).high;
+  scene->regime = proven.regime;
+  scallop_rational_set_double(v, scene->v_start);
+  if (!ball_period_solve(&period, &exact, v, REFERENCE_DIGITS, &why))
+    return why;
+  scene->v_end = ball_middle(period.v_end);
+  scene->displacement = ball_middle(period.displacement);
+  motion_modes_text(scene->modes, OF_STEADY, period.modes);
+  find_held(scene, fmpq_get_d(period.v_mid));
+  return NULL;
 }
 
 const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler)
 {
   struct scallop_scaled scaled;
-  const char *why = NULL;
   enum scallop_status status = scallop_scale(crawler, &scaled);
   *scene = (struct stiff_scene){ .name = name, .crawler = *crawler };
   if (status != SCALLOP_OK)
     return scallop_status_text(status);
   scene->eps = scaled.eps;
-  return certify(scene, &why) ? NULL : why;
+  return certify(scene);
 }
 
 struct ration {

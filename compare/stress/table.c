@@ -17,19 +17,22 @@
 /* The numbers of both tables, in the order of their columns: of a family where error/unit is largest, and from rounding
  * on the largest of all; of a point those of each number, without the three that are of many. */
 enum { UNITS, ULP, CONDITION, DIGITS, MEDIAN, ROUNDING, PERTURBED, LOST, LEAST = LOST + 3, MOST, MEASURES };
-static const char *const measures[MEASURES] = {
-  "units",     "ulp",         "condition",        "digits",         "ulp_median",     "rounding",
-  "perturbed", "lost_double", "lost_long_double", "lost_binary128", "estimate_least", "estimate_most"
+static const struct {
+  const char *name, *format;
+  bool of_many;
+} measures[MEASURES] = {
+  { "units", "%.3g", false },          { "ulp", "%.3g", false },           { "condition", "%.3g", false },
+  { "digits", "%.1f", false },         { "ulp_median", "%.3g", true },     { "rounding", "%.3g", false },
+  { "perturbed", "%.3g", false },      { "lost_double", "%.1f", false },   { "lost_long_double", "%.1f", false },
+  { "lost_binary128", "%.1f", false }, { "estimate_least", "%.4f", true }, { "estimate_most", "%.4f", true },
 };
-
-static bool is_column(int m, bool of_point) { return !of_point || (m != MEDIAN && m < LEAST); }
 
 static void begin_rows(struct table *t, const char *const *before, bool of_point, const char *const *after)
 {
   table_columns(t, before);
   for (int m = 0; m < MEASURES; m++)
-    if (is_column(m, of_point))
-      table_columns(t, (const char *const[]){ measures[m], NULL });
+    if (!of_point || !measures[m].of_many)
+      table_columns(t, (const char *const[]){ measures[m].name, NULL });
   table_columns(t, after);
   table_begin_rows(t);
 }
@@ -37,8 +40,8 @@ static void begin_rows(struct table *t, const char *const *before, bool of_point
 static void write_measures(struct table *t, const double value[MEASURES], bool of_point)
 {
   for (int m = 0; m < MEASURES; m++)
-    if (is_column(m, of_point))
-      table_rounded(t, value[m], m >= LEAST ? "%.4f" : m == DIGITS || m >= LOST ? "%.1f" : "%.3g");
+    if (!of_point || !measures[m].of_many)
+      table_rounded(t, value[m], measures[m].format);
 }
 
 /* Of a trajectory: a case takes as long as so many periods do. */
@@ -234,12 +237,9 @@ static void run_family(struct run *run, const struct stress_family *family, cons
   run->broken += r.broken > 0;
 }
 
-static const struct stress_family *family_named(const char *name)
+static bool is_wanted(const struct stress_options *o, const struct stress_family *f)
 {
-  const struct stress_family *f = stress_families;
-  while (f->name && strcmp(f->name, name) != 0)
-    f++;
-  return f->name ? f : NULL;
+  return !o->family || strcmp(f->name, o->family) == 0;
 }
 
 /* The gait that is given; else that of the family, or those of the paper or, for a check, one of each kind. NULL after
@@ -252,17 +252,18 @@ static const struct scallop_gait *gait_of_run(const struct stress_options *o, co
   return name ? gait_of_text(name).gait : NULL;
 }
 
+/* First the cases are counted, for the progress. */
 static void run_families(struct run *run)
 {
   const struct stress_options *o = run->options;
   const struct scallop_gait *gait;
-  for (const struct stress_family *f = stress_families; f->name; f++)
-    for (int g = 0; (!o->family || f == family_named(o->family)) && gait_of_run(o, f, g); g++)
-      run->to_judge += cases_of(o, f->kind);
-  for (const struct stress_family *f = stress_families; f->name; f++)
-    for (int g = 0; (gait = gait_of_run(o, f, g)) && !table_failed(&run->table); g++)
-      if (!o->family || f == family_named(o->family))
-        run_family(run, f, gait);
+  for (int counted = 0; counted < 2; counted++)
+    for (const struct stress_family *f = stress_families; f->name; f++)
+      for (int g = 0; is_wanted(o, f) && (gait = gait_of_run(o, f, g)) && !table_failed(&run->table); g++)
+        if (counted)
+          run_family(run, f, gait);
+        else
+          run->to_judge += cases_of(o, f->kind);
 }
 
 static void begin(struct run *run)
@@ -283,7 +284,7 @@ static void begin(struct run *run)
   table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
              STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);
   for (const struct stress_family *f = stress_families; f->name; f++)
-    if (!o->family || f == family_named(o->family))
+    if (is_wanted(o, f))
       table_note(t, "%s: %s", f->name, f->about);
   begin_rows(t, before, false, after);
 }
@@ -293,10 +294,13 @@ enum exit_code stress_table(const struct stress_options *o)
   struct run run = { .options = o, .progress = progress_begin(o->request.style.quiet) };
   enum exit_code code = EXIT_UNSOLVED;
   const size_t most = (size_t)cases_of(o, STRESS_PHASE);
-  if (o->family && !family_named(o->family)) {
-    const char *names[64] = { NULL };
-    for (int i = 0; i < 63 && stress_families[i].name; i++)
-      names[i] = stress_families[i].name;
+  const char *names[64] = { NULL };
+  int wanted = 0;
+  for (int i = 0; stress_families[i].name; i++) {
+    names[i] = stress_families[i].name;
+    wanted += is_wanted(o, &stress_families[i]);
+  }
+  if (wanted == 0) {
     complain("stress", "--family: there is no family '%s'%s", o->family, did_you_mean(nearest(o->family, names)));
     return EXIT_USAGE;
   }

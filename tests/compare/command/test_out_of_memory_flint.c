@@ -47,19 +47,6 @@ void free(void *block)
 
 typedef struct scallop_rival *maker(int kind);
 
-/* How many allocations it takes */
-static long allocations(maker *make, int kind)
-{
-  enum { MANY = 1000000 };
-  fails_in = MANY;
-  struct scallop_rival *rival = make(kind);
-  long left = fails_in;
-  fails_in = -1;
-  assert_non_null(rival);
-  scallop_rival_destroy(rival);
-  return MANY - left;
-}
-
 static void check_failures(maker *make, int kind, long from, long to)
 {
   for (long n = from; n < to; n++) {
@@ -83,8 +70,8 @@ static struct scallop_rival *make_cvode(int kind) { return (void)kind, scallop_c
 TEST(making_rivals)
 {
   for (int kind = 0; kind < 2; kind++)
-    check_failures(make_odeiv, kind, 0, allocations(make_odeiv, kind));
-  check_failures(make_smoothed, 0, 0, allocations(make_smoothed, 0));
+    check_failures(make_odeiv, kind, 0, 3);
+  check_failures(make_smoothed, 0, 0, 3);
   if (scallop_has_cvode())
     check_failures(make_cvode, 0, 0, 2);
 }
