@@ -1,4 +1,4 @@
-/* Values in factored form, in five languages. */
+/* Values in factored form, in three languages. */
 #include "asymptotics/symbolic/language.h"
 
 #include <stdio.h>
@@ -6,47 +6,21 @@
 
 #include <flint/fmpz_mpoly_factor.h>
 
-#define LIKE_C \
-  .plus = " + ", .minus = " - ", .sign = "-", .times = "*", .brackets = { "(", ")" }, .fraction = { "", "/", "" }, \
-  .subscript = { "", "", "" }, .alpha = "alpha", .letter = { "", "" }, .difference = "d", .slash = true
+#include "model/exact/scoped.h"
 
-const struct language language_text = {
-  .name = "text", LIKE_C, .number = { "", "" }, .power = { "", "^", "" }, .rest = "(1 - alpha)"
-};
-const struct language language_c = { .name = "c", LIKE_C, .number = { "", ".0" }, .power = { "pow(", ", ", ")" } };
-const struct language language_python = { .name = "python", LIKE_C, .number = { "", "" }, .power = { "", "**", "" } };
-const struct language language_latex = { .name = "latex",
-                                         .plus = " + ",
-                                         .minus = " - ",
-                                         .sign = "-",
+#define LIKE_C \
+  .times = "*", .fraction = { "", "/", "" }, .subscript = { "", "" }, .alpha = "alpha", .difference = "d", .slash = true
+
+const struct language language_text = { .name = "text", LIKE_C, .power = { "^", "" } },
+                      language_python = { .name = "python", LIKE_C, .power = { "**", "" } },
+                      language_latex = { .name = "latex",
                                          .times = " ",
-                                         .number = { "", "" },
-                                         .brackets = { "(", ")" },
-                                         .power = { "", "^{", "}" },
+                                         .power = { "^{", "}" },
                                          .fraction = { "\\frac{", "}{", "}" },
-                                         .subscript = { "", "_{", "}" },
+                                         .subscript = { "_{", "}" },
                                          .alpha = "\\alpha",
                                          .difference = "\\Delta ",
-                                         .rest = "(1 - \\alpha)",
-                                         .letter = { "", "" },
                                          .ten = { " \\cdot 10^{", "}" } };
-const struct language language_mathml = {
-  .name = "mathml",
-  .plus = "<mo>+</mo>",
-  .minus = "<mo>&#x2212;</mo>",
-  .sign = "<mo>&#x2212;</mo>",
-  .times = "<mo>&#x2062;</mo>",
-  .number = { "<mn>", "</mn>" },
-  .brackets = { "<mrow><mo>(</mo>", "<mo>)</mo></mrow>" },
-  .power = { "<msup>", "<mn>", "</mn></msup>" },
-  .fraction = { "<mfrac><mrow>", "</mrow><mrow>", "</mrow></mfrac>" },
-  .subscript = { "<msub>", "<mi>", "</mi></msub>" },
-  .alpha = "<mi>&#x3B1;</mi>",
-  .difference = "<mi>&#x394;</mi>",
-  .rest = "<mrow><mo>(</mo><mn>1</mn><mo>&#x2212;</mo><mi>&#x3B1;</mi><mo>)</mo></mrow>",
-  .letter = { "<mi>", "</mi>" },
-  .ten = { "<mo>&#xB7;</mo><msup><mn>10</mn><mn>", "</mn></msup>" }
-};
 
 struct writer {
   FILE *out;
@@ -57,44 +31,34 @@ struct writer {
 
 static void put(struct writer *w, const char *text) { fputs(text, w->out); }
 
-/* A letter and its index: m and 1 */
-static void put_letter(struct writer *w, char letter, const char *index)
-{
-  const struct language *l = w->language;
-  const char *const none[] = { "", "", "" }, *const *around = *index ? l->subscript : none;
-  fprintf(w->out, "%s%s%c%s%s%s%s", around[0], l->letter[0], letter, l->letter[1], around[1], index, around[2]);
-}
-
 static void put_symbol(struct writer *w, const struct symbol *symbol)
 {
   const struct language *l = w->language;
-  char both[SYMBOL_NAME];
-  if (symbol->meaning == NAMED_alpha)
-    put(w, l->alpha);
-  else if (symbol->meaning == NAMED_beta)
-    put(w, l->rest ? l->rest : "beta");
-  else {
-    snprintf(both, sizeof both, "%s", symbol->name + 1);
-    for (char *gap = both; !l->slash && (gap = strchr(gap, '_'));) /* l3_0 has the indices 3 and 0 */
-      *gap = ',';
-    put_letter(w, symbol->name[0], both);
+  char index[SYMBOL_NAME];
+  if (symbol->meaning == NAMED_alpha || symbol->meaning == NAMED_beta) {
+    fprintf(w->out, symbol->meaning == NAMED_beta ? "(1 - %s)" : "%s", l->alpha);
+    return;
   }
+  snprintf(index, sizeof index, "%s", symbol->name + 1);
+  for (char *gap = index; !l->slash && (gap = strchr(gap, '_'));) /* l3_0 has the indices 3 and 0 */
+    *gap = ',';
+  fprintf(w->out, "%c", symbol->name[0]);
+  if (*index)
+    fprintf(w->out, "%s%s%s", l->subscript[0], index, l->subscript[1]);
 }
 
 static void put_number(struct writer *w, const fmpz_t number)
 {
   char *text = fmpz_get_str(NULL, 10, number);
-  fprintf(w->out, "%s%s%s", w->language->number[0], text, w->language->number[1]);
+  put(w, text);
   flint_free(text);
 }
 
-/* Begins and ends what is raised to a power, if that is not 1. */
-static void begin_power(struct writer *w, slong power) { put(w, power == 1 ? "" : w->language->power[0]); }
-
-static void end_power(struct writer *w, slong power)
+/* Behind what is raised to a power, if that is not 1 */
+static void put_power(struct writer *w, slong power)
 {
   if (power != 1)
-    fprintf(w->out, "%s%ld%s", w->language->power[1], (long)power, w->language->power[2]);
+    fprintf(w->out, "%s%ld%s", w->language->power[0], (long)power, w->language->power[1]);
 }
 
 static void put_times(struct writer *w, bool *any)
@@ -107,15 +71,13 @@ static void put_symbol_power(struct writer *w, slong place, slong power, bool *a
 {
   static const struct symbol time = { .meaning = NAMED_T, .name = "T" };
   put_times(w, any);
-  begin_power(w, power);
   put_symbol(w, place < 0 ? &time : &w->symbols->list[place]);
-  end_power(w, power);
+  put_power(w, power);
 }
 
 static void put_sign(struct writer *w, bool negative, bool first)
 {
-  const struct language *l = w->language;
-  put(w, first ? negative ? l->sign : "" : negative ? l->minus : l->plus);
+  put(w, first ? negative ? "-" : "" : negative ? " - " : " + ");
 }
 
 /* A polynomial as the sum of its terms */
@@ -123,8 +85,7 @@ static void put_terms(struct writer *w, const fmpz_mpoly_t polynomial)
 {
   const fmpz_mpoly_ctx_struct *ring = w->symbols->ring;
   ulong powers[MOST_SYMBOLS];
-  fmpz_t coefficient;
-  fmpz_init(coefficient);
+  SCOPED(fmpz, coefficient);
   for (slong i = 0; i < fmpz_mpoly_length(polynomial, ring); i++) {
     bool any = false, constant = true;
     fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, ring);
@@ -141,7 +102,6 @@ static void put_terms(struct writer *w, const fmpz_mpoly_t polynomial)
       if (powers[j] > 0)
         put_symbol_power(w, j, (slong)powers[j], &any);
   }
-  fmpz_clear(coefficient);
 }
 
 static slong power_of_T(const struct writer *w, const fmpz_mpoly_t polynomial)
@@ -237,11 +197,10 @@ static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slo
       continue;
     bool bare = held && count == 1 && exponent == 1;
     put_times(w, &any);
-    begin_power(w, exponent);
-    put(w, bare ? "" : w->language->brackets[0]);
+    put(w, bare ? "" : "(");
     (power_of_T(w, sum) > 0 ? put_by_powers : put_terms)(w, sum);
-    put(w, bare ? "" : w->language->brackets[1]);
-    end_power(w, exponent);
+    put(w, bare ? "" : ")");
+    put_power(w, exponent);
   }
 }
 
@@ -291,9 +250,9 @@ struct written symbolic_written(struct symbols *s, symbolic a, slong power, cons
   put_factors(&w, over, power > 0 ? power : 0, divisors > 0 && !language->slash);
   if (divisors > 0) {
     put(&w, language->fraction[1]);
-    put(&w, brackets ? language->brackets[0] : "");
+    put(&w, brackets ? "(" : "");
     put_factors(&w, under, below, !language->slash);
-    put(&w, brackets ? language->brackets[1] : "");
+    put(&w, brackets ? ")" : "");
     put(&w, language->fraction[2]);
   }
   fmpz_mpoly_factor_clear(over, s->ring);
@@ -310,9 +269,7 @@ struct written decimal_written(const char *decimal, slong power, const struct la
   struct writer w = writer_of(&none, language, &written.text, &size);
   const char *digits = decimal + written.negative, *e = language->slash ? NULL : strchr(digits, 'e');
   bool any = true;
-  fprintf(w.out, "%s%.*s", language->slash ? "" : language->number[0], (int)(e ? e - digits : (long)strlen(digits)),
-          digits);
-  put(&w, language->slash ? "" : language->number[1]);
+  fprintf(w.out, "%.*s", (int)(e ? e - digits : (long)strlen(digits)), digits);
   if (e)
     fprintf(w.out, "%s%s%s", language->ten[0], e + 1, language->ten[1]);
   if (power != 0)

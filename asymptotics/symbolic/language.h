@@ -1,23 +1,20 @@
-/* Values of symbolic.h written down, in factored form: as text in the language of asymptotics/formula.h, in C, Python,
- * LaTeX or MathML. */
+/* Values of symbolic.h written down, in factored form: as text in the language of asymptotics/formula.h, in Python
+ * or LaTeX. */
 #ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_LANGUAGE_H
 #define SCALLOP_ASYMPTOTICS_SYMBOLIC_LANGUAGE_H
 
 #include "asymptotics/symbolic/symbolic.h"
 
-/* How a language writes what formulas are made of; the strings of an array stand before, between and behind its
- * operands. */
+/* How a language writes what formulas are made of. */
 struct language {
-  const char *name;
-  const char *plus, *minus, *sign, *times; /* sign: in front of a first term that is negative        */
-  const char *number[2], *brackets[2];
-  const char *power[3], *fraction[3], *subscript[3];
-  const char *alpha, *rest;           /* alpha and 1 - alpha; rest NULL: beta, defined elsewhere like M   */
-  const char *letter[2], *difference; /* Delta in front of a letter */
-  const char *ten[2];                 /* around the exponent of 10 in a decimal number; NULL: as it is    */
-  bool slash;                         /* a fraction does not hold its two sides together                  */
+  const char *name, *times, *alpha;
+  const char *power[2], *subscript[2]; /* around it, behind what has it                                   */
+  const char *fraction[3];             /* before, between and behind its two sides                        */
+  const char *difference;              /* Delta in front of a letter                                      */
+  const char *ten[2];                  /* around the exponent of 10 in a decimal number; NULL: as it is   */
+  bool slash;                          /* a fraction does not hold its two sides together                 */
 };
-extern const struct language language_text, language_c, language_python, language_latex, language_mathml;
+extern const struct language language_text, language_python, language_latex;
 
 struct written {
   bool negative;

@@ -1,225 +1,242 @@
-/* Series in C, Python, LaTeX and MathML. */
 #include "compare/command/emit_flint.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* What stands around the functions of a program, or the formulas of a document */
-static const struct frame {
-  const struct language *language;
-  const char *escapes[9];                     /* what would end a text, and what stands in its place; in pairs       */
-  const char *head[3];                        /* around and between the lines about where it comes from              */
-  const char *comment[2];                     /* around what a function is                                           */
-  const char *function, *type, *local, *stop; /* before a function's name, an argument, a local; behind a statement  */
-  const char *formula, *name[2], *order[2];   /* in a document: before a formula, around a name, around T's power    */
-  const char *begin, *sum, *next, *end,
-      *tail; /* before the body, the terms, each further term; behind these; at last */
-} frames[] = {
-  { .language = &language_c,
-    .escapes = { "*/", "* /", "/*", "/ *" },
-    .head = { "/* ", "\n * ", " */\n#include <math.h>\n" },
-    .comment = { "\n/* ", " */\n" },
-    .function = "double ",
-    .type = "double ",
-    .local = "  const double ",
-    .stop = ";\n",
-    .begin = ")\n{\n",
-    .sum = "  return ",
-    .next = "\n        ",
-    .end = ";\n}\n",
-    .tail = "" },
-  { .language = &language_python,
-    .escapes = { "\\", "\\\\", "\"", "\\\"" },
-    .head = { "\"\"\"", "\n", "\"\"\"\n" },
-    .comment = { "\n\n# ", "\n" },
-    .function = "def ",
-    .type = "",
-    .local = "    ",
-    .stop = "\n",
-    .begin = "):\n",
-    .sum = "    return (",
-    .next = "\n           ",
-    .end = ")\n",
-    .tail = "" },
-  { .language = &language_latex,
-    .head = { "% ", "\n% ", "\n" },
-    .comment = { "\n% ", "\n" },
-    .formula = "\\begin{align*}\n  ",
-    .name = { "\\text{", "}" },
-    .order = { " + O(T^{", "})" },
-    .sum = " &= ",
-    .next = " \\\\\n  &\\quad",
-    .end = "\n\\end{align*}\n",
-    .tail = "" },
-  { .language = &language_mathml,
-    .escapes = { "&", "&amp;", "<", "&lt;", ">", "&gt;", "\"", "&quot;" },
-    .head = { "<!DOCTYPE html>\n<html lang=\"en\">\n<head><meta charset=\"utf-8\"><title>Series of the crawling "
-              "scallop</title></head>\n"
-              "<body>\n<p>",
-              "<br>\n", "</p>\n" },
-    .comment = { "\n<p>", "</p>\n" },
-    .formula = "<math display=\"block\"><mtable displaystyle=\"true\"><mtr><mtd>",
-    .name = { "<mtext>", "</mtext>" },
-    .order = { "<mo>+</mo><mi>O</mi><mo stretchy=\"false\">(</mo><msup><mi>T</mi><mn>",
-               "</mn></msup><mo stretchy=\"false\">)</mo>" },
-    .sum = "</mtd><mtd style=\"text-align: left\"><mo>=</mo>",
-    .next = "</mtd></mtr>\n  <mtr><mtd></mtd><mtd style=\"text-align: left\">",
-    .end = "</mtd></mtr></mtable></math>\n",
-    .tail = "</body>\n</html>\n" },
-};
+#include "compare/points/point_flint.h"
+static bool is_python(const struct report *r) { return r->language == &language_python; }
 
-static const struct frame *frame_of(const struct language *language)
+/* A line about what the formulas are. A name of a file in it ends no comment. */
+static void put_comment(struct report *r, const char *text)
 {
-  const struct frame *frame = frames;
-  while (frame->language != language)
-    frame++;
-  return frame;
+  fputs(is_python(r) ? "# " : "% ", r->out.stream);
+  for (; *text; text++)
+    fputc((unsigned char)*text < 0x20 || *text == 0x7f ? '?' : *text, r->out.stream);
+  fputc('\n', r->out.stream);
 }
 
-/* A text, which may be the name of a file, in a comment or a paragraph: nothing in it ends that. */
-static void put_text(FILE *out, const struct frame *frame, const char *text)
+/* The options that say the same again */
+static void command_text(char command[80], const struct series_options *o)
 {
-  for (int i; *text; text += frame->escapes[i] ? strlen(frame->escapes[i]) : 1) {
-    for (i = 0; frame->escapes[i] && strncmp(text, frame->escapes[i], strlen(frame->escapes[i])) != 0;)
-      i += 2;
-    if (frame->escapes[i])
-      fputs(frame->escapes[i + 1], out);
-    else
-      fputc((unsigned char)*text < 0x20 || *text == 0x7f ? '?' : *text, out);
-  }
+  bool has_source = !o->bound && !(o->symbolic && is_from(o, "derived"));
+  bool has_order = o->symbolic ? !is_from(o, "closed") : !is_from(o, "limit");
+  int used = snprintf(command, 80, "series%s%s%s",
+                      o->symbolic ? " --symbolic"
+                      : o->bound  ? " --bound"
+                                  : "",
+                      has_source ? " --source " : "", has_source ? o->source.value : "");
+  if (has_order)
+    snprintf(command + used, 80 - (size_t)used, " --order %ld", o->order.value);
 }
 
-bool emission_open(struct emission *e, const struct style *style, const char *language, const char *command,
-                   const char *note)
+static bool cannot_write(const struct style *style, int error)
 {
-  const struct frame *frame = frames;
-  while (strcmp(frame->language->name, language) != 0)
-    frame++;
-  *e = (struct emission){ .style = style, .language = frame->language };
-  int error = file_open(&e->out, style->output);
+  return complain(style->command, "cannot write %s: %s", style->output ? style->output : "standard output",
+                  file_error(error));
+}
+
+static bool open_document(struct report *r, const char *command, const char *note)
+{
+  const struct style *style = &r->options->request.style;
+  static const char *const not_held[] = { "T", NULL };
+  char text[PARAMETERS_TEXT + NUMBER_LENGTH + 32];
+  int error = file_open(&r->out, style->output);
   if (error != 0)
-    return complain(style->command, "cannot write %s: %s", style->output ? style->output : "standard output",
-                    file_error(error));
-  fprintf(e->out.stream, "%sscallop %s: ", frame->head[0], SCALLOP_VERSION);
-  put_text(e->out.stream, frame, command);
-  fprintf(e->out.stream, "%sT is the duration of the phase, or the period in the steady state.", frame->head[1]);
-  if (note) {
-    fputs(frame->head[1], e->out.stream);
-    put_text(e->out.stream, frame, note);
-  }
-  fputs(frame->head[2], e->out.stream);
+    return cannot_write(style, error);
+  snprintf(text, sizeof text, "scallop %s: %s", SCALLOP_VERSION, command);
+  put_comment(r, text);
+  put_comment(r, "T is the duration of the phase, or the period in the steady state.");
+  size_t used = (size_t)snprintf(text, sizeof text, "Parameters:");
+  parameters_text(text + used, &r->options->request.point, not_held, true);
+  if (r->options->request.point.has_v0)
+    snprintf(text + strlen(text), sizeof text - strlen(text), " v0=%s", r->options->request.point.written_v0);
+  put_comment(r, note ? note : text);
   return true;
 }
 
-bool emission_close(struct emission *e)
+bool report_open(struct report *r, const char *of, const char *const *columns, const char *note, const char *more)
 {
-  fputs(frame_of(e->language)->tail, e->out.stream);
-  int error = file_close(&e->out, true);
+  const struct request *request = &r->options->request;
+  char command[80];
+  command_text(command, r->options);
+  if (r->language)
+    return open_document(r, command, note);
+  if (!table_open(&r->table, &request->style))
+    return false;
+  r->table.of = of;
+  table_note(&r->table, "scallop " SCALLOP_VERSION);
+  table_note(&r->table, "command: %s", command);
+  note_parameters(&r->table, &request->point, NULL, true);
+  if (request->point.has_v0)
+    table_note(&r->table, "v0: %s", request->point.written_v0);
+  if (note)
+    table_note(&r->table, "%s", note);
+  if (more)
+    table_note(&r->table, "%s", more);
+  table_columns(&r->table, columns);
+  table_begin_rows(&r->table);
+  return true;
+}
+
+enum exit_code report_close(struct report *r, bool done)
+{
+  const struct style *style = &r->options->request.style;
+  int error = r->language ? file_close(&r->out, true) : 0;
   if (error != 0)
-    complain(e->style->command, "cannot write %s: %s", e->style->output ? e->style->output : "standard output",
-             file_error(error));
-  return error == 0;
+    cannot_write(style, error);
+  if (error != 0 || (!r->language && !table_close(&r->table)))
+    return EXIT_FILE;
+  if (!done)
+    complain("series", r->options->symbolic ? "no formula: %s" : "a motion has no series in powers of T: %s", r->why);
+  return done ? EXIT_DONE : EXIT_UNSOLVED;
 }
 
-/* "dT, extension from rest: terms below T^8, modes -+ ++" */
-static void put_comment(FILE *out, const struct frame *frame, const struct emitted *f)
+enum exit_code report_run(const struct series_options *o, enum exit_code (*one)(struct report *r))
 {
-  bool of_phase = strcmp(f->phase, "period") != 0;
-  fprintf(out, "%s%s, %s %s%s: ", frame->comment[0], f->quantity, f->phase, of_phase ? "from " : "", f->start);
-  if (f->below > 0)
-    fprintf(out, f->small ? "terms below (%s)^%ld, " : "terms below %s^%ld, ", f->small ? f->small : "T",
-            (long)f->below);
-  fprintf(out, "modes %s%s", f->modes, frame->comment[1]);
+  enum { DEFAULT_DIGITS = 17 };
+  SCOPED(scallop_rational, crawler);
+  SCOPED(fmpq, v0);
+  struct report r = { .options = o,
+                      .crawler = &crawler,
+                      .v0 = v0,
+                      .digits = o->request.style.digits > 0 ? o->request.style.digits : DEFAULT_DIGITS,
+                      .language = strcmp(o->emit.value, "latex") == 0    ? &language_latex
+                                  : strcmp(o->emit.value, "python") == 0 ? &language_python
+                                                                         : NULL };
+  rational_point(&crawler, v0, &o->request.point);
+  return one(&r);
 }
 
-static bool is_used(const struct emitted *f, enum symbol_meaning meaning)
+struct motion_names names_of(enum quantity_of of, enum scallop_phase_kind kind, bool from_rest)
+{
+  if (of == OF_STEADY)
+    return (struct motion_names){ "period", "steady" };
+  return (struct motion_names){ kind == SCALLOP_EXTENSION ? "extension" : "contraction", from_rest ? "rest" : "v0" };
+}
+
+void write_names(struct report *r, const struct motion_names *names, const char *quantity)
+{
+  table_text(&r->table, names->phase);
+  table_text(&r->table, names->start);
+  table_text(&r->table, quantity);
+}
+
+bool write_failure(struct report *r, const struct motion_names *names, enum scallop_status status, const char *why)
+{
+  bool formulas = r->options->symbolic;
+  char text[SCALLOP_BRANCH_TEXT + 240];
+  why = why ? why : scallop_status_text(status);
+  r->why = r->why ? r->why : why;
+  if (r->language)
+    return false;
+  snprintf(text, sizeof text, "no %s: %s", formulas ? "formula" : "series", why);
+  write_names(r, names, "-");
+  for (const char *kind = formulas ? "--" : "n-nn"; *kind; kind++)
+    if (*kind == 'n')
+      table_number(&r->table, NAN);
+    else
+      table_text(&r->table, "-");
+  table_text(&r->table, text);
+  return false;
+}
+
+bool report_motions(struct report *r,
+                    bool (*one)(struct report *, enum quantity_of, enum scallop_phase_kind, bool from_rest))
+{
+  bool done = true;
+  for (int kind = 0; kind < 2; kind++) {
+    done = one(r, OF_PHASE, (enum scallop_phase_kind)kind, true) && done;
+    if (!fmpq_is_zero(r->v0))
+      done = one(r, OF_PHASE, (enum scallop_phase_kind)kind, false) && done;
+  }
+  return one(r, OF_STEADY, SCALLOP_EXTENSION, true) && done;
+}
+
+static bool is_used(const struct emitted *e, enum symbol_meaning meaning)
 {
   bool used = false;
-  for (int i = 0; f->symbols && i < f->symbols->count; i++)
-    used |= f->used[i] && f->symbols->list[i].meaning == meaning;
+  for (int i = 0; e->symbols && i < e->symbols->count; i++)
+    used |= e->used[i] && e->symbols->list[i].meaning == meaning;
   return used;
 }
 
 /* M and beta are not arguments, but what they are made of is. */
-static bool is_argument(const struct emitted *f, int i)
+static bool is_argument(const struct emitted *e, int i)
 {
-  enum symbol_meaning meaning = f->symbols->list[i].meaning;
+  enum symbol_meaning meaning = e->symbols->list[i].meaning;
   bool of_mass = meaning == NAMED_m1 || meaning == NAMED_m2;
   if (meaning == NAMED_M || meaning == NAMED_beta || meaning == NAMED_T)
     return false;
-  return f->used[i] || (of_mass && is_used(f, NAMED_M)) || (meaning == NAMED_alpha && is_used(f, NAMED_beta));
-}
-
-static bool mentions(const struct emitted *f, const char *name)
-{
-  bool found = false;
-  for (slong i = 0; i < f->count; i++)
-    found |= strstr(f->terms[i].text, name) != NULL;
-  return found;
+  return e->used[i] || (of_mass && is_used(e, NAMED_M)) || (meaning == NAMED_alpha && is_used(e, NAMED_beta));
 }
 
 /* A name with the arguments of a function, and what is computed first */
-static void put_function(FILE *out, const struct frame *frame, const struct emitted *f)
+static void put_function(FILE *out, const struct emitted *e)
 {
   const char *gap = "";
-  fprintf(out, "%s%s_%s_%s(", frame->function, f->phase, f->start, f->quantity);
-  for (int i = 0; f->symbols && i < f->symbols->count; i++)
-    if (is_argument(f, i)) {
-      fprintf(out, "%s%s%s", gap, frame->type, f->symbols->list[i].name);
+  fprintf(out, "def %s_%s_%s(", e->names.phase, e->names.start, e->quantity);
+  for (int i = 0; e->symbols && i < e->symbols->count; i++)
+    if (is_argument(e, i)) {
+      fprintf(out, "%s%s", gap, e->symbols->list[i].name);
       gap = ", ";
     }
-  if (!f->small)
-    fprintf(out, "%s%sT", gap, frame->type);
-  fputs(frame->begin, out);
-  if (mentions(f, "M"))
-    fprintf(out, "%sM = m1 + m2%s", frame->local, frame->stop);
-  if (mentions(f, "beta"))
-    fprintf(out, "%sbeta = 1 - alpha%s", frame->local, frame->stop);
+  fprintf(out, "%s):\n%s    return (",
+          e->small ? ""
+          : *gap   ? ", T"
+                   : "T",
+          is_used(e, NAMED_M) ? "    M = m1 + m2\n" : "");
 }
 
 /* t1, dT, dx1, v_end: a letter with an index, perhaps a difference; other names as they are */
-static void put_name(FILE *out, const struct frame *frame, const char *name)
+static void put_name(FILE *out, const char *name)
 {
-  struct symbol symbol = { .meaning = NAMED_T };
   bool difference = *name == 'd' && (name[1] == 'T' || name[1] == 'x');
   const char *letter = name + difference, *index = letter + 1 + (letter[1] == '_');
-  fputs(frame->formula, out);
-  if (strchr("txTUv", *letter) && strlen(index) < SYMBOL_NAME - 1) {
-    snprintf(symbol.name, SYMBOL_NAME, "%c%s", *letter, index);
-    char *text = symbol_written(&symbol, frame->language);
-    fprintf(out, "%s%s", difference ? frame->language->difference : "", text);
-    free(text);
-    return;
-  }
-  fputs(frame->name[0], out);
-  for (; *name; name++)
+  bool has_index = strchr("txTUv", *letter) && !strchr(index, '_');
+  fprintf(out, "\\begin{align*}\n  ");
+  if (has_index)
+    fprintf(out, *index ? "%s%c_{%s}" : "%s%c", difference ? "\\Delta " : "", *letter, index);
+  else
+    fprintf(out, "\\text{");
+  for (; !has_index && *name; name++)
     fputc(*name == '_' ? ' ' : *name, out);
-  fputs(frame->name[1], out);
+  fprintf(out, has_index ? " &= " : "} &= ");
 }
 
-void emission_add(struct emission *e, struct emitted *f)
+void emit_begin(struct report *r, const struct emitted *e)
 {
-  const struct frame *frame = frame_of(e->language);
-  FILE *out = e->out.stream;
-  put_comment(out, frame, f);
-  if (frame->function)
-    put_function(out, frame, f);
+  char text[400], below[80] = "";
+  if (e->below > 0)
+    snprintf(below, sizeof below, e->small ? "terms below (%s)^%ld, " : "terms below %s^%ld, ",
+             e->small ? e->small : "T", (long)e->below);
+  snprintf(text, sizeof text, "%s, %s %s%s: %smodes %s", e->quantity, e->names.phase,
+           strcmp(e->names.phase, "period") == 0 ? "" : "from ", e->names.start, below, e->modes);
+  fputc('\n', r->out.stream);
+  put_comment(r, text);
+  if (is_python(r))
+    put_function(r->out.stream, e);
   else
-    put_name(out, frame, f->quantity);
-  fputs(frame->sum, out);
-  for (slong i = 0; i < f->count; i++) {
-    const struct written *term = &f->terms[i];
-    fputs(i == 0 ? "" : frame->next, out);
-    fputs(i > 0            ? term->negative ? e->language->minus : e->language->plus
-          : term->negative ? e->language->sign
-                           : "",
-          out);
-    fputs(term->text, out);
-    free(term->text);
-  }
-  if (f->count == 0)
-    fprintf(out, "%s0%s", e->language->number[0], e->language->number[1]);
-  if (f->below > 0 && !f->small && frame->formula)
-    fprintf(out, "%s%ld%s", frame->order[0], (long)f->below, frame->order[1]);
-  fputs(frame->end, out);
+    put_name(r->out.stream, e->quantity);
+  r->any = false;
+}
+
+void emit_term(struct report *r, struct written term)
+{
+  const char *next = is_python(r) ? "\n           " : " \\\\\n  &\\quad";
+  fprintf(r->out.stream, "%s%s%s", r->any ? next : "",
+          r->any          ? term.negative ? " - " : " + "
+          : term.negative ? "-"
+                          : "",
+          term.text);
+  r->any = true;
+  free(term.text);
+}
+
+void emit_end(struct report *r, const struct emitted *e)
+{
+  fputs(r->any ? "" : "0", r->out.stream);
+  if (e->below > 0 && !e->small && !is_python(r))
+    fprintf(r->out.stream, " + O(T^{%ld})", (long)e->below);
+  fputs(is_python(r) ? ")\n" : "\n\\end{align*}\n", r->out.stream);
 }

@@ -1,32 +1,55 @@
-/* Series as programs and documents: a function of T in C or Python, or a formula in LaTeX or MathML, for each
- * quantity. */
+/* What `scallop series` writes of derived series: a table, or a function of T in Python or a formula in LaTeX for each
+ * quantity. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_COMMAND_EMIT_FLINT_H
 #define SCALLOP_COMPARE_COMMAND_EMIT_FLINT_H
 
 #include "asymptotics/symbolic/language.h"
-#include "compare/answers/points.h"
+#include "compare/answers/quantities.h"
+#include "compare/command/series_options.h"
+#include "model/exact/scoped.h"
 
-struct emission {
-  const struct style *style;
-  const struct language *language;
+struct report {
+  const struct series_options *options;
+  const struct scallop_rational_crawler *crawler; /* as it was written                                             */
+  const fmpq *v0;
+  long digits;                     /* of decimal numbers                                              */
+  const char *why;                 /* the first that could not be done: the reason                     */
+  const struct language *language; /* NULL: a table                                                     */
+  struct table table;
   struct file out;
+  bool any; /* has the quantity that is being written a term yet?                */
 };
-/* Opens the output of the style, and writes the head. language: "c", "python", "latex" or "mathml". command: what to
- * run for the same output; note: a sentence, or NULL. False: the message is on stderr, exit with EXIT_FILE. */
-bool emission_open(struct emission *e, const struct style *style, const char *language, const char *command,
-                   const char *note);
+/* Opens the output, and writes what stands before the rows. of: the kind of table; note: what its names mean; more: of
+ * a table alone; either NULL. False: the message is on stderr, exit with EXIT_FILE. */
+bool report_open(struct report *r, const char *of, const char *const *columns, const char *note, const char *more);
+/* Closes it: the exit code. done: had everything a series? */
+enum exit_code report_close(struct report *r, bool done);
+/* Calls one with a report about the options. */
+enum exit_code report_run(const struct series_options *options, enum exit_code (*one)(struct report *r));
+
+/* Which motion a row is about. */
+struct motion_names {
+  const char *phase, *start;
+};
+struct motion_names names_of(enum quantity_of of, enum scallop_phase_kind kind, bool from_rest);
+void write_names(struct report *r, const struct motion_names *names, const char *quantity);
+/* A motion of which nothing is known has its reason in the last column. Returns false. */
+bool write_failure(struct report *r, const struct motion_names *names, enum scallop_status status, const char *why);
+/* Calls one for each phase, from rest and from v0, and for the steady state. Did all give true? */
+bool report_motions(struct report *r,
+                    bool (*one)(struct report *r, enum quantity_of of, enum scallop_phase_kind kind, bool from_rest));
 
 struct emitted { /* a quantity of a motion as a sum of terms                                             */
-  const char *phase, *start, *quantity, *modes;
+  struct motion_names names;
+  const char *quantity, *modes;
   const struct symbols *symbols; /* its arguments but T are those of used[]; NULL: there are none     */
   bool used[MOST_SYMBOLS];
-  slong count, below; /* terms; the power of T, or of small, from which on they are left out, 0: none is */
-  const char *small;  /* NULL: a function of T                                                  */
-  struct written *terms;
+  slong below;       /* the power of T, or of small, from which on terms are left out, 0: none is */
+  const char *small; /* NULL: a function of T                                                  */
 };
-/* Writes it, and frees the terms' texts. */
-void emission_add(struct emission *e, struct emitted *emitted);
-/* False: as above */
-bool emission_close(struct emission *e);
+/* What stands before the terms, each of them, which frees its text, and what stands behind */
+void emit_begin(struct report *r, const struct emitted *emitted);
+void emit_term(struct report *r, struct written term);
+void emit_end(struct report *r, const struct emitted *emitted);
 
 #endif

@@ -201,7 +201,7 @@ bool takes_operands(const struct command *command)
   "`LC_ALL=C awk -f cheapest.awk FILE` summarises a table; the script is in scripts/plots/ of the sources, and " \
   "installed in share/scallop/"
 #define COUNTED "`--stats` prints what was done"
-#define BY_SYMPY "sympy makes it of the text form in three lines: docs/commands.md"
+#define BY_SYMPY "sympy makes it of the text form in three lines: docs/formulas.md"
 #define LEDGERS \
   "`scallop claims | diff - FILE` compares with any ledger; data/claims.tsv of the sources is the tool's own"
 
@@ -318,16 +318,26 @@ static enum reading read_all(struct arguments *a)
   return READ_REFUSED;
 }
 
+/* Is the option in a list of names, or of NAME=VALUE with the value that it has? */
+static bool is_listed(const struct arguments *a, const struct option *o, const char *names)
+{
+  char value[OPTION_VALUE] = "", both[2 * OPTION_VALUE];
+  if (o->kind->show)
+    o->kind->show(&a->options, o, value);
+  snprintf(both, sizeof both, "%s=%s", o->name, value);
+  for (size_t length; *names; names += length + (names[length] == ' ')) {
+    length = strcspn(names, " ");
+    if (strncmp(names, both, length) == 0 && (length == strlen(o->name) || length == strlen(both)))
+      return true;
+  }
+  return false;
+}
+
 const struct option *given_option(const struct arguments *a, const char *names)
 {
-  for (const struct option *o = a->command->options; o->name; o++) {
-    size_t length = strlen(o->name);
-    for (const char *at = names; (a->given >> (o - a->command->options) & 1) != 0 && at; at = strchr(at, ' ')) {
-      at += *at == ' ';
-      if (strncmp(at, o->name, length) == 0 && strchr(" ", at[length]))
-        return o;
-    }
-  }
+  for (const struct option *o = a->command->options; o->name; o++)
+    if ((a->given >> (o - a->command->options) & 1) != 0 && is_listed(a, o, names))
+      return o;
   return NULL;
 }
 

@@ -58,7 +58,8 @@ struct option {
 
 /* What two options have to do with each other: one that has no effect is refused. */
 struct option_rule {
-  const char *names; /* separated by blanks: of these options none may be given                                       */
+  /* Separated by blanks, NAME, or NAME=VALUE for an option with that value: of these none may be given */
+  const char *names;
   enum { RULE_WITH, RULE_WITHOUT } when;
   /* one of these, separated by blanks */
   const char *others;
@@ -196,7 +197,8 @@ struct arguments {
 
 /* NULL: the command does not take it. */
 const struct option *option_of(const struct command *command, const char *name);
-/* The first of the options with these names, separated by blanks, that is given; NULL: none is. */
+/* The first of the options with these names, separated by blanks, that is given; NULL: none is. NAME=VALUE: given with
+ * that value. */
 const struct option *given_option(const struct arguments *arguments, const char *names);
 /* How many values it takes. */
 int option_values(const struct option *option);

@@ -8,7 +8,7 @@
 #include "compare/points/gaits.h"
 #include "compare/answers/points.h"
 #include "compare/command/commands.h"
-#include "compare/command/series_flint.h"
+#include "compare/command/series_options.h"
 #include "compare/command/with_flint.h"
 
 #pragma weak series_derived
@@ -16,7 +16,7 @@
 
 #define DIGITS DIGITS_PROVEN("with --source derived or limit")
 static const char *const sources[] = { "published", "derived", "limit", "closed", NULL };
-static const char *const languages[] = { "text", "latex", "c", "python", "mathml", NULL };
+static const char *const languages[] = { "text", "latex", "python", NULL };
 static const struct option options_of_series[] = {
   OPTIONS_CRAWLER(NULL, NULL),
   OPTION_V0("the steady velocity of the phase; with --source derived only phases from rest"),
@@ -24,8 +24,8 @@ static const struct option options_of_series[] = {
               source, sources),
   OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
   OPTION_FLAG("symbolic", "derived series with coefficients as formulas (--order to 16)", series_options, symbolic),
-  OPTION_WORD("emit", "LANGUAGE", "derived series as text (a table), latex, c, python or mathml", NULL, series_options,
-              emit, languages),
+  OPTION_WORD("emit", "LANGUAGE", "derived series as text (a table), latex or python", NULL, series_options, emit,
+              languages),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_BOOK("the formulas of this book too, before the paper's"),
   OPTION_TEXT("only", "LIST", "these published formulas only: names or equations, \"(28)\", separated by commas", "all",
@@ -191,78 +191,49 @@ static enum exit_code run_point(const struct series_options *o)
   return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
 
-enum { MOST_ORDER_OF_BOUND = 60 }; /* beyond, a bound takes minutes */
-enum { MOST_ORDER_OF_FORMULAS = 16, MOST_ORDER_OF_LIMITS = 10 };
-
+#define DERIVED "bound source=derived source=limit source=closed"
 static const struct option_rule rules[] = {
   { "digits", RULE_WITH, "bound",
     "and --bound exclude each other: bounds are rounded to four digits, to the safe side" },
   { "bound digits points book only", RULE_WITH, "symbolic",
     "and --symbolic exclude each other: formulas are exact, and of one motion" },
+  { "format plot columns", RULE_WITH, "emit=latex emit=python", "is for tables: with --emit it is of no use" },
+  { "symbolic", RULE_WITH, "source=published",
+    "is for the derived series: the published ones are formulas as they stand" },
+  { "source=closed", RULE_WITHOUT, "symbolic", "closed needs --symbolic: it is the steady state as a formula" },
+  { "emit=latex emit=python", RULE_WITHOUT, "source=derived symbolic",
+    "is for derived series: give --source derived, or --symbolic" },
+  { "order", RULE_WITH, "source=closed", "and --source closed exclude each other: a closed form has no terms" },
+  { "order", RULE_WITHOUT, "source=derived bound symbolic",
+    "needs --source derived, or --bound: the published formulas end where they end, and the limit is one term" },
+  { "bound", RULE_WITH, "source=published source=limit", "is for the derived series: leave --source out" },
+  { "only", RULE_WITH, DERIVED, "is for the published formulas: leave --source and --bound out" },
+  { "book", RULE_WITH, DERIVED, "is for the published formulas: --source derived, limit and --bound have none" },
+  { "points", RULE_WITH, DERIVED, "is for --source published: one point at a time here" },
+  { "v0", RULE_WITH, "bound source=limit source=closed",
+    "is for the formulas and series of a phase: --bound and --source limit and closed are about the steady state" },
   { NULL, RULE_WITH, NULL, NULL },
 };
 
-/* NULL, or which options do not go together with --symbolic */
-static const char *excluded_from_formulas(const struct series_options *o)
+/* Bounds and formulas of higher orders take minutes. */
+static long most_order(const struct series_options *o)
 {
-  bool limit = strcmp(o->source.value, "limit") == 0, closed = strcmp(o->source.value, "closed") == 0;
-  if (o->source.given && !limit && !closed && strcmp(o->source.value, "derived") != 0)
-    return "--symbolic is for the derived series: the published ones are formulas as they stand";
-  if (o->order.given && closed)
-    return "--order and --source closed exclude each other: a closed form has no terms";
-  if (o->order.value > (limit ? MOST_ORDER_OF_LIMITS : MOST_ORDER_OF_FORMULAS))
-    return limit ? "--symbolic --source limit takes an --order from 1 to 10"
-                 : "--symbolic takes an --order from 1 to 16";
-  if (o->request.point.has_v0 && (limit || closed))
-    return "--v0 is for the series of a phase: --source limit and closed are about the steady state";
-  return NULL;
-}
-
-/* NULL, or which options do not go together */
-static const char *excluded(const struct series_options *o)
-{
-  bool derived = strcmp(o->source.value, "derived") == 0, published = strcmp(o->source.value, "published") == 0;
-  bool document = strcmp(o->emit.value, "text") != 0;
-  if (document && o->request.style.has_format)
-    return "--format is for tables: with --emit it is of no use";
-  if (document && o->request.style.plot.file)
-    return "--plot is for tables: with --emit it is of no use";
-  if (document && o->request.style.choice)
-    return "--columns is for tables: with --emit it is of no use";
-  if (o->symbolic && o->request.sweep.products > 0)
-    return "a list or a range of a parameter and --symbolic exclude each other: formulas are of one motion";
-  if (o->symbolic)
-    return excluded_from_formulas(o);
-  if (document && !derived)
-    return "--emit is for derived series: give --source derived, or --symbolic";
-  if (strcmp(o->source.value, "closed") == 0)
-    return "--source closed needs --symbolic: it is the steady state as a formula";
-  if (o->bound && o->source.given && !derived)
-    return "--bound is for the derived series: leave --source out";
-  if (o->bound && o->order.value > MOST_ORDER_OF_BOUND)
-    return "--bound takes an --order from 1 to 60";
-  if (o->only && (o->bound || !published))
-    return "--only is for the published formulas: leave --source and --bound out";
-  if (o->request.book && (o->bound || !published))
-    return "--book is for the published formulas: --source derived, limit and --bound have none";
-  if (o->order.given && !o->bound && !derived)
-    return published ? "--order needs --source derived, or --bound: the published formulas end where they end"
-                     : "--order and --source limit exclude each other: the limit is one term";
-  if (o->request.point.has_v0 && (o->bound || (!derived && !published)))
-    return "--v0 is for the formulas and series of a phase: --bound and --source limit are about the steady state";
-  if (o->request.sweep.products > 0 && (o->bound || !published))
-    return "a list or a range of a parameter is for --source published: one point at a time here";
-  return NULL;
+  return o->bound ? 60 : !o->symbolic ? o->order.value : is_from(o, "limit") ? 10 : 16;
 }
 
 static bool is_sound(const void *options)
 {
   const struct series_options *o = options;
-  bool published = !o->bound && !o->symbolic && strcmp(o->source.value, "published") == 0;
-  const char *wrong = excluded(o);
-  if (wrong)
-    complain("series", "%s", wrong);
-  return !wrong && digits_hold(&o->request.style, !published, DIGITS);
+  bool published = !o->symbolic && is_from(o, "published");
+  if (o->order.value > most_order(o))
+    return complain("series", "--%s takes an --order from 1 to %ld",
+                    o->bound              ? "bound"
+                    : is_from(o, "limit") ? "symbolic --source limit"
+                                          : "symbolic",
+                    most_order(o));
+  if (o->request.sweep.products > 0 && !published)
+    return complain("series", "a list or a range of a parameter is for --source published: one point at a time here");
+  return digits_hold(&o->request.style, !published, DIGITS);
 }
 
 /* Is each item of --only a formula? Books have been read. False: the message is on stderr. */
@@ -289,7 +260,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     return EXIT_USAGE;
   if (o->symbolic)
     return has_flint(arguments, "--symbolic") ? series_symbolic(o) : EXIT_UNSOLVED;
-  if (!o->bound && strcmp(o->source.value, "published") == 0)
+  if (is_from(o, "published"))
     return (has_many_points(&o->request) ? run_points : run_point)(o);
   return has_flint(arguments, o->bound ? "--bound" : "--source derived or limit") ? series_derived(o) : EXIT_UNSOLVED;
 }
@@ -331,8 +302,7 @@ const struct command command_series = {
            "function of T, where l' is linear at the crossings. --source limit: the equation for U = v_start T\n"
            "as T -> 0, and U in powers of (F1 - F2)(2 alpha - 1)/(F1 + F2) (the first term is (27)), of 2 alpha\n"
            "- 1, and of (F1 - F2)/(F1 + F2).\n"
-           "--emit: functions of T, in C (double) or Python, or formulas in LaTeX (align*, of amsmath) or MathML\n"
-           "(a page).\n"
+           "--emit: functions of T in Python, or formulas in LaTeX (align*, of amsmath).\n"
            "\n"
            "--bound: |exact - terms below T^N| <= C T^power for every 0 < T <= T0, proven, for v_start and\n"
            "displacement; bound: C T^power at this T (nan beyond T0); T_end: up to there the motion has the\n"

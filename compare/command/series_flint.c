@@ -1,4 +1,4 @@
-/* series --source derived|limit, and series --bound. */
+/* series --source derived|limit, and --bound. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,18 +7,11 @@
 #include "compare/answers/answer_flint.h"
 #include "compare/points/point_flint.h"
 #include "compare/command/emit_flint.h"
-#include "compare/command/series_flint.h"
 
-enum { DEFAULT_DIGITS = 17, ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
-
-static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient",
-                                       "sum",   "error", "status",   NULL };
-static const char *const bound_columns[] = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends", NULL };
-
-static bool is_limit(const struct series_options *o) { return !o->bound && strcmp(o->source.value, "limit") == 0; }
+enum { ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
 
 struct motion_report { /* of one motion: its expansion and its certified values */
-  const char *phase, *start;
+  struct motion_names names;
   enum quantity_of of;
   enum scallop_phase_kind kind;
   fmpq_t v0, T; /* T: of the phase, or the period */
@@ -26,31 +19,21 @@ struct motion_report { /* of one motion: its expansion and its certified values 
   struct ball_answer exact;
   char status[2 * SCALLOP_MODES_TEXT + 240];
 };
-
-struct report {
-  const struct series_options *options;
-  struct scallop_rational_crawler crawler;
-  fmpq_t v0;
-  long digits;     /* of what is printed                                                         */
-  const char *why; /* something could not be done: the reason                                    */
-  bool as_table;   /* otherwise emitted                                                            */
-  struct table table;
-  struct emission emission;
-};
+#define PARTS_OF_REPORT(of) of(fmpq, s->v0) of(fmpq, s->T) of(series_answer, &s->derived) of(ball_answer, &s->exact)
+SCOPED_PARTS(motion_report, struct motion_report, PARTS_OF_REPORT)
 
 static slong bits_of(long digits) { return (slong)(3.33 * (double)digits); }
 
 static bool derive(struct motion_report *m, const struct report *r, long order, slong precision)
 {
-  return answer_in_series(&m->derived, &r->crawler, m->of, m->kind, m->v0, order, precision);
+  return answer_in_series(&m->derived, r->crawler, m->of, m->kind, m->v0, order, precision);
 }
 
 /* Whether every coefficient below T^order is exact or has the digits. */
 static bool is_precise(const struct motion_report *m, long order, long digits)
 {
   bool precise = true;
-  arb_t x;
-  arb_init(x);
+  SCOPED(arb, x);
   for (int q = 0; q < QUANTITIES; q++)
     for (slong k = m->derived.value[q] ? m->derived.value[q]->first : order; k < order && precise; k++) {
       const struct series *s = m->derived.value[q];
@@ -59,7 +42,6 @@ static bool is_precise(const struct motion_report *m, long order, long digits)
       series_coefficient(x, s, k, 64);
       precise = arb_rel_accuracy_bits(x) > bits_of(digits) + 4 || arb_contains_zero(x);
     }
-  arb_clear(x);
   return precise;
 }
 
@@ -80,7 +62,7 @@ static bool expand(struct motion_report *m, const struct report *r, long order)
 static bool solve(struct motion_report *m, const struct report *r, long digits)
 {
   char modes[MOTION_MODES_TEXT];
-  bool solved = answer_in_balls(&m->exact, &r->crawler, m->of, m->kind, m->v0, digits);
+  bool solved = answer_in_balls(&m->exact, r->crawler, m->of, m->kind, m->v0, digits);
   if (!solved)
     snprintf(m->status, sizeof m->status, "not certified: %s",
              m->exact.why ? m->exact.why : scallop_status_text(m->exact.status));
@@ -98,26 +80,17 @@ static void write_ball(struct table *t, const arb_t x, long digits)
   flint_free(text);
 }
 
-static void write_names(struct table *t, const struct motion_report *m, const char *quantity)
+/* A coefficient as a fraction, where it is one and no digits are asked for */
+static bool is_fraction(fmpq_t q, const struct report *r, const struct series *s, slong power)
 {
-  table_text(t, m->phase);
-  table_text(t, m->start);
-  table_text(t, quantity);
+  return r->options->request.style.digits == 0 && series_rational_coefficient(q, s, power);
 }
 
-static void write_coefficient(struct table *t, const struct report *r, const struct series *s, slong power)
+static char *coefficient_text(const struct report *r, const struct series *s, slong power, const fmpq *fraction)
 {
-  fmpq_t q;
-  arb_t x;
-  fmpq_init(q);
-  arb_init(x);
+  SCOPED(arb, x);
   series_coefficient(x, s, power, bits_of(r->digits) + 32);
-  bool as_fraction = r->options->request.style.digits == 0 && series_rational_coefficient(q, s, power);
-  char *text = as_fraction ? decimal_fraction(q) : decimal_text(x, r->digits);
-  table_text(t, text);
-  flint_free(text);
-  fmpq_clear(q);
-  arb_clear(x);
+  return fraction ? decimal_fraction(fraction) : decimal_text(x, r->digits);
 }
 
 /* sum - exact. With too few digits of the exact value for this, false. */
@@ -136,23 +109,26 @@ static void write_terms(struct report *r, const struct motion_report *m, int q, 
   slong accuracy = exact ? arb_rel_accuracy_bits(exact) : 0, precision = bits_of(r->digits) + 128;
   if (accuracy < WORD_MAX / 4 && accuracy + 64 > precision)
     precision = accuracy + 64;
-  slong first = series->first < 0 ? series->first : 0;
   bool any = false;
-  arb_ptr x = _arb_vec_init(5), T = x, power = x + 1, term = x + 2, sum = x + 3, error = x + 4;
+  SCOPED(arb, T, power, term, sum, error);
+  SCOPED(fmpq, fraction);
   arb_set_fmpq(T, m->T, precision);
-  arb_one(power);
-  for (slong k = first; k < 0; k++)
-    arb_div(power, power, T, precision);
-  for (slong k = first; k < order; k++, arb_mul(power, power, T, precision)) {
+  for (slong k = series->first < 0 ? series->first : 0; k < order; k++) {
     bool zero = series_coefficient_is_zero(series, k), say_zero = zero && k == order - 1 && !any;
     if (zero && !say_zero)
       continue;
     series_coefficient(term, series, k, precision);
+    arb_pow_ui(power, T, (ulong)labs(k), precision);
+    if (k < 0)
+      arb_inv(power, power, precision);
     arb_addmul(sum, term, power, precision);
     any = true;
-    write_names(t, m, quantity_rows[q].name);
+    write_names(r, &m->names, quantity_rows[q].name);
     table_rounded(t, say_zero ? 0 : (double)k, "%.0f");
-    write_coefficient(t, r, series, say_zero ? 0 : k);
+    bool exactly = is_fraction(fraction, r, series, say_zero ? 0 : k);
+    char *text = coefficient_text(r, series, say_zero ? 0 : k, exactly ? fraction : NULL);
+    table_text(t, text);
+    flint_free(text);
     write_ball(t, sum, r->digits);
     if (exact) {
       error_of(error, sum, exact, precision);
@@ -161,35 +137,26 @@ static void write_terms(struct report *r, const struct motion_report *m, int q, 
       table_number(t, NAN);
     table_text(t, m->status);
   }
-  _arb_vec_clear(x, 5);
 }
 
-/* A coefficient times T^power: exact, but where the language would round a fraction's two sides, or cannot hold them */
+/* A coefficient times T^power: exact, but where its two sides are beyond the range of doubles */
 static struct written write_exactly(const struct report *r, const struct series *series, slong power)
 {
   enum { LONGEST = 900 }; /* bits of a double's range */
-  const struct language *language = r->emission.language;
-  struct written written;
   struct symbols none;
-  fmpq_t q;
-  arb_t x;
-  fmpq_init(q);
-  arb_init(x);
-  bool exact = series_rational_coefficient(q, series, power) && r->options->request.style.digits == 0;
-  if (exact && language != &language_c && fmpz_bits(fmpq_numref(q)) < LONGEST && fmpz_bits(fmpq_denref(q)) < LONGEST) {
+  SCOPED(fmpq, q);
+  bool exactly = is_fraction(q, r, series, power);
+  if (exactly && fmpz_bits(fmpq_numref(q)) < LONGEST && fmpz_bits(fmpq_denref(q)) < LONGEST) {
     symbols_init(&none);
     symbols_add(&none, NAMED_T, 0, SCALLOP_EXTENSION);
     symbols_begin(&none);
-    written = symbolic_written(&none, symbolic_fraction(&none, q), power, language);
+    struct written written = symbolic_written(&none, symbolic_fraction(&none, q), power, r->language);
     symbols_end(&none);
-  } else {
-    series_coefficient(x, series, power, bits_of(r->digits) + 32);
-    char *decimal = decimal_text(x, r->digits);
-    written = decimal_written(decimal, power, language);
-    flint_free(decimal);
+    return written;
   }
-  fmpq_clear(q);
-  arb_clear(x);
+  char *decimal = coefficient_text(r, series, power, NULL);
+  struct written written = decimal_written(decimal, power, r->language);
+  flint_free(decimal);
   return written;
 }
 
@@ -197,16 +164,14 @@ static struct written write_exactly(const struct report *r, const struct series 
 static void emit_terms(struct report *r, const struct motion_report *m, int q, long order)
 {
   const struct series *series = m->derived.value[q];
-  slong first = series->first < 0 ? series->first : 0;
-  struct emitted emitted = {
-    .phase = m->phase, .start = m->start, .quantity = quantity_rows[q].name, .modes = m->derived.modes, .below = order
+  const struct emitted e = {
+    .names = m->names, .quantity = quantity_rows[q].name, .modes = m->derived.modes, .below = order
   };
-  emitted.terms = flint_malloc(sizeof *emitted.terms * (size_t)(order - first));
-  for (slong k = first; k < order; k++)
+  emit_begin(r, &e);
+  for (slong k = series->first < 0 ? series->first : 0; k < order; k++)
     if (!series_coefficient_is_zero(series, k))
-      emitted.terms[emitted.count++] = write_exactly(r, series, k);
-  emission_add(&r->emission, &emitted);
-  flint_free(emitted.terms);
+      emit_term(r, write_exactly(r, series, k));
+  emit_end(r, &e);
 }
 
 /* The smallest error is seen: as many digits of the exact value, and of the coefficients, as that takes, within
@@ -216,7 +181,7 @@ static bool solve_well(struct motion_report *m, const struct report *r, long ord
   enum { TRIES = 9, MOST = 10000 };
   long digits = r->digits + 20;
   bool solved = false, enough = false;
-  arb_ptr x = _arb_vec_init(3), T = x, sum = x + 1, error = x + 2;
+  SCOPED(arb, T, sum, error);
   for (int i = 0; i < TRIES && !enough; i++, digits *= 2) {
     slong precision = 4 * (digits < MOST ? digits : MOST) + 128 + order;
     solved = enough = solve(m, r, digits < MOST ? digits : MOST);
@@ -232,136 +197,71 @@ static bool solve_well(struct motion_report *m, const struct report *r, long ord
     }
     enough |= !solved || digits >= MOST;
   }
-  _arb_vec_clear(x, 3);
   return solved;
-}
-
-/* A motion without a series has its reason in status. */
-static void write_failure(struct report *r, struct motion_report *m)
-{
-  struct table *t = &r->table;
-  r->why = m->derived.why ? m->derived.why : scallop_status_text(m->derived.status);
-  if (!r->as_table)
-    return;
-  snprintf(m->status, sizeof m->status, "no series: %s", r->why);
-  write_names(t, m, "-");
-  table_number(t, NAN);
-  table_text(t, "-");
-  table_number(t, NAN);
-  table_number(t, NAN);
-  table_text(t, m->status);
 }
 
 static bool report_motion(struct report *r, enum quantity_of of, enum scallop_phase_kind kind, bool from_rest)
 {
-  bool limit = is_limit(r->options), steady = of == OF_STEADY;
+  bool limit = is_from(r->options, "limit");
   long order = limit ? 1 : r->options->order.value;
-  struct motion_report m = { .phase = steady                      ? "period"
-                                      : kind == SCALLOP_EXTENSION ? "extension"
-                                                                  : "contraction",
-                             .start = steady      ? "steady"
-                                      : from_rest ? "rest"
-                                                  : "v0",
-                             .of = of,
-                             .kind = kind };
-  fmpq_init(m.v0);
-  fmpq_init(m.T);
-  series_answer_init(&m.derived);
-  ball_answer_init(&m.exact);
+  SCOPED(motion_report, m);
+  m.names = names_of(of, kind, from_rest);
+  m.of = of;
+  m.kind = kind;
   if (!from_rest)
     fmpq_set(m.v0, r->v0);
-  if (steady)
-    fmpq_set(m.T, r->crawler.T);
+  if (of == OF_STEADY)
+    fmpq_set(m.T, r->crawler->T);
   else
-    scallop_rational_duration(m.T, &r->crawler, kind);
-  bool done = expand(&m, r, order), solved = done && r->as_table && solve_well(&m, r, order);
-  for (int q = 0; done && q < QUANTITIES; q++)
-    if (m.derived.value[q] && !r->as_table)
-      emit_terms(r, &m, q, limit && m.derived.value[q]->first < 0 ? 0 : order);
-    else if (m.derived.value[q])
-      write_terms(r, &m, q, limit && m.derived.value[q]->first < 0 ? 0 : order, solved ? m.exact.value[q] : NULL);
-  if (!done)
-    write_failure(r, &m);
-  fmpq_clear(m.v0);
-  fmpq_clear(m.T);
-  series_answer_clear(&m.derived);
-  ball_answer_clear(&m.exact);
-  return done;
-}
-
-static bool report_all(struct report *r)
-{
-  const struct point *p = &r->options->request.point;
-  bool done = true;
-  if (!is_limit(r->options))
-    for (int kind = 0; kind < 2; kind++) {
-      done = report_motion(r, OF_PHASE, (enum scallop_phase_kind)kind, true) && done;
-      if (p->has_v0 && p->v0 != 0)
-        done = report_motion(r, OF_PHASE, (enum scallop_phase_kind)kind, false) && done;
-    }
-  return report_motion(r, OF_STEADY, SCALLOP_EXTENSION, true) && done;
-}
-
-/* The head of a document says which crawler its numbers are of. */
-static bool begin_document(struct report *r, const char *command)
-{
-  const struct series_options *o = r->options;
-  static const char *const not_held[] = { "T", NULL };
-  char crawler[PARAMETERS_TEXT + NUMBER_LENGTH + 32];
-  size_t used = (size_t)sprintf(crawler, "Parameters:");
-  parameters_text(crawler + used, &o->request.point, not_held, true);
-  if (o->request.point.has_v0)
-    snprintf(crawler + strlen(crawler), sizeof crawler - strlen(crawler), " v0=%s", o->request.point.written_v0);
-  return emission_open(&r->emission, &o->request.style, o->emit.value, command, crawler);
-}
-
-static bool begin(struct report *r)
-{
-  const struct series_options *o = r->options;
-  char command[64] = "series --source limit";
-  if (!is_limit(o))
-    snprintf(command, sizeof command, "series %s --order %ld", o->bound ? "--bound" : "--source derived",
-             o->order.value);
-  if (!r->as_table)
-    return begin_document(r, command);
-  if (!table_head(&r->table, &o->request.style, "%s", command))
-    return false;
-  r->table.of = o->bound ? "bounds" : "derived";
-  note_parameters(&r->table, &o->request.point, NULL, true);
-  if (o->request.point.has_v0)
-    table_note(&r->table, "v0: %s", o->request.point.written_v0);
-  if (o->bound)
-    table_note(&r->table, "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T");
-  else
-    table_note(&r->table, "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; "
-                          "error: sum - exact");
-  table_columns(&r->table, o->bound ? bound_columns : columns);
-  table_begin_rows(&r->table);
+    scallop_rational_duration(m.T, r->crawler, kind);
+  if (!expand(&m, r, order))
+    return write_failure(r, &m.names, m.derived.status, m.derived.why);
+  bool solved = !r->language && solve_well(&m, r, order);
+  for (int q = 0; q < QUANTITIES; q++) {
+    if (!m.derived.value[q])
+      continue;
+    long below = limit && m.derived.value[q]->first < 0 ? 0 : order;
+    if (r->language)
+      emit_terms(r, &m, q, below);
+    else
+      write_terms(r, &m, q, below, solved ? m.exact.value[q] : NULL);
+  }
   return true;
+}
+
+static enum exit_code report_series(struct report *r)
+{
+  static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient",
+                                         "sum",   "error", "status",   NULL };
+  if (!report_open(r, "derived", columns, NULL,
+                   "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; "
+                   "error: sum - exact"))
+    return EXIT_FILE;
+  return report_close(r, is_from(r->options, "limit") ? report_motion(r, OF_STEADY, SCALLOP_EXTENSION, true)
+                                                      : report_motions(r, report_motion));
 }
 
 /* Four digits, rounded away from what is claimed: C and the bound up, times down. */
 static void write_rounded(struct table *t, const arb_t x, int direction)
 {
   enum { SPARE = 1000, DIGITS = 4 }; /* a thousandth is more than the fourth digit's rounding */
-  arb_t shifted;
-  arb_init(shifted);
+  SCOPED(arb, shifted);
   (direction > 0 ? arb_get_ubound_arf : arb_get_lbound_arf)(arb_midref(shifted), x, BOUND_PRECISION);
   arb_mul_si(shifted, shifted, SPARE + direction, BOUND_PRECISION);
   arb_div_si(shifted, shifted, SPARE, BOUND_PRECISION);
   write_ball(t, shifted, DIGITS);
-  arb_clear(shifted);
 }
 
-static void write_bound(struct table *t, const struct scallop_bound *b, const char *quantity, const struct report *r)
+static void write_bound(struct report *r, const struct scallop_bound *b, const char *quantity)
 {
-  arb_ptr T = _arb_vec_init(2), here = T + 1;
+  struct table *t = &r->table;
+  SCOPED(arb, T, here);
   table_text(t, quantity);
   table_rounded(t, (double)r->options->order.value, "%.0f");
   write_rounded(t, b->C, 1);
   table_rounded(t, b->power, "%.0f");
   write_rounded(t, b->T0, -1);
-  arb_set_fmpq(T, r->crawler.T, BOUND_PRECISION);
+  arb_set_fmpq(T, r->crawler->T, BOUND_PRECISION);
   arb_pow_ui(here, T, (ulong)b->power, BOUND_PRECISION);
   arb_mul(here, here, b->C, BOUND_PRECISION);
   if (arb_le(T, b->T0))
@@ -370,58 +270,36 @@ static void write_bound(struct table *t, const struct scallop_bound *b, const ch
     table_number(t, NAN);
   write_rounded(t, b->T_end, -1);
   table_text(t, b->ends);
-  _arb_vec_clear(T, 2);
+}
+
+static void end_bounds(struct scallop_bound (*bounds)[2])
+{
+  scallop_bound_clear(&(*bounds)[0]);
+  scallop_bound_clear(&(*bounds)[1]);
 }
 
 static enum exit_code report_bounds(struct report *r)
 {
-  struct scallop_bound bounds[2];
+  static const char *const columns[] = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends", NULL };
   const char *why = NULL;
-  enum exit_code code = EXIT_UNSOLVED;
+  ENDED_BY(end_bounds) struct scallop_bound bounds[2];
   scallop_bound_init(&bounds[0]);
   scallop_bound_init(&bounds[1]);
-  enum scallop_status status = scallop_steady_bounds(&r->crawler, r->options->order.value, BOUND_PRECISION, bounds,
+  enum scallop_status status = scallop_steady_bounds(r->crawler, r->options->order.value, BOUND_PRECISION, bounds,
                                                      &why);
-  if (status != SCALLOP_OK)
+  if (status != SCALLOP_OK) {
     complain("series", "no bound: %s", why ? why : scallop_status_text(status));
-  else if (!begin(r))
-    code = EXIT_FILE;
-  else {
-    write_bound(&r->table, &bounds[0], "v_start", r);
-    write_bound(&r->table, &bounds[1], "displacement", r);
-    code = table_close(&r->table) ? EXIT_DONE : EXIT_FILE;
+    return EXIT_UNSOLVED;
   }
-  scallop_bound_clear(&bounds[0]);
-  scallop_bound_clear(&bounds[1]);
-  return code;
+  if (!report_open(r, "bounds", columns, NULL,
+                   "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T"))
+    return EXIT_FILE;
+  write_bound(r, &bounds[0], "v_start");
+  write_bound(r, &bounds[1], "displacement");
+  return report_close(r, true);
 }
 
-static enum exit_code report_series(struct report *r)
+enum exit_code series_derived(const struct series_options *o)
 {
-  if (!begin(r))
-    return EXIT_FILE;
-  bool done = report_all(r);
-  if (!(r->as_table ? table_close(&r->table) : emission_close(&r->emission)))
-    return EXIT_FILE;
-  if (!done)
-    complain("series", "a motion has no series in powers of T: %s", r->why);
-  return done ? EXIT_DONE : EXIT_UNSOLVED;
-}
-
-enum exit_code series_derived(const struct series_options *options)
-{
-  struct report r = { .options = options,
-                      .as_table = strcmp(options->emit.value, "text") == 0,
-                      .digits = options->request.style.digits > 0 ? options->request.style.digits : DEFAULT_DIGITS };
-  if (options->request.points) {
-    complain("series", "--points is for --source published: one point at a time here");
-    return EXIT_USAGE;
-  }
-  scallop_rational_init(&r.crawler);
-  fmpq_init(r.v0);
-  rational_point(&r.crawler, r.v0, &options->request.point);
-  enum exit_code code = options->bound ? report_bounds(&r) : report_series(&r);
-  scallop_rational_clear(&r.crawler);
-  fmpq_clear(r.v0);
-  return code;
+  return report_run(o, o->bound ? report_bounds : report_series);
 }

@@ -10,7 +10,7 @@ struct shipped {
 extern const struct shipped shipped_scenes[];  /* data/scenes/                                                      */
 extern const struct shipped shipped_scripts[]; /* gnuplot scripts of scripts/plots/                                  */
 extern const struct shipped
-    shipped_completion[];                     /* scripts/dev/completion.bash alone                                    */
+    shipped_completion[]; /* scripts/dev/completion.bash alone                                    */
 
 /* The text called name ("figure4"), or NULL. */
 const char *shipped_text(const struct shipped *list, const char *name);

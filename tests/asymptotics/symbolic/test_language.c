@@ -93,9 +93,8 @@ TEST(texts_read_back)
   print_message("%d texts read\n", read_texts);
 }
 
-static const struct language *const languages[] = { &language_text, &language_c, &language_python, &language_latex,
-                                                    &language_mathml };
-enum { LANGUAGES = 5 };
+static const struct language *const languages[] = { &language_text, &language_python, &language_latex };
+enum { LANGUAGES = 3 };
 
 static void check_written(struct symbols *s, symbolic a, slong power, bool negative,
                           const char *const wanted[LANGUAGES])
@@ -121,18 +120,6 @@ static struct symbols list(void)
   return s;
 }
 
-static const char quotient_in_mathml[] =
-    "<mfrac><mrow><msub><mi>F</mi><mi>1</mi></msub><mo>&#x2212;</mo><msub><mi>F</mi><mi>2</mi>"
-    "</msub></mrow><mrow><msub><mi>m</mi><mi>1</mi></msub></mrow></mfrac>";
-static const char power_in_mathml[] =
-    "<mfrac><mrow><msup><mrow><mo>(</mo><msub><mi>F</mi><mi>1</mi></msub><mo>&#x2212;</mo><msub>"
-    "<mi>F</mi><mi>2</mi></msub><mo>)</mo></mrow><mn>2</mn></msup></mrow><mrow><msup><mi>T</mi>"
-    "<mn>2</mn></msup></mrow></mfrac>";
-static const char product_in_mathml[] =
-    "<mrow><mo>(</mo><mn>1</mn><mo>&#x2212;</mo><mi>&#x3B1;</mi><mo>)</mo></mrow><mo>&#x2062;</mo>"
-    "<mi>T</mi><mo>&#x2062;</mo><mrow><mo>(</mo><mn>2</mn><mo>&#x2062;</mo><mi>&#x3B1;</mi><mo>&#x2212;"
-    "</mo><mn>1</mn><mo>)</mo></mrow>";
-
 TEST(each_language)
 {
   struct symbols s = list();
@@ -140,22 +127,18 @@ TEST(each_language)
   symbolic alpha = symbolic_named(&s, NAMED_alpha), beta = symbolic_named(&s, NAMED_beta),
            T = symbolic_named(&s, NAMED_T);
   symbolic zero = symbolic_number(&s, 0, 1), half = symbolic_number(&s, -1, 2), sum = symbolic_sub(&s, F1, F2);
-  check_written(&s, zero, 0, false, (const char *[]){ "0", "0.0", "0", "0", "<mn>0</mn>" });
-  check_written(&s, half, 0, true,
-                (const char *[]){ "1/2", "1.0/2.0", "1/2", "\\frac{1}{2}",
-                                  "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>" });
+  check_written(&s, zero, 0, false, (const char *[]){ "0", "0", "0" });
+  check_written(&s, half, 0, true, (const char *[]){ "1/2", "1/2", "\\frac{1}{2}" });
   check_written(&s, symbolic_div(&s, sum, m1), 0, false,
-                (const char *[]){ "(F1 - F2)/m1", "(F1 - F2)/m1", "(F1 - F2)/m1", "\\frac{F_{1} - F_{2}}{m_{1}}",
-                                  quotient_in_mathml });
+                (const char *[]){ "(F1 - F2)/m1", "(F1 - F2)/m1", "\\frac{F_{1} - F_{2}}{m_{1}}" });
   check_written(&s, symbolic_mul(&s, sum, sum), -2, false,
-                (const char *[]){ "(F1 - F2)^2/T^2", "pow((F1 - F2), 2)/pow(T, 2)", "(F1 - F2)**2/T**2",
-                                  "\\frac{(F_{1} - F_{2})^{2}}{T^{2}}", power_in_mathml });
-  /* alpha - beta is 2 alpha - 1, alpha + beta is 1, and beta alone is 1 - alpha or stays */
+                (const char *[]){ "(F1 - F2)^2/T^2", "(F1 - F2)**2/T**2", "\\frac{(F_{1} - F_{2})^{2}}{T^{2}}" });
+  /* alpha - beta is 2 alpha - 1, alpha + beta is 1, and beta alone is 1 - alpha */
   symbolic times = symbolic_mul(&s, symbolic_sub(&s, symbolic_mul(&s, alpha, alpha), symbolic_mul(&s, beta, beta)),
                                 beta);
   check_written(&s, times, 1, false,
-                (const char *[]){ "(1 - alpha)*T*(2*alpha - 1)", "beta*T*(2.0*alpha - 1.0)", "beta*T*(2*alpha - 1)",
-                                  "(1 - \\alpha) T (2 \\alpha - 1)", product_in_mathml });
+                (const char *[]){ "(1 - alpha)*T*(2*alpha - 1)", "(1 - alpha)*T*(2*alpha - 1)",
+                                  "(1 - \\alpha) T (2 \\alpha - 1)" });
   /* by powers of T, with factored coefficients; derivatives, the second phase's with a name of its own */
   symbolic of_T = symbolic_sub(&s, symbolic_mul(&s, m1, symbolic_place(&s, 6)),
                                symbolic_mul(&s, symbolic_mul(&s, T, T), symbolic_mul(&s, sum, symbolic_place(&s, 7))));
@@ -178,16 +161,10 @@ static void check_decimal(const char *decimal, slong power, const char *const wa
   }
 }
 
-static const char decimal_in_mathml[] =
-    "<mn>1.25</mn><mo>&#xB7;</mo><msup><mn>10</mn><mn>-7</mn></msup><mo>&#x2062;</mo>"
-    "<msup><mi>T</mi><mn>2</mn></msup>";
-
 TEST(decimal_numbers)
 {
-  check_decimal("-1.25", 0, (const char *[]){ "1.25", "1.25", "1.25", "1.25", "<mn>1.25</mn>" });
-  check_decimal("1.25e-7", 2,
-                (const char *[]){ "1.25e-7*T^2", "1.25e-7*pow(T, 2)", "1.25e-7*T**2", "1.25 \\cdot 10^{-7} T^{2}",
-                                  decimal_in_mathml });
+  check_decimal("-1.25", 0, (const char *[]){ "1.25", "1.25", "1.25" });
+  check_decimal("1.25e-7", 2, (const char *[]){ "1.25e-7*T^2", "1.25e-7*T**2", "1.25 \\cdot 10^{-7} T^{2}" });
 }
 
 TEST(symbols_that_are_used)
@@ -198,8 +175,8 @@ TEST(symbols_that_are_used)
   symbolic_uses(symbolic_div(&s, symbolic_place(&s, 0), symbolic_place(&s, 3)), &s, used);
   for (int i = 0; i < s.count; i++)
     assert_true(used[i] == (i == 0 || i == 1 || i == 3));
-  char *name = symbol_written(&s.list[4], &language_c), *index = symbol_written(&s.list[0], &language_latex);
-  assert_string_equal(name, "beta");
+  char *name = symbol_written(&s.list[4], &language_python), *index = symbol_written(&s.list[0], &language_latex);
+  assert_string_equal(name, "(1 - alpha)");
   assert_string_equal(index, "m_{1}");
   free(name);
   free(index);

@@ -63,7 +63,7 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   drawn "certified states" "T (time)^mean velocity (length/time)^F₁ = 4" steady --points points.tsv --certified
   drawn "a derived series" "power^period, v_start" series --source derived --order 8
   drawn "events alone" "T (time)^1  T = 2.789: start velocity changes sign" breakdown --only event
-  run 2 series --symbolic --emit c --plot no.svg
+  run 2 series --symbolic --emit python --plot no.svg
   grep -q 'with --emit it is of no use' err || note "$(cat err)"
   finish "no picture of a program"
   drawn "bounds" "bound^displacement" series --bound

@@ -94,7 +94,7 @@ done
 for source in derived limit; do
   refuse "is for --source published: one point at a time" series --T 0.1,0.2 --source $source
 done
-refuse "and --symbolic exclude each other" series --T 0.1,0.2 --symbolic
+refuse "is for --source published: one point at a time" series --T 0.1,0.2 --symbolic
 finish "what is no list and no range, and where none is taken"
 
 # ---- columns that are chosen ----
@@ -137,7 +137,7 @@ refuse "there is no quantity 'statu': did you mean 'status'" steady --columns st
 refuse "'r=F1/': character" steady --columns 'r=F1/'
 refuse "'' is not allowed here: it takes names of columns" steady --columns F1,,F2
 refuse "is there twice" steady --columns F1,F1
-refuse "columns is for tables" series --source derived --emit c --columns power
+refuse "columns is for tables" series --source derived --emit python --columns power
 refuse "columns is for tables" order errors.txt --format junit --columns verdict
 finish "columns that are not there are refused, and nothing is written"
 
