@@ -1,5 +1,5 @@
 #!/bin/sh
-# scallop breakdown --map: grids, maps that are interrupted, boundaries between regions.
+# scallop breakdown --map: grids, boundaries between regions.
 . tests/support/common.sh
 
 # ---- bad usage: one line, nothing on standard output ----
@@ -103,92 +103,7 @@ run 0 $grid
   note "chosen columns have other numbers"
 finish "a map computes what its columns ask for, and refuses others first"
 
-# ---- interrupted ----
-map() { # CODE FILE [ARGUMENT...]
-  wanted=$1 file=$2
-  shift 2
-  run "$wanted" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o "$file" "$@"
-}
-map 0 whole
-[ ! -s err ] || note "something on standard error: $(cat err)"
-[ ! -e whole.rows ] || note "the journal is still there"
-killed=0 longest=0
-for delay in 0.005 0.01 0.015 0.02 0.03 0.05 0.08 0.12; do
-  (keep_counts_apart && exec timeout --foreground -s KILL $delay "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o part) >/dev/null 2>&1 && break
-  [ ! -e part ] || note "a part of a map has its name"
-  [ -e part.rows ] || continue
-  lines=$(wc -l <part.rows)
-  [ "$lines" -ge "$longest" ] || note "rows were lost: $lines lines after $longest"
-  longest=$lines killed=$((killed + 1))
-  cp part.rows some.rows
-done
-map 0 part
-cmp -s part whole || note "a map that was killed $killed times has other bytes"
-[ ! -e part.rows ] || note "the journal of the finished map is still there"
-finish "killed at any time, a map goes on and ends with the same bytes"
-
-# A journal of every length that a kill can leave, made from one that is whole: of a run that could not write its table
-mkdir full && ln -s /dev/full full/map
-map 4 full/map
-[ ! -e full/map.rows ] || note "a device has a journal"
-(keep_counts_apart && exec "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o again) >/dev/null 2>&1 &
-child=$!
-for _ in 1 2 3 4 5 6 7 8 9 10; do
-  [ -s again.rows ] && [ "$(wc -l <again.rows)" -ge 3 ] && break
-  sleep 0.01
-done
-kill -9 $child 2>/dev/null
-wait $child 2>/dev/null
-if [ -s again.rows ]; then cp again.rows some.rows; fi
-if [ -s some.rows ]; then
-  size=$(wc -c <some.rows)
-  for length in 5 $((size / 2)) $((size - 1)) "$size"; do
-    rm -f cut
-    head -c "$length" some.rows >cut.rows
-    done_before=$(($(wc -l <cut.rows) - 1))
-    map 0 cut
-    cmp -s cut whole || note "after $length bytes of a journal the map has other bytes"
-    if [ "$done_before" -gt 0 ]; then
-      grep -q "going on from cut.rows: $done_before of " err || note "$done_before items were done; said: $(cat err)"
-    fi
-  done
-  cp some.rows other.rows
-  run 4 breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published --m1 2 -o other
-  grep -q "remove it, or write elsewhere" err || note "of another journal it says: $(cat err)"
-  cmp -s other.rows some.rows || note "another map's journal was changed"
-  [ ! -e other ] || note "a file was written beside it"
-fi
-# Of another gait by the same name: the file was changed after the map was interrupted.
-measured="breakdown --map F1/F2 alpha --x 1.5:60:99 --y 0.55:0.9:99 --gait measured:gait.txt --L 3 --T 4 -o measured"
-interrupted() { # TEXT FILE: the map goes on until FILE has TEXT
-  # shellcheck disable=SC2086
-  "$tool" $measured >/dev/null 2>err &
-  child=$!
-  for _ in $(seq 500); do
-    grep -q -e "$1" "$2" 2>/dev/null && break
-    sleep 0.01
-  done
-  kill -9 $child 2>/dev/null
-  wait $child 2>/dev/null
-}
-printf '0 0\n1 2\n2 3\n3 1\n4 0\n' >gait.txt
-interrupted '^2' measured.rows
-cp measured.rows kept.rows
-printf '0 0\n1 2.5\n2 3\n3 1\n4 0\n' >gait.txt
-# shellcheck disable=SC2086
-run 4 $measured
-grep -q "measured gait whose file has changed" err || note "of the journal of another measured gait it says: $(cat err)"
-cmp -s kept.rows measured.rows || note "the journal of another measured gait was changed"
-printf 't l\n10 0\n11 2\n12 3\n13 1\n14 0\n' >gait.txt # the first gait, written otherwise
-interrupted 'going on' err
-grep -q "going on from measured.rows" err || note "of the same gait it says: $(cat err)"
-echo "my notes" >mine.rows
-echo earlier >mine
-map 4 mine
-[ "$(cat mine mine.rows)" = "earlier
-my notes" ] || note "a file that is no journal was changed: $(cat mine mine.rows)"
-finish "journals: cut anywhere, of another map, and none"
-
+# ---- written whole, or not at all ----
 (
   keep_counts_apart
   ulimit -f 1
@@ -198,16 +113,6 @@ finish "journals: cut anywhere, of another map, and none"
   [ "$(wc -l <small.err)" = 1 ] || cat small.err
   [ "$(cat small)" = earlier ] || echo "the earlier file is gone"
 ) >said 2>&1
-# The journal fits, the table does not: nothing has to be computed again
-(
-  keep_counts_apart
-  ulimit -f 8
-  "$tool" breakdown --map F1/F2 alpha --x 1.5:60:6 --y 0.55:0.9:4 --source published -o late >/dev/null 2>&1
-  [ $? = 4 ] || echo "exit code is not 4, or the table is too small for this test"
-) >>said 2>&1
-map 0 late
-grep -q "going on from late.rows: 24 of 24 are done" err || note "of a whole journal: $(cat err)"
-cmp -s late whole || note "from a whole journal the map has other bytes"
 [ ! -s said ] || note "where no file may grow: $(cat said)"
 run 4 breakdown --map F1/F2 alpha --x 1:2:2 --y 0.6:0.7:2 --source published -o nowhere/map
 finish "a full disk: exit code 4, the earlier file stays"
