@@ -38,7 +38,7 @@ static const struct option options_of_breakdown[] = {
               breakdown_options, range[0], "FROM:TO:COUNT"),
   OPTION_TEXT("y", "FROM:TO:N", "N values of Y", RANGES, breakdown_options, range[1], "FROM:TO:COUNT"),
   OPTION_T("with --map %s"),
-  OPTION_FLAG("boundaries", "with --map: the curves between its regions instead", breakdown_options, boundaries),
+  OPTION_FLAG("boundaries", "with --map: the boundaries between its regions instead", breakdown_options, boundaries),
   OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
@@ -100,11 +100,10 @@ const struct command command_breakdown = {
            "names, the paper's (27) or (28), the derived one, the limit) the relative error at this T and the T\n"
            "it reaches to for 1e-2 and 1e-6. With --plot-y and without --columns the table has of the series only\n"
            "what is drawn. What no column needs is not computed: --columns F1/F2,alpha,modes,regime takes\n"
-           "milliseconds. --boundaries: the curves between regions with the same modes instead, each point to "
-           "1e-12 of\n"
-           "the axis (its logarithm, if it is a log axis), followed from where the grid of the map shows them;\n"
-           "the regions on both sides, what changes, and at a junction which third region meets. Columns: curve,\n"
-           "point along it, the two axes, region_1 (on the left), region_2, what, end (of the first and last\n"
-           "point: open, closed, junction), meets, status.",
+           "milliseconds. --boundaries: the parts of the boundaries between regions with the same modes that lie\n"
+           "within the cells of the grid, cell by cell: from a place on an edge of the cell to another (columns\n"
+           "to_X, to_Y), each found to 1e-12 of the axis (its logarithm, if it is a log axis). Columns: the two\n"
+           "axes, to_X, to_Y, region_1 (on the left), region_2, what (happens from region_1 to region_2), status.\n"
+           "Where boundaries meet in a cell, quarters of quarters of it are looked at, to a 32nd of the cell.",
   .run = run,
 };
