@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/gait_file.h"
+#include "compare/points/gait_file.h"
 
 struct scallop_crawler explorer_crawler = { 1, 1, 4, 1, 10, 1, 0.75, &scallop_gait_quadratic };
 double explorer_numbers[EXPLORER_NUMBERS], explorer_rows[EXPLORER_ROWS][EXPLORER_MOST];
@@ -149,7 +149,7 @@ static void note_interval(void *context, const struct scallop_interval *interval
 int walk(double v0, int periods)
 {
   struct walk w = { .count = 0 };
-  for (int n = 0; n < periods; n++) {
+  for (int n = 0; n < periods && w.count < EXPLORER_MOST; n++) {
     struct scallop_period_result p;
     enum scallop_status status = scallop_period(&explorer_crawler, v0, &p);
     if (status < 0)

@@ -7,7 +7,18 @@
 
 #include "scallop.h"
 
-enum { EXPLORER_MOST = 16384, EXPLORER_ROWS = 20, EXPLORER_NUMBERS = 64, EXPLORER_TEXT = 1 << 20 };
+enum {
+  EXPLORER_MOST = 16384,
+  EXPLORER_ROWS = 20,
+  EXPLORER_NUMBERS = 64,
+  EXPLORER_TEXT = 1 << 20,
+  EXPLORER_FORMULAS = 6
+};
+
+/* Which digits that cancelled are computed again in binary128, which takes a hundred times as long as all the rest: a
+ * picture needs none of them, and only who asks for the multiplier needs those of the multiplier. */
+enum explorer_digits { EXPLORER_ALL_DIGITS, EXPLORER_NO_MULTIPLIER, EXPLORER_PICTURE };
+extern enum explorer_digits explorer_digits;
 
 /* The crawler that was chosen last, with the gait that was. */
 extern struct scallop_crawler explorer_crawler;
@@ -48,24 +59,27 @@ const char *EXPORTED(class_name)(int i);
 void EXPORTED(forget_classes)(void);
 /* The steady states of the first count crawlers, m1, m2, F1, F2, L, T, alpha in row(0) to row(6), all with the gait of
  * the crawler that was chosen. row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1:
- * it has no steady state), friction_work (if that is wanted). for_picture: displacements that are small by cancellation
- * may be off by a few ulp of L. */
-void EXPORTED(steady_states)(int count, int with_work, int for_picture);
+ * it has no steady state), friction_work (if that is wanted). digits: of enum explorer_digits; in a picture
+ * displacements that are small by cancellation may be off by a few ulp of L. */
+void EXPORTED(steady_states)(int count, int with_work, int digits);
 /* 0 the name, 1 the equation, 2 the text, 3 the word of its quantity, 4 the name of the right one, 5... names and texts
  * of its parts in turn. NULL: there is none */
 const char *EXPORTED(formula_text)(int i, int which);
 /* 0 setting, 1 quantity, 2 remainder, 3 turns */
 int EXPORTED(formula_number)(int i, int which);
-/* Formula i along the periods in row(0), for the phase of this kind from v0 or for the steady state. row(1): exact,
- * row(2): by the formula, row(3): a number that differs where the modes do. Returns 1 if the formula is claimed for the
- * crawler, else 0. */
-int EXPORTED(formula_along)(int i, int kind, double v0, int count);
+/* 1 if formula i is claimed for the crawler, else 0 */
+int EXPORTED(formula_is_claimed)(int i);
+/* The formulas of one quantity whose indices are in numbers(), at most EXPLORER_FORMULAS, along the periods in row(0),
+ * for the phase of this kind from v0 or for the steady state. row(1): exact, row(2): a number that differs where the
+ * modes do, row(3)...: by each formula. */
+void EXPORTED(formulas_along)(int formulas, int kind, double v0, int count);
 /* The series of what formula i is about, for the phase of this kind from v0 or for the steady state: with T as unit the
- * coefficients of T^(step k - shift), k = 0, ..., count - 1, in row(1); step is 1 or 2, shift 0 or 1, count at most
+ * coefficients of T^(step k - shift), k = 0, ..., count - 1; step is 1 or 2, shift 0 or 1, count at most
  * EXPLORER_NUMBERS. They are those of the polynomial through the exact numbers at the periods in row(0), in binary128:
- * their error is the polynomial's, and to be judged by other periods. Returns 0 where there is no such number, or the
- * modes are not the same at all of the periods, else 1. */
-int EXPORTED(series_of)(int i, int kind, double v0, double unit, int step, int shift, int count);
+ * their error is the polynomial's, and to be judged by other periods. A call solves period k; the calls for k = 0, ...,
+ * count - 1 follow each other, and the last leaves the coefficients in row(1). Returns 0 where there is no such number,
+ * or the modes are not the same as at the period before, else 1. */
+int EXPORTED(series_of)(int i, int kind, double v0, double unit, int step, int shift, int k, int count);
 /* Formula i, of the steady state, for the crawlers of row(0) to row(6) as in steady_states: row(15). */
 void EXPORTED(formula_over)(int i, int count);
 

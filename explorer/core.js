@@ -2,6 +2,7 @@
 export const PARAMETERS = ["m1", "m2", "F1", "F2", "L", "T", "alpha"];
 export const REGIMES = ["sliding", "stick-slip", "at-rest"];
 const COLUMNS = ["froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", "class", "friction_work"];
+const DIGITS = ["all", "no multiplier", "picture"]; // as in core.h
 const NUMBER = /^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$/;
 
 /** The number that a text is, or NaN: decimal notation as the command takes it, finite. */
@@ -10,6 +11,8 @@ export function numberOf(text) {
   const x = NUMBER.test(trimmed) ? Number(trimmed) : NaN;
   return Number.isFinite(x) ? x : NaN;
 }
+const MOST_ROWS = 2000; // of a measured gait: the page answers between two steady states, and each has to pass all rows
+const tooMany = (name, rows) => `${name}: ${rows} rows; this page takes at most ${MOST_ROWS}. Keep one row in ${Math.ceil(rows / (MOST_ROWS - 1))}, with the first and the last, or use the command scallop, which takes 100,000`;
 
 export class Core {
   constructor(bytes) {
@@ -21,6 +24,7 @@ export class Core {
     }
     this.formulas = [];
     for (let i = 0; this.calls.formula_text(i, 0); i++) this.formulas.push(this.formula(i));
+    this.most = this.calls.most();
     this.version = this.string(this.calls.version());
   }
 
@@ -80,6 +84,8 @@ export class Core {
     if (!table) throw new Error("a measured gait needs its file: choose it, or drop it on the page");
     const name = table.name.replace(/[\x00-\x1f\x7f]/g, " ");
     const bytes = new TextEncoder().encode(`${name}\n${table.text}\0`);
+    const rows = table.text.split("\n").filter((line) => /^\s*[-+.\d]/.test(line)).length;
+    if (rows > MOST_ROWS) throw new Error(tooMany(name, rows));
     if (bytes.length > this.calls.text_size()) throw new Error(`${name}: a table of more than a million characters`);
     if (bytes.indexOf(0) < bytes.length - 1) throw new Error(`${name}: this is not a text file`);
     new Uint8Array(this.calls.memory.buffer, this.calls.text()).set(bytes);
@@ -128,9 +134,9 @@ export class Core {
   }
 
   /** The steady states of many crawlers with the gait: fill(rows) writes m1, m2, F1, F2, L, T, alpha. Views, good until the next call. */
-  steadyStates(count, fill, { withWork = false, forPicture = false } = {}) {
+  steadyStates(count, fill, { withWork = false, digits = "all" } = {}) {
     fill(PARAMETERS.map((_, i) => this.row(i, count)));
-    this.calls.steady_states(count, withWork ? 1 : 0, forPicture ? 1 : 0);
+    this.calls.steady_states(count, withWork ? 1 : 0, DIGITS.indexOf(digits));
     return Object.fromEntries(COLUMNS.map((name, i) => [name, this.row(PARAMETERS.length + i, count)]));
   }
   /** A formula of the steady state for the crawlers that the rows hold. */
@@ -145,17 +151,27 @@ export class Core {
     this.calls.forget_classes();
   }
 
-  /** A formula along the periods T, beside what is exact; phase: 0 extension, 1 contraction. */
-  formulaAlong(formula, phase, v0, T) {
-    this.row(0, T.length).set(T);
-    const claimed = this.calls.formula_along(formula.index, phase, v0, T.length) === 1;
-    const [exact, value, modes] = this.rows(T.length, 1, 2, 3);
-    return { claimed, exact, value, modes };
+  isClaimed(formula) {
+    return this.calls.formula_is_claimed(formula.index) === 1;
   }
 
-  /** Coefficients of (T/unit)^(step k - shift) of what a formula is about, from the exact numbers at the periods T; null where there are none. */
-  seriesOf(formula, phase, v0, unit, { step, shift }, T) {
+  /** Formulas of one quantity along the periods T, beside what is exact; phase: 0 extension, 1 contraction. */
+  formulasAlong(formulas, phase, v0, T) {
+    this.numbers().set(formulas.map(({ index }) => index));
     this.row(0, T.length).set(T);
-    return this.calls.series_of(formula.index, phase, v0, unit, step, shift, T.length) === 1 ? this.row(1, T.length).slice() : null;
+    this.calls.formulas_along(formulas.length, phase, v0, T.length);
+    const [exact, modes, ...values] = this.rows(T.length, 1, 2, ...formulas.map((_, j) => 3 + j));
+    return { exact, modes, values };
+  }
+
+  /** Coefficients of (T/unit)^(step k - shift) of what a formula is about, from the exact numbers at the periods T, one period after the other;
+   * null where there are none. */
+  *seriesOf(formula, phase, v0, unit, { step, shift }, T) {
+    for (let k = 0; k < T.length; k++) {
+      this.row(0, T.length).set(T);
+      if (this.calls.series_of(formula.index, phase, v0, unit, step, shift, k, T.length) !== 1) return null;
+      if (k + 1 < T.length) yield;
+    }
+    return this.row(1, T.length).slice();
   }
 }

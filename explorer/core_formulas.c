@@ -90,8 +90,8 @@ static double phase_number(const struct scallop_phase_result *p, const struct tu
   }
 }
 
-struct pair {
-  double exact, formula, modes; /* modes: equal where the modes are */
+struct solved {
+  double exact, modes, t1, dT, last; /* modes: equal where the modes are; nan: no answer */
 };
 
 static double modes_number(const struct scallop_modes *modes, double number)
@@ -103,19 +103,17 @@ static double modes_number(const struct scallop_modes *modes, double number)
   return number;
 }
 
-static struct pair of_steady(const struct scallop_read_formula *read, const struct scallop_formula *f,
-                             const struct scallop_crawler *c)
+static struct solved of_steady(const struct scallop_crawler *c, enum scallop_quantity quantity)
 {
   struct scallop_steady_result s;
   if (scallop_steady(c, &s) < 0)
-    return (struct pair){ NAN, NAN, NAN };
-  return (struct pair){ steady_number(c, &s, f->quantity),
-                        scallop_formula_double(read, c, SCALLOP_EXTENSION, 0, NAN, NAN, NAN),
-                        modes_number(&s.period.modes[1], modes_number(&s.period.modes[0], 0)) };
+    return (struct solved){ NAN, NAN, NAN, NAN, NAN };
+  double modes = modes_number(&s.period.modes[1], modes_number(&s.period.modes[0], 0));
+  return (struct solved){ steady_number(c, &s, quantity), modes, NAN, NAN, NAN };
 }
 
-static struct pair of_phase(const struct scallop_read_formula *read, const struct scallop_formula *f,
-                            const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0)
+static struct solved of_phase(const struct scallop_crawler *c, enum scallop_quantity quantity,
+                              enum scallop_phase_kind kind, double v0)
 {
   bool extension = kind == SCALLOP_EXTENSION;
   struct scallop_phase_result p;
@@ -123,30 +121,41 @@ static struct pair of_phase(const struct scallop_read_formula *read, const struc
     .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
   };
   if (scallop_phase(c, kind, v0, &p) < 0)
-    return (struct pair){ NAN, NAN, NAN };
+    return (struct solved){ NAN, NAN, NAN, NAN, NAN };
   scallop_phase_intervals(c, kind, v0, note_turning, &t);
-  return (struct pair){ phase_number(&p, &t, kind, v0, c->L, f->quantity),
-                        scallop_formula_double(read, c, kind, v0, p.t1, p.dT, t.last * c->L),
-                        modes_number(&p.modes, 0) };
+  return (struct solved){ phase_number(&p, &t, kind, v0, c->L, quantity), modes_number(&p.modes, 0), p.t1, p.dT,
+                          t.last * c->L };
 }
 
-int formula_along(int i, int kind, double v0, int count)
+int formula_is_claimed(int i)
 {
-  const struct scallop_formula *f = formula_at(i);
+  struct scallop_values values = scallop_steady_values(&explorer_crawler);
+  return scallop_formula_is_claimed(formula_at(i), &values);
+}
+
+void formulas_along(int formulas, int kind, double v0, int count)
+{
   char message[SCALLOP_FORMULA_MESSAGE];
-  struct scallop_read_formula *read = scallop_formula_read(f, message);
+  struct scallop_read_formula *read[EXPLORER_FORMULAS];
   struct scallop_crawler c = explorer_crawler;
-  struct scallop_values values = scallop_steady_values(&c);
+  const struct scallop_formula *f = formula_at((int)explorer_numbers[0]);
+  bool is_steady = f->setting == SCALLOP_STEADY;
+  enum scallop_phase_kind phase = is_steady ? SCALLOP_EXTENSION : (enum scallop_phase_kind)kind;
+  for (int j = 0; j < formulas; j++)
+    read[j] = scallop_formula_read(formula_at((int)explorer_numbers[j]), message);
+  explorer_digits = EXPLORER_NO_MULTIPLIER;
   for (int k = 0; k < count; k++) {
     c.T = explorer_rows[0][k];
-    struct pair both = f->setting == SCALLOP_STEADY ? of_steady(read, f, &c)
-                                                    : of_phase(read, f, &c, (enum scallop_phase_kind)kind, v0);
-    explorer_rows[1][k] = both.exact;
-    explorer_rows[2][k] = both.formula;
-    explorer_rows[3][k] = both.modes;
+    struct solved s = is_steady ? of_steady(&c, f->quantity) : of_phase(&c, f->quantity, phase, v0);
+    explorer_rows[1][k] = s.exact;
+    explorer_rows[2][k] = s.modes;
+    for (int j = 0; j < formulas; j++)
+      explorer_rows[3 + j][k] =
+          isnan(s.modes) ? NAN : scallop_formula_double(read[j], &c, phase, is_steady ? 0 : v0, s.t1, s.dT, s.last);
   }
-  scallop_formula_free(read);
-  return scallop_formula_is_claimed(f, &values);
+  explorer_digits = EXPLORER_ALL_DIGITS;
+  for (int j = 0; j < formulas; j++)
+    scallop_formula_free(read[j]);
 }
 
 /* A number in binary128: the same of results in double that are its high and its low parts. nan: there is none. */
@@ -199,26 +208,27 @@ static void interpolate(int count, const long double *x, long double *y)
       y[j] -= x[k] * y[j + 1];
 }
 
-int series_of(int i, int kind, double v0, double unit, int step, int shift, int count)
+int series_of(int i, int kind, double v0, double unit, int step, int shift, int k, int count)
 {
+  static long double x[EXPLORER_NUMBERS], y[EXPLORER_NUMBERS];
+  static double first_modes;
   const struct scallop_formula *f = formula_at(i);
   struct scallop_crawler c = explorer_crawler;
-  long double x[EXPLORER_NUMBERS], y[EXPLORER_NUMBERS];
-  double first_modes = 0, modes = 0;
-  for (int k = 0; k < count; k++) {
-    c.T = explorer_rows[0][k];
-    long double T = (long double)c.T / unit;
-    x[k] = step == 2 ? T * T : T;
-    y[k] = f->setting == SCALLOP_STEADY ? steady_in_wide(f, &c, &modes)
-                                        : phase_in_wide(f, &c, (enum scallop_phase_kind)kind, v0, &modes);
-    if (isnan(y[k]) || (k > 0 && modes != first_modes))
-      return 0;
-    y[k] *= shift ? T : 1;
-    first_modes = modes;
-  }
+  double modes = 0;
+  c.T = explorer_rows[0][k];
+  long double T = (long double)c.T / unit;
+  x[k] = step == 2 ? T * T : T;
+  y[k] = f->setting == SCALLOP_STEADY ? steady_in_wide(f, &c, &modes)
+                                      : phase_in_wide(f, &c, (enum scallop_phase_kind)kind, v0, &modes);
+  if (isnan(y[k]) || (k > 0 && modes != first_modes))
+    return 0;
+  y[k] *= shift ? T : 1;
+  first_modes = modes;
+  if (k < count - 1)
+    return 1;
   interpolate(count, x, y);
-  for (int k = 0; k < count; k++)
-    explorer_rows[1][k] = (double)y[k];
+  for (int j = 0; j < count; j++)
+    explorer_rows[1][j] = (double)y[j];
   return 1;
 }
 

@@ -46,9 +46,8 @@ static int class_of(enum scallop_regime regime, const struct scallop_modes modes
 const char *class_name(int i) { return class_text[i]; }
 void forget_classes(void) { classes = 0; }
 
-/* For a picture no digits are wanted that cancelled: binary128 in software takes a hundred times as long as all the
- * rest. The linker puts this in the place of wide_enough_steady (--wrap). */
-static bool is_picture;
+/* The linker puts what is below in the place of wide_enough_steady (--wrap). */
+enum explorer_digits explorer_digits = EXPLORER_ALL_DIGITS;
 
 bool __real_wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
                                struct scallop_wide_steady *out);
@@ -57,7 +56,9 @@ bool __wrap_wide_enough_steady(const struct scallop_crawler *crawler, double gue
 bool __wrap_wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
                                struct scallop_wide_steady *out)
 {
-  return !is_picture && __real_wide_enough_steady(crawler, guess, left, out);
+  if (explorer_digits == EXPLORER_PICTURE || (explorer_digits == EXPLORER_NO_MULTIPLIER && left >= 1))
+    return false;
+  return __real_wide_enough_steady(crawler, guess, left, out);
 }
 
 static void block(int begin, int count, bool with_work)
@@ -91,10 +92,10 @@ static void block(int begin, int count, bool with_work)
   }
 }
 
-void steady_states(int count, int with_work, int for_picture)
+void steady_states(int count, int with_work, int digits)
 {
-  is_picture = for_picture;
+  explorer_digits = (enum explorer_digits)digits;
   for (int begin = 0; begin < count; begin += BLOCK)
     block(begin, count - begin < BLOCK ? count - begin : BLOCK, with_work);
-  is_picture = false;
+  explorer_digits = EXPLORER_ALL_DIGITS;
 }

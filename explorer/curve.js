@@ -2,6 +2,7 @@
 import { AXES, LABELS, fill, range, valueAt } from "./axes.js";
 import { Plot, drawMarks, drawPoint, line, scale } from "./plots.js";
 import { shown } from "./words.js";
+import { inParts } from "./work.js";
 
 export const QUANTITIES = {
   mean_velocity: { title: "mean velocity", formula: "text_steady_xC", over: (_, T) => T }, displacement: { title: "displacement", formula: "text_steady_xC" },
@@ -15,31 +16,39 @@ export class Curve {
     Object.assign(this, { core, note, plot: new Plot(host) });
   }
 
-  /** digits: all of them, not what a picture needs. */
-  solve(crawler, name, of, digits) {
+  /** digits: as in core.steadyStates */
+  *solve(crawler, name, of, digits) {
     const { core } = this, ends = range(name, crawler), { formula, over } = QUANTITIES[of];
     const xs = Float64Array.from({ length: COUNT }, (_, i) => valueAt(name, ends, i / (COUNT - 1)));
-    const states = core.steadyStates(COUNT, (rows) => fill(rows, crawler, COUNT, [name], [xs]), { withWork: of === "friction_work", forPicture: !digits });
-    const exact = [...states[of]].map((y) => (Number.isFinite(y) ? y : null)), classes = states.class.slice(), T = core.row(5, COUNT).slice();
     const series = formula && core.formulas.find((one) => one.name === formula);
-    const published = series ? [...core.formulaOver(series, COUNT)].map((y, i) => (Number.isFinite(y) ? y / (over ? over(crawler, T[i]) : 1) : null)) : null;
+    const exact = [], classes = [], published = series ? [] : null, finite = (y) => (Number.isFinite(y) ? y : null);
+    yield* inParts(COUNT, (from, to) => {
+      const count = to - from, options = { withWork: of === "friction_work", digits };
+      const states = core.steadyStates(count, (rows) => fill(rows, crawler, count, [name], [xs.subarray(from, to)]), options), T = core.row(5, count);
+      exact.push(...Array.from(states[of], finite));
+      classes.push(...states.class);
+      published?.push(...Array.from(core.formulaOver(series, count), (y, i) => finite(y / (over ? over(crawler, T[i]) : 1))));
+    });
     return { ends, xs: [...xs], exact, published, series, classes, names: [name, of, ...(series ? [series.name] : [])] };
   }
 
   /** For a table: x, the exact number, and that of a formula. */
-  table() {
-    const { names, xs, exact, published } = this.solve(...this.shown, true);
+  *table() {
+    const [crawler, name, of] = this.shown, { names, xs, exact, published } = yield* this.solve(crawler, name, of, of === "multiplier" ? "all" : "no multiplier");
     return { names, rows: [xs, exact, ...(published ? [published] : [])] };
   }
 
-  show(crawler, name, of) {
-    const { core } = this, { title } = QUANTITIES[of], { ends, xs, exact, published, series, classes } = this.solve(crawler, name, of, false);
+  /** The work of showing it. own: the quantity of the crawler itself. */
+  show(crawler, name, of, own) {
     this.shown = [crawler, name, of];
+    return this.drawn(crawler, name, of, own);
+  }
+
+  *drawn(crawler, name, of, own) {
+    const { title } = QUANTITIES[of], { ends, xs, exact, published, series, classes } = yield* this.solve(crawler, name, of, "picture");
     this.changes = xs.filter((_, i) => i > 0 && classes[i] !== classes[i - 1]);
     const [low, high] = extent(exact);
-    this.point = [AXES[name].of(crawler), null];
-    core.chooseCrawler(crawler);
-    this.point[1] = core.steady()[of];
+    this.point = [AXES[name].of(crawler), own];
     const hooks = { drawClear: [(u) => drawMarks(u, this.changes)], draw: [(u) => drawPoint(u, ...this.point, "point")] };
     const lines = [line(title, "accent"), ...(series ? [line(`${series.equation}, published`, "friction", { dash: [6, 4] })] : [])];
     this.margins = [low - 0.08 * (high - low || 1), high + 0.08 * (high - low || 1)];

@@ -3,10 +3,11 @@ import { mathOf } from "./formula.js";
 import { Plot, drawMarks, line, scale } from "./plots.js";
 import { nextPower, seriesOf, sumOf } from "./series.js";
 import { shown } from "./words.js";
+import { inParts, within } from "./work.js";
 
 const COUNT = 241, DECADES = [-3.5, 1.5]; // around the period at which the Froude number is 1
 const ROUNDING = 64 * 2 ** -52; // of the exact number: below that an error is the rounding of doubles
-const TOLERANCE = 0.01;
+const TOLERANCE = 0.01, HALVINGS = 28;
 const COLOURS = ["accent", "body2", "centre", "friction", "body1", "soft"];
 const STEADY = 3;
 const FIRST = ["text_steady_xC", "rest_xC_end", "text_extension_xC_end", "text_contraction_xC_end"]; // where another setting's was chosen
@@ -25,11 +26,10 @@ export class Errors {
 
   /** What can be asked about in a state. */
   list(state) {
-    const claimed = (one) => this.core.formulaAlong(one, 0, 0, []).claimed;
-    return this.core.formulas.filter((one) => applies(one, state.start, state.phase) && one.remainder !== 0 && claimed(one));
+    return this.core.formulas.filter((one) => applies(one, state.start, state.phase) && one.remainder !== 0 && this.core.isClaimed(one));
   }
 
-  show(crawler, state, v0) {
+  *show(crawler, state, v0) {
     const all = this.list(state), key = all.map(({ name }) => name).join();
     if (this.listed !== key) {
       this.listed = key;
@@ -39,13 +39,13 @@ export class Errors {
     this.select.value = chosen.name;
     const T = this.periods(crawler), phase = state.phase === "extension" ? 0 : 1;
     const shownOnes = all.filter(({ quantity }) => quantity === chosen.quantity).slice(0, 6);
-    this.curves = shownOnes.map((formula) => this.curve(formula, phase, v0, T));
-    const main = this.curves[shownOnes.indexOf(chosen)] ?? this.curves[0];
-    Object.assign(this, { T, main, crawlerT: crawler.T, ofPhase: state.start !== "steady", size: state.error, order: state.order });
-    this.derived = this.order === "none" || chosen.quantity.startsWith("v_at") ? null : this.derivedCurve(main, phase, v0, naturalPeriod(crawler));
-    if (this.derived) this.curves.push(this.derived);
-    this.changes = [...T].filter((_, i) => i > 0 && main.modes[i] !== main.modes[i - 1]);
-    for (const curve of [main, this.derived]) if (curve) curve.exceeds = firstAbove(curve, T);
+    const curves = yield* within(0, 0.6, this.solve(shownOnes, phase, v0, T)), main = curves[shownOnes.indexOf(chosen)] ?? curves[0], { order } = state;
+    const derived = order === "none" || chosen.quantity.startsWith("v_at") ? null
+      : yield* within(0.6, 0.1, this.derivedCurve(main, phase, v0, naturalPeriod(crawler), T, Number(order)));
+    main.exceeds = yield* within(0.7, 0.15, firstAbove(main, T));
+    if (derived) derived.exceeds = yield* within(0.85, 0.15, firstAbove(derived, T));
+    const changes = [...T].filter((_, i) => i > 0 && main.modes[i] !== main.modes[i - 1]);
+    Object.assign(this, { curves: derived ? [...curves, derived] : curves, T, main, derived, changes, crawlerT: crawler.T, ofPhase: state.start !== "steady", size: state.error, order });
     this.draw(state);
     this.formula.replaceChildren(mathOf(main.formula));
     this.tell(null);
@@ -55,20 +55,31 @@ export class Errors {
     return Float64Array.from({ length: COUNT }, (_, i) => naturalPeriod(crawler) * 10 ** (DECADES[0] + ((DECADES[1] - DECADES[0]) * i) / (COUNT - 1)));
   }
 
-  /** A formula, with along(T): what is exact, its value, and its errors, null where they are those of rounding. */
-  curve(formula, phase, v0, T) {
-    const along = (periods) => withErrors(this.core.formulaAlong(formula, phase, v0, periods));
-    const label = `${formula.equation}${formula.name.startsWith("corrected") ? " corrected" : ""}`;
-    return { formula, name: formula.name, label, along, ...along(T) };
+  /** Formulas, each with along(T): what is exact, its value, and its errors, null where they are those of rounding. */
+  *solve(formulas, phase, v0, T) {
+    const { core } = this, exact = [], modes = [], values = formulas.map(() => []);
+    yield* inParts(T.length, (from, to) => {
+      const part = core.formulasAlong(formulas, phase, v0, T.subarray(from, to));
+      exact.push(...part.exact);
+      modes.push(...part.modes);
+      values.forEach((value, j) => value.push(...part.values[j]));
+    });
+    return formulas.map((formula, j) => {
+      const label = `${formula.equation}${formula.name.startsWith("corrected") ? " corrected" : ""}`;
+      const along = (T) => {
+        const { exact, values: [value] } = core.formulasAlong([formula], phase, v0, T);
+        return withErrors({ exact, value });
+      };
+      return { formula, name: formula.name, label, along, modes, ...withErrors({ exact, value: values[j] }) };
+    });
   }
 
   /** The same of the series of what a formula is about; null where there is none. */
-  derivedCurve({ formula, exact, modes }, phase, v0, unit) {
-    const series = seriesOf(this.core, formula, phase, v0, unit);
+  *derivedCurve({ formula, exact, modes }, phase, v0, unit, T, order) {
+    const series = yield* seriesOf(this.core, formula, phase, v0, unit), value = (periods) => sumOf(series, order, periods);
     if (!series) return null;
-    const value = (periods) => sumOf(series, Number(this.order), periods);
-    const along = (periods) => withErrors({ ...this.core.formulaAlong(formula, phase, v0, periods), value: value(periods) });
-    return { series, name: `derived_${this.order}`, label: `derived, below T^${this.order}`, along, ...withErrors({ exact, modes, value: value(this.T) }) };
+    const along = (periods) => withErrors({ exact: this.core.formulasAlong([formula], phase, v0, periods).exact, value: value(periods) });
+    return { series, name: `derived_${order}`, label: `derived, below T^${order}`, along, modes, ...withErrors({ exact, value: value(T) }) };
   }
 
   draw(state) {
@@ -130,10 +141,10 @@ const decades = (low, high) => (low > 0 ? [10 ** Math.floor(Math.log10(low)), 10
 
 const nearest = (T, x) => T.reduce((best, t, i) => (Math.abs(Math.log(t / x)) < Math.abs(Math.log(T[best] / x)) ? i : best), 0);
 
-function withErrors({ exact, value, modes }) {
+function withErrors({ exact, value }) {
   const off = (i) => Math.abs(value[i] - exact[i]);
   const absolute = Array.from(exact, (x, i) => (off(i) > ROUNDING * Math.abs(x) && Number.isFinite(off(i)) ? off(i) : null));
-  return { exact, value, modes, absolute, relative: absolute.map((off, i) => (off === null ? null : off / Math.abs(exact[i]))) };
+  return { exact, value, absolute, relative: absolute.map((off, i) => (off === null ? null : off / Math.abs(exact[i]))) };
 }
 
 function slopeAt(T, error, i) {
@@ -141,16 +152,16 @@ function slopeAt(T, error, i) {
   return error[a] > 0 && error[b] > 0 ? Math.log(error[b] / error[a]) / Math.log(T[b] / T[a]) : NaN;
 }
 
-/** The T from which a relative error exceeds the tolerance, null where it never does: between two T of a list, and then ever closer. */
-function firstAbove(curve, T) {
-  let relative = curve.relative, i;
-  for (let round = 0; round < 7; round++) {
-    i = relative.findIndex((off) => off > TOLERANCE);
-    if (i < 0) return null;
-    if (i === 0) return T[0];
-    const low = T[i - 1], ratio = T[i] / low;
-    T = Float64Array.from({ length: 17 }, (_, k) => low * ratio ** (k / 16));
-    ({ relative } = curve.along(T));
+/** The T from which a relative error exceeds the tolerance, null where it never does: between two T of a list, which is then halved. */
+function* firstAbove({ relative, along }, T) {
+  const i = relative.findIndex((off) => off > TOLERANCE);
+  if (i <= 0) return i < 0 ? null : T[0];
+  let low = T[i - 1], high = T[i];
+  for (let round = 0; round < HALVINGS; round++) {
+    const middle = Math.sqrt(low * high);
+    yield round / HALVINGS;
+    if (along(Float64Array.of(middle)).relative[0] > TOLERANCE) high = middle;
+    else low = middle;
   }
-  return T[0];
+  return high;
 }

@@ -3,17 +3,18 @@ import { AXES, LABELS, fill, range, valueAt } from "./axes.js";
 import { classColour, css, heatColour } from "./colours.js";
 import { Plot, colour, drawPoint, scale } from "./plots.js";
 import { shown } from "./words.js";
+import { finished, inParts, within } from "./work.js";
 
 export const SHOWN = {
   modes: "regimes and modes", displacement: "displacement", mean_velocity: "mean velocity", error: "relative error of a formula", friction_work: "friction work",
 };
 const SIDES = [100, 50, 25, 12]; // cells a side, from fine to coarse
-const FULL = SIDES[0], BUDGET = 7, SLICE = 7, PATIENCE = 150; // milliseconds of a frame, of a part of a finer map, and until that is begun
+const FULL = SIDES[0], BUDGET = 7, MOST = 30, REST = 75; // milliseconds of a frame, of the coarsest map in one, and until the legend follows
 const NAMED = 12; // regions in the legend before the others
 
 export class CrawlerMap {
-  constructor(core, host, legend, moved) {
-    Object.assign(this, { core, host, legend, moved, perCell: {}, plot: new Plot(host, { height: 420 }), image: document.createElement("canvas") });
+  constructor(core, work, host, legend, moved) {
+    Object.assign(this, { core, work, host, legend, moved, perCell: {}, plot: new Plot(host, { height: 420 }), image: document.createElement("canvas") });
     host.addEventListener("keydown", (event) => this.press(event));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.classes && (this.paint(this.n), this.draw(), this.explain()));
   }
@@ -27,48 +28,44 @@ export class CrawlerMap {
     this.sized();
     const fixed = { ...crawler, [AXES[x].sets]: 0, [AXES[y].sets]: 0 };
     const key = JSON.stringify([this.core.chosen.key, fixed, x, y, show, this.formula.name, this.ranges]);
-    if (this.key === key) return this.shown.redraw(false);
+    if (this.key === key) return this.shown?.redraw(false);
     this.key = key;
-    this.solve(this.side());
+    ["map", "finer"].forEach((name) => this.work.drop(name));
+    const n = this.side();
+    if (n) finished(this.solve(n));
+    else this.work.put("map", "the map", gait, this.solve(SIDES.at(-1)));
+    if (n !== FULL) this.work.put("finer", "a finer map", gait, this.refine());
   }
 
-  /** Cells a side that a frame has time for; a few cells tell where nothing is known of the gait. */
-  side() {
-    if (!this.perCell[this.gait]) {
-      const n = SIDES.at(-1);
-      this.place(n);
-      this.timed(() => this.cells(blank(n), 0, n * n), n * n);
+  /** Cells a side that a frame has time for, more than some; none where nothing is known of the gait. */
+  side(from = 0) {
+    return SIDES.find((n) => n > from && n * n * this.perCell[this.gait] < (n === SIDES.at(-1) ? MOST : BUDGET));
+  }
+
+  *refine() {
+    while (this.n < FULL) {
+      const n = this.side(this.n) ?? SIDES.findLast((n) => n > this.n), part = (n) => (n / FULL) ** 2;
+      yield* within(part(this.n), part(n) - part(this.n), this.solve(n));
     }
-    return SIDES.find((n) => n * n * this.perCell[this.gait] < BUDGET) ?? SIDES.at(-1);
   }
 
-  /** Solves and shows n cells a side: at once, or in parts between which the page goes on. Then it goes on with more of them. */
-  solve(n, inParts = false) {
-    clearTimeout(this.later);
-    const count = n * n, made = blank(n), part = inParts ? Math.max(20, Math.floor(SLICE / this.perCell[this.gait])) : count;
+  /** Solves and shows n cells a side. */
+  *solve(n) {
+    const made = blank(n);
+    let took = 0;
     this.place(n);
-    const step = (from) => {
-      const to = Math.min(count, from + part);
-      this.timed(() => this.cells(made, from, to), to - from);
-      if (to < count) this.later = setTimeout(step, 0, to);
-      else this.finish(made, inParts ? 0 : PATIENCE);
-    };
-    step(0);
-  }
-
-  timed(action, cells) {
-    const begun = performance.now();
-    action();
-    this.took = performance.now() - begun;
-    const each = this.took / cells, before = this.perCell[this.gait] ?? each;
+    yield* inParts(n * n, (from, to) => {
+      const begun = performance.now();
+      this.cells(made, from, to);
+      took += performance.now() - begun;
+    });
+    const each = took / n ** 2, before = this.perCell[this.gait] ?? each;
     this.perCell[this.gait] = each < before ? (before + each) / 2 : Math.min(each, 1.2 * before); // a pause of the machine counts little
-  }
-
-  finish(made, pause) {
-    Object.assign(this, made);
-    this.paint(made.n);
+    Object.assign(this, made, { took });
+    this.paint(n);
     this.draw();
-    this.later = made.n < FULL ? setTimeout(() => this.solve(SIDES.findLast((n) => n > made.n), true), pause) : setTimeout(() => this.explain(), PATIENCE / 2);
+    clearTimeout(this.later);
+    this.later = setTimeout(() => this.explain(), REST);
   }
 
   /** The middles of the cells. */
@@ -85,7 +82,7 @@ export class CrawlerMap {
 
   cells({ classes, values }, from, to) {
     const { core, what, names, crawler } = this, count = to - from, xs = this.places.xs.map((row) => row.subarray(from, to));
-    const states = core.steadyStates(count, (rows) => fill(rows, crawler, count, names, xs), { withWork: what === "friction_work", forPicture: true });
+    const states = core.steadyStates(count, (rows) => fill(rows, crawler, count, names, xs), { withWork: what === "friction_work", digits: "picture" });
     classes.set(states.class, from);
     if (what === "error") {
       const exact = states[this.formula.quantity].slice(), value = core.formulaOver(this.formula, count);

@@ -12,6 +12,8 @@ export class Motion {
     this.v0 = this.endless ? this.steady.v_start : start === "rest" ? 0 : v0;
     this.first = core.period(this.v0);
     this.walk = core.walk(this.v0, this.periods);
+    this.asked = this.periods;
+    if (this.walk.count === core.most) this.periods = Math.max(1, Math.floor(this.walk.end.at(-1) / crawler.T)); // there is no room for the modes of more
     this.samples = core.trajectory(this.v0, this.periods, SAMPLES);
     this.duration = this.periods * crawler.T;
     this.fastest = [this.samples.v1, this.samples.v2].reduce((most, row) => row.reduce((a, v) => Math.max(a, Math.abs(v)), most), 0) || 1;

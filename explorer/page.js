@@ -13,13 +13,16 @@ import { PRESETS } from "./presets.js";
 import { commandOf, pictureOf, pngOf, save, sceneOf, tsvOf } from "./share.js";
 import { History, LONGEST_TABLE, USUAL, crawlerOf, fragmentOf, stateOf } from "./state.js";
 import { REGIME_WORDS, modesInWords, shown } from "./words.js";
+import { Work, finished } from "./work.js";
 
 const find = (id) => document.getElementById(id);
 const core = new Core(bytes);
 const drawing = new Drawing(find("crawler"));
 const controls = new Controls(find("controls"), core.families, change);
 const plane = new Plane(find("plane"));
-const map = new CrawlerMap(core, find("map"), find("legend"), movedTo);
+const PICTURES = ["map", "curve", "errors"];
+const work = new Work([...PICTURES, "table", "finer"], showWork, (error) => say(error.message));
+const map = new CrawlerMap(core, work, find("map"), find("legend"), movedTo);
 const curve = new Curve(core, find("curve"), find("curve-note"));
 const errors = new Errors(core, find("errors"), find("error-formula"), find("formula"), find("error-note"));
 const AMONG = {
@@ -29,7 +32,6 @@ const AMONG = {
 };
 let state = ofLink();
 const history = new History(state);
-const costs = {}, waiting = {};
 let motion = null, took = 0, time = 0, playing = false, before = 0, asked = false;
 
 /** The state of the page's address; two axes of a map never set the same parameter. */
@@ -95,6 +97,8 @@ function update() {
       picture(right ? state : USUAL, right ? crawler : judged(USUAL).crawler);
     } catch (error) {
       wrong.T = error.message;
+      work.clear();
+      map.key = null;
     }
   }
   controls.show(state, wrong);
@@ -107,27 +111,17 @@ function picture(state, crawler) {
   motion = new Motion(core, crawler, { start: state.start, v0: numberOf(state.v0), periods: Number(state.periods) });
   showAnswers();
   showTime();
-  map.show(crawler, state, `${state.gait} ${state.show}`);
-  inTime("curve", state.gait, () => curve.show(crawler, state[state.along], state.of));
-  inTime("errors", state.gait, () => errors.show(crawler, state, motion.endless ? 0 : motion.v0));
-  core.chooseCrawler(crawler);
+  if (work.has("table")) say("The table was not saved, as the crawler changed before it was computed");
+  work.drop("table");
+  const gait = state.gait === "measured" ? `measured ${state.table.length}` : state.gait; // what times depend on
+  map.show(crawler, state, `${gait} ${state.show}`);
+  work.put("curve", "the curve along one axis", gait, curve.show(crawler, state[state.along], state.of, motion.steady[state.of]));
+  work.put("errors", "the errors of the formulas", gait, errors.show(crawler, state, motion.endless ? 0 : motion.v0));
+  work.go();
   for (const [id, name] of Object.entries(CHOICES)) find(id).value = state[name];
   find("command").textContent = commandOf(state);
   find("error-phase").parentElement.hidden = motion.endless;
   find("save-table").hidden = state.table === "";
-}
-
-/** Does one of the things that follow now, or where that took too long for the gait the last time when nothing has changed for a while. */
-function inTime(what, gait, action) {
-  const key = `${what} ${gait}`;
-  const timed = () => {
-    const begun = performance.now();
-    action();
-    costs[key] = performance.now() - begun;
-  };
-  clearTimeout(waiting[what]);
-  if ((costs[key] ?? 0) < 8) timed();
-  else waiting[what] = setTimeout(timed, 150);
 }
 
 /** The crawler was moved in the map. */
@@ -152,6 +146,7 @@ function showAnswers() {
   }));
   const lines = [`${motion.endless ? "" : "Steady state, "}${steady.regime}: ${REGIME_WORDS[steady.regime]}`, ...modesInWords(steady.modes)];
   if (steady.status === 1) lines.push(`The steady start velocities fill an interval, from ${shown(steady.v_low)} to ${shown(steady.v_high)}.`);
+  if (motion.periods < motion.asked) lines.push(`The animation shows ${motion.periods} of ${motion.asked} periods: there is no room for the modes of more.`);
   find("words").replaceChildren(...lines.map((line) => Object.assign(document.createElement("span"), { textContent: line })));
 }
 
@@ -253,12 +248,23 @@ find("link").addEventListener("click", () => {
 find("copy-command").addEventListener("click", () => copy(commandOf(state), "Command"));
 find("save-scene").addEventListener("click", () => save("explorer.cfg", sceneOf(state), "text/plain"));
 find("save-table").addEventListener("click", () => save(state.table_name, state.table, "text/tab-separated-values"));
-find("curve-tsv").addEventListener("click", () => save("curve.tsv", tsvOf(curve.table(), commandOf(state), core.version), "text/tab-separated-values"));
-find("error-tsv").addEventListener("click", () => save("errors.tsv", tsvOf(errors.table(), commandOf(state), core.version), "text/tab-separated-values"));
+find("curve-tsv").addEventListener("click", () => {
+  work.put("table", "the table of the curve", "", savedCurve(commandOf(state)));
+  work.go();
+});
+/** Does something with pictures when they are those of the state. */
+function ifDone(names, action) {
+  if (names.some((name) => work.has(name))) say("This is still to be computed: wait, or press Go on, and try again");
+  else action();
+}
+function* savedCurve(command) {
+  save("curve.tsv", tsvOf(yield* curve.table(), command, core.version), "text/tab-separated-values");
+}
+find("error-tsv").addEventListener("click", () => ifDone(["errors"], () => save("errors.tsv", tsvOf(errors.table(), commandOf(state), core.version), "text/tab-separated-values")));
 const seen = () => pictureOf(find("crawler"), ["plane", "map", "curve", "errors"].map((id) => ({
   title: find(id).closest("section").querySelector("h2").textContent, canvas: find(id).querySelector("canvas") })), commandOf(state));
-find("save-svg").addEventListener("click", () => save("explorer.svg", seen(), "image/svg+xml"));
-find("save-png").addEventListener("click", async () => save("explorer.png", await pngOf(seen())));
+find("save-svg").addEventListener("click", () => ifDone(PICTURES, () => save("explorer.svg", seen(), "image/svg+xml")));
+find("save-png").addEventListener("click", () => ifDone(PICTURES, async () => save("explorer.png", await pngOf(seen()))));
 find("speed").value = "4s";
 find("play").addEventListener("click", () => play(!playing));
 find("back").addEventListener("click", () => step(-0.01));
@@ -292,7 +298,27 @@ addEventListener("dragleave", (event) => {
   if (!event.relatedTarget) find("drop").hidden = true;
 });
 
+find("work-stop").addEventListener("click", () => (work.stopped ? work.goOn() : stop()));
+
+function stop() {
+  work.stop();
+  say("Stopped; pale pictures are those from before");
+}
+
+/** What is being computed, and how far; pictures that are not yet those of the state are pale. */
+function showWork(now) {
+  find("work").hidden = !now;
+  for (const [name, id] of [["map", "map-section"], ["curve", "curve-section"], ["errors", "error-section"]])
+    find(id).classList.toggle("older", now !== null && work.has(name));
+  if (!now) return;
+  const percent = `${Math.floor(100 * now.part)} %`, then = now.left.length ? ` Then ${now.left.join(", ")}.` : "";
+  find("work-said").textContent = now.stopped ? `Stopped at ${percent} of ${now.what}.${then}` : `Computing ${now.what}: ${percent}.${then}`;
+  find("work-part").value = now.part;
+  find("work-stop").textContent = now.stopped ? "Go on" : "Stop";
+}
+
 addEventListener("keydown", (event) => {
+  if (event.key === "Escape" && work.jobs.length > 0 && !work.stopped) stop();
   const typing = event.target.matches?.("input:not([type=range]), select, textarea");
   if ((event.ctrlKey || event.metaKey) && event.key.toLowerCase() === "z" && !typing) {
     event.preventDefault();
@@ -308,4 +334,4 @@ addEventListener("keydown", (event) => {
 
 update();
 play(!matchMedia("(prefers-reduced-motion: reduce)").matches);
-globalThis.explorer = { core, usual: USUAL, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture: seen, png: () => pngOf(seen()), took: () => took };
+globalThis.explorer = { core, work, finished, usual: USUAL, map, errors, curve, state: () => state, change, commandOf, sceneOf, picture: seen, png: () => pngOf(seen()), took: () => took };

@@ -9,12 +9,12 @@ const periodsUpTo = (reach, unit, step) => Float64Array.from({ length: NODES[ste
 
 /** The series of what a formula is about, for the crawler that was chosen; null where none was found. unit: a period of the size of those at
  * which modes change. terms: powers of T/unit with their coefficients, 0 where one is not distinct from 0. */
-export function seriesOf(core, formula, phase, v0, unit) {
+export function* seriesOf(core, formula, phase, v0, unit) {
   const step = formula.setting === 1 || formula.setting === 2 ? 1 : 2, shift = LENGTHS.includes(formula.quantity) ? 0 : 1;
   const count = 1 + Math.ceil((MOST + shift) / step);
   let before = null;
   for (let reach = LONGEST; reach > SHORTEST; reach /= 2) {
-    const now = core.seriesOf(formula, phase, v0, unit, { step, shift }, periodsUpTo(reach, unit, step))?.subarray(0, count);
+    const now = (yield* core.seriesOf(formula, phase, v0, unit, { step, shift }, periodsUpTo(reach, unit, step)))?.subarray(0, count);
     if (before && now && agree(before, now, step)) return { unit, terms: Array.from(before, (c, k) => ({ power: step * k - shift, value: distinct(before, now, k) ? c : 0 })) };
     before = now;
   }

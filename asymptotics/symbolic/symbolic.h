@@ -162,6 +162,8 @@ struct symbolic_limit {
   const char *modes;           /* a body turns in both phases, as where the parameter is small         */
   symbolic small;              /* the parameter                                                        */
   struct symbolic_series term; /* the expansion's terms, the powers of the parameter included          */
+  slong reached;               /* terms known before there were too many of the symbols' polynomials   */
+  char why[160];               /* where there were: the reason                                         */
 };
 /* The equation of which U is the root, as text "LEFT = RIGHT": in the language of formula.h for the sinusoidal gait,
  * where share = 2/pi asin(...) with asin = pi/2 beyond 1; else with a sentence that says what share_e and share_c are.

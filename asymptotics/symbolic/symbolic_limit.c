@@ -1,4 +1,5 @@
 /* The limit T -> 0 of the steady state, where it is small: as a series in what makes it small. */
+#include <stdio.h>
 #include <string.h>
 
 #include "asymptotics/derived/limit.h"
@@ -6,8 +7,6 @@
 
 /* Of all sums and products, each of some hundred bytes while it is made: ten seconds, and half a gigabyte */
 #define MOST_TERMS 10000000
-#define TEXT_OF(number) TEXT_AS(number)
-#define TEXT_AS(number) #number
 
 /* The part of a phase in which mu |l'| < M U, as a series in y = M U f/mu, f the fraction of the phase: the inverses of
  * |l'| near both ends, which are the same where the phase is reversible */
@@ -98,8 +97,8 @@ static void add_phase(struct symbols *s, struct symbolic_series *sum, struct sym
   *slope = symbolic_series_add(s, slope, &rate, length);
 }
 
-/* |U| by Newton's method */
-static struct symbolic_series solve(struct symbols *s, const struct weights *w, const struct symbolic_limit *limit,
+/* |U| by Newton's method; limit->reached: how many terms of it took no more than s->most_terms */
+static struct symbolic_series solve(struct symbols *s, const struct weights *w, struct symbolic_limit *limit,
                                     slong terms)
 {
   struct symbolic_series U = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, 1), sum, slope, share[2], drive;
@@ -116,6 +115,7 @@ static struct symbolic_series solve(struct symbols *s, const struct weights *w, 
     sum = symbolic_series_sub(s, &sum, &drive, part);
     sum = symbolic_series_div(s, &sum, &slope, part);
     U = symbolic_series_sub(s, &U, &sum, part);
+    limit->reached = s->terms > s->most_terms ? limit->reached : part;
   }
   return U;
 }
@@ -206,6 +206,16 @@ static const char *obstacle(const struct scallop_rational_crawler *crawler, slon
                            : "l'' = 0 or l' jumps at an end of a phase: the limit is no series in what makes it small";
 }
 
+static void say_given_up(struct symbolic_limit *limit, const struct symbols *s, slong order)
+{
+  char lower[48] = "";
+  if (limit->reached > 0)
+    snprintf(lower, sizeof lower, " --order %ld can be printed;", (long)limit->reached);
+  snprintf(limit->why, sizeof limit->why,
+           "the limit takes more than %ld terms with --order %ld;%s numbers need no --symbolic", (long)s->most_terms,
+           (long)order, lower);
+}
+
 enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallop_rational_crawler *crawler,
                                           enum limit_parameter in, slong order, struct symbolic_limit *limit,
                                           const char **why)
@@ -221,6 +231,7 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
   limit->sign = sign_of(crawler);
   limit->mirrors = scallop_gait_mirrors(crawler->gait);
   limit->reversible = scallop_gait_is_reversible(crawler->gait);
+  limit->reached = 0;
   limit->modes = limit->sign > 0 ? "++ -+ ++ | ++ +- ++" : "-- -+ -- | -- +- --";
   slong terms = order < 2 ? 2 : order;
   list_symbols(s, crawler->gait, limit, terms);
@@ -232,9 +243,9 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
   struct weights w = weights_of(s, in, terms);
   limit->term = solve(s, &w, limit, terms);
   if (s->terms > s->most_terms) {
+    say_given_up(limit, s, order);
     if (why)
-      *why = "the limit takes more than " TEXT_OF(
-          MOST_TERMS) " terms at this order: ask for a lower --order, or for numbers, without --symbolic";
+      *why = limit->why;
     return SCALLOP_EDOMAIN;
   }
   limit->term.length = order;

@@ -6,7 +6,7 @@
 #ifndef SCALLOP_COMPARE_ANSWERS_ANSWER_H
 #define SCALLOP_COMPARE_ANSWERS_ANSWER_H
 
-#include "compare/answers/point.h"
+#include "compare/points/point.h"
 #include "compare/answers/quantities.h"
 #include "numerics/wide/wide.h"
 

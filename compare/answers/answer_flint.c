@@ -5,7 +5,7 @@
 
 #include "asymptotics/derived/evaluate.h"
 #include "asymptotics/published/read.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 
 void ball_answer_init(struct ball_answer *a)
 {

@@ -3,10 +3,14 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
+#include "compare/answers/sheet.h"
+#include "compare/columns/columns.h"
 #include "compare/text/tsv.h"
 #include "compare/text/values.h"
 #include "compare/text/progress.h"
@@ -22,7 +26,6 @@ struct reader {
   int carried[TSV_CELLS];           /* columns that are no parameters             */
   int carries, others;              /* those that are carried along, and all */
   bool quiet, v0_may_be_nan;
-  long rows, unsolved;
 };
 
 const char *name_among(const char *const *names, const char *name)
@@ -37,12 +40,6 @@ static const char *known_parameter(const char *name, const char *const *extra)
   const char *own = name_among(crawler_parameters, name);
   return own ? own : name_among(extra, name);
 }
-
-/* What other programs call a parameter */
-static const struct {
-  const char *word, *parameter;
-} synonyms[] = { { "period", "T" }, { "stroke", "L" },     { "mass1", "m1" },
-                 { "mass2", "m2" }, { "friction1", "F1" }, { "friction2", "F2" } };
 
 /* The letters and digits of a name */
 static void squeeze(char plain[COLUMN_NAME], const char *name)
@@ -73,9 +70,6 @@ static const char *meant(const char *name, const char *const *extra)
     for (const char *const *p = list == 0 ? crawler_parameters : extra; !known && *p; p++)
       if ((strlen(*p) > 1 && likely(plain, *p)) || resembles(plain, *p))
         known = *p;
-  for (size_t i = 0; !known && i < sizeof synonyms / sizeof *synonyms; i++)
-    if (likely(plain, synonyms[i].word))
-      known = synonyms[i].parameter;
   return known;
 }
 
@@ -108,7 +102,12 @@ static const char *read_column(struct reader *r, int i, const char *const *extra
 /* Is the name of a column that is no parameter still free in the table? */
 static bool is_free(const struct reader *r, const char *name, const struct point_table *of)
 {
-  bool taken = *name == '\0' || name_among(of->columns, name);
+  bool taken = *name == '\0';
+  for (const char *const *own = of->columns; *own && !taken; own++) {
+    int length;
+    column_formula(*own, &length);
+    taken = (int)strlen(name) == length && strncmp(*own, name, (size_t)length) == 0;
+  }
   for (int i = 0; i < r->carries && !taken; i++)
     taken = strcmp(r->tsv.column[r->carried[i]], name) == 0;
   return !taken;
@@ -222,110 +221,164 @@ static void write_refused(struct table *t, const struct point_table *of)
       table_number(t, NAN);
 }
 
-/* r: of a file, or NULL. Returns whether the point was solved. */
-static const char *write_row(struct table *t, const struct point_table *of, const struct reader *r,
-                             const struct point *p, const char *refused)
+/* A table of points that is being made */
+struct making {
+  const struct request *request;
+  const struct point_table *of;
+  struct reader *reader; /* of a file, or NULL */
+  struct style style;
+  struct table table;
+  struct at *at; /* of a sheet, or NULL */
+  long rows, unsolved;
+  const char *why; /* the last point was not solved, or NULL */
+};
+
+static void write_row(struct making *m, const struct point *p, const char *refused)
 {
-  if (refused)
-    write_refused(t, of);
-  else
-    write_parameters(t, of, p);
+  const struct reader *r = m->reader;
+  const char *cells[TSV_CELLS];
   for (int i = 0; r && i < r->carries; i++)
-    table_carried(t, r->carried[i] < r->tsv.count ? r->tsv.cell[r->carried[i]] : "");
-  return of->row(t, p, of->context, refused);
+    cells[i] = r->carried[i] < r->tsv.count ? r->tsv.cell[r->carried[i]] : "";
+  if (m->at) {
+    at_move(m->at, p, refused);
+    m->at->carried = cells;
+    sheet_row(m->of->sheet, &m->table, m->at);
+    m->why = m->at->why[0] != '\0' ? m->at->why : NULL;
+  } else {
+    if (refused)
+      write_refused(&m->table, m->of);
+    else
+      write_parameters(&m->table, m->of, p);
+    for (int i = 0; r && i < r->carries; i++)
+      table_carried(&m->table, cells[i]);
+    m->why = m->of->row(&m->table, p, m->of->context, refused);
+  }
+  m->rows++;
+  m->unsolved += m->why != NULL;
 }
 
-static void solve_rows(struct reader *r, struct table *table, const struct request *request,
-                       const struct point_table *of)
+/* The bytes that are not read yet, of a regular file; else 0 */
+static off_t bytes_left(FILE *in)
+{
+  struct stat of;
+  const off_t read = ftello(in);
+  return read >= 0 && fstat(fileno(in), &of) == 0 && S_ISREG(of.st_mode) ? of.st_size - read : 0;
+}
+
+static void rows_of_file(struct making *m)
 {
   char status[POINT_STATUS];
-  while (!table_failed(table) && tsv_next(&r->tsv)) {
-    struct point point = request->point;
+  struct reader *r = m->reader;
+  const off_t bytes = bytes_left(r->tsv.file);
+  double read = 0;
+  while (!table_failed(&m->table) && tsv_next(&r->tsv)) {
+    struct point point = m->request->point;
     const char *wrong = read_row(r, &point, status);
-    r->rows++;
-    if (write_row(table, of, r, &point, wrong))
-      r->unsolved++;
+    read += (double)(r->tsv.end - r->tsv.begin + 1);
+    /* about so many rows: no comments */
+    progress_count(m->rows + 1, lround((double)(m->rows + 1) * (double)bytes / read));
+    write_row(m, &point, wrong);
   }
 }
 
-static enum exit_code finish(struct table *table, long rows, long unsolved)
+static void rows_of_sweep(struct making *m)
 {
-  if (!table_close(table))
-    return EXIT_FILE;
-  if (unsolved > 0)
-    complain(table->style->command, "%ld of %ld points could not be solved: the column 'status' says why", unsolved,
-             rows);
-  return unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
+  const struct sweep *sweep = &m->request->sweep;
+  long index[SWEEP_GROUPS] = { 0 };
+  struct swept swept = { .product = NULL };
+  do {
+    struct point point = m->request->point;
+    sweep_move(&swept, &point, sweep->product, index, NULL, NULL);
+    progress_count(m->rows + 1, sweep_points(sweep));
+    write_row(m, &point, swept.why[0] != '\0' ? swept.why : NULL);
+  } while (sweep_next(sweep->product, index) && !table_failed(&m->table));
 }
 
-static bool begin(struct table *table, const struct style *style, const struct point_table *of, const struct reader *r)
+/* The columns of the sheet: those that are chosen, or the parameters, what is carried along and the sheet's own */
+static const char *add_columns(struct sheet *s, const struct making *m, const char *const *carried)
+{
+  const struct table_choice *choice = m->request->style.choice;
+  const char *const *const lists[] = { crawler_parameters, m->of->extra, carried, m->of->columns };
+  const char *wrong = NULL;
+  for (int i = 0; choice && i < choice->count && !wrong; i++)
+    wrong = sheet_add(s, choice->names[i]);
+  for (int k = 0; !choice && k < 4; k++)
+    for (const char *const *name = lists[k]; *name && !wrong; name++)
+      wrong = sheet_add(s, *name);
+  return wrong;
+}
+
+static enum exit_code begin_sheet(struct making *m, const char *const *carried)
+{
+  struct sheet *s = m->of->sheet;
+  s->asked->quantities.carries = m->reader ? m->reader->carries : 0;
+  s->asked->quantities.carried = carried;
+  const char *wrong = add_columns(s, m, carried);
+  if (wrong) {
+    complain(m->style.command, "--columns: %s", wrong);
+    return EXIT_USAGE;
+  }
+  m->style.choice = NULL;
+  m->at = malloc(sizeof *m->at);
+  if (!m->at || !at_init(m->at, s->asked)) {
+    complain(m->style.command, "out of memory");
+    return EXIT_UNSOLVED;
+  }
+  return EXIT_DONE;
+}
+
+static enum exit_code begin(struct making *m, const char *const *carried)
+{
+  enum exit_code code = m->of->sheet ? begin_sheet(m, carried) : EXIT_DONE;
+  if (code != EXIT_DONE || !table_head(&m->table, &m->style, "%s", m->style.command))
+    return code != EXIT_DONE ? code : EXIT_FILE;
+  if (m->of->sheet)
+    sheet_head(m->of->sheet, &m->table);
+  else {
+    table_columns(&m->table, crawler_parameters);
+    table_columns(&m->table, m->of->extra);
+    table_columns(&m->table, carried);
+    table_columns(&m->table, m->of->columns);
+  }
+  table_begin_rows(&m->table);
+  return EXIT_DONE;
+}
+
+static enum exit_code finish(struct making *m)
+{
+  const char *command = m->style.command;
+  if (m->reader && tsv_error(&m->reader->tsv)) {
+    complain(command, "%s", tsv_error(&m->reader->tsv));
+    table_abandon(&m->table);
+    return EXIT_FILE;
+  }
+  if (!table_close(&m->table))
+    return EXIT_FILE;
+  if (m->unsolved > 0 && has_many_points(m->request))
+    complain(command, "%ld of %ld points could not be solved: the column 'status' says why", m->unsolved, m->rows);
+  else if (m->unsolved > 0)
+    complain(command, "this point could not be solved: %s", m->why);
+  return m->unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
+}
+
+static enum exit_code make(struct making *m)
 {
   const char *carried[TSV_CELLS + 1] = { NULL };
-  for (int i = 0; r && i < r->carries; i++)
-    carried[i] = r->tsv.column[r->carried[i]];
-  if (!table_open(table, style))
-    return false;
-  table_note(table, "scallop " SCALLOP_VERSION);
-  table_note(table, "command: %s", style->command);
-  table_columns(table, crawler_parameters);
-  table_columns(table, of->extra);
-  table_columns(table, carried);
-  table_columns(table, of->columns);
-  table_begin_rows(table);
-  return true;
-}
-
-static enum exit_code one_point(const struct request *request, const struct point_table *of)
-{
-  struct table table;
-  if (!begin(&table, &request->style, of, NULL))
-    return EXIT_FILE;
-  const char *why = write_row(&table, of, NULL, &request->point, NULL);
-  if (!table_close(&table))
-    return EXIT_FILE;
-  if (why)
-    complain(request->style.command, "this point could not be solved: %s", why);
-  return why ? EXIT_UNSOLVED : EXIT_DONE;
-}
-
-static enum exit_code points_of_sweep(const struct request *request, const struct point_table *of)
-{
-  const struct sweep_product *product = request->sweep.product;
-  long index[SWEEP_GROUPS] = { 0 }, rows = 0, unsolved = 0;
-  struct swept swept = { .product = NULL };
-  struct table table;
-  if (!begin(&table, &request->style, of, NULL))
-    return EXIT_FILE;
-  do {
-    struct point point = request->point;
-    sweep_move(&swept, &point, product, index, NULL, NULL);
-    progress_count(++rows, sweep_points(&request->sweep));
-    unsolved += write_row(&table, of, NULL, &point, swept.why[0] != '\0' ? swept.why : NULL) != NULL;
-  } while (sweep_next(product, index) && !table_failed(&table));
-  return finish(&table, rows, unsolved);
-}
-
-static enum exit_code points_of_file(const struct request *request, const struct point_table *of)
-{
-  const struct style *style = &request->style;
-  struct reader r = { .command = style->command, .quiet = style->quiet, .v0_may_be_nan = of->v0_may_be_nan };
-  struct table table;
-  enum exit_code code = EXIT_FILE;
-  if (!tsv_open(&r.tsv, request->points, TSV_TABS))
-    complain(r.command, "%s", tsv_error(&r.tsv));
-  else
-    code = read_header(&r, of);
-  if (code == EXIT_DONE && !begin(&table, style, of, &r))
-    code = EXIT_FILE;
+  for (int i = 0; m->reader && i < m->reader->carries; i++)
+    carried[i] = m->reader->tsv.column[m->reader->carried[i]];
+  enum exit_code code = begin(m, carried);
   if (code == EXIT_DONE) {
-    solve_rows(&r, &table, request, of);
-    code = tsv_error(&r.tsv) ? EXIT_FILE : finish(&table, r.rows, r.unsolved);
-    if (tsv_error(&r.tsv)) {
-      complain(r.command, "%s", tsv_error(&r.tsv));
-      table_abandon(&table);
-    }
+    if (m->reader)
+      rows_of_file(m);
+    else if (m->request->sweep.products > 0)
+      rows_of_sweep(m);
+    else
+      write_row(m, &m->request->point, NULL);
+    code = finish(m);
   }
-  tsv_close(&r.tsv);
+  if (m->at)
+    at_clear(m->at);
+  free(m->at);
   return code;
 }
 
@@ -333,7 +386,20 @@ bool has_many_points(const struct request *request) { return request->points || 
 
 enum exit_code for_each_point(const struct request *request, const struct point_table *of)
 {
-  return (request->points ? points_of_file : request->sweep.products > 0 ? points_of_sweep : one_point)(request, of);
+  struct making m = { .request = request, .of = of, .style = request->style };
+  struct reader r = { .command = m.style.command, .quiet = m.style.quiet, .v0_may_be_nan = of->v0_may_be_nan };
+  if (!request->points)
+    return make(&m);
+  enum exit_code code = EXIT_FILE;
+  m.reader = &r;
+  if (!tsv_open(&r.tsv, request->points, TSV_TABS))
+    complain(r.command, "%s", tsv_error(&r.tsv));
+  else
+    code = read_header(&r, of);
+  if (code == EXIT_DONE)
+    code = make(&m);
+  tsv_close(&r.tsv);
+  return code;
 }
 
 void parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const char *const *not_held, bool as_written)

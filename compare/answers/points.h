@@ -3,9 +3,9 @@
 #ifndef SCALLOP_COMPARE_ANSWERS_POINTS_H
 #define SCALLOP_COMPARE_ANSWERS_POINTS_H
 
-#include "compare/answers/gaits.h"
-#include "compare/answers/point.h"
-#include "compare/answers/sweep.h"
+#include "compare/points/gaits.h"
+#include "compare/points/point.h"
+#include "compare/points/sweep.h"
 #include "compare/text/message.h"
 #include "compare/text/table.h"
 #include "compare/text/values.h"
@@ -18,18 +18,21 @@ struct request {
   struct sweep sweep; /* lists and ranges of options: no product, or one, at whose first point point is */
   const char *points; /* file name, "-" for standard input, or NULL */
   const char *book;   /* file name of a book of formulas, or NULL     */
+  bool stats;         /* prints afterwards what was computed */
 };
 
 /* What a command adds to the row of a point behind its parameters: the cells of its columns. refused is NULL, or why
  * the point could not even be read; the row then has no numbers and that status. Returns NULL, or why it was not
  * solved. */
+struct sheet;
 typedef const char *point_row(struct table *table, const struct point *point, const void *context, const char *refused);
 
 /* A row has the crawler's parameters and extra; then, of a file, the columns that are no parameters, byte for byte, but
  * for those whose names are taken; then columns. */
 struct point_table {
   const char *const *extra; /* parameters beyond the crawler's that the points may name, phase or v0, NULL-terminated */
-  const char *const *columns; /* of the command */
+  const char *const *columns; /* of the command; of a sheet the texts of its own names */
+  struct sheet *sheet;        /* which has the columns and rows, or NULL: row adds the cells of the columns */
   bool v0_may_be_nan;         /* where none was given */
   bool as_written;            /* parameters with all the digits that were given */
   point_row *row;
@@ -40,8 +43,6 @@ bool has_many_points(const struct request *request);
 /* Runs row over the points of request->points, over those of request->sweep, or over the one point of the request
  * itself. Opens and closes the table. */
 enum exit_code for_each_point(const struct request *request, const struct point_table *of);
-
-enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
 /* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
 const char *name_among(const char *const *names, const char *name);

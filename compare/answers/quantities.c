@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/point.h"
+#include "compare/points/point.h"
 #include "compare/text/message.h"
 
 const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
@@ -117,6 +117,8 @@ static const struct {
                { "m1_over_m2", QUANTITY_M1_OVER_M2, 0 },
                { "regime", QUANTITY_REGIME, OF_STEADY },
                { "modes", QUANTITY_MODES, OF_STEADY },
+               { "motion", QUANTITY_WORDS, OF_STEADY },
+               { "phase_motion", QUANTITY_WORDS, OF_PHASE },
                { "phase_regime", QUANTITY_REGIME, OF_PHASE },
                { "phase_modes", QUANTITY_MODES, OF_PHASE } };
 enum { SINGLE = sizeof single / sizeof *single };
@@ -135,10 +137,10 @@ const char *const quantity_samples[SAMPLE_VALUES + 1] = { "t", "x1", "x2", "xC",
  * same, the first one counts. */
 static const char *name_at(const struct quantities *all, int i, struct quantity *q)
 {
-  enum { LISTS = 5 };
-  static const enum quantity_kind kinds[LISTS] = { QUANTITY_NUMBER, QUANTITY_STATUS, QUANTITY_LABEL, QUANTITY_SAMPLE,
-                                                   QUANTITY_ANSWER };
-  const int counts[LISTS] = { CRAWLER_NUMBERS, SINGLE, all->labels, SAMPLE_VALUES, NAMED_QUANTITIES };
+  enum { LISTS = 6 };
+  static const enum quantity_kind kinds[LISTS] = { QUANTITY_NUMBER,  QUANTITY_STATUS, QUANTITY_LABEL,
+                                                   QUANTITY_CARRIED, QUANTITY_SAMPLE, QUANTITY_ANSWER };
+  const int counts[LISTS] = { CRAWLER_NUMBERS, SINGLE, all->labels, all->carries, SAMPLE_VALUES, NAMED_QUANTITIES };
   int list = 0;
   for (; list < LISTS && i >= counts[list]; list++)
     i -= counts[list];
@@ -151,10 +153,23 @@ static const char *name_at(const struct quantities *all, int i, struct quantity 
     q->which = single[i].which;
     return single[i].name;
   case 2: return all->label[i];
-  case 3: return quantity_samples[i];
-  case 4: return quantity_rows[i].name;
+  case 3: return all->carried[i];
+  case 4: return quantity_samples[i];
+  case 5: return quantity_rows[i].name;
   default: q->formula = formula_at(i); return q->formula ? q->formula->name : NULL;
   }
+}
+
+/* "v_start_error" */
+static bool estimate_named(struct quantity *q, const char *name)
+{
+  char of[QUANTITY_NAME];
+  size_t length = strlen(name);
+  bool is = length > 6 && length < QUANTITY_NAME && strcmp(name + length - 6, "_error") == 0;
+  snprintf(of, sizeof of, "%.*s", is ? (int)length - 6 : 0, name);
+  q->kind = QUANTITY_ESTIMATE;
+  q->which = (int)quantity_of_name(of);
+  return is && q->which < QUANTITIES;
 }
 
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
@@ -164,7 +179,7 @@ static bool plain_named(struct quantity *q, const struct quantities *all, const 
     if (strcmp(other, name) == 0)
       return true;
   q->formula = formula_named(name);
-  return q->formula != NULL;
+  return q->formula || estimate_named(q, name);
 }
 
 bool quantity_is_other(const char *name)
@@ -201,6 +216,14 @@ static int named_about(struct quantity *q, struct quantities *all, const char *r
   return q->which < NAMED_QUANTITIES && (q->kind == QUANTITY_CERTIFIED || quantity_rows[q->which].has_series) ? 0 : -1;
 }
 
+static bool name_among_carried(const struct quantities *all, const char *name)
+{
+  int i = 0;
+  while (i < all->carries && strcmp(all->carried[i], name) != 0)
+    i++;
+  return i < all->carries;
+}
+
 int quantity_named(struct quantities *all, const char *name)
 {
   struct quantity q = { .of = -1 };
@@ -211,7 +234,8 @@ int quantity_named(struct quantities *all, const char *name)
   if (strlen(name) >= QUANTITY_NAME)
     return -1;
   snprintf(q.name, sizeof q.name, "%s", name);
-  for (int i = 0; i < PREFIXES && found < 0; i++) {
+  bool is_carried = name_among_carried(all, name);
+  for (int i = 0; i < PREFIXES && found < 0 && !is_carried; i++) {
     size_t length = strlen(prefixes[i].text);
     q.kind = prefixes[i].kind;
     if (strncmp(name, prefixes[i].text, length) == 0 && (found = named_about(&q, all, name + length)) < 0)
@@ -240,7 +264,7 @@ bool quantity_is_text(const struct quantity *q)
 {
   return q->kind == QUANTITY_GAIT || q->kind == QUANTITY_LABEL || q->kind == QUANTITY_CERTIFIED
          || q->kind == QUANTITY_STATUS || q->kind == QUANTITY_PHASE_NAME || q->kind == QUANTITY_REGIME
-         || q->kind == QUANTITY_MODES;
+         || q->kind == QUANTITY_MODES || q->kind == QUANTITY_WORDS || q->kind == QUANTITY_CARRIED;
 }
 
 bool quantity_is_series(const struct quantity *q)
@@ -262,9 +286,11 @@ bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q
     return quantity_is_of_phase(all, &all->item[q->of]);
   switch (q->kind) {
   case QUANTITY_REGIME:
+  case QUANTITY_WORDS:
   case QUANTITY_MODES: return q->which == OF_PHASE;
   case QUANTITY_PUBLISHED: return q->formula->setting != SCALLOP_STEADY;
   case QUANTITY_ANSWER:
+  case QUANTITY_ESTIMATE:
   case QUANTITY_DERIVED:
   case QUANTITY_LIMIT:
   case QUANTITY_CERTIFIED: return quantity_rows[q->which].of == OF_PHASE;

@@ -13,6 +13,8 @@
  *     limit.displacement                          the limit T -> 0: the first term
  *     exact.S, error.S, relative.S   of a series S of these: what it should be, S - exact, and that over |exact|
  *     certified.displacement, ...                 with all digits, proven
+ *     v_start_error, ...                          what the double is off by, estimated in wider arithmetic
+ *     motion phase_motion                         the modes in words, with their times
  *     t x1 x2 xC v1 v2 l                          in a trajectory, at a time
  *     status                                      ok, or why there is no answer
  */
@@ -23,6 +25,7 @@
 
 #include "asymptotics/asymptotics.h"
 #include "compare/text/aligned.h"
+#include "compare/points/sweep.h"
 #include "model/model.h"
 
 /* What a quantity is of: the steady state, or one phase from a start velocity. */
@@ -82,7 +85,7 @@ const char *formula_quantity_text(const struct scallop_formula *formula, enum sc
 /* Does the formula take switching times, or a position at one, as given? */
 bool formula_takes_given(const struct scallop_formula *formula);
 
-enum { QUANTITY_NAME = 64, QUANTITY_LABELS = 8, MOST_QUANTITIES = 400 };
+enum { QUANTITY_NAME = 64, QUANTITY_LABELS = SWEEP_LABELS, MOST_QUANTITIES = 400 };
 
 enum quantity_kind {
   QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                  */
@@ -94,9 +97,12 @@ enum quantity_kind {
   QUANTITY_PHASE_NAME,
   QUANTITY_LABEL, /* which                                                                         */
   QUANTITY_ONSET,
-  QUANTITY_ANSWER, /* which: its place in quantity_rows                                           */
-  QUANTITY_REGIME, /* which: of what motion, enum quantity_of                                       */
-  QUANTITY_MODES,  /* likewise                                                                      */
+  QUANTITY_ANSWER,   /* which: its place in quantity_rows                                           */
+  QUANTITY_REGIME,   /* which: of what motion, enum quantity_of                                       */
+  QUANTITY_MODES,    /* likewise                                                                      */
+  QUANTITY_WORDS,    /* likewise: the modes with their times                                          */
+  QUANTITY_CARRIED,  /* which: a cell of a file of points                                          */
+  QUANTITY_ESTIMATE, /* which: the quantity whose error is estimated                                */
   QUANTITY_PUBLISHED,
   QUANTITY_DERIVED, /* which: as QUANTITY_ANSWER; limit and certified too                            */
   QUANTITY_LIMIT,
@@ -126,6 +132,8 @@ struct quantities {
   struct quantity item[MOST_QUANTITIES];
   int labels;
   const char *label[QUANTITY_LABELS];
+  int carries; /* columns of a file of points that are no parameters, before all other names */
+  const char *const *carried;
 };
 
 /* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for

@@ -9,6 +9,7 @@
 #include "compare/breakdown/motion.h"
 #include "compare/text/halfway.h"
 #include "compare/text/memory.h"
+#include "compare/text/progress.h"
 
 /* T by steps of 2^(1/PER_OCTAVE): what begins and ends again within a step is not seen. */
 enum { PER_OCTAVE = 256, OCTAVES_BELOW = 24 };
@@ -86,7 +87,7 @@ static bool signature_at(struct signature *out, const struct motion *motion, dou
 static int moved(const struct motion *m, const struct signature *a, const struct signature *b)
 {
   for (int phase = 0; phase < phases_of(m); phase++)
-    for (int i = 0; i < a->answer.modes[phase].count; i++) {
+    for (int i = 0; i < a->answer.modes[phase].count && i < SCALLOP_MODES_KEPT; i++) {
       const struct scallop_shape *shape = &m->crawler.gait->phase[kind_of(m, phase)];
       const struct scallop_piece *p = a->piece[phase][i], *q = b->piece[phase][i];
       if (p && q && part_of(shape, p) != part_of(shape, q))
@@ -271,7 +272,10 @@ void events_find(struct events *events, const struct motion *m, const char *limi
   bool going = begin(events, m, limit_modes, &low);
   double before = events->from;
   long steps = (long)ceil(PER_OCTAVE * log2(events->until / events->from));
+  const bool counts = !progress_is_counted(); /* else points are */
   for (long i = 1; going && i <= steps; i++) {
+    if (counts)
+      progress_count(i, steps);
     double T = events->from * exp2((double)i / PER_OCTAVE);
     going = signature_at(&high, m, T);
     if (going) {
@@ -282,6 +286,8 @@ void events_find(struct events *events, const struct motion *m, const char *limi
     low = high;
     before = T;
   }
+  if (counts)
+    progress_count(0, 0);
 }
 
 void events_clear(struct events *events)

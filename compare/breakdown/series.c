@@ -1,7 +1,7 @@
 #include "compare/breakdown/series.h"
 #include "compare/book/book.h"
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 
 void expansions_init(struct expansions *e, const struct motion *motion, slong order, slong precision)
 {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"
@@ -12,7 +12,6 @@
 #include "compare/breakdown/study.h"
 #include "compare/text/progress.h"
 #include "compare/text/table.h"
-#include "model/version.h"
 
 enum { BOUND_BITS = 128 };
 
@@ -265,10 +264,8 @@ static bool begin(struct report *r)
 {
   struct table *t = &r->table;
   bool steady = r->study.motion.of == OF_STEADY;
-  if (!table_open(t, &r->options->request.style))
+  if (!table_head(t, &r->options->request.style, "breakdown"))
     return false;
-  table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: breakdown");
   if (r->options->request.book)
     table_note(t, "book: %s", r->options->request.book);
   /* T is what is looked for; a phase is one of duration T */

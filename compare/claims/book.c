@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compare/answers/answer.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/answers/quantities.h"
 #include "compare/book/book.h"
 #include "compare/claims/evidence.h"

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/point.h"
+#include "compare/points/point.h"
 #include "compare/claims/evidence.h"
 #include "compare/claims/family.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/text/progress.h"
 #include "compare/text/memory.h"
 

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "asymptotics/derived/formula_flint.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/book/book.h"
 #include "compare/claims/decide.h"
 #include "compare/claims/evidence.h"

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/claims/claims.h"
 #include "compare/claims/evidence.h"
 #include "compare/answers/points.h"
@@ -238,14 +238,13 @@ static void fill(struct ledger *ledger, const struct claims_options *o)
 static void begin(struct table *table, const struct claims_options *o, const char *const *names)
 {
   static const char *const varied[] = { "T", "gait", NULL };
-  table_note(table, "scallop " SCALLOP_VERSION);
+  table_command(table, "claims%s%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
+                o->check ? " --check" : "", o->summary ? " --summary" : "", o->verdict.given ? " --verdict " : "",
+                o->verdict.given ? o->verdict.value : "");
   if (o->request.book)
     table_note(table, "book: %s", o->request.book);
   if (o->formula)
     table_note(table, "formula: %s", o->formula);
-  table_note(table, "command: claims%s%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
-             o->check ? " --check" : "", o->summary ? " --summary" : "", o->verdict.given ? " --verdict " : "",
-             o->verdict.given ? o->verdict.value : "");
   note_parameters(table, &o->request.point, varied, false);
   const struct scallop_crawler *c = &o->request.point.crawler;
   const double v0 = short_number(CLAIM_SPEED * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2)), 2);

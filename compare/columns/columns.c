@@ -27,10 +27,8 @@ struct columns {
   const char *const *column;
   int columns;
   bool used[TABLE_COLUMNS];
-  struct table_cell cell[TABLE_COLUMNS];
-  double value[TABLE_COLUMNS];
-  char *text[TABLE_COLUMNS]; /* copies of texts */
-  size_t room[TABLE_COLUMNS];
+  bool in_formula[TABLE_COLUMNS];
+  double value[TABLE_COLUMNS]; /* of those in a formula */
 };
 
 const char *column_formula(const char *text, int *length)
@@ -131,7 +129,7 @@ static const char *find_formula(struct columns *c, struct item *item)
   if (used == 0 && item->text == item->name) /* such as "(28)", an equation */
     return not_allowed(item->text, "names of columns; NAME = FORMULA may be a number alone");
   while (used-- > 0)
-    c->used[places[used]] = true;
+    c->used[places[used]] = c->in_formula[places[used]] = true;
   column_formula(item->name, &length);
   if (item->text > item->name)
     item->name[length] = '\0';
@@ -164,8 +162,7 @@ static const char *begin(struct table_choice *choice, const char *const *column,
   return NULL;
 }
 
-/* The number that a text is: decimal, or a fraction such as -3/40; else nan */
-static double number_of(const char *text)
+double text_number(const char *text)
 {
   double x, over = 1;
   char whole[64];
@@ -179,36 +176,19 @@ static double number_of(const char *text)
   return read_number(whole, &x) && read_number(text + length + 1, &over) && over != 0 ? x / over : NAN;
 }
 
-static bool keep(struct table_choice *choice, int place, const struct table_cell *cell)
+static void show(struct table_choice *choice, const struct table_cell *row, struct table_cell *shown)
 {
   struct columns *c = (struct columns *)choice;
-  if (!c->used[place])
-    return true;
-  c->cell[place] = *cell;
-  c->value[place] = cell->value;
-  if (cell->kind == CELL_NUMBER || cell->kind == CELL_ROUNDED)
-    return true;
-  size_t size = strlen(cell->text) + 1;
-  if (size > c->room[place]) {
-    char *longer = realloc(c->text[place], 2 * size);
-    if (!longer)
-      return false;
-    c->text[place] = longer;
-    c->room[place] = 2 * size;
-  }
-  c->cell[place].text = memcpy(c->text[place], cell->text, size);
-  c->value[place] = number_of(cell->text);
-  return true;
-}
-
-static void write_row(struct table_choice *choice, struct table *t)
-{
-  struct columns *c = (struct columns *)choice;
+  for (int i = 0; i < c->columns; i++)
+    if (c->in_formula[i]) {
+      bool is_number = row[i].kind == CELL_NUMBER || row[i].kind == CELL_ROUNDED;
+      c->value[i] = is_number ? row[i].value : text_number(row[i].text);
+    }
   for (int i = 0; i < choice->count; i++)
     if (c->item[i].place >= 0)
-      table_cell(t, &c->cell[c->item[i].place]);
+      shown[i] = row[c->item[i].place];
     else
-      table_number(t, formula_double(c->item[i].formula, c->value));
+      shown[i] = (struct table_cell){ .kind = CELL_NUMBER, .value = formula_double(c->item[i].formula, c->value) };
 }
 
 const char *columns_read(struct table_choice **choice, const char *text)
@@ -216,8 +196,7 @@ const char *columns_read(struct table_choice **choice, const char *text)
   struct columns *c = calloc(1, sizeof *c);
   const char *wrong = c ? NULL : "out of memory", *end;
   if (c)
-    c->choice =
-        (struct table_choice){ .begin = begin, .keep = keep, .write = write_row, .names = c->names, .used = c->used };
+    c->choice = (struct table_choice){ .begin = begin, .show = show, .names = c->names, .used = c->used };
   for (; c && !wrong; text = end + 1) {
     end = end_of_item(text);
     wrong = add_item(c, text, end);
@@ -237,7 +216,5 @@ void columns_free(struct table_choice *choice)
     free(c->item[i].name);
     free(c->item[i].formula);
   }
-  for (int i = 0; c && i < TABLE_COLUMNS; i++)
-    free(c->text[i]);
   free(c);
 }

@@ -19,6 +19,8 @@ void columns_free(struct table_choice *choice);
 /* "NAME = FORMULA": the formula, and how long the name is, without blanks behind it. "FORMULA": the text, which is the
  * name too. */
 const char *column_formula(const char *text, int *name_length);
+/* The number that a text is: decimal, or a fraction such as -3/40; else nan */
+double text_number(const char *text);
 /* Can a new column be called that? Printable ASCII without quotes and backslashes, and not empty. */
 bool column_may_be_called(const char *name);
 

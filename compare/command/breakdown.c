@@ -3,7 +3,7 @@
 #include "compare/breakdown/breakdown.h"
 #include "compare/maps/maps.h"
 #include "compare/command/commands.h"
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/command/with_flint.h"
 #include "compare/summary/summary.h"
 

@@ -2,7 +2,7 @@
 
 #include "compare/command/commands.h"
 #include "compare/claims/claims.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/command/with_flint.h"
 
 #pragma weak claims_table
@@ -34,8 +34,6 @@ static const struct option options_of_claims[] = {
               "steady for quantities of the steady state, else rest", claims_options, start, book_starts),
   OPTION_WORD("phase", "PHASE", "of its motion from v0: extension, where none is given, or contraction", NULL,
               claims_options, phase, book_phases),
-  OPTION_DROPPED("against",
-                 "`--check` compares with the ledger that comes with the tool; compare any two ledgers with diff"),
   OPTIONS_OF_DOUBLES,
 };
 static const struct option_rule rules[] = {

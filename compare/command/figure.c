@@ -10,16 +10,12 @@
 
 static const struct option options_of_figure[] = {
   OPTIONS_CRAWLER(OF_SCENE, OF_SCENE),
-  OPTION_FLAG("explain", "the plan, instead of the work", scene_options, explain),
-  OPTION_FLAG("stats", "afterwards, on standard error, what was done: the counters of the plan's stages", scene_options,
-              stats),
+  OPTION_STATS,
   OPTION_FORMAT(OF_SCENE),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, OF_SCENE, DOUBLE_DIGITS),
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };
-
-static const struct option_rule rules[] = { { "plot", RULE_WITH, "explain", NULL }, { NULL, RULE_WITH, NULL, NULL } };
 
 /* Are columns named? Then they are drawn, else the figure as it is in the paper. */
 static bool names_columns(const struct plot *p) { return p->x || p->y[0] || p->by[0]; }
@@ -48,7 +44,6 @@ const struct command command_figure = {
   .example = "scallop figure 4 -o figure4.tsv",
   .operand = "2|3|4|5",
   .options = options_of_figure,
-  .rules = rules,
   .size = sizeof(struct scene_options),
   .about = "2: positions in time from rest, with symmetric and asymmetric kinematics. 3: one extension from\n"
            "rest. 4: change of position and velocity over an extension from rest, against its duration up to the\n"

@@ -2,7 +2,7 @@
 
 #include "compare/command/list.h"
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/command/commands.h"
 #include "compare/text/aligned.h"
 
@@ -157,8 +157,6 @@ static void write_command(FILE *to, const struct command *command)
   options_initial(&initial, command);
   for (const struct option *o = command->options; o->name; o++) {
     char text[HELP_OPTION];
-    if (o->kind == &dropped_option)
-      continue;
     describe(&initial, o, text);
     option_line(to, o->name, o->argument, text);
   }
@@ -167,11 +165,8 @@ static void write_command(FILE *to, const struct command *command)
 
 void help_of(FILE *to, const struct command *command)
 {
-  struct wrapped kept;
-  FILE *file = wrap_begin(&kept);
-  if (file && command)
-    write_command(file, command);
-  else if (file)
-    write_program(file);
-  wrap_end(&kept, to, HELP_WIDTH);
+  if (command)
+    write_command(to, command);
+  else
+    write_program(to);
 }

@@ -10,6 +10,7 @@
 
 #include <gsl/gsl_errno.h>
 
+#include "compare/points/counts.h"
 #include "compare/command/list.h"
 #include "compare/command/with_flint.h"
 #include "compare/text/progress.h"
@@ -185,6 +186,8 @@ int main(int count, char **arguments)
     code = options_book(&read);
     if (code == EXIT_DONE)
       code = options_judge(&read, command->run(&read, &read.options));
+    if (read.options.request.stats)
+      counts_print();
   }
   progress_clear();
   options_free(&read);

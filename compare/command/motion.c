@@ -1,17 +1,14 @@
 /* steady and phase: the quantities of one motion, a row for each point. */
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/answer.h"
-#include "compare/answers/mode_change.h"
+#include "compare/answers/sheet.h"
 #include "compare/answers/points.h"
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/command/commands.h"
 #include "compare/command/with_flint.h"
-
-#pragma weak answer_in_decimals
-#pragma weak decimals_free
 
 struct motion_options {
   struct request request;
@@ -26,33 +23,11 @@ static const struct motion_options of_steady = { .of = OF_STEADY }, of_phase = {
       OPTION_FLAG("error", "after each number an estimate of its error", motion_options, error), OPTION_POINTS, \
       OPTION_FORMAT("tsv"), \
       OPTION_DIGITS(DIGITS, READ_BACK "; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), OPTIONS_PLOT, \
-      OPTIONS_LAST
+      OPTION_STATS, OPTIONS_LAST
 
 static const struct option steady_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTIONS_OF_ROWS };
 static const struct option phase_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTION_PHASE(NULL), OPTION_V0(NULL),
                                                OPTIONS_OF_ROWS };
-
-/* A row of any arithmetic */
-struct cells {
-  struct answer answer;
-  char *decimals[QUANTITIES]; /* of --certified */
-  double errors[QUANTITIES];  /* of --error */
-};
-
-/* NULL, or why there are no numbers; that lives until the next call. */
-static const char *solve(struct cells *c, const struct motion_options *o, const struct point *p)
-{
-  static char why[POINT_STATUS];
-  const struct motion motion = motion_of(p, o->of);
-  const char *more = NULL;
-  long digits = o->request.style.digits > 0 ? o->request.style.digits : CERTIFIED_DIGITS;
-  bool done = o->certified ? answer_in_decimals(&c->answer, c->decimals, p, o->of, digits, &more)
-              : o->error   ? answer_with_errors(&c->answer, &motion, c->errors)
-                           : answer_in_double(&c->answer, &motion);
-  if (!done)
-    snprintf(why, sizeof why, "%s%s%s", scallop_status_text(c->answer.status), more ? ": " : "", more ? more : "");
-  return done ? NULL : why;
-}
 
 /* The modes in words are a column of a single answer for people, and of any table whose columns are chosen by name. */
 static bool has_words(const struct request *r)
@@ -60,68 +35,63 @@ static bool has_words(const struct request *r)
   return r->style.choice || (!has_many_points(r) && table_is_for_people(&r->style));
 }
 
-static void write_words(struct table *t, const struct motion_options *o, const struct point *p)
+/* The texts of the table's own columns, NULL-terminated */
+enum { MOST = 2 * QUANTITIES + 5, TEXT = 80 };
+static void list_columns(const char *columns[MOST], char texts[QUANTITIES][2][TEXT], const struct motion_options *o)
 {
-  enum { SHOWN = 6 };
-  const struct motion motion = motion_of(p, o->of);
-  struct answer answer;
-  char words[MOTION_WORDS];
-  table_text(t, answer_in_double(&answer, &motion) ? motion_in_words(words, &motion, &answer, SHOWN) : "-");
+  static const char *const how[][3] = { [OF_STEADY] = { "regime", "modes", "motion" },
+                                        [OF_PHASE] = { "regime = phase_regime", "modes = phase_modes",
+                                                       "motion = phase_motion" } };
+  int n = 0, first = (int)quantity_first(o->of), end = (int)quantity_end(o->of);
+  for (int q = first; q < end; q++) {
+    snprintf(texts[q][0], TEXT, o->certified ? "%s = certified.%s" : "%s", quantity_rows[q].name,
+             quantity_rows[q].name);
+    columns[n++] = texts[q][0];
+  }
+  for (int q = first; q < end && o->error; q++) {
+    snprintf(texts[q][1], TEXT, "%s_error", quantity_rows[q].name);
+    columns[n++] = texts[q][1];
+  }
+  for (int i = 0; i < 2 + has_words(&o->request); i++)
+    columns[n++] = how[o->of][i];
+  columns[n++] = "status";
+  columns[n] = NULL;
 }
 
-static const char *row(struct table *t, const struct point *p, const void *context, const char *refused)
+/* Does any of the chosen columns need FLINT? What is wrong with one is told when it is known what a file carries. */
+static bool choice_needs_flint(const struct table_choice *choice, struct sheet *sheet)
 {
-  static const double rounded_up = 1.005; /* of an estimate, with three digits */
-  const struct motion_options *o = context;
-  struct cells c = { .decimals = { NULL } };
-  char modes[MOTION_MODES_TEXT], status[ANSWER_STATUS];
-  const char *why = refused ? refused : solve(&c, o, p);
-  int first = (int)quantity_first(o->of), end = (int)quantity_end(o->of);
-  for (int q = first; q < end; q++)
-    if (c.decimals[q])
-      table_digits(t, c.decimals[q]);
-    else
-      table_number(t, why || o->certified ? NAN : c.answer.value[q].high);
-  for (int q = first; q < end && o->error; q++)
-    table_rounded(t, why ? NAN : rounded_up * c.errors[q], "%.3g");
-  table_text(t, why ? "-" : scallop_regime_text(c.answer.regime));
-  table_text(t, why ? "-" : motion_modes_text(modes, o->of, c.answer.modes));
-  if (has_words(&o->request) && why)
-    table_text(t, "-");
-  else if (has_words(&o->request))
-    write_words(t, o, p);
-  table_text(t, why ? why : o->certified ? "certified" : answer_status_text(status, &c.answer));
-  if (o->certified)
-    decimals_free(c.decimals);
-  return why;
+  for (int i = 0; choice && i < choice->count; i++)
+    sheet_add(sheet, choice->names[i]);
+  sheet_free(sheet);
+  bool needs = asked_needs_flint(sheet->asked);
+  sheet->asked->quantities.count = 0;
+  return needs;
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  enum { MOST = 2 * QUANTITIES + 5, NAME = 32 };
   static const char *const none[] = { NULL }, *const start[] = { "phase", "v0", NULL };
   const struct motion_options *o = options;
   const char *columns[MOST];
-  char errors[QUANTITIES][NAME];
-  int n = 0, first = (int)quantity_first(o->of), end = (int)quantity_end(o->of);
-  if (o->certified && !has_flint(arguments, "--certified"))
-    return EXIT_UNSOLVED;
-  for (int q = first; q < end; q++)
-    columns[n++] = quantity_rows[q].name;
-  for (int q = first; q < end && o->error; q++) {
-    snprintf(errors[q], NAME, "%s_error", quantity_rows[q].name);
-    columns[n++] = errors[q];
-  }
-  columns[n++] = "regime";
-  columns[n++] = "modes";
-  if (has_words(&o->request))
-    columns[n++] = "motion";
-  columns[n++] = "status";
-  columns[n] = NULL;
-  const struct point_table table = {
-    .extra = o->of == OF_PHASE ? start : none, .columns = columns, .as_written = o->certified, .row = row, .context = o
-  };
-  return for_each_point(&o->request, &table);
+  char texts[QUANTITIES][2][TEXT];
+  long digits = o->request.style.digits > 0 ? o->request.style.digits : CERTIFIED_DIGITS;
+  struct asked *asked = malloc(sizeof *asked);
+  if (!asked)
+    return complain(o->request.style.command, "out of memory"), EXIT_UNSOLVED;
+  *asked = asked_nothing();
+  asked->as_written = o->certified;
+  asked->digits = digits;
+  list_columns(columns, texts, o);
+  struct sheet sheet = { .asked = asked, .own = columns, .digits = digits };
+  const struct point_table table = { .extra = o->of == OF_PHASE ? start : none, .columns = columns, .sheet = &sheet };
+  enum exit_code code = EXIT_UNSOLVED;
+  if ((!o->certified || has_flint(arguments, "--certified"))
+      && (!choice_needs_flint(o->request.style.choice, &sheet) || has_flint(arguments, "such a column")))
+    code = for_each_point(&o->request, &table);
+  sheet_free(&sheet);
+  free(asked);
+  return code;
 }
 
 static const struct option_rule rules[] = {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/text/plot.h"
@@ -172,7 +172,7 @@ const struct option_kind parameter_option = { read_parameter, show_parameter }, 
                          word_option = { read_word, show_word }, text_option = { read_text, NULL },
                          format_option = { read_format, NULL }, digits_option = { read_digits, NULL },
                          output_option = { read_output, NULL }, columns_option = { read_choice, NULL },
-                         plot_option = { read_plot, NULL }, dropped_option = { NULL, NULL };
+                         plot_option = { read_plot, NULL };
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -196,17 +196,55 @@ bool takes_operands(const struct command *command)
   return length > 3 && strcmp(command->operand + length - 3, "...") == 0;
 }
 
+/* What has left since the last version: an option, or "NAME VALUE", a value of one. */
+#define AWK \
+  "`LC_ALL=C awk -f cheapest.awk FILE` summarises a table; the script is in scripts/plots/ of the sources, and " \
+  "installed in share/scallop/"
+#define COUNTED "`--stats` prints what was done"
+#define BY_SYMPY "sympy makes it of the text form in three lines: docs/commands.md"
+#define LEDGERS \
+  "`scallop claims | diff - FILE` compares with any ledger; data/claims.tsv of the sources is the tool's own"
+
+static const struct removed_option {
+  const char *name, *command, *instead;
+} removed[] = {
+  { "against", "claims", LEDGERS },
+  { "check", "claims", LEDGERS },
+  { "emit c", "series", BY_SYMPY },
+  { "emit mathml", "series", BY_SYMPY },
+  { "explain", "figure", COUNTED },
+  { "explain", "run", COUNTED },
+  { "format tap", "order", "`--format junit` is what CI reads" },
+  { "from", "workprec", AWK },
+  { "pager", NULL, "`scallop ... --format table | less -S` shows an aligned table page by page" },
+  { "summary", "workprec", AWK },
+};
+
+/* NULL: it was never there. */
+static const char *removed_option(const char *command, const char *name, const char *value)
+{
+  char asked[OPTION_VALUE];
+  snprintf(asked, sizeof asked, "%s%s%s", name, value ? " " : "", value ? value : "");
+  for (const struct removed_option *r = removed; r < removed + sizeof removed / sizeof *removed; r++)
+    if (strcmp(r->name, asked) == 0 && (!r->command || strcmp(r->command, command) == 0))
+      return r->instead;
+  return NULL;
+}
+
 /* An option that the command does not take: another one's, a mistyped one, or none. */
 static bool complain_of_option(const struct arguments *a, const char *name, const char *argument)
 {
   enum { MOST = 80 };
   const char *names[MOST + 2] = { NULL }, *command = a->command->name;
   int count = 0;
+  const char *instead = removed_option(command, name, NULL);
+  if (instead)
+    return complain(command, "--%s is no longer there: %s", name, instead);
   for (const struct command *const *c = a->commands; *c; c++)
     if (option_of(*c, name))
       return complain(command, "this command does not take the option '%s' (see scallop %s --help)", argument, command);
   for (const struct option *o = a->command->options; o->name && count < MOST; o++) {
-    names[count++] = o->kind == &dropped_option ? "" : o->name;
+    names[count++] = o->name;
     names[count++] = o->also ? o->also : "";
   }
   const char *near = nearest(name + strspn(name, "-"), names);
@@ -228,7 +266,11 @@ static bool read_values(struct arguments *a, const struct option *o, const char 
     if (!is_here && a->place + 1 == a->count)
       return complain(command, "--%s needs %s: --%s %s", o->name, i == 0 ? "a value" : "two values", o->name,
                       o->argument);
-    const char *wrong = o->kind->read(&a->options, o, is_here ? text : a->all[++a->place]);
+    const char *value = is_here ? text : a->all[++a->place];
+    const char *wrong = o->kind->read(&a->options, o, value);
+    const char *instead = wrong && value ? removed_option(command, o->name, value) : NULL;
+    if (instead)
+      return complain(command, "--%s %s is no longer there: %s", o->name, value, instead);
     if (wrong)
       return complain(command, "--%s: %s", o->name, wrong);
   }
@@ -245,10 +287,7 @@ static bool read_option(struct arguments *a)
   if (equals)
     *equals = '\0';
   const struct option *o = two_dashes || is_o ? option_of(a->command, name) : NULL;
-  bool good = !o ? complain_of_option(a, name, argument)
-              : o->kind == &dropped_option
-                  ? complain(a->command->name, "the option '%s' is no longer there: %s", argument, o->help)
-                  : read_values(a, o, equals ? equals + 1 : NULL);
+  bool good = o ? read_values(a, o, equals ? equals + 1 : NULL) : complain_of_option(a, name, argument);
   if (equals) /* the arguments may be handed on: with_flint.h */
     *equals = '=';
   return good;

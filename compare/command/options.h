@@ -1,6 +1,8 @@
 /* The arguments of the command line. A command's options are a struct of its own that begins with struct request
  * (answers/points.h), and a row for each: its name, what it takes, what --help says of it, what holds where it is not
- * given, how it is read, and which field it sets. A new option is a field and a row. */
+ * given, how it is read, and which field it sets. A new option is a field and a row. One that leaves is a row of
+ * removed[] in options.c for a version: {"NAME" or "NAME VALUE", its command or NULL for all, what to use instead}. An
+ * option or a value that a command still has is found before that row. */
 #ifndef SCALLOP_COMPARE_COMMAND_OPTIONS_H
 #define SCALLOP_COMPARE_COMMAND_OPTIONS_H
 
@@ -39,8 +41,7 @@ extern const struct option_kind
     format_option, output_option, /* of the style                                                           */
     digits_option,                /* likewise, from 1 to most                                               */
     plot_option,                  /* likewise, of its plot, by its name                                     */
-    columns_option,               /* likewise: which columns                                                */
-    dropped_option;               /* one that is no longer there: help says what to use instead             */
+    columns_option;               /* likewise: which columns                                                */
 
 struct option {
   const char *name;     /* without the dashes                                                                       */
@@ -130,10 +131,10 @@ struct option_rule {
       OPTION_PLOT("plot-title", "TEXT", "the title of the picture", "the parameters that hold"), \
       OPTION_PLOT("plot-size", "WxH", "width and height in pixels, from 200 to 10000", \
                   "800x500, more where there is more to show")
+#define OPTION_STATS OPTION_FLAG("stats", "afterwards, on standard error, what was computed, as counts", request, stats)
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
 #define OPTION_PAGER \
   OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
-#define OPTION_DROPPED(name, instead) OPTION(name, NULL, instead, NULL, .kind = &dropped_option)
 /* What --help says of lists and ranges, where a command takes many points */
 #define ABOUT_MANY_POINTS \
   "A parameter takes one value, a list (--alpha 0.6,0.7) or a range FROM:TO:COUNT (--F1 1:10:10), which\n" \

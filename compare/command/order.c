@@ -60,7 +60,7 @@ static const struct option options_of_order[] = {
   OPTION_FLAG("values", "the columns hold values and not errors, as one named 'value' does", order_options,
               columns.values),
   OPTION_FLAG("rows", "print each row with its pairwise order and its use, and no verdicts", order_options, rows),
-  OPTION_WORD("format", "F", "tsv, json (one object a line), csv, markdown, table (aligned), tap or junit", NULL,
+  OPTION_WORD("format", "F", "tsv, json (one object a line), csv, markdown, table (aligned) or junit", NULL,
               order_options, format, report_formats),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS),
   OPTIONS_PLOT,

@@ -1,7 +1,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/resource.h>
 
 #include "compare/command/commands.h"
 #include "compare/command/run.h"
@@ -14,11 +13,10 @@
 static const struct option options_of_run[] = {
   OPTIONS_CRAWLER(OF_SCENE, OF_SCENE),
   OPTION_FLAG("check-only", "read and check the scenes, and do nothing", scene_options, check_only),
-  OPTION_FLAG("explain", "the plan, instead of the work", scene_options, explain),
-  OPTION_FLAG("stats", "afterwards, on standard error, what was done: the counters of the plan's stages", scene_options,
-              stats),
+  OPTION_STATS,
   OPTION_FLAG("no-plots", "tables only", scene_options, no_plots),
-  OPTION_TEXT("into", "FOLDER", "the folder for files that a scene names by a path without / in front",
+  OPTION_TEXT("into", "FOLDER",
+              "the folder for all files that scenes name; a name that may lead out of it, /x or ../x, is refused",
               "the current one", scene_options, folder, "a file name"),
   OPTION_OUTPUT("the files that the scenes name"),
   OPTION_FORMAT(OF_SCENE),
@@ -33,43 +31,6 @@ struct scenes {
   int count;
   struct scene *scene;
 };
-
-/* What is done first, then what is not requested. */
-static enum exit_code explain(const struct scenes *all, const struct scene_options *o)
-{
-  static const char *const columns[] = { "scene", "stage", "count", "known", "for", NULL };
-  static struct table table;
-  if (!table_open(&table, &o->request.style))
-    return EXIT_FILE;
-  table_note(&table, "scallop " SCALLOP_VERSION);
-  table_note(&table, "command: run --explain");
-  table_note(&table, "count: as --stats will count, where every point can be solved");
-  table_columns(&table, columns);
-  table_begin_rows(&table);
-  for (int i = 0; i < all->count; i++)
-    for (int left_out = 0; left_out < 2; left_out++)
-      for (int k = 0; k < COUNT_PLANNED; k++) {
-        const struct plan_stage *s = &all->scene[i].plan.stage[k];
-        if ((s->count == 0) != (left_out == 1))
-          continue;
-        table_text(&table, all->scene[i].name);
-        table_text(&table, count_name((enum count)k));
-        table_rounded(&table, s->count, "%.15g");
-        table_text(&table, s->count == 0 ? "not requested" : s->is_at_most ? "at most" : "exactly");
-        table_text(&table, s->count == 0 ? "-" : s->reason);
-      }
-  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
-}
-
-static void print_stats(void)
-{
-  struct rusage usage;
-  fputs("# what was done\nstage\tcount\n", stderr);
-  for (int k = 0; k < COUNTS; k++)
-    fprintf(stderr, "%s\t%ld\n", count_name((enum count)k), count_of((enum count)k));
-  if (getrusage(RUSAGE_SELF, &usage) == 0)
-    fprintf(stderr, "peak_memory_kB\t%ld\n", usage.ru_maxrss);
-}
 
 /* The tables of commands that a scene can want, each with an option that its name stands for. */
 static const struct {
@@ -148,17 +109,15 @@ static enum exit_code run_all(const struct scenes *all, const struct arguments *
   bool needs_flint = false;
   for (int i = 0; i < all->count; i++) {
     wants += all->scene[i].wants;
-    needs_flint |= all->scene[i].plan.needs_flint;
+    needs_flint |= all->scene[i].needs_flint;
   }
-  if (o->request.style.has_output && !o->explain && wants > 1) {
+  if (o->request.style.has_output && wants > 1) {
     complain(command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
     return EXIT_USAGE;
   }
   enum exit_code code = scenes_check_files(all->scene, all->count, o);
   if (code != EXIT_DONE)
     return code;
-  if (o->explain)
-    return explain(all, o);
   if (o->check_only) {
     for (int i = 0; i < all->count && !o->request.style.quiet; i++)
       fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", command, all->scene[i].name,
@@ -171,8 +130,6 @@ static enum exit_code run_all(const struct scenes *all, const struct arguments *
     enum exit_code one = scene_run(&all->scene[i], o);
     code = one > code ? one : code;
   }
-  if (o->stats)
-    print_stats();
   return code;
 }
 
@@ -217,7 +174,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 const struct command command_run = {
   .name = "run",
   .summary = "what a scene asks for and nothing else",
-  .example = "scallop run figure5 --explain",
+  .example = "scallop run figure5 --stats",
   .operand = "SCENE.cfg...",
   .options = options_of_run,
   .rules = rules,
@@ -227,9 +184,7 @@ const struct command command_run = {
            "docs/scenes.md has the language. Each want is a table with a file and a format of its own, and may\n"
            "have a plot. A name without .cfg is that of a scene that comes with the tool: figure2 to figure5,\n"
            "claims, errors, found_*, stress, workprec, maps. '-': a scene on standard input. Parameters,\n"
-           "--digits and --format given here take the place of the scene's.\n"
-           "--explain: the plan instead of the work. Columns: scene; stage; count: how often, as --stats will\n"
-           "count it; known: exactly, at most, or not requested; for: the quantity or table that first needs it.",
+           "--digits and --format given here take the place of the scene's.",
   .quantities = { 0, NAMED_QUANTITIES },
   .run = run,
 };

@@ -5,7 +5,7 @@
 #include "numerics/numerics.h"
 #include "compare/answers/answer.h"
 #include "compare/book/book.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/answers/points.h"
 #include "compare/command/commands.h"
 #include "compare/command/series_flint.h"
@@ -172,11 +172,9 @@ static enum exit_code run_point(const struct series_options *o)
     complain("series", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  if (!table_open(&table, &request->style))
+  if (!table_head(&table, &request->style, "series"))
     return EXIT_FILE;
   table.of = "published";
-  table_note(&table, "scallop " SCALLOP_VERSION);
-  table_note(&table, "command: series");
   note_parameters(&table, &request->point, NULL, false);
   if (request->point.has_v0)
     number_text(v0, request->point.v0, 0);

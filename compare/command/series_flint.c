@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "compare/answers/answer_flint.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/command/emit_flint.h"
 #include "compare/command/series_flint.h"
 
@@ -324,11 +324,9 @@ static bool begin(struct report *r)
              o->order.value);
   if (!r->as_table)
     return begin_document(r, command);
-  if (!table_open(&r->table, &o->request.style))
+  if (!table_head(&r->table, &o->request.style, "%s", command))
     return false;
   r->table.of = o->bound ? "bounds" : "derived";
-  table_note(&r->table, "scallop " SCALLOP_VERSION);
-  table_note(&r->table, "command: %s", command);
   note_parameters(&r->table, &o->request.point, NULL, true);
   if (o->request.point.has_v0)
     table_note(&r->table, "v0: %s", o->request.point.written_v0);

@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "asymptotics/symbolic/language.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "compare/command/emit_flint.h"
 #include "compare/command/series_flint.h"
 
@@ -15,7 +15,7 @@ struct report {
   const struct series_options *options;
   struct scallop_rational_crawler crawler;
   fmpq_t v0;
-  const char *why; /* something could not be done: the first reason                              */
+  char why[240]; /* something could not be done: the first reason                                */
   bool as_table;
   struct table table;
   struct emission emission;
@@ -106,7 +106,8 @@ static bool report_failure(struct report *r, const struct motion_names *m, enum 
   char text[SCALLOP_BRANCH_TEXT + 240];
   const struct motion_names none = { m->phase, m->start, text };
   why = why ? why : scallop_status_text(status);
-  r->why = r->why ? r->why : why;
+  if (r->why[0] == '\0')
+    snprintf(r->why, sizeof r->why, "%s", why);
   snprintf(text, sizeof text, "no formula: %s", why);
   if (r->as_table)
     write_row(r, &none, "-", "-", "-");
@@ -219,10 +220,8 @@ static bool begin(struct report *r)
            equation ? equation : "", equation ? "." : "");
   if (!r->as_table)
     return emission_open(&r->emission, &o->request.style, o->emit.value, command, note);
-  if (!table_open(&r->table, &o->request.style))
+  if (!table_head(&r->table, &o->request.style, "%s", command))
     return false;
-  table_note(&r->table, "scallop " SCALLOP_VERSION);
-  table_note(&r->table, "command: %s", command);
   note_parameters(&r->table, &o->request.point, NULL, true);
   if (o->request.point.has_v0)
     table_note(&r->table, "v0: %s", o->request.point.written_v0);

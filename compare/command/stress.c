@@ -2,7 +2,7 @@
 
 #include "compare/command/commands.h"
 #include "compare/stress/table.h"
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/command/with_flint.h"
 
 #pragma weak stress_table

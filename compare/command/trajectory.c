@@ -50,10 +50,8 @@ static bool begin(struct output *out)
 {
   const struct trajectory_options *o = out->options;
   char v0[NUMBER_TEXT];
-  if (!table_open(&out->table, &o->request.style))
+  if (!table_head(&out->table, &o->request.style, "trajectory"))
     return false;
-  table_note(&out->table, "scallop " SCALLOP_VERSION);
-  table_note(&out->table, "command: trajectory");
   note_parameters(&out->table, &o->request.point, NULL, false);
   number_text(v0, out->v0, 0);
   table_note(&out->table, "start: %s, velocity %s; periods: %ld; samples in a period: %ld", o->start, v0,

@@ -2,7 +2,7 @@
 
 #include "compare/command/commands.h"
 #include "compare/workprec/table.h"
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/command/with_flint.h"
 
 #pragma weak workprec_table
@@ -19,9 +19,6 @@ static const struct option options_of_workprec[] = {
                 FROM_TO(1e-3, 3600, "seconds, from 0.001 to 3600")),
   OPTION_BOOK("the formulas of this book for the steady state too"),
   OPTION_FORMAT("tsv"),
-  OPTION_DROPPED(
-      "from", "`LC_ALL=C awk -f cheapest.awk FILE` summarises a table; the script is in scripts/ of the sources, and "
-              "installed in share/scallop/"),
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };

@@ -75,7 +75,7 @@ struct kept { /* a text that the configuration keeps */
   char text[];
 };
 /* A text for as long as the configuration is open. NULL: no memory, which is said. */
-const char *keep(struct config *config, const char *format, ...) __attribute__((format(printf, 2, 3)));
+const char *keep(struct config *config, const char *format, ...) __attribute__((format(printf, 2, 3), nonnull(2)));
 /* Paths of inputs are those of the folder of the file; so "measured:FILE", and other gaits as they are. NULL as
  * above. */
 const char *path_beside(struct config *config, const char *path);

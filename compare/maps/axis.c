@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "model/version.h"
-
 enum { MOST_COUNT = 100000, RANGE_TEXT = 160 };
 
 static const char *const names[] = { "F1/F2", "m1/m2", "alpha", "T", "froude", NULL };
@@ -93,8 +91,7 @@ bool axes_read(struct axis axes[2], const char *const given[2], const char *cons
 
 void axes_head(struct table *t, const struct breakdown_options *o, const struct axis axes[2], const char *about)
 {
-  table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: breakdown --map %s %s%s", o->map[0], o->map[1], about);
+  table_command(t, "breakdown --map %s %s%s", o->map[0], o->map[1], about);
   if (o->request.book)
     table_note(t, "book: %s", o->request.book);
   for (int i = 0; i < 2; i++) {

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/defaults.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/defaults.h"
+#include "compare/points/gaits.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/reach.h"
 #include "compare/maps/maps.h"

@@ -2,11 +2,10 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
-#include "model/version.h"
-
-const char *const report_formats[] = { "tsv", "json", "csv", "markdown", "table", "tap", "junit", NULL };
+const char *const report_formats[] = { "tsv", "json", "csv", "markdown", "table", "junit", NULL };
 
 /* What a table is counted as: judged well, judged otherwise, or not read. Where no order was expected none passes:
  * well is measured. */
@@ -61,89 +60,116 @@ static const char *test_of(const struct report *r)
   return !expects(r) ? "none" : r->wanted->at_least ? "at-least" : "equal";
 }
 
-static void write_verdict(struct table *t, const struct report *r, const struct series *s, bool grids)
-{
-  const struct scallop_order_result *v = &s->result;
-  const double interval[] = { v->order, v->low, v->high };
-  table_text(t, s->file);
-  table_text(t, s->name);
-  table_text(t, s->y);
-  for (int i = 0; i < 3; i++)
-    table_rounded(t, interval[i], "%.4f");
-  table_text(t, scallop_order_interval_text(v->interval));
-  table_rounded(t, v->used, "%.0f");
-  if (grids) {
-    table_number(t, v->gci);
-    table_number(t, v->asymptotic_ratio);
-  }
-  table_text(t, test_of(r));
-  table_number(t, r->wanted->order);
-  table_number(t, r->wanted->tolerance);
-  table_text(t, verdict_of(s));
-  table_text(t, v->reason);
-}
+/* A row for each series */
+struct verdict_row {
+  struct series of;
+  const char *interval, *test, *verdict, *reason;
+  double expected, tolerance;
+};
+#define AT(member) offsetof(struct verdict_row, member)
+static const struct table_column order_columns[] = {
+  { TABLE_COLUMN("file", column_text, AT(of.file)) },
+  { TABLE_COLUMN("series", column_text, AT(of.name)) },
+  { TABLE_COLUMN("y", column_text, AT(of.y)) },
+  { TABLE_COLUMN("order", column_rounded, AT(of.result.order)), .format = "%.4f" },
+  { TABLE_COLUMN("low", column_rounded, AT(of.result.low)), .format = "%.4f" },
+  { TABLE_COLUMN("high", column_rounded, AT(of.result.high)), .format = "%.4f" },
+  { TABLE_COLUMN("interval", column_text, AT(interval)) },
+  { TABLE_COLUMN("points", column_count, AT(of.result.used)) },
+  { .name = NULL },
+};
+static const struct table_column grid_columns[] = {
+  { TABLE_COLUMN("gci", column_number, AT(of.result.gci)) },
+  { TABLE_COLUMN("asymptotic_ratio", column_number, AT(of.result.asymptotic_ratio)) },
+  { .name = NULL },
+};
+static const struct table_column verdict_columns[] = {
+  { TABLE_COLUMN("test", column_text, AT(test)) },
+  { TABLE_COLUMN("expected", column_number, AT(expected)) },
+  { TABLE_COLUMN("tolerance", column_number, AT(tolerance)) },
+  { TABLE_COLUMN("verdict", column_text, AT(verdict)) },
+  { TABLE_COLUMN("reason", column_text, AT(reason)) },
+  { .name = NULL },
+};
+#undef AT
 
 static void write_counts(struct table *t, const struct report *r)
 {
   const char *const counts[] = { "tables", expects(r) ? "passed" : "measured", "failed", "errors", NULL };
-  if (t->format != FORMAT_JSON) {
-    table_note(t, "%d %s: %s", r->list->count, r->list->count == 1 ? "table" : "tables", counts_of(r));
+  table_note(t, "%d %s: %s", r->list->count, r->list->count == 1 ? "table" : "tables", counts_of(r));
+  if (!table_begin_anew(t))
     return;
-  }
-  if (t->choice) /* of the columns of the verdicts */
-    return;
-  t->count = 0;
   table_columns(t, counts);
-  table_rounded(t, r->list->count, "%.0f");
+  table_count(t, r->list->count);
   for (int outcome = 0; outcome < OUTCOMES; outcome++)
-    table_rounded(t, count_of(r, (enum outcome)outcome), "%.0f");
+    table_count(t, count_of(r, (enum outcome)outcome));
 }
 
 static enum exit_code write_table(const struct report *r)
 {
-  static const char *const first[] = { "file", "series", "y", "order", "low", "high", "interval", "points", NULL };
-  static const char *const grid[] = { "gci", "asymptotic_ratio", NULL };
-  static const char *const last[] = { "test", "expected", "tolerance", "verdict", "reason", NULL };
   struct table t;
   bool grids = false;
   for (int i = 0; i < r->list->count; i++)
     grids = grids || r->list->series[i].values;
-  if (!table_open(&t, r->style))
+  const struct table_column *const parts[] = { order_columns, grids ? grid_columns : &grid_columns[2],
+                                               verdict_columns };
+  if (!table_head(&t, r->style, "order"))
     return EXIT_FILE;
-  table_note(&t, "scallop " SCALLOP_VERSION);
-  table_note(&t, "command: order");
-  table_columns(&t, first);
-  if (grids)
-    table_columns(&t, grid);
-  table_columns(&t, last);
+  for (int part = 0; part < 3; part++)
+    table_add(&t, parts[part]);
   table_begin_rows(&t);
-  for (int i = 0; i < r->list->count; i++)
-    write_verdict(&t, r, &r->list->series[i], grids);
+  for (const struct series *s = r->list->series; s < r->list->series + r->list->count; s++) {
+    const struct verdict_row row = { *s,
+                                     scallop_order_interval_text(s->result.interval),
+                                     test_of(r),
+                                     verdict_of(s),
+                                     s->result.reason,
+                                     r->wanted->order,
+                                     r->wanted->tolerance };
+    for (int part = 0; part < 3; part++)
+      table_row(&t, parts[part], &row, true);
+  }
   write_counts(&t, r);
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 
+/* A row for each of theirs */
+struct point_row {
+  struct series of;
+  struct scallop_order_point point;
+  const char *use;
+};
+#define AT(member) offsetof(struct point_row, member)
+static const struct table_column point_columns[] = {
+  { TABLE_COLUMN("file", column_text, AT(of.file)) },
+  { TABLE_COLUMN("series", column_text, AT(of.name)) },
+  { TABLE_COLUMN("y", column_text, AT(of.y)) },
+  { TABLE_COLUMN("row", column_long, AT(point.row)) },
+  { TABLE_COLUMN("h", column_number, AT(point.h)) },
+  { TABLE_COLUMN("err", column_number, AT(point.err)) },
+  { TABLE_COLUMN("pairwise", column_rounded, AT(point.pairwise)), .format = "%.4f" },
+  { TABLE_COLUMN("use", column_text, AT(use)) },
+  { .name = NULL },
+};
+#undef AT
+
 static enum exit_code write_rows(const struct report *r, const char *output)
 {
-  static const char *const columns[] = { "file", "series", "y", "row", "h", "err", "pairwise", "use", NULL };
+  struct style style = *r->style;
   struct table t;
-  if (!table_open_at(&t, r->style, output))
+  style.output = output;
+  if (!table_head(&t, &style, "order"))
     return EXIT_FILE;
-  table_note(&t, "scallop " SCALLOP_VERSION);
-  table_note(&t, "command: order");
-  table_columns(&t, columns);
+  table_add(&t, point_columns);
   table_begin_rows(&t);
   for (const struct series *s = r->list->series; s < r->list->series + r->list->count; s++)
-    for (const struct scallop_order_point *p = s->points; p < s->points + s->count; p++) {
-      bool judged = s->result.verdict != SCALLOP_ORDER_INVALID;
-      table_text(&t, s->file);
-      table_text(&t, s->name);
-      table_text(&t, s->y);
-      table_rounded(&t, (double)p->row, "%.0f");
-      table_number(&t, p->h);
-      table_number(&t, p->err);
-      table_rounded(&t, judged ? p->pairwise : NAN, "%.4f");
-      table_text(&t, judged ? scallop_order_use_text(p->use) : "-");
+    for (int i = 0; i < s->count; i++) {
+      struct point_row row = { *s, s->points[i], scallop_order_use_text(s->points[i].use) };
+      if (s->result.verdict == SCALLOP_ORDER_INVALID) {
+        row.point.pairwise = NAN;
+        row.use = "-";
+      }
+      table_row(&t, point_columns, &row, true);
     }
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
@@ -151,54 +177,6 @@ static enum exit_code write_rows(const struct report *r, const char *output)
 enum exit_code report_write_rows(const struct report *r) { return write_rows(r, r->style->output); }
 
 enum exit_code report_draw(const struct report *r) { return write_rows(r, "/dev/null"); }
-
-/* What means something to a format, and what is written instead */
-struct escapes {
-  const char *special, *instead[7];
-};
-static const struct escapes in_xml = { "&<>\"", { "&amp;", "&lt;", "&gt;", "&quot;" } },
-                            in_tap = { "#\\", { "\\#", "\\\\" } }, in_quotes = { "\"\\", { "\\\"", "\\\\" } },
-                            in_cell = { "|\\<`*_", { "\\|", "\\\\", "&lt;", "\\`", "\\*", "\\_" } };
-
-/* What is no printable ASCII becomes '?'. */
-static void put(FILE *out, const char *text, const struct escapes *escapes)
-{
-  for (; *text; text++) {
-    const char *found = strchr(escapes->special, *text);
-    if (found)
-      fputs(escapes->instead[found - escapes->special], out);
-    else
-      putc(*text >= 0x20 && *text <= 0x7e ? *text : '?', out);
-  }
-}
-
-/* "file: series: y" */
-static void put_name(FILE *out, const struct series *s, const struct escapes *escapes)
-{
-  const char *const parts[] = { s->name, s->y };
-  put(out, s->file, escapes);
-  for (int i = 0; i < 2; i++)
-    if (*parts[i]) {
-      fputs(": ", out);
-      put(out, parts[i], escapes);
-    }
-}
-
-static void write_tap(FILE *out, const struct report *r)
-{
-  fprintf(out, "TAP version 13\n1..%d\n", r->list->count);
-  for (int i = 0; i < r->list->count; i++) {
-    const struct series *s = &r->list->series[i];
-    fprintf(out, "%s %d - ", has_failed(r, s) ? "not ok" : "ok", i + 1);
-    put_name(out, s, &in_tap);
-    fprintf(out, "\n  ---\n  verdict: %s\n  order: %.4f\n  low: %.4f\n  high: %.4f\n  interval: %s\n  reason: \"",
-            verdict_of(s), s->result.order, s->result.low, s->result.high,
-            scallop_order_interval_text(s->result.interval));
-    put(out, s->result.reason, &in_quotes);
-    fputs("\"\n  ...\n", out);
-  }
-  fprintf(out, "# %s\n", counts_of(r));
-}
 
 static void write_junit(FILE *out, const struct report *r)
 {
@@ -209,51 +187,38 @@ static void write_junit(FILE *out, const struct report *r)
   fprintf(out, "<testsuite name=\"scallop order\" %s skipped=\"0\">\n", counts);
   for (const struct series *s = r->list->series; s < r->list->series + r->list->count; s++) {
     fputs("<testcase classname=\"", out);
-    put(out, s->file, &in_xml);
+    put_escaped(out, s->file, &in_xml, SHOWS_ASCII);
     fputs("\" name=\"", out);
-    put_name(out, s, &in_xml);
+    const char *const name[] = { s->file, s->name, s->y };
+    for (int i = 0; i < 3; i++) {
+      fputs(i > 0 && *name[i] ? ": " : "", out);
+      put_escaped(out, name[i], &in_xml, SHOWS_ASCII);
+    }
     fputs("\">", out);
     if (has_failed(r, s))
       fprintf(out, "<%s type=\"%s\" message=\"", s->unread ? "error" : "failure", verdict_of(s));
     else
       fputs("<system-out>", out);
-    put(out, s->result.reason, &in_xml);
+    put_escaped(out, s->result.reason, &in_xml, SHOWS_ASCII);
     fputs(has_failed(r, s) ? "\"/></testcase>\n" : "</system-out></testcase>\n", out);
   }
   fputs("</testsuite>\n</testsuites>\n", out);
 }
 
-static void write_markdown(FILE *out, const struct report *r)
-{
-  fputs("| verdict | table | order | from | to | interval | reason |\n|---|---|---|---|---|---|---|\n", out);
-  for (const struct series *s = r->list->series; s < r->list->series + r->list->count; s++) {
-    const struct scallop_order_result *v = &s->result;
-    fprintf(out, has_failed(r, s) ? "| **%s** | " : "| %s | ", verdict_of(s));
-    put_name(out, s, &in_cell);
-    fprintf(out, " | %.4f | %.4f | %.4f | %s | ", v->order, v->low, v->high, scallop_order_interval_text(v->interval));
-    put(out, v->reason, &in_cell);
-    fputs(" |\n", out);
-  }
-  fprintf(out, "\n%s.\n", counts_of(r));
-}
-
 enum exit_code report_write(const struct report *r)
 {
-  static void (*const writers[])(FILE *, const struct report *) = {
-    [REPORT_TAP] = write_tap, [REPORT_JUNIT] = write_junit, [FORMAT_MARKDOWN] = write_markdown
-  };
-  if (r->format < FORMATS && r->format != FORMAT_MARKDOWN)
-    return write_table(r);
-  const char *output = r->style->output, *name = output ? output : "standard output";
   struct file file;
-  int error = file_open(&file, output);
+  if (r->format != REPORT_JUNIT)
+    return write_table(r);
+  int error = file_open(&file, r->style->output);
   if (error == 0) {
-    writers[r->format](file.stream, r);
+    write_junit(file.stream, r);
     bool written = !ferror(file.stream);
     error = file_close(&file, written);
     error = error == 0 && !written ? EIO : error;
   }
   if (error != 0)
-    complain(r->style->command, "cannot write %s: %s", name, file_error(error));
+    complain(r->style->command, "cannot write %s: %s", r->style->output ? r->style->output : "standard output",
+             file_error(error));
   return error == 0 ? EXIT_DONE : EXIT_FILE;
 }

@@ -5,8 +5,8 @@
 #include "compare/order/series.h"
 #include "compare/text/table.h"
 
-/* Those of tables (enum format), and two more. */
-enum report_format { REPORT_TAP = FORMATS, REPORT_JUNIT };
+/* Those of tables (enum format), and one more. */
+enum report_format { REPORT_JUNIT = FORMATS };
 /* Their names, NULL-terminated, in this order. */
 extern const char *const report_formats[];
 

@@ -13,36 +13,9 @@ enum { PUBLISHED, DERIVED };
 const char *const order_columns[] = { "series", "order",     "order_lo", "order_hi", "interval", "points",
                                       "expect", "tolerance", "verdict",  "reason",   NULL };
 
-static int place_of(void *scene, const char *name)
-{
-  return quantity_named(&((struct scene *)scene)->quantities, name);
-}
-static const char *near_to(void *scene, const char *name, const char *const *functions)
-{
-  return functions ? nearest(name, functions) : quantity_near(&((struct scene *)scene)->quantities, name);
-}
-
-/* NULL, or what is wrong with the formula: it lives until the next call. */
-static const char *read_formula(const struct reading *r, struct formula *formula, const char *text)
-{
-  static char message[FORMULA_MESSAGE];
-  const struct formula_names names = { .place = place_of, .nearest = near_to, .context = r->scene };
-  return formula_read(formula, text, &names, message);
-}
-
-bool refuse_quantity(const struct reading *r, const config_setting_t *at, const char *name)
-{
-  const char *near = quantity_near(&r->scene->quantities, name);
-  return refuse_at(r->config, at, "there is no quantity '%s'%s (docs/scenes.md lists them)", name,
-                   *name == '(' ? formula_instead(name) : did_you_mean(near));
-}
-
 bool has_column(const struct scene_want *w, const char *name)
 {
-  int i = 0;
-  while (i < w->columns && strcmp(w->column[i].name, name) != 0)
-    i++;
-  return i < w->columns || (w->kind == WANT_ORDERS && name_among(order_columns, name));
+  return sheet_has(&w->sheet, name) || (w->kind == WANT_ORDERS && name_among(order_columns, name));
 }
 
 /* Is the quantity known before anything is solved at a point? */
@@ -60,12 +33,13 @@ bool read_end(const struct reading *r, const config_setting_t *at, struct sweep_
     return true;
   if (!text)
     return refuse_at(r->config, at, "%s is a number, or a formula in quotes", name);
-  const char *wrong = read_formula(r, &end->formula, text);
+  struct sheet sheet = { .asked = &r->scene->asked };
+  const char *wrong = sheet_formula(&sheet, &end->formula, text);
   if (wrong)
     return refuse_at(r->config, at, "%s = \"%.100s\": %s", name, text, wrong);
   end->is_formula = true;
   for (int i = formula_places(&end->formula, places); i-- > 0;) {
-    const struct quantity *q = &r->scene->quantities.item[places[i]];
+    const struct quantity *q = &r->scene->asked.quantities.item[places[i]];
     *onset |= q->kind == QUANTITY_ONSET;
     if (!is_of_parameters(q))
       return refuse_at(
@@ -88,63 +62,31 @@ static const char *other_start(const struct scene *s, enum scallop_setting setti
   return NULL;
 }
 
-bool check_quantity(const struct reading *r, const config_setting_t *at, const struct scene_want *w, int place)
+const char *want_refuses(const struct sheet *sheet, const struct quantity *q)
 {
-  const struct scene *s = r->scene;
-  const struct quantity *q = &s->quantities.item[place], *series = q->of >= 0 ? &s->quantities.item[q->of] : q;
+  static char text[160];
+  const struct scene_want *w = sheet->context;
+  const struct scene *s = w->scene;
+  const struct quantity *series = q->of >= 0 ? &s->asked.quantities.item[q->of] : q;
   const char *other = series->kind == QUANTITY_PUBLISHED ? other_start(s, series->formula->setting) : NULL;
   if (q->kind == QUANTITY_SAMPLE && w->kind != WANT_TRAJECTORY)
-    return refuse_at(r->config, at, "%s is a quantity of a trajectory", q->name);
+    return "is a quantity of a trajectory";
   if (w->kind == WANT_TRAJECTORY && q->kind == QUANTITY_STATUS)
-    return refuse_at(r->config, at, "a trajectory has no status: it ends where it cannot go on");
+    return "is nothing that a trajectory has: it ends where it cannot go on";
+  snprintf(text, sizeof text, "is about %s", other ? other : "");
   if (other)
-    return refuse_at(r->config, at, "%s is about %s", q->name, other);
+    return text;
   if ((series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT)
       && quantity_rows[series->which].of == OF_PHASE && s->start == START_STEADY && !s->varies_v0)
-    return refuse_at(r->config, at,
-                     "%s is derived for a start that stays the same as T falls: start = \"rest\", or a velocity",
-                     q->name);
-  return true;
+    return "is derived for a start that stays the same as T falls: start = \"rest\", or a velocity";
+  return NULL;
 }
 
 /* Adds the column "NAME = FORMULA" or "FORMULA". */
 static bool add_column(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *text)
 {
-  struct quantities *all = &r->scene->quantities;
-  struct scene_column *column = &w->column[w->columns];
-  int places[FORMULA_STEPS], count = 1, length;
-  const char *formula = column_formula(text, &length);
-  if (w->columns == SCENE_COLUMNS)
-    return refuse_at(r->config, at, "more than %d columns", SCENE_COLUMNS);
-  if (!(column->name = keep(r->config, "%.*s", length, text)))
-    return false;
-  if (length > 0 && !column_may_be_called(column->name))
-    return refuse_at(r->config, at, "'%.100s': the name of a column is of ASCII, without tabs, quotes and backslashes",
-                     text);
-  if (length == 0 || *formula == '\0')
-    return refuse_at(r->config, at, "'%.100s' is no column: it takes \"QUANTITY\" or \"NAME = FORMULA\"", text);
-  column->quantity = places[0] = quantity_named(all, formula);
-  if (column->quantity == -2)
-    return refuse_at(r->config, at, "more than %d quantities", MOST_QUANTITIES);
-  if (column->quantity < 0) {
-    const char *wrong = read_formula(r, &column->formula, formula);
-    if (wrong && formula[strcspn(formula, "+-*/^() ")] == '\0')
-      return refuse_quantity(r, at, formula);
-    if (wrong)
-      return refuse_at(r->config, at, "'%.100s': %s", text, wrong);
-    count = formula_places(&column->formula, places);
-  }
-  for (int i = 0; i < count; i++) {
-    const struct quantity *q = &all->item[places[i]];
-    if (column->quantity < 0 && quantity_is_text(q))
-      return refuse_at(r->config, at, "'%.100s': %s is a text, which stands alone in a column", text, q->name);
-    if (!check_quantity(r, at, w, places[i]))
-      return false;
-  }
-  if (has_column(w, column->name))
-    return refuse_at(r->config, at, "the column %s is there twice", column->name);
-  w->columns++;
-  return true;
+  const char *wrong = w->sheet.count == SCENE_COLUMNS ? "there are more than 60 columns" : sheet_add(&w->sheet, text);
+  return !wrong || refuse_at(r->config, at, "%s", wrong);
 }
 
 bool add_columns(const struct reading *r, const config_setting_t *at, struct scene_want *w, const char *const *texts)
@@ -192,10 +134,10 @@ bool find_series(const struct reading *r, const config_setting_t *at, struct sce
 {
   const config_setting_t *of = config_setting_get_member(at, "of");
   for (int i = 0; i < w->series; i++) {
-    int place = quantity_named(&r->scene->quantities, w->series_name[i]);
+    int place = quantity_named(&r->scene->asked.quantities, w->series_name[i]);
     if (place < 0)
-      return refuse_quantity(r, of, w->series_name[i]);
-    if (!quantity_is_series(&r->scene->quantities.item[place]))
+      return refuse_at(r->config, of, "%s", sheet_no_quantity(&w->sheet, w->series_name[i]));
+    if (!quantity_is_series(&r->scene->asked.quantities.item[place]))
       return refuse_at(r->config, of,
                        "%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is meant",
                        w->series_name[i]);
@@ -226,7 +168,7 @@ static bool series_columns(const struct reading *r, const config_setting_t *at, 
   const int each = strcmp(w->what, "error") == 0 ? 4 : 1;
   if (!find_series(r, at, w))
     return false;
-  if (w->series * each > SCENE_COLUMNS - w->columns - 1)
+  if (w->series * each > SCENE_COLUMNS - w->sheet.count - 1)
     return refuse_at(r->config, at, "%d series are more columns than a table has: name some of them, of = [ ... ]",
                      w->series);
   for (int i = 0; i < w->series * each; i++) {
@@ -244,8 +186,8 @@ bool usual_columns(const struct reading *r, const config_setting_t *at, struct s
   static const char *const start[] = { "phase", "v0", NULL }, *const status[] = { "status", NULL };
   bool is_steady = strcmp(w->what, "steady") == 0, is_phase = strcmp(w->what, "phase") == 0;
   const struct sweep_variable *v;
-  for (int i = 0; i < r->scene->quantities.labels; i++)
-    if (!add_column(r, at, w, r->scene->quantities.label[i]))
+  for (int i = 0; i < r->scene->asked.quantities.labels; i++)
+    if (!add_column(r, at, w, r->scene->asked.quantities.label[i]))
       return false;
   if (w->kind == WANT_TRAJECTORY) { /* what varies tells the curves apart */
     for (int k = 0; (v = sweep_variable(&r->scene->sweep, k)); k++)
@@ -267,15 +209,15 @@ bool usual_columns(const struct reading *r, const config_setting_t *at, struct s
          && add_columns(r, at, w, status);
 }
 
-int scene_want_quantities(const struct scene_want *w, int places[WANT_QUANTITIES])
+int want_quantities(const struct scene_want *w, int places[WANT_QUANTITIES])
 {
   int count = 0;
-  for (int i = 0; i < w->columns; i++) {
-    const struct scene_column *c = &w->column[i];
+  for (int i = 0; i < w->sheet.count; i++) {
+    const struct sheet_column *c = &w->sheet.column[i];
     if (c->quantity >= 0)
       places[count++] = c->quantity;
     else
-      count += formula_places(&c->formula, places + count);
+      count += formula_places(c->formula, places + count);
   }
   if (w->until.is_formula && count <= WANT_QUANTITIES - FORMULA_STEPS)
     count += formula_places(&w->until.formula, places + count);

@@ -7,16 +7,16 @@
 /* Doubles are wrong by some ulp of what they are the difference of. */
 static double noise(const struct running *r, const struct quantity *error)
 {
-  const struct comparison *c = &r->state->comparison[error->of];
-  return r->scene->plan.needs.certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
+  const struct comparison *c = &r->at->comparison[error->of];
+  return r->at->certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
 }
 
 void orders_collect(const struct running *r, struct output *o)
 {
   for (int i = 0; i < o->want->series; i++) {
-    double error = state_number(r->state, o->want->of[i]);
+    double error = at_number(r->at, o->want->of[i]);
     o->errors[i * SCENE_TIMES + o->times] = (struct scallop_order_point){
-      .h = r->state->point.crawler.T, .err = error, .noise = noise(r, &r->scene->quantities.item[o->want->of[i]])
+      .h = r->at->point.crawler.T, .err = error, .noise = noise(r, &r->scene->asked.quantities.item[o->want->of[i]])
     };
   }
   o->times++;
@@ -25,7 +25,7 @@ void orders_collect(const struct running *r, struct output *o)
 static void write_order(struct running *r, struct output *o, int series)
 {
   const struct scene_want *w = o->want;
-  const struct quantities *all = &r->scene->quantities;
+  const struct quantities *all = &r->scene->asked.quantities;
   struct table *t = &o->table;
   const struct scallop_order_wanted wanted = { .order = w->has_expect ? w->expect : NAN, .tolerance = w->tolerance };
   struct scallop_order_result result;
@@ -34,7 +34,7 @@ static void write_order(struct running *r, struct output *o, int series)
   /* an error that is not told from 0 with this accuracy stands as 0 */
   if (result.verdict <= SCALLOP_ORDER_MEASURED && isnan(result.order))
     result.verdict = SCALLOP_ORDER_FLOOR_LIMITED;
-  output_row(r, o);
+  sheet_row(&o->want->sheet, t, r->at);
   table_text(t, all->item[all->item[w->of[series]].of].name);
   table_rounded(t, result.order, "%.4f");
   table_rounded(t, result.low, "%.4f");

@@ -8,10 +8,10 @@
 /* Has the table a column of that name with something else in it, as "T = alpha*T"? */
 static bool is_renamed(const struct scene *s, const struct scene_want *w, const char *parameter)
 {
-  for (int i = 0; i < w->columns; i++) {
-    const struct scene_column *c = &w->column[i];
+  for (int i = 0; i < w->sheet.count; i++) {
+    const struct sheet_column *c = &w->sheet.column[i];
     if (strcmp(c->name, parameter) == 0
-        && (c->quantity < 0 || strcmp(s->quantities.item[c->quantity].name, parameter) != 0))
+        && (c->quantity < 0 || strcmp(s->asked.quantities.item[c->quantity].name, parameter) != 0))
       return true;
   }
   return false;
@@ -69,9 +69,9 @@ static bool has_start(const struct scene *s, const struct scene_want *w)
 {
   bool has = w->kind == WANT_TRAJECTORY;
   int places[WANT_QUANTITIES];
-  for (int i = scene_want_quantities(w, places); i-- > 0 && !has;) {
-    const struct quantity *q = &s->quantities.item[places[i]];
-    has = quantity_is_of_phase(&s->quantities, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+  for (int i = want_quantities(w, places); i-- > 0 && !has;) {
+    const struct quantity *q = &s->asked.quantities.item[places[i]];
+    has = quantity_is_of_phase(&s->asked.quantities, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
   }
   return has;
 }
@@ -93,9 +93,7 @@ void output_begin(const struct running *r, struct output *o)
 {
   struct table *t = &o->table;
   const struct scene *s = r->scene;
-  const char *names[SCENE_COLUMNS + 1] = { NULL };
-  table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
+  table_command(t, "run %s%s", s->name, strcmp(s->name, "-") == 0 ? "" : ".cfg");
   if (s->title)
     table_note(t, "%s", s->title);
   bool given = note_given(t, r, o->want);
@@ -103,41 +101,8 @@ void output_begin(const struct running *r, struct output *o)
     table_note(t, "%s", s->note[i]);
   note_held(o, s);
   note_start(t, s, o->want);
-  for (int i = 0; i < o->want->columns; i++)
-    names[i] = o->want->column[i].name;
-  table_columns(t, names);
+  sheet_head(&o->want->sheet, t);
   if (o->want->kind == WANT_ORDERS)
     table_columns(t, order_columns);
   table_begin_rows(t);
-}
-
-static void put_column(const struct running *r, struct output *o, const struct scene_column *c)
-{
-  struct table *t = &o->table;
-  const struct quantity *q = c->quantity >= 0 ? &r->scene->quantities.item[c->quantity] : NULL;
-  if (!q || !quantity_is_text(q)) {
-    table_number(t, q ? state_number(r->state, c->quantity) : state_formula(r->state, &c->formula));
-    return;
-  }
-  const char *text = state_text(r->state, c->quantity, o->style.digits);
-  if (q->kind != QUANTITY_CERTIFIED)
-    table_text(t, text);
-  else if (strcmp(text, "nan") == 0)
-    table_number(t, NAN);
-  else
-    table_digits(t, text);
-}
-
-void output_row(const struct running *r, struct output *o)
-{
-  const struct scene_want *w = o->want;
-  for (int i = 0; i < w->columns && w->kind == WANT_ROWS;
-       i++) /* its status is that of all its columns, wherever it stands */
-    if (w->column[i].quantity >= 0)
-      state_find(r->state, w->column[i].quantity, o->style.digits);
-    else
-      state_formula(r->state, &w->column[i].formula);
-  for (int i = 0; i < w->columns; i++)
-    put_column(r, o, &w->column[i]);
-  count_add(COUNT_ROWS, 1);
 }

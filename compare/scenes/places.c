@@ -50,9 +50,6 @@ enum exit_code scenes_check_files(const struct scene *scenes, int scene_count, c
   const char *command = o->request.style.command;
   int printed = 0;
   enum exit_code code = EXIT_DONE;
-  if (o->explain)
-    return o->request.style.has_output && o->request.style.output ? writes(command, o->request.style.output)
-                                                                  : EXIT_DONE;
   for (int i = 0; i < scene_count; i++)
     for (int k = 0; k < scenes[i].wants && code == EXIT_DONE; k++) {
       const struct scene_want *w = &scenes[i].want[k];

@@ -42,6 +42,9 @@ static bool read_start(const struct reading *r, const config_setting_t *start)
   const char *text = start ? text_of(r->config, start) : "rest";
   if (text && strcmp(text, "steady") == 0)
     s->start = START_STEADY;
+  s->asked.from_steady = s->start == START_STEADY;
+  if (s->asked.from_steady)
+    s->base.has_v0 = false;
   else if (!text || strcmp(text, "rest") != 0) {
     if (!text || point_set(&s->base, "v0", text))
       return refuse_at(r->config, start, "start is \"rest\", \"steady\" or a velocity");
@@ -77,6 +80,7 @@ static bool read_root(const struct reading *r, const config_setting_t *root)
                                            { .name = NULL } };
   if (!read_members(r->config, root, members, r->scene, "a scene", NULL) || !are_lines(r, root))
     return false;
+  r->scene->base.phase = r->scene->phase;
   const char *book = r->scene->book ? path_beside(r->config, r->scene->book) : NULL;
   if (r->scene->book && (!book || book_read(r->config->command, book, quantity_is_other) != EXIT_DONE))
     return false;
@@ -84,6 +88,28 @@ static bool read_root(const struct reading *r, const config_setting_t *root)
          && read_start(r, config_setting_get_member(root, "start"))
          && read_vary(r, config_setting_get_member(root, "vary"))
          && read_wants(r, config_setting_get_member(root, "want"));
+}
+
+/* How well certified answers and errors must be known for all wants */
+static void find_needs(struct scene *s)
+{
+  struct asked *a = &s->asked;
+  for (int i = 0; i < s->wants; i++) {
+    struct scene_want *w = &s->want[i];
+    int places[WANT_QUANTITIES];
+    bool has_errors = false;
+    for (int k = want_quantities(w, places); k-- > 0;)
+      has_errors |= a->quantities.item[places[k]].of >= 0;
+    if (has_errors) {
+      a->certified_errors |= w->reference == REFERENCE_CERTIFIED || w->accuracy < ACCURACY_OF_DOUBLES;
+      a->accuracy = fmin(a->accuracy, w->accuracy);
+    }
+    if (w->kind == WANT_ROWS && w->digits > a->digits)
+      a->digits = w->digits;
+    w->sheet.digits = w->digits;
+    s->needs_flint |= w->kind == WANT_COMMAND;
+  }
+  s->needs_flint |= asked_needs_flint(a);
 }
 
 static char *name_of(const char *path)
@@ -99,7 +125,7 @@ void scene_free(struct scene *s)
 {
   sweep_free(&s->sweep);
   for (int w = 0; w < s->wants; w++)
-    free(s->want[w].arguments), free(s->want[w].column);
+    free(s->want[w].arguments), sheet_free(&s->want[w].sheet);
   free(s->name);
   config_close(&s->config);
   *s = (struct scene){ .name = NULL };
@@ -111,7 +137,8 @@ enum exit_code scene_read(struct scene *s, const struct scene_source *source, co
   *s = (struct scene){ .name = name_of(source->path),
                        .path = source->text ? NULL : source->path,
                        .base = options->request.point,
-                       .run_command = run_command };
+                       .run_command = run_command,
+                       .asked = asked_nothing() };
   const struct reading r = { s, &s->config, options };
   enum exit_code code = config_open(&s->config, options->request.style.command, source->path, source->text,
                                     shipped_scenes);
@@ -122,7 +149,7 @@ enum exit_code scene_read(struct scene *s, const struct scene_source *source, co
   if (code == EXIT_DONE && !read_root(&r, config_root(&s->config)))
     code = EXIT_USAGE;
   if (code == EXIT_DONE)
-    make_plan(s);
+    find_needs(s);
   else
     scene_free(s);
   return code;

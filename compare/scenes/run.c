@@ -16,34 +16,33 @@ struct tracing {
 static bool write_sample(void *context, const struct scallop_sample *s)
 {
   struct tracing *t = context;
-  struct scene_state *state = t->r->state;
+  struct at *at = t->r->at;
   const double numbers[SAMPLE_VALUES] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
   count_add(COUNT_SAMPLES, 1);
   if (s->t > t->until)
     return false;
-  for (int i = 0; i < t->r->scene->quantities.count; i++) {
-    const struct quantity *q = &t->r->scene->quantities.item[i];
+  for (int i = 0; i < t->r->scene->asked.quantities.count; i++) {
+    const struct quantity *q = &t->r->scene->asked.quantities.item[i];
     if (q->kind != QUANTITY_SAMPLE)
       continue;
-    state->value[i] = numbers[q->which];
-    state->has[i] = true;
+    at->value[i] = numbers[q->which];
+    at->has[i] = true;
   }
-  output_row(t->r, t->o);
+  sheet_row(&t->o->want->sheet, &t->o->table, at);
   return !table_failed(&t->o->table);
 }
 
 static void trace(struct running *r, struct output *o)
 {
   const struct scene_want *w = o->want;
-  double v0 = state_v0(r->state);
-  struct tracing t = { r, o, state_end(r->state, &w->until) };
-  if (r->state->why[0] != '\0' || isnan(v0))
+  double v0 = at_v0(r->at);
+  struct tracing t = { r, o, w->until.is_formula ? at_formula(r->at, &w->until.formula) : w->until.number };
+  if (r->at->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = scallop_trajectory(&r->state->point.crawler, v0, w->periods, w->samples, write_sample,
-                                                  &t);
+  enum scallop_status status = scallop_trajectory(&r->at->point.crawler, v0, w->periods, w->samples, write_sample, &t);
   count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
-    state_fail(r->state, scallop_status_text(status));
+    at_fail(r->at, scallop_status_text(status));
     table_note(&o->table, "incomplete: %s", scallop_status_text(status));
   }
 }
@@ -51,7 +50,7 @@ static void trace(struct running *r, struct output *o)
 static void at_want(struct running *r, struct output *o, bool last_of_times)
 {
   if (o->want->kind == WANT_ROWS)
-    output_row(r, o);
+    sheet_row(&o->want->sheet, &o->table, r->at);
   else if (o->want->kind == WANT_TRAJECTORY)
     trace(r, o);
   else if (o->want->kind == WANT_ORDERS) {
@@ -63,12 +62,12 @@ static void at_want(struct running *r, struct output *o, bool last_of_times)
 
 static void at_point(struct running *r, bool last_of_times)
 {
-  const char *why = r->state->why;
+  const char *why = r->at->why;
   bool unsolved = false;
   r->points++;
   for (int i = 0; i < r->scene->wants; i++) {
     struct output *o = &r->output[i];
-    state_begin_row(r->state);
+    at_begin_row(r->at);
     at_want(r, o, last_of_times);
     if (*why != '\0' && r->unsolved == 0 && !unsolved)
       snprintf(r->why, sizeof r->why, "%s", why);
@@ -83,7 +82,7 @@ static void each_point(struct running *r, const struct sweep_product *product)
   long index[SWEEP_GROUPS] = { 0 };
   int last = product->groups - 1;
   do {
-    state_move(r->state, product, index);
+    at_sweep(r->at, &r->scene->base, product, index);
     at_point(r, last >= 0 && index[last] == product->group[last].count - 1);
   } while (sweep_next(product, index) && !r->failed);
 }
@@ -208,14 +207,15 @@ enum exit_code scene_run(const struct scene *scene, const struct scene_options *
 {
   struct running r = { .scene = scene, .options = options };
   enum exit_code code = EXIT_UNSOLVED;
-  struct scene_state state;
-  r.state = &state;
+  struct at *at = r.at = malloc(sizeof *at);
   r.output = calloc((size_t)scene->wants, sizeof *r.output);
-  if (!state_init(&state, scene, NULL) || !r.output)
+  if (!at || !at_init(at, &scene->asked) || !r.output)
     complain(options->request.style.command, "out of memory");
   else
     code = run_points(&r);
-  state_clear(&state);
+  if (at)
+    at_clear(at);
+  free(at);
   free(r.output);
   return code;
 }

@@ -1,19 +1,18 @@
 /* Scenes: files that say which crawler and gait, what varies, and which tables are wanted. docs/scenes.md has the
  * language.
  *
- * A scene is read (read.c), planned (plan.c: what must be known before its first point), and run: each point of what
- * varies is visited once, and each table gets its rows there. Terms: a variable is a parameter, ratio or label that
- * varies; variables of a group advance together; a product is every combination of its groups; a want is one table.
+ * A scene is read (read.c) and run: each point of what varies is visited once, and each table gets its rows there.
+ * Terms: a variable is a parameter, ratio or label that varies; variables of a group advance together; a product is
+ * every combination of its groups; a want is one table.
  *
  * Promises: nothing is computed or written before all of a scene is read and checked; the tables of a scene are
  * replaced together, when all are complete. */
 #ifndef SCALLOP_COMPARE_SCENES_SCENE_H
 #define SCALLOP_COMPARE_SCENES_SCENE_H
 
-#include "compare/answers/counts.h"
-#include "compare/answers/quantities.h"
-#include "compare/answers/sweep.h"
+#include "compare/points/counts.h"
 #include "compare/answers/points.h"
+#include "compare/answers/sheet.h"
 #include "compare/config/config.h"
 #include "asymptotics/formula.h"
 #include "compare/text/plot.h"
@@ -22,17 +21,10 @@ enum {
   SCENE_WANTS = 32,
   SCENE_COLUMNS = 60,
   SCENE_NOTES = 16,
-  SCENE_TIMES = 4096, /* most periods of an order */
-  DIGITS_OF_DOUBLE = 17
+  SCENE_TIMES = 4096 /* most periods of an order */
 };
 
 enum want_kind { WANT_ROWS, WANT_TRAJECTORY, WANT_ORDERS, WANT_COMMAND };
-
-struct scene_column {
-  const char *name; /* in the table */
-  int quantity;     /* one as it is, a text perhaps; -1: the formula */
-  struct formula formula;
-};
 
 enum { REFERENCE_NOT_GIVEN = -1, REFERENCE_EXACT, REFERENCE_CERTIFIED };
 
@@ -42,12 +34,12 @@ struct scene_want {
   const char *file; /* as the command line has it, and NULL: standard output */
   enum format format;
   long digits;
-  int columns;
-  struct scene_column *column; /* room for SCENE_COLUMNS */
-  double accuracy;             /* errors below this part of the exact value are 0 */
-  long periods, samples;       /* trajectory */
-  struct sweep_end until;      /* and no further than this time */
-  int named, series, source;   /* columns and series that are asked for; source: of the usual series */
+  struct sheet sheet; /* its columns */
+  const struct scene *scene;
+  double accuracy;           /* errors below this part of the exact value are 0 */
+  long periods, samples;     /* trajectory */
+  struct sweep_end until;    /* and no further than this time */
+  int named, series, source; /* columns and series that are asked for; source: of the usual series */
   const char *name[SCENE_COLUMNS + 1], *series_name[SCENE_COLUMNS];
   long order;            /* of the usual series */
   int reference;         /* what errors are told against */
@@ -60,32 +52,12 @@ struct scene_want {
   struct plot plot;
 };
 
-/* What all points have in common, found before the first: what certified values must be good for. */
-struct scene_needs {
-  bool certified_errors; /* else errors are those against the double solver */
-  double accuracy;       /* of errors: the finest that is wanted */
-  long digits;           /* of certified values: the most that are wanted */
-  long order[2];         /* derived series, by enum quantity_of: terms below T^order; 0: none */
-};
-
-struct plan_stage {
-  double count;    /* what --stats will count; 0: not requested */
-  bool is_at_most; /* else exactly, where every point can be solved */
-  char reason[240];
-};
-
-struct plan {
-  struct scene_needs needs;
-  bool needs_flint;
-  struct plan_stage stage[COUNT_PLANNED];
-};
-
 enum scene_start { START_REST, START_STEADY, START_VELOCITY };
 
 struct scene_options {
   struct request request;
-  const char *folder; /* where files without a folder go, or NULL */
-  bool check_only, explain, stats, no_plots;
+  const char *folder; /* below which all files go, or NULL */
+  bool check_only, no_plots;
 };
 
 struct scene;
@@ -106,10 +78,10 @@ struct scene {
   enum scene_start start;
   bool varies_v0;
   struct sweep sweep;
-  struct quantities quantities; /* all that are used */
+  struct asked asked; /* all that its columns take */
   int wants;
   struct scene_want want[SCENE_WANTS];
-  struct plan plan;
+  bool needs_flint;
   scene_command *run_command;
   struct config config; /* whose texts the above points to */
 };
@@ -120,22 +92,18 @@ struct scene_source {
   const char *text;
 };
 
-/* Reads, checks and plans a scene. options: of the command line; parameters that are given there take the place of the
+/* Reads and checks a scene. options: of the command line; parameters that are given there take the place of the
  * scene's, varied or not. EXIT_DONE, or the exit code, the message being on stderr. */
 enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct scene_options *options,
                           scene_command *run_command);
 void scene_free(struct scene *scene);
 
-/* The quantities of the columns and orders of a want, and of where a trajectory ends, perhaps several times. Returns
- * how many. */
-enum { WANT_QUANTITIES = SCENE_COLUMNS * FORMULA_STEPS };
-int scene_want_quantities(const struct scene_want *want, int places[WANT_QUANTITIES]);
 /* Runs a scene: opens its tables, visits its points once, closes them and draws the plots. options: of the command
  * line. */
 enum exit_code scene_run(const struct scene *scene, const struct scene_options *options);
 
 /* Do tables and plots of these scenes all go to different files, and none to one that is read? Files are told apart by
- * what they are, and not by how a path is spelled. With explain the output is that of the command line. */
+ * what they are, and not by how a path is spelled. */
 enum exit_code scenes_check_files(const struct scene *scenes, int count, const struct scene_options *options);
 
 #endif

@@ -95,7 +95,7 @@ static bool add_variable(const struct reading *r, const config_setting_t *at, st
 
 static bool add_label(const struct reading *r, const config_setting_t *at, struct sweep_group *g)
 {
-  struct quantities *all = &r->scene->quantities;
+  struct quantities *all = &r->scene->asked.quantities;
   const char *name = config_setting_name(at);
   int place = 0;
   while (place < all->labels && strcmp(all->label[place], name) != 0)

@@ -10,8 +10,6 @@
 #include "compare/text/shipped.h"
 
 enum { MOST_PERIODS = 1000000000 };
-static const double OF_DOUBLES = 1e-10; /* errors against the solver in doubles are told down to this part */
-
 /* T varies, alone, in the last group of each product: an order is one of a row of such points. */
 static bool check_times(const struct reading *r, const config_setting_t *at)
 {
@@ -31,7 +29,7 @@ static bool check_times(const struct reading *r, const config_setting_t *at)
 
 static bool read_orders(const struct reading *r, const config_setting_t *at, struct scene_want *w)
 {
-  struct quantities *all = &r->scene->quantities;
+  struct quantities *all = &r->scene->asked.quantities;
   w->has_expect = config_setting_get_member(at, "expect") != NULL;
   if (!check_times(r, at) || !find_series(r, at, w))
     return false;
@@ -41,9 +39,10 @@ static bool read_orders(const struct reading *r, const config_setting_t *at, str
     const char *name = keep(r->config, "error.%s", w->series_name[i]);
     w->of[i] = name ? quantity_named(all, name) : -1;
     if (w->of[i] < 0)
-      return name && refuse_quantity(r, at, w->series_name[i]);
-    if (!check_quantity(r, at, w, w->of[i]))
-      return false;
+      return name && refuse_at(r->config, at, "%s", sheet_no_quantity(&w->sheet, w->series_name[i]));
+    const char *why = want_refuses(&w->sheet, &all->item[w->of[i]]);
+    if (why)
+      return refuse_at(r->config, at, "%s %s", name, why);
   }
   return true;
 }
@@ -119,7 +118,7 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
   if (!p->file || !plot_kind(p->file))
     return refuse_at(r->config, at, "a plot needs a file that ends in .svg, .png or .pdf");
   /* of a table in the format of the command line there is none */
-  w->has_plot = !given->has_format || r->options->explain || given->format == FORMAT_TSV;
+  w->has_plot = !given->has_format || given->format == FORMAT_TSV;
   if (w->has_plot && (!w->file || w->format != FORMAT_TSV))
     return refuse_at(r->config, at,
                      "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
@@ -127,7 +126,7 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
     return find_script(r, at, p);
   if (!p->x || !p->y[0])
     return refuse_at(r->config, at, "a plot without a script of its own needs x and y, columns of the table");
-  for (int i = -1; i < picture.ys && w->columns > 0; i++) { /* else they are a command's own: it will show */
+  for (int i = -1; i < picture.ys && w->sheet.count > 0; i++) { /* else they are a command's own: it will show */
     const char *name = i < 0 ? p->x : p->y[i];
     if (!has_column(w, name))
       return refuse_at(r->config, at, "the table has no column %s", name);
@@ -201,7 +200,7 @@ static bool check_accuracy(const struct reading *r, const config_setting_t *at, 
   if (!(w->accuracy >= 1e-300) || !(w->accuracy < 1))
     return refuse_at(r->config, config_setting_get_member(at, "accuracy"),
                      "accuracy is a part of the exact value, between 1e-300 and 1");
-  if (w->reference == REFERENCE_EXACT && w->accuracy < OF_DOUBLES)
+  if (w->reference == REFERENCE_EXACT && w->accuracy < ACCURACY_OF_DOUBLES)
     return refuse_at(r->config, config_setting_get_member(at, "reference"),
                      "the exact solver works in doubles, whose errors are told down to 1e-10; accuracy = %g needs "
                      "reference = \"certified\"",
@@ -216,8 +215,9 @@ static bool check_accuracy(const struct reading *r, const config_setting_t *at, 
 static bool check_digits(const struct reading *r, const config_setting_t *at, const struct scene_want *w)
 {
   bool has = w->digits <= DIGITS_OF_DOUBLE;
-  for (int i = 0; i < w->columns; i++)
-    has |= w->column[i].quantity >= 0 && r->scene->quantities.item[w->column[i].quantity].kind == QUANTITY_CERTIFIED;
+  for (int i = 0; i < w->sheet.count; i++)
+    has |= w->sheet.column[i].quantity >= 0
+           && r->scene->asked.quantities.item[w->sheet.column[i].quantity].kind == QUANTITY_CERTIFIED;
   return has
          || refuse_at(
              r->config, config_setting_get_member(at, "digits"),
@@ -242,10 +242,28 @@ static bool read_own(const struct reading *r, const config_setting_t *at, struct
          && check_digits(r, at, w);
 }
 
-static bool put_into(const struct reading *r, const char **file)
+/* Does a path lead down from its folder? Links on its way are not looked at. */
+static bool goes_down(const char *path)
 {
-  if (r->options->folder && **file != '/')
-    *file = keep(r->config, "%s/%s", r->options->folder, *file);
+  bool up = *path == '/';
+  for (const char *part = path; part && !up; part = strchr(part, '/')) {
+    part += strspn(part, "/");
+    up = strncmp(part, "..", 2) == 0 && (part[2] == '/' || part[2] == '\0');
+  }
+  return !up;
+}
+
+static bool put_into(const struct reading *r, const config_setting_t *group, const char **file)
+{
+  if (!r->options->folder || !*file)
+    return true;
+  if (!goes_down(*file))
+    return refuse_at(
+        r->config, config_setting_get_member(group, "file"),
+        "'%.200s' may lie outside of %.200s, which --into names: a file is allowed that has no / in front and no "
+        "folder .. in its path",
+        *file, r->options->folder);
+  *file = keep(r->config, "%s/%s", r->options->folder, *file);
   return *file != NULL;
 }
 
@@ -254,10 +272,10 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
 {
   const struct scene_options *o = r->options;
   const config_setting_t *plot = config_setting_get_member(at, "plot");
-  bool is_named = o->request.style.has_output && !o->explain; /* else -o names the plan's */
+  bool is_named = o->request.style.has_output;
   if (w->file && strcmp(w->file, "-") == 0)
     w->file = NULL;
-  if (o->request.style.has_format && !o->explain)
+  if (o->request.style.has_format)
     w->format = o->request.style.format;
   if (w->file && plot_kind(w->file))
     return refuse_at(
@@ -267,7 +285,7 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
     return false;
   if (is_named)
     w->file = o->request.style.output;
-  else if ((w->file && !put_into(r, &w->file)) || (w->plot.file && !put_into(r, &w->plot.file)))
+  else if (!put_into(r, at, &w->file) || !put_into(r, plot, &w->plot.file))
     return false;
   w->has_plot = w->has_plot && w->file && !o->no_plots;
   w->plot.table = w->file;
@@ -279,16 +297,15 @@ static bool place(const struct reading *r, const config_setting_t *at, struct sc
 static bool read_want(const struct reading *r, const config_setting_t *at)
 {
   struct scene_want *w = &r->scene->want[r->scene->wants++];
-  *w = (struct scene_want){ .accuracy = OF_DOUBLES,
+  *w = (struct scene_want){ .accuracy = ACCURACY_OF_DOUBLES,
                             .reference = REFERENCE_NOT_GIVEN,
                             .order = 8,
                             .periods = 10,
                             .samples = 40,
                             .until = { .number = INFINITY },
                             .tolerance = 0.1 };
-  w->column = calloc(SCENE_COLUMNS, sizeof *w->column);
-  if (!w->column)
-    return refuse_at(r->config, at, "out of memory");
+  w->scene = r->scene;
+  w->sheet = (struct sheet){ .asked = &r->scene->asked, .refuses = want_refuses, .context = w };
   if (!config_setting_is_group(at))
     return refuse_at(r->config, at, "want is a list of groups: ( { what = \"steady\"; file = \"steady.tsv\"; } )");
   const config_setting_t *what = config_setting_get_member(at, "what");

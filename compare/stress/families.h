@@ -3,7 +3,7 @@
 #define SCALLOP_COMPARE_STRESS_FAMILIES_H
 
 #include "compare/answers/answer.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 
 enum stress_kind { STRESS_STEADY, STRESS_PHASE, STRESS_TRAJECTORY };
 struct stress_case {

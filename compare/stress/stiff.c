@@ -124,11 +124,10 @@ static bool begin(struct book *b)
 {
   const struct stress_options *o = b->options;
   struct table *t = &b->table;
-  if (!table_open(t, &o->request.style))
+  if (!table_head(t, &o->request.style, "stress --stiff%s%s", o->quick ? " --quick" : "",
+                  o->summary ? " --summary" : ""))
     return false;
   t->of = o->summary ? "stiff orders" : "stiff";
-  table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: stress --stiff%s%s", o->quick ? " --quick" : "", o->summary ? " --summary" : "");
   for (int i = 0; i < b->scene_count; i++)
     note_scene(t, &b->scenes[i]);
   note_meaning(b, t);

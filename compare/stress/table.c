@@ -8,7 +8,7 @@
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/stress/judge.h"
 #include "compare/text/progress.h"
 #include "model/exact/flint.h"
@@ -272,14 +272,13 @@ static void begin(struct run *run)
   static const char *const after[] = { "verdict", "worst_at", NULL };
   const struct stress_options *o = run->options;
   struct table *t = &run->table;
-  table_note(t, "scallop " SCALLOP_VERSION);
   char number[40] = "";
   if (o->cases.value > 0)
     snprintf(number, sizeof number, " --cases %ld", o->cases.value);
-  table_note(t, "command: stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
-             o->request.point.has_gait ? " --gait " : "",
-             o->request.point.has_gait ? o->request.point.crawler.gait->name : "", o->full ? " --full" : "",
-             o->check ? " --check" : "", number, o->seed.value);
+  table_command(t, "stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
+                o->request.point.has_gait ? " --gait " : "",
+                o->request.point.has_gait ? o->request.point.crawler.gait->name : "", o->full ? " --full" : "",
+                o->check ? " --check" : "", number, o->seed.value);
   table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
   table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
              STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);
@@ -354,12 +353,10 @@ enum exit_code stress_point(const struct stress_options *o)
   bool broken = false;
   stress_judge(&s, &j);
   flint_cleanup();
-  if (!table_open(&t, &o->request.style))
+  stress_arguments(&s, arguments);
+  if (!table_head(&t, &o->request.style, "stress %s", arguments))
     return EXIT_FILE;
   t.of = "stress of a point";
-  stress_arguments(&s, arguments);
-  table_note(&t, "scallop " SCALLOP_VERSION);
-  table_note(&t, "command: stress %s", arguments);
   if (j.outcome == STRESS_UNDECIDED)
     table_note(&t, "certified: not decided (%s); binary128 in its place", j.why ? j.why : "no reason");
   begin_rows(&t, before, true, after);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 
 const double summary_levels[SUMMARY_LEVELS] = { 0.01, 0.05 };
 

@@ -106,9 +106,8 @@ static const char *row(struct table *t, const struct point *point, const void *c
   const struct request *request = context;
   const struct scallop_formula *formulas[SUMMARY_FORMULAS];
   struct summary s;
-  struct wrapped kept;
   const char *why = refused ? refused : summary_make(&s, point, true);
-  FILE *file = table_page(t), *page = file ? wrap_begin(&kept) : NULL;
+  FILE *page = table_page(t);
   if (why && page)
     fprintf(page, "\nThis crawler has no page: %s.\n", why);
   else if (why)
@@ -117,8 +116,6 @@ static const char *row(struct table *t, const struct point *point, const void *c
     write_page(page, point, &s, request->style.digits > 0 ? (int)request->style.digits : DIGITS);
   else
     write_cells(t, &s);
-  if (page)
-    wrap_end(&kept, file, 0);
   if (!refused)
     summary_clear(&s);
   return why;
@@ -151,8 +148,7 @@ static enum exit_code write_breakdown(const struct request *request, const struc
   int digits = request->style.digits > 0 ? (int)request->style.digits : DIGITS;
   char parameters[PARAMETERS_TEXT];
   struct table t;
-  struct wrapped kept;
-  FILE *page = table_open(&t, &request->style) ? wrap_begin(&kept) : NULL;
+  FILE *page = table_open(&t, &request->style) ? t.sink[0].file : NULL;
   if (!page)
     return EXIT_FILE;
   parameters_text(parameters, &request->point, of_T, true);
@@ -161,7 +157,6 @@ static enum exit_code write_breakdown(const struct request *request, const struc
   page_of_reversals(page, s, digits);
   page_of_reaches(page, s, digits);
   fputs("\nMore: --all, or --only event, reversal, reach, radius or best, gives the table with every row.\n", page);
-  wrap_end(&kept, t.file, 0);
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 

@@ -3,146 +3,38 @@
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
-#include "compare/text/memory.h"
-
-static bool begin_cell(struct aligned *a)
+FILE *aligned_begin_row(struct aligned *a, int columns)
 {
-  char **cells = with_room(a->cells, a->count, sizeof *cells);
-  if (cells)
-    a->cells = cells;
-  a->lost = a->lost || !cells || !(a->cells[a->count] = calloc(1, 1));
-  return !a->lost;
+  a->columns = columns;
+  if (!a->kept)
+    a->kept = open_memstream(&a->text, &a->size);
+  a->rows += a->kept != NULL;
+  return a->kept;
 }
 
-void aligned_put(struct aligned *a, const char *text, size_t size)
-{
-  if (a->lost || (!a->is_open && !begin_cell(a)))
-    return;
-  a->is_open = true;
-  size_t length = strlen(a->cells[a->count]);
-  char *longer = realloc(a->cells[a->count], length + size + 1);
-  if (longer) {
-    a->cells[a->count] = longer;
-    memcpy(longer + length, text, size);
-    longer[length + size] = '\0';
-  }
-  a->lost = !longer;
-}
+bool aligned_is_full(const struct aligned *a) { return a->rows > ALIGNED_ROWS - (a->column != NULL); }
 
-void aligned_end_cell(struct aligned *a)
+/* Forgets the rows that are kept. */
+static void forget_rows(struct aligned *a)
 {
-  aligned_put(a, "", 0);
-  a->is_open = false;
-  a->count += !a->lost;
+  if (a->kept)
+    fclose(a->kept);
+  free(a->text);
+  *a = (struct aligned){ .column = a->column, .columns = a->columns };
 }
-
-bool aligned_is_full(const struct aligned *a) { return !a->is_open && a->count >= (ALIGNED_ROWS + 1L) * a->columns; }
 
 void aligned_free(struct aligned *a)
 {
+  forget_rows(a);
   free(a->column);
-  for (long i = 0; i < a->count + a->is_open; i++)
-    free(a->cells[i]);
-  free(a->cells);
   *a = (struct aligned){ .columns = a->columns };
 }
 
-int wrap_width(FILE *file)
-{
-  struct winsize size;
-  int place = fileno(file);
-  return place >= 0 && isatty(place) && ioctl(place, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
-}
-
-/* Where a line goes on */
-static int below(const char *line, int length, int width)
-{
-  int first = (int)strspn(line, "# "), column = first;
-  for (int i = first + 1; i < length - 1; i++)
-    if (line[i] == ' ' && line[i - 1] == ' ' && line[i + 1] != ' ')
-      column = i + 1;
-  return 3 * column <= 2 * width ? column : first;
-}
-
-/* One line, whose words may be those of several of the text */
-struct line {
-  FILE *to;
-  int width, at, column; /* where the next word stands, and the first of the next line */
-};
-
-/* Words of the text, with the blanks between them as they are; joined: behind others, from which one blank parts
- * them */
-static void put_words(struct line *l, const char *text, int length, bool joined)
-{
-  for (int i = 0, next; i < length; i = next) {
-    int blanks = (int)strspn(text + i, " "), word = (int)strcspn(text + i + blanks, " \n");
-    next = i + blanks + word;
-    blanks = joined && i == 0 ? 1 : blanks;
-    if ((joined || i > 0) && l->width > 0 && l->at + blanks + word > l->width) {
-      fprintf(l->to, "\n%*s", l->column, "");
-      l->at = l->column;
-      blanks = 0;
-    }
-    l->at += fprintf(l->to, "%*s%.*s", blanks, "", word, text + next - word);
-  }
-}
-
-/* Is the line behind this one a part of it? */
-static bool goes_on(const char *line, int length, int full)
-{
-  const char *next = line + length + (line[length] == '\n');
-  int blanks = (int)strspn(next, " "), word = (int)strcspn(next + blanks, " \n");
-  return full > 0 && length > 0 && word > 0 && length + 1 + word > full && blanks == below(line, length, full)
-         && below(next, (int)strcspn(next, "\n"), full) == blanks;
-}
-
-bool wrap_lines(FILE *to, const char *text, int width, int full)
-{
-  while (*text) {
-    int length = (int)strcspn(text, "\n");
-    struct line l = { to, width, 0, below(text, length, width > 0 ? width : full) };
-    put_words(&l, text, length, false);
-    for (; width > 0 && goes_on(text, length, full); length = (int)strcspn(text, "\n")) {
-      text += length + 1;
-      put_words(&l, text, (int)strcspn(text, "\n"), true);
-    }
-    text += length;
-    if (*text == '\n')
-      fputc(*text++, to);
-  }
-  return !ferror(to);
-}
-
-FILE *wrap_begin(struct wrapped *w)
-{
-  *w = (struct wrapped){ .text = NULL };
-  return w->file = open_memstream(&w->text, &w->size);
-}
-
-bool wrap_end(struct wrapped *w, FILE *to, int full)
-{
-  bool kept = w->file && fclose(w->file) == 0;
-  int width = wrap_width(to);
-  bool written = kept && wrap_lines(to, w->text, full > 0 && width > full ? 0 : width, full);
-  free(w->text);
-  return written;
-}
-
-bool wrap_note(FILE *to, const char *format, va_list arguments)
-{
-  struct wrapped kept;
-  FILE *line = wrap_begin(&kept);
-  bool made = line && fputs("# ", line) >= 0 && vfprintf(line, format, arguments) >= 0 && fputc('\n', line) >= 0;
-  return wrap_end(&kept, to, 0) && made;
-}
-
-static const char *unit_of(column_meaning *meaning, const char *name)
+static struct column_meaning meaning_of(column_meaning *meaning, const char *name)
 {
   const struct column_meaning *m = meaning ? meaning(name) : NULL;
-  return m ? m->unit : "";
+  return m ? *m : (struct column_meaning){ .unit = "", .sentence = "" };
 }
 
 /* A long text goes on in another line behind each "; " and " | ", from column `left` on. */
@@ -161,46 +53,40 @@ static void print_text(FILE *file, const char *text, int left)
 }
 
 struct aligned_column {
+  struct column_meaning meaning;
   int width;
   bool numbers;   /* on the right             */
   bool has_parts; /* some text has several     */
 };
 
-static const char *between(const struct aligned_column *c, const struct column_meaning *m)
+/* What a column is, and what stands between the parts of its texts */
+static void print_meaning(FILE *file, const struct aligned_column *c)
 {
-  return m->between && c->has_parts ? m->between : "";
+  const char *between = c->meaning.between && c->has_parts ? c->meaning.between : "";
+  fprintf(file, "%s%s%s", c->meaning.sentence, *between ? "; " : "", between);
 }
 
 /* One a line: name, value and unit, and what it is */
-static void print_upright(const struct aligned *a, FILE *file, column_meaning *meaning)
+static void print_upright(const struct aligned *a, const char *const *cells, FILE *file)
 {
+  const char *const *values = cells + a->columns;
   int widest = 0, widest_value = 0;
   for (int i = 0; i < a->columns; i++) {
-    int width = (int)strlen(a->cells[i]),
-        value = (int)(strlen(a->cells[i + a->columns]) + strlen(unit_of(meaning, a->cells[i])));
+    int width = (int)strlen(cells[i]), value = (int)(strlen(values[i]) + strlen(a->column[i].meaning.unit));
     widest = width > widest ? width : widest;
     widest_value = value > widest_value && value < 40 ? value : widest_value;
   }
   for (int i = 0; i < a->columns; i++) {
-    const struct column_meaning *m = meaning ? meaning(a->cells[i]) : NULL;
-    const char *value = a->cells[i + a->columns], *unit = m ? m->unit : "";
-    fprintf(file, "%-*s  ", widest, a->cells[i]);
-    print_text(file, value, widest + 2);
+    const char *unit = a->column[i].meaning.unit;
+    fprintf(file, "%-*s  ", widest, cells[i]);
+    print_text(file, values[i], widest + 2);
     fprintf(file, "%s%s", *unit ? " " : "", unit);
-    if (m)
-      fprintf(file, "%*s  %s%s%s", widest_value - (int)(strlen(value) + strlen(unit)) + (*unit == '\0'), "",
-              m->sentence, *between(&a->column[i], m) ? "; " : "", between(&a->column[i], m));
+    if (*a->column[i].meaning.sentence) {
+      fprintf(file, "%*s  ", widest_value - (int)(strlen(values[i]) + strlen(unit)) + (*unit == '\0'), "");
+      print_meaning(file, &a->column[i]);
+    }
     fputc('\n', file);
   }
-}
-
-static bool print_wrapped(const struct aligned *a, FILE *file, column_meaning *meaning)
-{
-  struct wrapped kept;
-  FILE *lines = wrap_begin(&kept);
-  if (lines)
-    print_upright(a, lines, meaning);
-  return wrap_end(&kept, file, 0);
 }
 
 /* Numbers are on the right of their columns */
@@ -213,76 +99,94 @@ static bool is_number(const char *text)
 static void print_row(const struct aligned *a, FILE *file, const char *const *cells)
 {
   for (int i = 0; i < a->columns; i++) {
+    const char *cell = cells ? cells[i] : a->column[i].meaning.unit; /* below their names */
     bool last = i + 1 == a->columns;
-    if (a->column[i].numbers)
-      fprintf(file, "%*s%s", a->column[i].width, cells[i], last ? "" : "  ");
-    else
-      fprintf(file, "%-*s%s", last ? 0 : a->column[i].width, cells[i], last ? "" : "  ");
+    int width = a->column[i].width;
+    fprintf(file, "%*s%s", a->column[i].numbers ? width : last ? 0 : -width, cell, last ? "" : "  ");
   }
   fputc('\n', file);
 }
 
-/* Widens the columns to what is kept; of the first block also finds those of numbers. */
-static void measure(struct aligned *a, column_meaning *meaning, bool first)
+/* Widens the columns to what is kept; of the first block, which begins with the names, also finds those of numbers. */
+static void measure(struct aligned *a, const char *const *cells, bool first)
 {
   for (int i = 0; i < a->columns; i++) {
     struct aligned_column *c = &a->column[i];
-    const int least = (int)strlen(unit_of(meaning, a->cells[i]));
+    const int least = (int)strlen(c->meaning.unit);
     c->width = least > c->width ? least : c->width;
-    c->numbers = first ? a->count > a->columns : c->numbers;
-    for (long k = i; k < a->count; k += a->columns) {
-      int length = (int)strlen(a->cells[k]);
+    c->numbers = first ? a->rows > 1 : c->numbers;
+    for (long k = 0; k < a->rows; k++) {
+      const char *cell = cells[k * a->columns + i];
+      int length = (int)strlen(cell);
       c->width = length > c->width ? length : c->width;
-      c->numbers = c->numbers && (!first || k == i || is_number(a->cells[k]));
-      c->has_parts = c->has_parts || (k > i && strstr(a->cells[k], " | "));
+      c->numbers = c->numbers && (!first || k == 0 || is_number(cell));
+      c->has_parts = c->has_parts || (!(first && k == 0) && strstr(cell, " | "));
     }
   }
 }
 
-static void print_rows(struct aligned *a, FILE *file, column_meaning *meaning, const char **units, bool first)
+static void print_rows(const struct aligned *a, const char *const *cells, FILE *file, bool first)
 {
   bool has_units = false;
-  for (int i = 0; i < a->columns; i++) {
-    units[i] = unit_of(meaning, a->cells[i]);
-    has_units = has_units || *units[i];
-  }
-  for (long k = first ? 0 : a->columns; k < a->count; k += a->columns) {
-    print_row(a, file, (const char *const *)(a->cells + k));
-    if (k == 0 && has_units)
-      print_row(a, file, units);
-  }
-  for (; a->count > a->columns; a->count--)
-    free(a->cells[a->count - 1]);
-}
-
-static void print_legend(const struct aligned *a, FILE *file, column_meaning *meaning)
-{
-  for (int i = 0; i < a->columns; i++) {
-    const struct column_meaning *m = meaning ? meaning(a->cells[i]) : NULL;
-    if (m && m->has_symbols)
-      fprintf(file, "%s: %s%s%s\n", a->cells[i], m->sentence, *between(&a->column[i], m) ? "; " : "",
-              between(&a->column[i], m));
+  for (int i = 0; i < a->columns; i++)
+    has_units = has_units || *a->column[i].meaning.unit;
+  for (long k = 0; k < a->rows; k++) {
+    print_row(a, file, cells + k * a->columns);
+    if (first && k == 0 && has_units)
+      print_row(a, file, NULL);
   }
 }
 
-bool aligned_print(struct aligned *a, FILE *file, column_meaning *meaning, bool last)
+static void print_legend(const struct aligned *a, const char *const *names, FILE *file)
 {
-  size_t columns = (size_t)(a->columns > 0 ? a->columns : 1);
-  bool first = !a->column, lost = a->lost, upright = first && last && a->columns > 2 && a->count == 2L * a->columns;
-  const char **units = calloc(columns, sizeof *units);
-  a->column = first ? calloc(columns, sizeof *a->column) : a->column;
-  if (!lost && a->column && units) {
-    measure(a, meaning, first);
-    if (upright)
-      lost = !print_wrapped(a, file, meaning);
-    else
-      print_rows(a, file, meaning, units, first);
-    if (!upright && last)
-      print_legend(a, file, meaning);
-  } else
-    lost = true;
-  free(units);
-  if (last || lost)
+  for (int i = 0; i < a->columns; i++)
+    if (a->column[i].meaning.has_symbols) {
+      fprintf(file, "%s: ", names[i]);
+      print_meaning(file, &a->column[i]);
+      fputc('\n', file);
+    }
+}
+
+static struct aligned_column *begin_columns(int count, const char *const *names, column_meaning *meaning)
+{
+  struct aligned_column *column = calloc((size_t)count, sizeof *column);
+  for (int i = 0; column && i < count; i++)
+    column[i].meaning = meaning_of(meaning, names[i]);
+  return column;
+}
+
+/* Where each cell begins, to be freed; NULL: out of memory */
+static const char **cells_of(struct aligned *a)
+{
+  long count = a->rows * a->columns;
+  const char **cells = fflush(a->kept) == 0 ? malloc((size_t)count * sizeof *cells) : NULL;
+  const char *cell = a->text;
+  for (long i = 0; cells && i < count; i++, cell += strlen(cell) + 1)
+    cells[i] = cell;
+  return cells;
+}
+
+bool aligned_print(struct aligned *a, const char *const *names, FILE *file, column_meaning *meaning, bool last)
+{
+  bool first = !a->column, upright = first && last && a->columns > 2 && a->rows == 2;
+  if (first && a->rows == 0)
+    return true;
+  if (first)
+    a->column = begin_columns(a->columns, names, meaning);
+  const char **cells = a->column && a->rows > 0 ? cells_of(a) : NULL;
+  bool whole = a->column && (cells || a->rows == 0);
+  if (cells)
+    measure(a, cells, first);
+  if (cells && upright)
+    print_upright(a, cells, file);
+  else if (cells)
+    print_rows(a, cells, file, first);
+  if (whole && last && !upright)
+    print_legend(a, names, file);
+  free(cells);
+  if (last || !whole)
     aligned_free(a);
-  return !lost;
+  else
+    forget_rows(a);
+  return whole;
 }

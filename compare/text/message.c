@@ -112,3 +112,31 @@ bool is_shown(const char *text)
     text += length;
   return *text == '\0';
 }
+
+const struct escapes in_plain = { "", { NULL } }, in_json = { "\"\\", { "\\\"", "\\\\" } },
+                     in_csv = { "\"", { "\"\"" } }, in_xml = { "&<>\"", { "&amp;", "&lt;", "&gt;", "&quot;" } },
+                     in_markdown = { "|\\<`*", { "\\|", "\\\\", "&lt;", "\\`", "\\*" } };
+
+/* Bytes that go out together; 0: that must not */
+static size_t shown_bytes(const char *text, enum shown shown)
+{
+  bool ascii = *text >= 0x20 && *text <= 0x7e;
+  return ascii || shown == SHOWS_BYTES ? 1 : shown == SHOWS_CHARACTERS ? shown_character(text) : 0;
+}
+
+void put_escaped(FILE *to, const char *text, const struct escapes *escapes, enum shown shown)
+{
+  while (*text) {
+    size_t plain = 0;
+    for (size_t size; text[plain] && !strchr(escapes->special, text[plain]); plain += size)
+      if ((size = shown_bytes(text + plain, shown)) == 0)
+        break;
+    fwrite(text, 1, plain, to);
+    text += plain;
+    if (*text == '\0')
+      return;
+    const char *special = strchr(escapes->special, *text);
+    fputs(special ? escapes->instead[special - escapes->special] : (unsigned char)*text < 0x20 ? " " : "?", to);
+    text++;
+  }
+}

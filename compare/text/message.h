@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum exit_code { EXIT_DONE = 0, EXIT_CHECK_FAILED = 1, EXIT_USAGE = 2, EXIT_UNSOLVED = 3, EXIT_FILE = 4 };
 
@@ -27,5 +28,16 @@ const char *instead_of(const char *word, const char *const *names);
  * or ends. What consists of such characters can be shown on a terminal and in XML. */
 size_t shown_character(const char *text);
 bool is_shown(const char *text);
+
+/* Characters that mean something in a format, and what is written instead of each */
+struct escapes {
+  const char *special, *instead[8];
+};
+extern const struct escapes in_plain, in_json, in_csv, in_xml, in_markdown;
+
+/* What goes out as it is: printable ASCII, what can be shown, or any bytes. Of the rest a control character
+ * becomes a blank, each other byte '?'. */
+enum shown { SHOWS_ASCII, SHOWS_CHARACTERS, SHOWS_BYTES };
+void put_escaped(FILE *to, const char *text, const struct escapes *escapes, enum shown shown);
 
 #endif

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include "compare/text/file.h"
 #include "compare/text/message.h"
@@ -26,7 +27,8 @@ const char *plot_kind(const char *file)
   return NULL;
 }
 
-/* In double quotes a backslash and three octal digits are a byte; all but the plainest characters are written so. */
+/* In double quotes a backslash, 0 and three octal digits are a byte, whatever digit follows; all but the plainest
+ * characters are written so. */
 static void put_quoted(FILE *to, const char *begin, const char *text)
 {
   fprintf(to, "\"%s", begin);
@@ -34,7 +36,7 @@ static void put_quoted(FILE *to, const char *begin, const char *text)
     if (*c < 0x80 && (isalnum(*c) || strchr(" _./:+-=,()", *c)))
       fputc(*c, to);
     else
-      fprintf(to, "\\%03o", *c);
+      fprintf(to, "\\0%03o", *c);
   fputc('"', to);
 }
 
@@ -202,13 +204,76 @@ static bool run(const struct plot *p, const char *command, FILE *script, FILE *s
          || fail(p, command, "gnuplot has drawn nothing", 0);
 }
 
+/* What gnuplot leaves in the texts of an SVG and XML does not take for text: "]]>" outside of CDATA, bytes that are no
+ * characters, and, but for a script of the user's own, references such as "&#x1;". */
+static void put_svg(FILE *to, const char *text, bool has_references)
+{
+  bool in_data = false;
+  for (size_t length; *text; text += length) {
+    const char *instead = NULL;
+    length = strchr("\n\t\r", *text) ? 1 : shown_character(text);
+    bool ends = strncmp(text, "]]>", 3) == 0;
+    if (length == 0)
+      instead = "?", length = 1;
+    else if (ends && !in_data)
+      instead = "]]&gt;", length = 3;
+    else if (!has_references && strncmp(text, "&#", 2) == 0)
+      instead = "&amp;#", length = 2;
+    in_data = (in_data && !ends) || strncmp(text, "<![CDATA[", 9) == 0;
+    fwrite(instead ? instead : text, 1, instead ? strlen(instead) : length, to);
+  }
+}
+
+static bool make_readable(const struct plot *p, const char *command, const struct file *picture)
+{
+  char *text = NULL;
+  size_t room = 0;
+  FILE *drawn = fopen(picture->temporary, "r");
+  bool read = drawn && getdelim(&text, &room, '\0', drawn) > 0;
+  if (drawn)
+    fclose(drawn);
+  if (read && ftruncate(fileno(picture->stream), 0) == 0)
+    put_svg(picture->stream, text, p->script != NULL);
+  free(text);
+  return read || fail(p, command, "cannot read it", errno);
+}
+
+/* gnuplot ends a cell at a plain quotation mark, and looks for escapes behind a backslash. */
+static bool is_mistaken(int c) { return c == '"' || c == '\\'; }
+
+static bool has_mistaken(const char *table)
+{
+  int c = EOF;
+  FILE *rows = fopen(table, "r");
+  while (rows && (c = getc(rows)) != EOF && !is_mistaken(c))
+    ;
+  if (rows)
+    fclose(rows);
+  return is_mistaken(c);
+}
+
+/* For gnuplot: with another quotation mark, and two backslashes for one */
+static bool copy_rows(const struct plot *p, FILE *copy)
+{
+  FILE *rows = fopen(p->table, "r");
+  for (int c; rows && (c = getc(rows)) != EOF;)
+    if (is_mistaken(c))
+      fputs(c == '"' ? "\xe2\x80\x9d" : "\\\\", copy);
+    else
+      putc(c, copy);
+  if (rows)
+    fclose(rows);
+  return rows && fflush(copy) == 0;
+}
+
 static bool draw(const struct plot *p, const char *command, FILE *script, FILE *said)
 {
   struct file picture;
   int error = file_open(&picture, p->file);
   if (error != 0)
     return fail(p, command, "cannot write it", error);
-  bool drawn = run(p, command, script, said, &picture);
+  bool drawn = run(p, command, script, said, &picture)
+               && (strcmp(plot_kind(p->file), "svg") != 0 || make_readable(p, command, &picture));
   error = file_close(&picture, drawn);
   return drawn && (error == 0 || fail(p, command, "cannot write it", error));
 }
@@ -221,15 +286,31 @@ bool plot_may_replace(const struct plot *p, const char *command)
 }
 
 /* Through files that have no name: a pipe could wait for a reader that waits itself. */
-bool plot_draw(const struct plot *p, const char *command)
+static bool draw_rows(const struct plot *p, const char *command)
 {
-  if (!plot_may_replace(p, command))
-    return false;
   FILE *script = tmpfile(), *said = script ? tmpfile() : NULL;
   bool drawn = said ? draw(p, command, script, said) : fail(p, command, "no temporary file", errno);
   if (script)
     fclose(script);
   if (said)
     fclose(said);
+  return drawn;
+}
+
+bool plot_draw(const struct plot *p, const char *command)
+{
+  struct plot of_copy = *p;
+  struct file copy;
+  if (!plot_may_replace(p, command))
+    return false;
+  if (p->script || !has_mistaken(p->table))
+    return draw_rows(p, command);
+  int error = file_open(&copy, p->file);
+  if (error != 0)
+    return fail(p, command, "cannot write it", error);
+  of_copy.table = copy.temporary;
+  bool drawn = copy_rows(p, copy.stream) ? draw_rows(&of_copy, command)
+                                         : fail(p, command, "cannot copy its rows", errno);
+  file_close(&copy, false);
   return drawn;
 }

@@ -100,6 +100,8 @@ void progress_count(long done, long all)
   is_changing = false;
 }
 
+bool progress_is_counted(void) { return work.done > 0; }
+
 void progress_clear(void)
 {
   if (!is_written)

@@ -11,21 +11,21 @@
 #include "compare/text/message.h"
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
+#include "model/version.h"
 
 enum { PEOPLE_DIGITS = 6 };
 
 const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown", "table", NULL };
 
-/* What stands around the cells of a row */
+/* What stands around the cells of a row, and what means something in them */
 static const struct {
   const char *begin, *between, *end;
-} marks[FORMATS] = { [FORMAT_TSV] = { "", "\t", "\n" },
-                     [FORMAT_JSON] = { "{", ", ", "}\n" },
-                     [FORMAT_CSV] = { "", ",", "\n" },
-                     [FORMAT_MARKDOWN] = { "| ", " | ", " |\n" },
-                     [FORMAT_TABLE] = { "", "", "" } };
-
-static bool is_json(const struct table *t) { return t->format == FORMAT_JSON; }
+  const struct escapes *escapes;
+} marks[FORMATS] = { [FORMAT_TSV] = { "", "\t", "\n", &in_plain },
+                     [FORMAT_JSON] = { "{", ", ", "}\n", &in_json },
+                     [FORMAT_CSV] = { "", ",", "\n", &in_csv },
+                     [FORMAT_MARKDOWN] = { "| ", " | ", " |\n", &in_markdown },
+                     [FORMAT_TABLE] = { "", "", "", &in_plain } };
 
 /* People read what goes to a terminal. */
 static enum format format_of(const struct style *style, const char *output)
@@ -35,138 +35,112 @@ static enum format format_of(const struct style *style, const char *output)
   return to_people ? FORMAT_TABLE : style->format;
 }
 
-/* The rows of a table that is drawn: a table that never takes its place, for gnuplot to read until the picture is
- * there. */
-struct pictured {
-  struct style style;
-  struct table copy;
-};
+bool table_is_for_people(const struct style *style) { return format_of(style, style->output) == FORMAT_TABLE; }
 
-static bool open_pictured(struct table *t)
+/* Ends keeping '#' lines back; keep: writes them. */
+static void end_head(struct sink *s, bool keep)
 {
-  const struct style *of = t->style;
-  struct pictured *p = t->pictured = calloc(1, sizeof *p);
-  if (!p)
-    return complain(of->command, "out of memory");
-  p->style = (struct style){ .command = of->command, .has_format = true };
-  return plot_may_replace(&of->plot, of->command) && table_open_at(&p->copy, &p->style, of->plot.file);
+  if (!s->file || s->file == s->out.stream)
+    return;
+  fclose(s->file);
+  s->file = s->out.stream;
+  if (keep && fwrite(s->head, 1, s->head_size, s->file) < s->head_size)
+    s->error = errno;
+  free(s->head);
 }
 
-static bool draw_pictured(const struct table *t, struct pictured *p)
+static bool open_sink(struct table *t, const char *output, const char *named)
 {
-  struct plot plot = t->style->plot;
-  plot.of = t->of;
-  plot.table = p->copy.out.temporary;
-  plot.meaning = t->style->meaning;
-  if (p->copy.error != 0 || fflush(p->copy.file) != 0)
-    return complain(t->style->command, "cannot write the rows of the picture beside %s", plot.file);
-  return plot_choose(&plot, t->style->command) && plot_draw(&plot, t->style->command);
-}
-
-static void end_pictured(struct table *t)
-{
-  if (t->pictured && t->pictured->copy.file)
-    table_abandon(&t->pictured->copy);
-  free(t->pictured);
-  t->pictured = NULL;
+  struct sink *s = &t->sink[t->sinks];
+  int error = file_open(&s->out, output);
+  if (error != 0)
+    return complain(t->style->command, "cannot write %s: %s", named, file_error(error));
+  t->sinks++;
+  s->file = open_memstream(&s->head, &s->head_size);
+  return s->file || complain(t->style->command, "out of memory");
 }
 
 bool table_open_at(struct table *t, const struct style *style, const char *output)
 {
-  *t = (struct table){ .style = style, .output = output, .format = format_of(style, output), .of = style->command };
-  int error = file_open(&t->out, output);
-  if (error != 0)
-    complain(style->command, "cannot write %s: %s", output ? output : "standard output", file_error(error));
-  t->file = t->out.stream;
-  if (error == 0 && style->choice)
-    t->file = t->head = open_memstream(&t->head_text, &t->head_size);
-  if (error == 0 && !t->file) {
-    complain(style->command, "out of memory");
-    file_close(&t->out, false);
-  }
-  if (error != 0 || !t->file)
-    return false;
-  if (style->plot.file && !open_pictured(t)) {
+  const char *picture = style->plot.file;
+  *t = (struct table){ .style = style, .output = output, .of = style->command };
+  t->sink[0].format = format_of(style, output);
+  t->sink[0].digits = style->digits <= DBL_DECIMAL_DIG ? style->digits : 0;
+  if (t->sink[0].digits == 0 && t->sink[0].format == FORMAT_TABLE)
+    t->sink[0].digits = PEOPLE_DIGITS;
+  bool open = open_sink(t, output, output ? output : "standard output")
+              && (!picture || (plot_may_replace(&style->plot, style->command) && open_sink(t, picture, picture)));
+  if (!open)
     table_abandon(t);
-    return false;
-  }
-  return true;
+  return open;
 }
 
 bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
-bool table_is_for_people(const struct style *style) { return format_of(style, style->output) == FORMAT_TABLE; }
 
 /* The first error is the one to tell of. */
-static void note_error(struct table *t, bool failed)
-{
-  if (failed && t->error == 0)
-    t->error = errno;
-}
+static void note_error(struct sink *s, int error) { s->error = s->error != 0 ? s->error : error; }
 
-/* Ends keeping '#' lines back; keep: writes them. */
-static void end_head(struct table *t, bool keep)
-{
-  if (!t->head)
-    return;
-  fclose(t->head);
-  t->head = NULL;
-  t->file = t->out.stream;
-  note_error(t, keep && fwrite(t->head_text, 1, t->head_size, t->file) < t->head_size);
-  free(t->head_text);
-}
-
-static void hand_on(struct table *t)
+static void print_aligned(struct table *t, struct sink *s, bool last)
 {
   progress_clear();
-  note_error(t, fwrite(t->part, 1, t->used, t->file) < t->used);
-  t->used = 0;
-}
-
-static void put(struct table *t, const char *text, size_t size)
-{
-  if (t->format == FORMAT_TABLE) {
-    aligned_put(&t->aligned, text, size);
-    return;
-  }
-  for (size_t now; size > 0; text += now, size -= now) {
-    if (t->used == TABLE_PART)
-      hand_on(t);
-    now = size < TABLE_PART - t->used ? size : TABLE_PART - t->used;
-    memcpy(t->part + t->used, text, now);
-    t->used += now;
-  }
-}
-
-static void put_text(struct table *t, const char *text) { put(t, text, strlen(text)); }
-static void put_char(struct table *t, char c) { put(t, &c, 1); }
-
-static void print_aligned(struct table *t, bool last)
-{
-  progress_clear();
-  if (t->aligned.count > 0 && !aligned_print(&t->aligned, t->file, t->style->meaning, last) && t->error == 0)
-    t->error = ENOMEM;
+  if (!aligned_print(&s->aligned, t->names, s->file, t->style->meaning, last))
+    note_error(s, ENOMEM);
 }
 
 static void put_note(struct table *t, const char *format, va_list arguments)
 {
-  if ((t->format != FORMAT_TSV && t->format != FORMAT_TABLE) || table_failed(t))
-    return;
-  if (t->format == FORMAT_TABLE)
-    print_aligned(t, true);
-  hand_on(t);
-  note_error(t, !wrap_note(t->file, format, arguments));
+  char *note = NULL;
+  size_t size;
+  FILE *whole = open_memstream(&note, &size);
+  if (!whole || vfprintf(whole, format, arguments) < 0 || fclose(whole) != 0)
+    return note_error(&t->sink[0], ENOMEM);
+  for (char *c = note; *c; c++) /* a line break in a name would begin a row */
+    *c = (unsigned char)*c < ' ' || *c == 0x7f ? '?' : *c;
+  for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
+    if ((s->format != FORMAT_TSV && s->format != FORMAT_TABLE) || s->error != 0)
+      continue;
+    if (s->format == FORMAT_TABLE)
+      print_aligned(t, s, true);
+    progress_clear();
+    if (fprintf(s->file, "# %s\n", note) < 0)
+      note_error(s, errno);
+  }
+  free(note);
 }
 
 void table_note(struct table *t, const char *format, ...)
 {
-  va_list arguments, again;
+  va_list arguments;
   va_start(arguments, format);
-  va_copy(again, arguments);
   put_note(t, format, arguments);
-  if (t->pictured)
-    put_note(&t->pictured->copy, format, again);
-  va_end(again);
   va_end(arguments);
+}
+
+static void put_command(struct table *t, const char *format, va_list arguments)
+{
+  char command[1024];
+  vsnprintf(command, sizeof command, format, arguments);
+  table_note(t, "scallop " SCALLOP_VERSION);
+  table_note(t, "command: %s", command);
+}
+
+void table_command(struct table *t, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  put_command(t, format, arguments);
+  va_end(arguments);
+}
+
+bool table_head(struct table *t, const struct style *style, const char *format, ...)
+{
+  va_list arguments;
+  if (!table_open(t, style))
+    return false;
+  va_start(arguments, format);
+  put_command(t, format, arguments);
+  va_end(arguments);
+  return true;
 }
 
 void table_columns(struct table *t, const char *const *names)
@@ -175,160 +149,85 @@ void table_columns(struct table *t, const char *const *names)
     t->columns[t->count++] = *names++;
 }
 
-/* Of text the first bytes that go out as they are, in front of one of special. What is given is plain ASCII, or, where
- * it is carried, any bytes that do no harm: in columns for people and in JSON only characters. */
-static size_t plain_bytes(const struct table *t, const char *text, const char *special, bool carried)
+static void put_text_cell(FILE *to, enum format format, const struct table_cell *c)
 {
-  size_t plain = 0;
-  bool any = carried && (t->format == FORMAT_TSV || t->format == FORMAT_CSV);
-  for (size_t size = 1; text[plain] && size > 0; plain += size) {
-    bool ascii = text[plain] >= 0x20 && text[plain] <= 0x7e;
-    size = ascii || any ? 1 : carried ? shown_character(text + plain) : 0;
-    if (*special && strchr(special, text[plain]))
-      break;
-  }
-  return plain;
+  bool carried = c->kind == CELL_CARRIED, any = format == FORMAT_TSV || format == FORMAT_CSV;
+  bool quoted = format == FORMAT_JSON || (format == FORMAT_CSV && strpbrk(c->text, ",\""));
+  fputs(quoted ? "\"" : "", to);
+  put_escaped(to, c->text, marks[format].escapes, !carried ? SHOWS_ASCII : any ? SHOWS_BYTES : SHOWS_CHARACTERS);
+  fputs(quoted ? "\"" : "", to);
 }
 
-/* A text as the format has it. Bytes that are no plain characters, in a message, must not make the table unreadable. */
-static void put_written(struct table *t, const char *text, bool carried)
+static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
 {
-  /* characters that have a meaning in the format, and what stands in front of them then */
-  static const char *const special[FORMATS] = { "", "\"\\", "\"", "|", "" };
-  static const char before[FORMATS] = { [FORMAT_JSON] = '\\', [FORMAT_CSV] = '"', [FORMAT_MARKDOWN] = '\\' };
-  const char *meant = special[t->format];
-  while (*text) {
-    size_t plain = plain_bytes(t, text, meant, carried);
-    put(t, text, plain);
-    text += plain;
-    if (*text && strchr(meant, *text)) {
-      put_char(t, before[t->format]);
-      put_char(t, *text);
-    } else if (*text)
-      put_char(t, (unsigned char)*text < 0x20 ? ' ' : '?');
-    text += *text != '\0';
-  }
-}
-
-static void put_quoted(struct table *t, const char *text, bool carried)
-{
-  bool quoted = is_json(t) || (t->format == FORMAT_CSV && strpbrk(text, ",\""));
-  if (quoted)
-    put_char(t, '"');
-  put_written(t, text, carried);
-  if (quoted)
-    put_char(t, '"');
-}
-
-static void begin_cell(struct table *t)
-{
-  if (t->format == FORMAT_TABLE)
-    return;
-  if (t->format == FORMAT_TSV && t->at > 0)
-    put_char(t, '\t');
+  char number[NUMBER_TEXT];
+  bool json = s->format == FORMAT_JSON, is_number = c->kind == CELL_NUMBER || c->kind == CELL_ROUNDED;
+  if (json && is_number && !isfinite(c->value))
+    fputs(isnan(c->value) || c->kind == CELL_ROUNDED ? "null" : c->value > 0 ? "1e999" : "-1e999", to);
+  else if (c->kind == CELL_NUMBER) {
+    number_text(number, c->value, s->digits);
+    fputs(number, to);
+  } else if (c->kind != CELL_TEXT && (c->kind != CELL_CARRIED || (json && json_takes_number(c->text))))
+    fputs(c->text, to);
+  else if (c->kind == CELL_CARRIED && json && strcmp(c->text, "nan") == 0)
+    fputs("null", to);
   else
-    put_text(t, t->at == 0 ? marks[t->format].begin : marks[t->format].between);
-  if (is_json(t)) {
-    put_quoted(t, t->names[t->at], true);
-    put_text(t, ": ");
+    put_text_cell(to, s->format, c);
+}
+
+/* Writes a row to a sink. */
+static void emit(struct table *t, struct sink *s, const struct table_cell *cells, int count)
+{
+  bool aligned = s->format == FORMAT_TABLE;
+  FILE *to = aligned ? aligned_begin_row(&s->aligned, count) : s->file;
+  if (!to)
+    return note_error(s, ENOMEM);
+  progress_clear();
+  for (int i = 0; i < count; i++) {
+    fputs(i == 0 ? marks[s->format].begin : marks[s->format].between, to);
+    if (s->format == FORMAT_JSON) {
+      put_text_cell(to, s->format, &(struct table_cell){ .kind = CELL_CARRIED, .text = (char *)t->names[i] });
+      fputs(": ", to);
+    }
+    put_cell(to, s, &cells[i]);
+    if (aligned)
+      putc('\0', to);
   }
+  fputs(marks[s->format].end, to);
+  if (ferror(to))
+    note_error(s, errno);
+  if (aligned_is_full(&s->aligned))
+    print_aligned(t, s, false);
 }
 
-static void end_cell(struct table *t)
+static void write_heads(struct table *t, int count)
 {
-  if (t->format == FORMAT_TABLE)
-    aligned_end_cell(&t->aligned);
-  if (++t->at < t->count)
-    return;
-  t->at = 0;
-  if (t->format == FORMAT_TABLE) {
-    if (aligned_is_full(&t->aligned))
-      print_aligned(t, false);
-    return;
+  static const struct table_cell rule = { .kind = CELL_DIGITS, .text = (char *)"---" };
+  struct table_cell names[TABLE_COLUMNS], rules[TABLE_COLUMNS];
+  for (int i = 0; i < count; i++) {
+    names[i] = (struct table_cell){ .kind = CELL_CARRIED, .text = (char *)t->names[i] };
+    rules[i] = rule;
   }
-  put_text(t, marks[t->format].end);
-  hand_on(t);
-}
-
-static void put_digits(struct table *t, const char *number)
-{
-  begin_cell(t);
-  put_text(t, number);
-  end_cell(t);
-}
-
-static void put_cell(struct table *t, const char *text, bool carried)
-{
-  begin_cell(t);
-  put_quoted(t, text, carried);
-  end_cell(t);
-}
-
-static void write_heads(struct table *t)
-{
-  if (t->pictured) {
-    t->pictured->copy.names = t->names;
-    t->pictured->copy.count = t->count;
-    write_heads(&t->pictured->copy);
+  for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
+    if (s->format != FORMAT_JSON)
+      emit(t, s, names, count);
+    if (s->format == FORMAT_MARKDOWN)
+      emit(t, s, rules, count);
   }
-  t->aligned.columns = t->count;
-  for (int i = 0; i < t->count && !is_json(t); i++)
-    put_cell(t, t->names[i], true);
-  for (int i = 0; i < t->count && t->format == FORMAT_MARKDOWN; i++)
-    put_digits(t, "---");
-}
-
-static void write_chosen(struct table *t) { t->style->choice->write(t->style->choice, t); }
-
-/* Writes cells of the columns that the choice shows. */
-static void show(struct table *t, void (*write)(struct table *))
-{
-  int count = t->count;
-  t->choice = NULL;
-  t->names = t->style->choice->names;
-  t->count = t->style->choice->count;
-  t->at = 0;
-  write(t);
-  t->names = t->columns;
-  t->count = count;
-  t->choice = t->style->choice;
-}
-
-static void hand_over(struct table *t, enum cell_kind kind, double value, const char *text)
-{
-  const struct table_cell cell = { kind, value, text };
-  if (t->error == 0 && !t->choice->keep(t->choice, t->at, &cell))
-    t->error = ENOMEM;
-  if (++t->at == t->count) {
-    t->at = 0;
-    if (t->error == 0)
-      show(t, write_chosen);
-  }
-}
-
-/* Does the choice of columns take the cell? */
-static inline bool is_taken(struct table *t, enum cell_kind kind, double value, const char *text)
-{
-  if (t->choice)
-    hand_over(t, kind, value, text);
-  return t->choice != NULL;
 }
 
 void table_begin_rows(struct table *t)
 {
   struct table_choice *choice = t->style->choice;
   const char *wrong = choice ? choice->begin(choice, t->columns, t->count) : NULL;
-  t->names = t->columns;
-  end_head(t, !wrong);
-  t->choice = choice;
-  if (wrong) {
-    complain(t->style->command, "--columns: %s", wrong);
-    choice->refused = true;
-    t->error = EINVAL;
-  } else if (choice)
-    show(t, write_heads);
-  else
-    write_heads(t);
+  t->names = choice ? choice->names : t->columns;
+  for (struct sink *s = t->sink; s < t->sink + t->sinks; s++)
+    end_head(s, !wrong);
+  if (!wrong)
+    return write_heads(t, choice ? choice->count : t->count);
+  complain(t->style->command, "--columns: %s", wrong);
+  choice->refused = true;
+  note_error(&t->sink[0], EINVAL);
 }
 
 bool table_uses(const struct table *t, const char *column)
@@ -336,114 +235,164 @@ bool table_uses(const struct table *t, const char *column)
   int i = 0;
   while (i < t->count - 1 && strcmp(t->columns[i], column) != 0)
     i++;
-  return !t->choice || t->choice->used[i];
+  return !t->style->choice || t->style->choice->used[i];
 }
 
-void table_digits(struct table *t, const char *number)
+static void end_row(struct table *t)
 {
-  if (is_taken(t, CELL_DIGITS, 0, number))
+  struct table_choice *choice = t->style->choice;
+  struct table_cell shown[TABLE_COLUMNS];
+  t->at = 0;
+  if (table_failed(t))
     return;
-  if (t->pictured)
-    put_digits(&t->pictured->copy, number);
-  put_digits(t, number);
+  if (choice)
+    choice->show(choice, t->row, shown);
+  for (struct sink *s = t->sink; s < t->sink + t->sinks; s++)
+    emit(t, s, choice ? shown : t->row, choice ? choice->count : t->count);
 }
 
-void table_number(struct table *t, double value)
+/* Keeps a cell of the row, with a copy of its text. */
+static void keep(struct table *t, enum cell_kind kind, double value, const char *text)
 {
-  char text[NUMBER_TEXT];
-  if (is_taken(t, CELL_NUMBER, value, NULL))
-    return;
-  if (t->pictured)
-    table_number(&t->pictured->copy, value);
-  long digits = t->style->digits > DBL_DECIMAL_DIG ? 0 : t->style->digits;
-  number_text(text, value, digits == 0 && t->format == FORMAT_TABLE ? PEOPLE_DIGITS : digits);
-  put_digits(t, isfinite(value) || !is_json(t) ? text : isnan(value) ? "null" : value > 0 ? "1e999" : "-1e999");
+  struct table_cell *c = &t->row[t->at];
+  size_t size = text ? strlen(text) + 1 : 0;
+  if (size > c->room) {
+    char *longer = realloc(c->text, 2 * size);
+    if (!longer)
+      return note_error(&t->sink[0], ENOMEM);
+    c->text = longer;
+    c->room = 2 * size;
+  }
+  if (text)
+    memcpy(c->text, text, size);
+  c->kind = kind;
+  c->value = value;
+  if (++t->at == t->count)
+    end_row(t);
 }
+
+void table_number(struct table *t, double value) { keep(t, CELL_NUMBER, value, NULL); }
+void table_digits(struct table *t, const char *number) { keep(t, CELL_DIGITS, 0, number); }
+void table_text(struct table *t, const char *text) { keep(t, CELL_TEXT, 0, text); }
+void table_carried(struct table *t, const char *text) { keep(t, CELL_CARRIED, 0, text); }
 
 void table_rounded(struct table *t, double value, const char *format)
 {
   char text[40];
-  if (is_taken(t, CELL_ROUNDED, value, format))
-    return;
-  if (t->pictured)
-    table_rounded(&t->pictured->copy, value, format);
   snprintf(text, sizeof text, format, value);
-  if (text[0] == '-' && text[1 + strspn(text + 1, "0.")] == '\0') /* -0.00 */
-    memmove(text, text + 1, strlen(text));
-  put_digits(t, is_json(t) && !isfinite(value) ? "null" : isnan(value) ? "nan" : text);
+  bool is_minus_zero = text[0] == '-' && text[1 + strspn(text + 1, "0.")] == '\0'; /* -0.00 */
+  keep(t, CELL_ROUNDED, value, isnan(value) ? "nan" : text + is_minus_zero);
 }
 
-void table_text(struct table *t, const char *text)
+void table_count(struct table *t, long count) { table_rounded(t, (double)count, "%.0f"); }
+
+static const void *member(const struct table_column *c, const void *row) { return (const char *)row + c->at; }
+
+void column_number(struct table *t, const struct table_column *c, const void *row)
 {
-  if (is_taken(t, CELL_TEXT, 0, text))
-    return;
-  if (t->pictured)
-    put_cell(&t->pictured->copy, text, false);
-  put_cell(t, text, false);
+  table_number(t, *(const double *)member(c, row));
 }
 
-void table_carried(struct table *t, const char *text)
+void column_rounded(struct table *t, const struct table_column *c, const void *row)
 {
-  if (is_taken(t, CELL_CARRIED, 0, text))
-    return;
-  if (t->pictured)
-    put_cell(&t->pictured->copy, text, true);
-  if (is_json(t) && json_takes_number(text))
-    put_digits(t, text);
-  else if (is_json(t) && strcmp(text, "nan") == 0)
-    put_digits(t, "null");
-  else
-    put_cell(t, text, true);
+  table_rounded(t, *(const double *)member(c, row), c->format);
 }
 
-void table_cell(struct table *t, const struct table_cell *cell)
+void column_count(struct table *t, const struct table_column *c, const void *row)
 {
-  switch (cell->kind) {
-  case CELL_NUMBER: table_number(t, cell->value); break;
-  case CELL_ROUNDED: table_rounded(t, cell->value, cell->text); break;
-  case CELL_DIGITS: table_digits(t, cell->text); break;
-  case CELL_TEXT: table_text(t, cell->text); break;
-  case CELL_CARRIED: table_carried(t, cell->text); break;
-  }
+  table_count(t, *(const int *)member(c, row));
+}
+
+void column_long(struct table *t, const struct table_column *c, const void *row)
+{
+  table_count(t, *(const long *)member(c, row));
+}
+
+void column_text(struct table *t, const struct table_column *c, const void *row)
+{
+  table_text(t, *(const char *const *)member(c, row));
+}
+
+void table_add(struct table *t, const struct table_column *c)
+{
+  for (; c->name && t->count < TABLE_COLUMNS; c++)
+    t->columns[t->count++] = c->name;
+}
+
+void table_row(struct table *t, const struct table_column *c, const void *row, bool solved)
+{
+  for (; c->name; c++)
+    if (solved || !c->blank)
+      c->put(t, c, row);
+    else if (strcmp(c->blank, "nan") == 0)
+      table_number(t, NAN);
+    else
+      table_text(t, c->blank);
+}
+
+bool table_begin_anew(struct table *t)
+{
+  bool may = t->sink[0].format == FORMAT_JSON && !t->style->choice;
+  t->count = may ? 0 : t->count;
+  return may;
 }
 
 FILE *table_page(struct table *t)
 {
-  if (t->format != FORMAT_TABLE || t->style->choice)
+  if (t->sink[0].format != FORMAT_TABLE || t->style->choice)
     return NULL;
-  aligned_free(&t->aligned);
+  aligned_free(&t->sink[0].aligned);
   t->at = 0;
-  hand_on(t);
-  return t->file;
+  return t->sink[0].file;
 }
 
-bool table_failed(const struct table *t) { return t->error != 0; }
+bool table_failed(const struct table *t) { return t->sink[0].error != 0; }
 
 bool table_flush(struct table *t)
 {
-  int error = file_flush(&t->out);
-  t->error = t->error != 0 ? t->error : error;
+  note_error(&t->sink[0], file_flush(&t->sink[0].out));
   return !table_failed(t);
+}
+
+static bool draw(const struct table *t)
+{
+  struct plot plot = t->style->plot;
+  plot.of = t->of;
+  plot.table = t->sink[1].out.temporary;
+  plot.meaning = t->style->meaning;
+  if (t->sink[1].error != 0 || fflush(t->sink[1].file) != 0)
+    return complain(t->style->command, "cannot write the rows of the picture beside %s", plot.file);
+  return plot_choose(&plot, t->style->command) && plot_draw(&plot, t->style->command);
+}
+
+static void end_sink(struct table *t, int i)
+{
+  aligned_free(&t->sink[i].aligned);
+  end_head(&t->sink[i], false);
+  file_close(&t->sink[i].out, false);
 }
 
 bool table_close(struct table *t)
 {
-  end_head(t, true);
-  if (t->format == FORMAT_TABLE)
-    print_aligned(t, true);
-  int error = file_close(&t->out, t->error == 0);
-  t->error = t->error != 0 ? t->error : error;
-  if (t->error != 0 && !(t->style->choice && t->style->choice->refused))
-    complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", file_error(t->error));
-  bool drawn = t->error == 0 && (!t->pictured || draw_pictured(t, t->pictured));
-  end_pictured(t);
+  struct sink *s = &t->sink[0];
+  end_head(s, true);
+  if (s->format == FORMAT_TABLE)
+    print_aligned(t, s, true);
+  note_error(s, file_close(&s->out, s->error == 0));
+  if (s->error != 0 && !(t->style->choice && t->style->choice->refused))
+    complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", file_error(s->error));
+  bool drawn = s->error == 0 && (t->sinks == 1 || draw(t));
+  if (t->sinks > 1)
+    end_sink(t, 1);
+  for (int i = 0; i < TABLE_COLUMNS; i++)
+    free(t->row[i].text);
   return drawn;
 }
 
 void table_abandon(struct table *t)
 {
-  end_pictured(t);
-  aligned_free(&t->aligned);
-  end_head(t, false);
-  file_close(&t->out, false);
+  while (t->sinks > 0)
+    end_sink(t, --t->sinks);
+  for (int i = 0; i < TABLE_COLUMNS; i++)
+    free(t->row[i].text);
 }

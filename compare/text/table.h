@@ -4,6 +4,7 @@
 #define SCALLOP_COMPARE_TEXT_TABLE_H
 
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 
 #include "compare/text/aligned.h"
@@ -11,30 +12,28 @@
 #include "compare/text/file.h"
 #include "compare/text/plot.h"
 
-enum { TABLE_COLUMNS = 384, TABLE_PART = 4096 };
+enum { TABLE_COLUMNS = 384 };
 
 /* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is
  * given */
 enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };
 extern const char *const format_names[FORMATS + 1]; /* NULL-terminated */
 
-/* A cell of a row, and how it is written: see table_number and those behind it */
+/* A cell of a row: a number, one with fewer digits, a number as it stands, a text, or a cell of another table */
 enum cell_kind { CELL_NUMBER, CELL_ROUNDED, CELL_DIGITS, CELL_TEXT, CELL_CARRIED };
 struct table_cell {
   enum cell_kind kind;
-  double value;
-  const char *text; /* of CELL_ROUNDED the format */
+  double value; /* of CELL_NUMBER and CELL_ROUNDED */
+  char *text;   /* of all but CELL_NUMBER          */
+  size_t room;  /* of text                         */
 };
 
 /* A choice of columns (compare/columns): what it shows of each row takes the place of the row. */
-struct table;
 struct table_choice {
   /* The names of the columns that the table has, which outlive it. NULL, or what is wrong with the choice. */
   const char *(*begin)(struct table_choice *choice, const char *const *columns, int count);
-  /* Keeps a cell of the row by its column. False: out of memory */
-  bool (*keep)(struct table_choice *choice, int column, const struct table_cell *cell);
-  /* Writes the cells that are shown of the row. */
-  void (*write)(struct table_choice *choice, struct table *table);
+  /* The cells that are shown of a row, count of them */
+  void (*show)(struct table_choice *choice, const struct table_cell *row, struct table_cell *shown);
   const char *const *names; /* of the columns that are shown, after begin */
   const bool *used;         /* of each column that the table has: does one that is shown take it? After begin */
   int count;
@@ -55,34 +54,42 @@ struct style {
   struct plot plot;            /* a picture of what is written; of file NULL: none */
 };
 
-struct table {
-  FILE *file;
-  const struct style *style;
-  enum format format;
-  const char *of;         /* what kind of table its picture is of: the command, where that does not say another */
-  struct aligned aligned; /* what is kept of a FORMAT_TABLE */
-  const char *output;     /* its name, NULL: standard output */
+/* Where rows are written to, and how */
+struct sink {
   struct file out;
-  const char *columns[TABLE_COLUMNS];
-  const char *const *names;    /* of those that are written: columns, or those of a choice */
-  int count, at;               /* columns; the next one in this row */
-  struct table_choice *choice; /* which takes the cells, or NULL */
-  FILE *head;                  /* '#' lines, until the choice is found good */
-  char *head_text;
+  FILE *file; /* '#' lines go to: that of out, or what keeps them until the choice of columns is found good */
+  char *head;
   size_t head_size;
-  struct pictured *pictured; /* a copy in TSV, of which a picture is drawn; NULL: none is wanted */
-  int error;                 /* of the first write that failed */
-  size_t used;               /* of part: what is not yet handed to file, part of a row */
-  char part[TABLE_PART];
+  enum format format;
+  long digits;
+  struct aligned aligned; /* rows of a FORMAT_TABLE                                               */
+  int error;              /* of the first write that failed                                       */
+};
+
+struct table {
+  const struct style *style;
+  const char *of;      /* what kind of table its picture is of: the command, where that does not say another */
+  const char *output;  /* its name, NULL: standard output */
+  struct sink sink[2]; /* the output, and a copy in TSV of which a picture is drawn */
+  int sinks;
+  const char *columns[TABLE_COLUMNS];
+  int count, at;                        /* columns; the next one in this row */
+  struct table_cell row[TABLE_COLUMNS]; /* so far                            */
+  const char *const *names;             /* of the columns that are written   */
 };
 
 /* Opens output, or standard output where it is NULL. The style must outlive the table; if it has a plot, the rows are
  * kept in TSV too, beside the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
 bool table_open_at(struct table *table, const struct style *style, const char *output);
-/* Will the table be an aligned one? */
-bool table_is_for_people(const struct style *style);
 /* Opens the output of the style. */
 bool table_open(struct table *table, const struct style *style);
+/* Opens it and writes table_command. */
+bool table_head(struct table *table, const struct style *style, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+/* What all tables begin with: "# scallop VERSION" and "# command: ..." */
+void table_command(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Will the table be an aligned one? */
+bool table_is_for_people(const struct style *style);
 /* A '#' line before the columns or after the rows of a TSV or an aligned table; nothing in the other formats. */
 void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* The header row: NULL-terminated names, which must outlive the table. May be called in parts. */
@@ -94,13 +101,38 @@ void table_begin_rows(struct table *table);
 bool table_uses(const struct table *table, const char *column);
 /* The cells of a row in the order of the columns. A row ends by itself with its last cell. */
 void table_number(struct table *table, double value);
+void table_count(struct table *table, long count);
 void table_rounded(struct table *table, double value, const char *format); /* fewer digits, always */
 void table_digits(struct table *table, const char *number);                /* a number as it stands, of any length */
 void table_text(struct table *table, const char *text);
 /* A cell of another table: its bytes, and in JSON a number where it is one. */
 void table_carried(struct table *table, const char *text);
-/* Any of these */
-void table_cell(struct table *table, const struct table_cell *cell);
+
+/* A table as a list of columns, each with its name and what it writes of a row; the last has name NULL. put writes one
+ * cell. The functions below take the member of the row that lies `at`: { TABLE_COLUMN("order", column_number,
+ * offsetof(struct row, order)) }; another may take `at` for what it likes. */
+struct table_column {
+  const char *name;
+  void (*put)(struct table *table, const struct table_column *column, const void *row);
+  size_t at;
+  const char *format; /* of column_rounded */
+  const char
+      *blank; /* stands for the value in a row that has none, "nan" for a number; NULL: put writes it there too */
+};
+#define TABLE_COLUMN(named, puts, where) .name = (named), .put = (puts), .at = (where)
+void column_number(struct table *table, const struct table_column *column, const void *row);  /* a double       */
+void column_rounded(struct table *table, const struct table_column *column, const void *row); /* likewise       */
+void column_count(struct table *table, const struct table_column *column, const void *row);   /* an int         */
+void column_long(struct table *table, const struct table_column *column, const void *row);    /* a long         */
+void column_text(struct table *table, const struct table_column *column, const void *row);    /* a const char * */
+/* The names of these columns, behind those that the table has. */
+void table_add(struct table *table, const struct table_column *columns);
+/* The cells of these columns. solved: the row has values. */
+void table_row(struct table *table, const struct table_column *columns, const void *row, bool solved);
+
+/* The columns begin anew, for a row of another kind behind all others. False: no row of this format can have columns of
+ * its own, or columns are chosen. */
+bool table_begin_anew(struct table *table);
 /* Where the table is aligned, for people: a row that is written as a page, to this stream, instead of its cells; what
  * was kept of the row is forgotten. NULL: the table has another format, or columns are chosen. */
 FILE *table_page(struct table *table);

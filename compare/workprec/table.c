@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "compare/answers/defaults.h"
+#include "compare/points/defaults.h"
 #include "compare/answers/points.h"
 #include "compare/workprec/setting.h"
 
@@ -66,11 +66,9 @@ static bool begin(struct run *r)
   const struct workprec_options *o = r->options;
   static const char *const columns_of_points[] = { "T", "gait", NULL };
   struct table *t = &r->table;
-  if (!table_open(t, &o->request.style))
+  if (!table_head(t, &o->request.style, "workprec%s%s --limit %g", o->quick ? " --quick" : "",
+                  o->summary ? " --summary" : "", r->limit))
     return false;
-  table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: workprec%s%s --limit %g", o->quick ? " --quick" : "", o->summary ? " --summary" : "",
-             r->limit);
   note_parameters(t, &o->request.point, columns_of_points, false);
   table_note(t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified "
                 "value is 0");

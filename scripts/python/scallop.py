@@ -131,9 +131,9 @@ def minimum_jerk():
     return gait_of("minimum-jerk")
 
 
-@functools.lru_cache(maxsize=None)
+@functools.lru_cache(maxsize=64)
 def _gait_of_text(text):
-    """'skewed:0.3' as gait_of('skewed', 0.3), the same one each time: the library keeps its address."""
+    """'skewed:0.3' as gait_of('skewed', 0.3), one of those made last where it is."""
     family, colon, numbers = text.partition(":")
     try:
         return gait_of(family, *(float(x) for x in numbers.split(",") if colon))
@@ -141,28 +141,38 @@ def _gait_of_text(text):
         raise ValueError(f"gait = {text!r}: {error}") from None
 
 
-def _address(gait):
-    """Of a gait, or of what --gait calls one."""
+def _made(gait):
+    """A gait, or what --gait calls one: its address, or the Gait to hold while the library reads it (_address)."""
     if not isinstance(gait, (Gait, str)):
         raise _no_gait(gait)
     named = c.library().scallop_gait_named(gait.encode()) if isinstance(gait, str) else None
     if not named and isinstance(gait, str) and gait.partition(":")[0] not in gaits():
         raise _no_gait(gait)
-    return named or ctypes.addressof((gait if isinstance(gait, Gait) else _gait_of_text(gait))._memory)
+    return named or (gait if isinstance(gait, Gait) else _gait_of_text(gait))
+
+
+def _address(made):
+    return ctypes.addressof(made._memory) if isinstance(made, Gait) else made
 
 
 def _no_gait(gait):
     return ValueError(f"gait = {reprlib.repr(gait)}: {', '.join(gaits())}, with numbers as in 'skewed:0.3', or a Gait")
 
 
+class _Columns(dict):
+    """{name: array}, the gaits as addresses. made: what keeps these valid."""
+
+
 def _addresses(gait):
+    """The array of addresses, and what keeps them valid."""
     gaits = numpy.asarray(gait)
     listed = gaits.ravel().tolist()
     try:
-        address = {each: _address(each) for each in dict.fromkeys(listed)}
+        made = {each: _made(each) for each in dict.fromkeys(listed)}
     except TypeError:  # unhashable
         raise _no_gait(gait) from None
-    return numpy.array([address[each] for each in listed], numpy.uintp).reshape(gaits.shape)
+    address = {each: _address(one) for each, one in made.items()}
+    return numpy.array([address[each] for each in listed], numpy.uintp).reshape(gaits.shape), made
 
 
 def _column(name, value):
@@ -192,13 +202,15 @@ def _spread(array, shape):
 def _together(numbers, gait):
     """The columns of numbers, {name: value}, and the gait, all in their common shape."""
     columns = {name: _column(name, value) for name, value in numbers.items()}
-    columns["gait"] = _addresses(gait)
+    columns["gait"], made = _addresses(gait)
     try:
         shape = numpy.broadcast(*columns.values()).shape
     except ValueError:
         shapes = ", ".join(f"{name} {column.shape}" for name, column in columns.items() if column.shape)
         raise ValueError(f"these do not broadcast together: {shapes}") from None
-    return {name: _spread(column, shape) for name, column in columns.items()}, shape
+    spread = _Columns((name, _spread(column, shape)) for name, column in columns.items())
+    spread.made = made
+    return spread, shape
 
 
 def _count(name, value):
@@ -470,8 +482,9 @@ class Formula:
         """The Ball that encloses the value for one crawler with exact parameters, to a relative radius of 10^-digits; a
         value that cannot be told from 0 has a small ball around 0. Parameters as for series(). ArithmeticError: no finite
         value, or t1, dT or x_switch in the formula. Needs libscallop with FLINT."""
+        made = _made(gait)
         return scallop_exact.enclosed(self._library, self._read, self._kind(), v0, digits,
-                                      dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha), _address(gait))
+                                      dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha), _address(made))
 
     def _kind(self):
         return c.KINDS.get(self.motion, 0)
@@ -541,8 +554,9 @@ def series(motion="steady", v0=0, order=8, digits=17, m1=1, m2=1, F1=4, F2=1, L=
     1 to 1000. ValueError: a parameter outside its domain, or a gait for which there is no series in T; ArithmeticError: the
     limit T -> 0 is not decided. Needs libscallop with FLINT (OSError).
     """
+    made = _made(gait)
     return scallop_exact.series(motion, v0, order, digits, dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=1, alpha=alpha),
-                                _address(gait))
+                                _address(made))
 
 
 Order = collections.namedtuple("Order", "verdict passed order low high interval used gci asymptotic_ratio reason pairwise "

@@ -7,6 +7,7 @@ Exit codes: 0 all is well, 1 something is not (a line for each), 3 there is no b
 """
 import argparse
 import json
+import math
 import random
 import re
 import shlex
@@ -27,6 +28,12 @@ REPORTS = {"Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdde
 NAMES = ("froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier")
 CRAWLERS = Path(__file__).parents[2] / "tests/explorer/crawlers.js"
 SIZES = {360: 740, 1280: 900}
+LONGEST_GAP, LONGEST_WORK = 2000, 300  # milliseconds without an answer; seconds until the errors of a long table are drawn
+BEAT = """globalThis.beat = { last: performance.now(), gap: 0 }; setInterval(() => { const now = performance.now();
+  beat.gap = Math.max(beat.gap, now - beat.last); beat.last = now; }, 20); 1"""
+WORK = """(() => { const bar = document.getElementById('work'); return { shown: bar !== null && !bar.hidden,
+  said: bar?.querySelector('span').textContent ?? '', part: bar?.querySelector('progress').value ?? 0, loud: document.getElementById('said').textContent }; })()"""
+BUSY = "['map', 'curve', 'errors'].some((name) => globalThis.explorer?.work?.has(name))"
 EVIL = "<img src=x onerror=document.title='broken'>.tsv"
 SOLVE = """(() => { const { core } = explorer, tables = TABLES; return POINTS.map((p) => {
   core.chooseGait(p.gait.startsWith('measured') ? 'measured' : p.gait, { name: 'x', text: tables[p.gait] });
@@ -49,7 +56,11 @@ class Check:
         self.settle()
 
     def settle(self, seconds=0.3):
-        self.page.run(f"new Promise((done) => setTimeout(() => requestAnimationFrame(() => done(1)), {1000 * seconds}))")
+        """Waits that long, and until all but a finer map is drawn."""
+        self.page.run(
+            f"new Promise((done) => {{ const look = () => {BUSY} ? setTimeout(look, 20) : requestAnimationFrame(() => done(1));"
+            f" setTimeout(look, {1000 * seconds}); }})"
+        )
 
     def reports(self, where):
         for event in self.page.events:
@@ -254,11 +265,14 @@ class Check:
         self.expect("touch" not in self.page.run(f"explorer.sceneOf({{ ...explorer.usual, ...{evil} }})"), "a value is a member of the scene")
         self.reports("links")
 
-    def read(self, name, text):
+    def choose(self, name, text):
         self.page.run(
             "(() => { const i = document.getElementById('gait-file'), d = new DataTransfer();"
             f" d.items.add(new File([{json.dumps(text)}], {json.dumps(name)})); i.files = d.files; i.dispatchEvent(new Event('change')); }})()"
         )
+
+    def read(self, name, text):
+        self.choose(name, text)
         self.settle()
 
     def measured_gaits(self):
@@ -287,6 +301,59 @@ class Check:
         xml.etree.ElementTree.fromstring(picture)
         self.expect("<img" not in picture, "the name of a file became markup in the picture")
         self.reports("measured gaits")
+
+    def watched(self, until, seconds=LONGEST_WORK):
+        """What is said of the work, again and again until something is true of it."""
+        seen, end = [self.page.run(WORK)], time.monotonic() + seconds
+        while not until(seen) and time.monotonic() < end:
+            self.pause(0.1)
+            seen.append(self.page.run(WORK))
+        return seen
+
+    def pause(self, seconds):
+        self.page.run(f"new Promise((done) => setTimeout(() => done(1), {1000 * seconds}))")
+
+    def long_tables(self):
+        """Measured gaits of 1000 rows, smooth and noisy: the page answers all the time, shows how far it is, and what it does can be stopped."""
+        for noise in (0, 0.003):
+            where, pick = f"1000 rows, noise {noise}", random.Random(3)
+            inner = (10 * math.sin(math.pi * i / 999) ** 2 + 10 * noise * pick.gauss(0, 1) for i in range(1, 999))
+            self.load()
+            self.page.run(BEAT)
+            self.choose("long.tsv", "".join(f"{i / 999!r}\t{l!r}\n" for i, l in enumerate((0.0, *inner, 0.0))))
+            seen = self.watched(lambda seen: "Computing the errors" in seen[-1]["said"] or (len(seen) > 50 and not seen[-1]["shown"]), 60)
+            seen += self.watched(lambda seen: "Computing the errors" not in seen[-1]["said"])
+            gap = self.page.run("beat.gap")
+            self.measured.append(f"{where}: {gap:.0f} ms is the longest time without an answer")
+            self.expect(gap < LONGEST_GAP, f"{where}: the page does not answer for {gap / 1000:.1f} s")
+            parts = {one["part"] for one in seen if one["shown"] and "errors" in one["said"]}
+            self.expect(len(parts) > 5, f"{where}: {len(parts)} states of progress are shown: {seen[-1]}")
+            self.expect("errors" not in seen[-1]["said"], f"{where}: after {LONGEST_WORK} s it says {seen[-1]['said']}")
+            self.reports(where)
+        self.stopped()
+
+    def stopped(self):
+        """Escape and the button stop the work on a long table, the button goes on with it, and another input takes its place."""
+        running = lambda seen: seen[-1]["shown"] and "Computing" in seen[-1]["said"]  # noqa: E731
+        self.page.run("explorer.change({ F1: '5' })")
+        self.expect(running(self.watched(running, 5)), "no progress is shown after another input")
+        for stop in (lambda: self.key("Escape", "Escape", 27), lambda: self.page.run("document.getElementById('work-stop')?.click()")):
+            stop()
+            self.pause(0.5)
+            first = self.page.run(WORK)
+            self.pause(1)
+            later, pale = self.page.run(f"[{WORK}, document.querySelectorAll('section.older').length]")
+            self.expect(first["said"].startswith("Stopped at ") and "Stopped" in first["loud"], f"the work is not stopped, or not said to be: {first}")
+            self.expect(first["part"] == later["part"] and later["shown"], f"the work goes on after it was stopped: {first}, {later}")
+            self.expect(pale > 0, "pictures from before look like those of the crawler")
+            self.page.run("document.getElementById('work-stop')?.click()")
+            self.expect(running(self.watched(running, 5)), "the work does not go on")
+        before = self.answers()
+        self.page.run("document.getElementById('usual').click()")
+        self.settle()
+        self.expect(self.answers() != before and self.page.run("!document.querySelector('section.older')"), "another input does not take the place of the work")
+        self.same_as_command("after a long table")
+        self.reports("stopped")
 
     def refused(self):
         self.load()
@@ -375,7 +442,7 @@ class Check:
     def tables(self):
         """The curve as a table, of a crawler whose displacements cancel; and the picture as PNG."""
         self.load("#F1=79.8&x=alpha&y=T&of=displacement")
-        table = self.page.run("explorer.curve.table()")
+        table = self.page.run("explorer.finished(explorer.curve.table())")
         self.expect(table["names"][:2] == ["alpha", "displacement"], f"a table of {table['names']}")
         picked = list(zip(*table["rows"]))[::5]
         rows = self.command("steady", "--points", "-", "--F1", "79.8", input="\n".join(["alpha", *(repr(row[0]) for row in picked)]) + "\n")
@@ -419,6 +486,7 @@ class Check:
         self.presets()
         self.links()
         self.measured_gaits()
+        self.long_tables()
         self.refused()
         self.taken_along()
         self.tables()

@@ -12,6 +12,7 @@ import argparse
 import base64
 import hashlib
 import os
+import re
 import sys
 from pathlib import Path
 from urllib.parse import quote
@@ -27,7 +28,13 @@ import plots  # noqa: E402
 import tables  # noqa: E402
 
 HERE = Path(__file__).parent
+CONTROL = re.compile("[\0-\x08\x0b-\x1f\x7f-\x9f]")
 EXPLORER = "../explorer/index.html"  # beside the page's folder; linked where it is there
+
+
+def shown(value):
+    """What Jinja writes of a value: a control character, which HTML does not allow, is a question mark."""
+    return type(value)(CONTROL.sub("?", value)) if isinstance(value, str) else value
 
 
 def fingerprint(source):
@@ -75,7 +82,7 @@ def page(options):
     """The page as text."""
     read = tables.Folder(options.tables)
     environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(HERE), autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
+        loader=jinja2.FileSystemLoader(HERE), autoescape=True, finalize=shown, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     for function in (order, typeset, inside, remainder, breakable, download, fragment):
         environment.filters[function.__name__] = function

@@ -17,7 +17,7 @@ class Table:
 
     def __init__(self, path):
         self.name, self.text = path.stem, text_of(path)
-        lines = self.text.splitlines()
+        lines = self.text.split("\n")  # cells may have other characters that end lines elsewhere
         self.comments = [line[1:].strip() for line in lines if line.startswith("#")]
         columns, *body = [line.split("\t") for line in lines if line and not line.startswith("#")] or [[]]
         if not columns:

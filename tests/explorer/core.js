@@ -3,7 +3,9 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { Core } from "../../explorer/core.js";
+import { Motion } from "../../explorer/motion.js";
 import { nextPower, seriesOf, sumOf } from "../../explorer/series.js";
+import { finished } from "../../explorer/work.js";
 import { NAMES, NUMBERS, crawlers, measuredTable, random, unit } from "./crawlers.js";
 
 const [wasm, scallop, folder] = process.argv.slice(2);
@@ -93,6 +95,10 @@ test("what is not allowed is refused, and the crawler stays", () => {
   assert.throws(() => core.chooseGait("measured", { name: "<b>x</b>.tsv", text: "0 0\n1 2\n0.5 1\n2 0\n" }), /<b>x<\/b>\.tsv:3: t = 0\.5 does not come after 1/);
   assert.throws(() => core.chooseGait("measured", { name: "x.tsv", text: "0 0\n1\tx\n" }), /x\.tsv:2: /);
   assert.throws(() => core.chooseGait("measured", { name: "x.tsv", text: "" }), /rows/);
+  const rows = (count) => Array.from({ length: count }, (_, i) => `${i}\t${Math.min(i, count - 1 - i)}`).join("\n");
+  assert.throws(() => core.chooseGait("measured", { name: "x.tsv", text: `t\tl\n${rows(4001)}\n` }), /x\.tsv: 4001 rows; this page takes at most 2000\. Keep one row in 3,/);
+  core.chooseGait("measured", { name: "x.tsv", text: `# one more line\nt\tl\n${rows(2000)}\n\n` });
+  core.chooseGait("quadratic");
   core.chooseCrawler(usual);
   assert.deepEqual(core.steady(), before);
 });
@@ -102,11 +108,22 @@ test("a formula beside the command's claim: the error of (28) falls as T^4, for 
   const slope = (gait) => {
     core.chooseGait(gait);
     core.chooseCrawler({ m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 });
-    const { exact, value } = core.formulaAlong(formula, 0, 0, [0.1, 0.2]);
+    const { exact, values: [value] } = core.formulasAlong([formula], 0, 0, [0.1, 0.2]);
     return Math.log2(Math.abs((exact[1] - value[1]) / (exact[0] - value[0])));
   };
   assert.ok(Math.abs(slope("quadratic") - 4) < 0.05);
   assert.ok(Math.abs(slope("sinusoidal")) < 0.05);
+});
+
+test("a motion with more modes than there is room for shows whole periods", () => {
+  const next = random(4), l = (i) => (i % 999 ? 10 * Math.sin((Math.PI * i) / 999) ** 2 + 0.1 * next() : 0);
+  core.chooseGait("measured", { name: "x", text: Array.from({ length: 1000 }, (_, i) => `${i / 999}\t${l(i)}\n`).join("") });
+  const crawler = { m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 3, alpha: 0.5 };
+  core.chooseCrawler(crawler);
+  const motion = new Motion(core, crawler, { start: "rest", v0: 0, periods: 60 }), { begin, end } = motion.walk;
+  assert.ok(motion.periods < 60 && motion.asked === 60);
+  assert.ok(motion.duration <= end.at(-1) && end.every((t, i) => i === 0 || begin[i] >= begin[i - 1]));
+  assert.equal(motion.samples.count, 240 * motion.periods + 1);
 });
 
 test("figures 4 and 5 of data/, exact numbers and formulas", () => {
@@ -116,7 +133,7 @@ test("figures 4 and 5 of data/, exact numbers and formulas", () => {
   const fourth = rowsOf(readFileSync("data/figure4.tsv", "utf8")), fifth = rowsOf(readFileSync("data/figure5.tsv", "utf8"));
   for (const row of fourth) {
     core.chooseCrawler({ ...usual, F1: Number(row.F1_over_F2) });
-    const { exact, value } = core.formulaAlong(formula("rest_xC_end"), 0, 0, [2 * Number(row.T)]);
+    const { exact, values: [value] } = core.formulasAlong([formula("rest_xC_end")], 0, 0, [2 * Number(row.T)]);
     near(exact[0] / 10, Number(row.dxC_over_L), "dxC");
     near(value[0] / 10, Number(row.series_dxC_over_L), "(21)");
   }
@@ -147,7 +164,7 @@ test("series are those of `scallop series --source derived`, of the steady state
     core.chooseGait(gait);
     core.chooseCrawler(crawler);
     const duration = formula.setting === 3 ? 1 : phase === 0 ? crawler.alpha : 1 - crawler.alpha; // of the command's T, in periods
-    const series = seriesOf(core, formula, phase, v0, 2), last = Math.max(...Object.keys(wanted).map(Number));
+    const series = finished(seriesOf(core, formula, phase, v0, 2)), last = Math.max(...Object.keys(wanted).map(Number));
     for (const { power, value } of series.terms.filter(({ power }) => power <= last)) {
       const got = value / (2 * duration) ** power, right = wanted[power] ?? 0;
       assert.ok(Math.abs(got - right) <= 1e-12 * Math.abs(right), `${gait} ${name} T^${power}: ${got}, not ${right}`);
@@ -161,7 +178,7 @@ test("series are those of `scallop series --source derived`, of the steady state
 test("where there is no series, none is found", () => {
   core.chooseGait("minimum-jerk"); // l'' = 0 where a phase begins: fractional powers of T
   core.chooseCrawler({ m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 });
-  const find = (name, unit) => seriesOf(core, core.formulas.find((one) => one.name === name), 0, 0, unit);
+  const find = (name, unit) => finished(seriesOf(core, core.formulas.find((one) => one.name === name), 0, 0, unit));
   assert.equal(find("rest_xC_end", 2), null);
   assert.equal(find("rest_dT", 2), null);
   assert.equal(find("rest_x1_switch", 2), null);

@@ -1,7 +1,7 @@
 /* Gaits by their text, and measured ones by their file: what comes back is refused with a reason, or is a gait with
  * which a period can be solved. The first byte tells which. */
-#include "compare/answers/gait_file.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gait_file.h"
+#include "compare/points/gaits.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
-/* Gaits made to measure (model/gaits.h, compare/answers/gaits.h): that they are what they say, what is refused, and
+/* Gaits made to measure (model/gaits.h, compare/points/gaits.h): that they are what they say, what is refused, and
  * what is known of motions with them in closed form or by symmetry. */
 #include <float.h>
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "model/gaits.h"
 #include "model/law.h"
 #include "tests/support/random_gait.h"

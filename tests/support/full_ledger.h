@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "compare/claims/claims.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/scoped.h"
 #include "tests/support/solved.h"

@@ -1,6 +1,6 @@
 /* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and
  * brute force, radii of convergence by two routes. */
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/breakdown/events.h"
 #include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"

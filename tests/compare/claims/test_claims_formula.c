@@ -2,7 +2,7 @@
  * fractions apart from the toolkit. */
 #include "tests/support/full_ledger.h"
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/book/book.h"
 
 /* The crawler of the ledger, or one with equal forces */

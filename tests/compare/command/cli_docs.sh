@@ -48,10 +48,10 @@ END
 
 [ "$(wc -l <README.md)" -le 150 ] || note "$(wc -l <README.md) lines"
 finish "README.md has at most 150 lines"
-long=$(/usr/bin/python3 "$scratch/long.py" README.md docs/*.md)
+long=$(/usr/bin/python3 "$scratch/long.py" README.md SECURITY.md docs/*.md)
 [ -z "$long" ] || note "$long"
 finish "lines of documents have at most 120 characters"
-broken=$(/usr/bin/python3 "$scratch/links.py" README.md docs/*.md)
+broken=$(/usr/bin/python3 "$scratch/links.py" README.md SECURITY.md docs/*.md)
 [ -z "$broken" ] || note "$broken"
 finish "links between documents resolve"
 for page in docs/*.md; do

@@ -251,7 +251,7 @@ cp changed.tsv data/claims.tsv
 run 0 claims --check --gait quadratic
 grep -q ', 0 differ from the ledger that comes with the tool$' err || note "$(cat err)"
 finish "claims --check reads the tool's own ledger, in any folder, and of one gait what is about it"
-refused_at_once "claims --against" 2 "'--against' is no longer there: .--check. compares .* diff" claims --against ledger.tsv
+refused_at_once "claims --against" 2 "--against is no longer there: .scallop claims | diff - FILE." claims --against ledger.tsv
 refused_at_once "claims --check and --errors" 2 "exclude each other" claims --check --errors rest_dT
 refused_at_once "claims --check and --verdict" 2 "leave --check out" claims --check --verdict holds
 refused_at_once "claims --verdict of no such name" 2 "it takes holds, sharper, refuted or undecided" claims --verdict refused

@@ -29,6 +29,10 @@ for goal in help clean uninstall size gates; do
 done
 finish "what compiles nothing needs no compiler"
 
+object=$scratch/checked/compare/config/member.o
+(cd "$root" && "${MAKE:-make}" B="$scratch/checked" CFLAGS='-O1 -fsanitize=address,undefined' "$object") >out 2>err || note "$(grep -m 1 error err)"
+finish "the sanitizers of gcc at -O1 bring no warning"
+
 apt=bring
 on_it $setup all
 [ $code = 0 ] && [ "$(cut -c 1-32 err)" = "Installing: absent-cc libc6-dev " ] || note "exit code $code: $(cat out err)"

@@ -181,18 +181,14 @@ if [suites.get(name) for name in ("tests", "failures")] != ["2", "1"]:
     bad(suites.attrib)
 END
 finish "order: JUnit"
-run 1 order first.txt odd.txt --expect 2 --format tap
-[ "$(grep -E '^(TAP|1\.\.|ok|not)' out | tr '\n' '/')" = 'TAP version 13/1..2/not ok 1 - first.txt: column 2/ok 2 - odd.txt: a<&"|\#: err_1/' ] || note "$(cat out)"
-finish "order: TAP"
 run 1 order first.txt odd.txt --expect 2 --format markdown
-grep -q -F '| **too-low** | first.txt: column 2 | 1.0000 |' out || note "$(cat out)"
-grep -q -F '| pass | odd.txt: a&lt;&"\|#: err\_1 | 2.0000 |' out || note "$(cat out)"
-[ "$(tail -n 1 out)" = '1 passed, 1 failed.' ] || note "$(tail -n 1 out)"
+grep -q -F '| first.txt |  | column 2 | 1.0000 |' out || note "$(cat out)"
+grep -q -F '| odd.txt | a&lt;&"\|# | err_1 | 2.0000 |' out || note "$(cat out)"
 finish "order: Markdown"
 run 0 order second.txt --expect 2 --format junit -o here.xml
 [ ! -s out ] && grep -q '</testsuites>' here.xml || note "$(cat out)"
-run 4 order second.txt --format tap -o none/here.tap
-grep -q 'cannot write none/here.tap' err || note "$(cat err)"
+run 4 order second.txt --format junit -o none/here.xml
+grep -q 'cannot write none/here.xml' err || note "$(cat err)"
 if [ -c /dev/full ]; then
   "$tool" order second.txt --format markdown >/dev/full 2>err
   [ $? = 4 ] || note "no exit code 4 for a full device"
@@ -216,10 +212,10 @@ finish "order: without --expect a table is measured, and none passes"
 
 # ---- a file that cannot be read is told, and does not stop the others ----
 printf 'h err\n1 x\n' >words.txt
-for format in tsv csv json table markdown tap junit; do
+for format in tsv csv json table markdown junit; do
   run 4 order nowhere.txt words.txt second.txt first.txt --expect 2 --format $format -o report
   grep -q 'nowhere.txt.*cannot read nowhere.txt: No such file' report || grep -q 'reason.*cannot read nowhere.txt' report || note "$format: $(cat report)"
-  grep -q '[12] passed, 1 failed, 2 not read\|"passed": 1, "failed": 1, "errors": 2\|failures="1" errors="2"' report || [ $format = csv ] \
+  grep -q '[12] passed, 1 failed, 2 not read\|"passed": 1, "failed": 1, "errors": 2\|failures="1" errors="2"' report || [ $format = csv ] || [ $format = markdown ] \
     || note "$format: no summary: $(tail -n 1 report)"
   [ "$(wc -l <err)" = 3 ] || note "$format: $(cat err)"
 done

@@ -185,7 +185,6 @@ refused 2 'one to eight columns' steady --plot no.svg --plot-y v_start,,v_mid
 refused 2 'one to eight columns' steady --plot no.svg --plot-y 1,2,3,4,5,6,7,8,9
 refused 2 'control characters' steady --plot no.svg --plot-title "$(printf 'a\nb')"
 refused 2 'does not take the option' claims --plot no.svg
-refused 2 'nothing to do with --explain' figure 4 --explain --plot no.svg
 refused 4 'No such file' steady --points points.tsv --plot missing/no.svg
 [ ! -s out ] || note "a table, though its picture has no place"
 refused 4 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed
@@ -248,6 +247,36 @@ nasty '@hacked'
 nasty '$(touch hacked)'
 nasty '\"; !touch hacked'
 finish "no text runs anything"
+
+# ---- texts that could be taken for markup: the picture is XML, and shows them ----
+mark='a ]]> <b> & "q" \n\134 &#x1; F#1'
+cell='a ]]> <b> & ”q” \n\134 &#x1; F#1'
+run 0 steady --points points.tsv --plot mark.svg --plot-title "$mark"
+shown_in mark.svg "$mark"
+printf '0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >"$mark"
+run 0 steady --gait "measured:$mark" --F1 1:5:3 --plot mark.svg
+shown_in mark.svg "m1=1 m2=1 F2=1 L=4 T=10 alpha=0.7 gait=measured:$mark"
+printf 'h err\n0.1 1e-2\n0.05 2.5e-3\n0.025 6.25e-4\n' | tee "$mark" >"$(printf 'b\nc\033')"
+run 0 order "$mark" "$(printf 'b\nc\033')" --plot mark.svg
+shown_in mark.svg "$cell^b c"
+printf 'T\tx\n0.1\td\001\377\303\274]]>\n0.5\td\001\377\303\274]]>\n0.1\te\n0.5\te\n' >carried.tsv
+run 0 steady --points carried.tsv --plot mark.svg --plot-x T --plot-y v_start --plot-by x
+shown_in mark.svg 'd??ü]]>^e'
+cat >mark.cfg <<'END'
+title = "a ]]> <b> & \"q\" \\n\\134 &#x1; F#1";
+vary = ( { T = [ 0.1, 0.5, 1.0 ]; }, { label = { which = [ "a ]]> <b> & \"q\" \\n\\134 &#x1; F#1", "e" ]; }; } );
+want = ( { what = "steady"; file = "mark.tsv"; columns = [ "T", "which", "v_start" ];
+  plot = { file = "mark.svg"; x = "T"; y = "v_start"; by = "which"; }; } );
+END
+run 0 run mark.cfg
+shown_in mark.svg "$mark^$cell^e"
+[ -z "$(find . -name '*.scallop-*')" ] || note "files are left: $(find . -name '*.scallop-*')"
+echo 'set terminal svg mouse; set output output_file; set label 1 title at 0,0 noenhanced; plot table using 1:3' >own.gp
+sed 's/x = "T";.*/script = ".\/own.gp"; }; } );/; s/&#x1;//g' mark.cfg >own.cfg
+run 0 run own.cfg
+grep -q CDATA mark.svg || note "no script for the mouse"
+/usr/bin/python3 -c 'import xml.etree.ElementTree as tree; tree.parse("mark.svg")' 2>said || note "a script of one's own: $(tail -n 1 said)"
+finish "a picture is XML, whatever it shows"
 mkdir -p planted/scripts/plots && cd planted || exit 1
 for script in common curves map reach dots; do echo 'system("touch hacked")' | tee "$script.gp" >"scripts/plots/$script.gp"; done
 cp common.gp .gnuplot

@@ -125,7 +125,6 @@ misspelt() { # NAME PARAMETER
 misspelt alfa alpha
 misspelt F_1 F1
 misspelt M-2 m2
-misspelt period T
 misspelt T_ T
 misspelt GAIT gait
 finish "names that nearly are a parameter's are refused"

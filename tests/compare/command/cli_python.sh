@@ -652,6 +652,27 @@ except ValueError:
 END
 finish "order: the verdicts and the words of the command"
 
+# ---- gaits of texts ----
+python <<'END'
+import gc
+texts = [f"skewed:{0.1 + i * 1e-5!r}" for i in range(5000)]
+def living():
+    return sum(isinstance(each, scallop.Gait) for each in gc.get_objects())
+before = living()
+one_by_one = [scallop.steady(gait=text).displacement for text in texts]
+if living() - before > 64:
+    bad(living() - before, "gaits are kept after their calls")
+together, again = scallop.steady(gait=texts), scallop.steady(gait=[scallop.gait_of("skewed", float(text[7:])) for text in texts])
+if living() - before > 64:
+    bad(living() - before, "gaits are kept after a call with all of them")
+if not same(one_by_one, again.displacement) or not same(together.displacement, again.displacement):
+    bad("gaits of texts are not those of their numbers")
+f = scallop.formula("lT*T^2", "extension")
+if not same(f(gait=texts[:300]), [f(gait=scallop.gait_of("skewed", float(text[7:]))) for text in texts[:300]]):
+    bad("nor are they in a formula")
+END
+finish "gaits of texts are kept no longer than needed"
+
 # ---- the example ----
 run 0 figure 4 --digits 17
 cp out figure4.tsv

@@ -130,15 +130,15 @@ run 0 order errors.txt --columns verdict --format json
 finish "every table of rows takes --columns"
 for command in steady phase trajectory series 'series --source derived' 'breakdown --only radius' 'figure 4' 'order errors.txt' 'claims --quiet --gait quadratic'; do
   # shellcheck disable=SC2086
-  refuse "^scallop [a-z]*: --columns: there is no column 'nonsense_of_mine'" $command --columns nonsense_of_mine
+  refuse "^scallop [a-z]*: --columns: there is no \(column\|quantity\) 'nonsense_of_mine'" $command --columns nonsense_of_mine
 done
-refuse "there is no column 'statu': did you mean 'status'" steady --columns statu -o none.tsv
+refuse "there is no quantity 'statu': did you mean 'status'" steady --columns statu -o none.tsv
 [ ! -e none.tsv ] || note "none.tsv is there"
-refuse "'F1/': character" steady --columns 'r=F1/'
+refuse "'r=F1/': character" steady --columns 'r=F1/'
 refuse "'' is not allowed here: it takes names of columns" steady --columns F1,,F2
 refuse "is there twice" steady --columns F1,F1
 refuse "columns is for tables" series --source derived --emit c --columns power
-refuse "columns is for tables" order errors.txt --format tap --columns verdict
+refuse "columns is for tables" order errors.txt --format junit --columns verdict
 finish "columns that are not there are refused, and nothing is written"
 
 # ---- columns that are carried along ----
@@ -168,7 +168,7 @@ if rows[0]["note"] != 'naïve, "so" \\ x|y':
     bad(rows[0])
 END
 run 3 steady --points marked.tsv --format markdown --quiet --columns note,case
-sed -n 3p out | grep -q -F -x "$(printf '| na\303\257ve, "so" \\ x\\|y | 007 |')" || note "$(cat out)"
+sed -n 3p out | grep -q -F -x "$(printf '| na\303\257ve, "so" \\\\ x\\|y | 007 |')" || note "$(cat out)"
 printf 'T\ta\001b\tbad\n1\tc\002d\t\377\n' >odd.tsv
 run 0 steady --points odd.tsv
 [ "$(rows out | cut -f 9,10)" = "$(printf 'c\002d\t\377')" ] || note "$(rows out | cut -f 9,10)"

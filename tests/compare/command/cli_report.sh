@@ -223,6 +223,31 @@ cmp -s first.html elsewhere/index.html || note "another page from another folder
 [ "$(wc -c <first.html)" -lt 5000000 ] || note "$(wc -c <first.html) bytes"
 finish 'report: the same bytes, without a path, below 5 MB'
 
+cp plots/figure3.svg kept.svg
+sed -i 's/a &lt; b &amp; c/]]\&gt; \&lt;b> "q"/' plots/figure3.svg
+cp scenes/figure3.cfg kept.cfg
+printf '# ]]> <i>\001\033[31m \302\205\n' >>scenes/figure3.cfg
+cp -r "$root/data" marked
+/usr/bin/python3 - "$root/data/claims.tsv" >said 2>&1 <<'END' || note "$(tail -n 1 said)"
+import sys
+lines = open(sys.argv[1], encoding="utf-8").read().split("\n")
+names = next(line for line in lines if not line.startswith("#")).split("\t")
+last = lines[-2].split("\t")
+last[names.index("reason")] = "<u>]]> \f\x1e\x85 x"
+open("marked/claims.tsv", "w", encoding="utf-8").write("\n".join(lines[:-2] + ["\t".join(last), ""]))
+END
+report 0 --tables marked --plots plots --scenes scenes --output marked/index.html
+/usr/bin/python3 - >said 2>&1 <<'END' || note "$(tail -n 1 said)"
+import re, sys
+page = open("marked/index.html", encoding="utf-8", newline="").read()
+found = re.search("[\0-\x08\x0b-\x1f\x7f-\x9f]", page)
+missing = [text for text in ("]]&gt; &lt;i&gt;??[31m ?", "&lt;u&gt;]]&gt; ??? x", "]]&gt; &lt;b&gt;") if text not in page]
+sys.exit(f"control characters: {found}" if found else f"not in the page: {missing}" if missing else 0)
+END
+mv kept.svg plots/figure3.svg
+mv kept.cfg scenes/figure3.cfg
+finish 'report: markup and control characters in tables, scenes and plots are text'
+
 cp page/index.html before.html
 mv plots/figure3.svg moved.svg
 report 4 --tables "$root/data" --plots plots --scenes scenes --output page/index.html

@@ -214,6 +214,25 @@ run 2 run other.cfg other.cfg
 grep -q 'standard output' err || note "two tables on standard output: $(cat err)"
 run 2 run one.cfg one.cfg
 run 4 run one.cfg --into nowhere
+mkdir -p results/a
+outside() { # FILE PLOT LINE: refused with its line, before any work
+  printf 'want = ( { what = "steady"; file = "first.tsv"; },\n{ what = "steady"; file = "%s";\nplot = {\nfile = "%s"; x = "T"; y = "v_start"; }; } );\n' "$1" "$2" >outside.cfg
+  run 2 run outside.cfg --into results
+  grep -q "outside.cfg:$3: .* may lie outside of results, .* no / in front and no folder .. in its path" err || note "$1 $2: $(cat err)"
+  [ ! -e results/first.tsv ] && [ ! -e x.tsv ] && [ ! -e x.svg ] && [ ! -e y.tsv ] || note "$1 $2 is written"
+}
+outside ../x.tsv p.svg 2
+outside a/../../x.tsv p.svg 2
+outside a//.. p.svg 2
+outside "$scratch/y.tsv" p.svg 2
+outside b.tsv ../x.svg 4
+outside b.tsv "$scratch/x.svg" 4
+printf 'want = ( { what = "steady"; file = "a/..b.tsv"; }, { what = "phase"; file = "./c..tsv"; } );\n' >inside.cfg
+run 0 run inside.cfg --into results
+[ -s results/a/..b.tsv ] && [ -s results/c..tsv ] || note "names with points: $(ls -a results results/a)"
+printf 'want = ( { what = "steady"; file = "results/../x.tsv"; } );\n' >inside.cfg
+run 0 run inside.cfg
+[ -s x.tsv ] || note "without --into a path may lead anywhere"
 run 0 run one.cfg other.cfg --check-only
 [ ! -s out ] && [ "$(wc -l <err)" = 2 ] && [ ! -e one.tsv ] || note "--check-only: $(cat out err)"
 mkdir sub
@@ -225,7 +244,6 @@ run 4 run own.cfg
 grep -q 'it is a file that this command reads' err || note "a table in place of the scene: $(cat err)"
 printf 'want = ( { what = "steady"; file = "p.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; }, { what = "phase"; file = "q.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_end"; }; } );\n' >picture.cfg
 run 2 run picture.cfg
-run 4 run own.cfg --explain -o own.cfg
 echo 'title = "included";' >inc.cfg
 printf '@include "inc.cfg"\nwant = ( { what = "steady"; file = "inc.cfg"; } );\n' >including.cfg
 run 4 run including.cfg

@@ -123,9 +123,9 @@ for command in $takes_crawler claims; do
   refuse 2 "unexpected argument 'foo'" $command foo
 done
 refuse 2 "--expect and --at-least exclude each other" order a --expect 1 --at-least 1
-refuse 2 "--rows: 'tap' is a format for verdicts" order a --rows --format tap
+refuse 2 "--rows: 'junit' is a format for verdicts" order a --rows --format junit
 refuse 2 "--expect: '1/0'.*fraction" order a --expect 1/0
-refuse 2 "--format: 'xml'.*tsv, json, csv, markdown, table, tap or junit" order a --format xml
+refuse 2 "--format: 'xml'.*tsv, json, csv, markdown, table or junit" order a --format xml
 refuse 2 "unexpected argument '3'" figure 2 3
 refuse 2 "unexpected argument '-'" steady -
 finish "unexpected operands"
@@ -450,11 +450,6 @@ mkfifo pipe
 timeout 2 "$tool" steady -o pipe 2>err
 [ -p pipe ] || note "the named pipe was replaced by a file"
 finish "-o does not replace what is no plain file"
-printf 'T\n0.5\n1\n' >both.tsv
-"$tool" steady --points both.tsv >want
-run 0 steady --points both.tsv -o both.tsv
-cmp -s both.tsv want || note "another table"
-finish "-o onto the file that is read"
 find . -name '*.part' >parts
 [ ! -s parts ] || note "left behind: $(cat parts)"
 finish "no *.part file is left"

@@ -269,6 +269,6 @@ printf 'old\n' >kept
 refuse 3 'no certified steady state.*quadratic gait and T = 1' --m1 1e-300 --m2 1e300 -o kept
 refuse 4 'cannot write nowhere/x' --quick -o nowhere/x
 [ "$(cat kept)" = old ] || note "the earlier file is gone"
-refuse 2 "'--from' is no longer there: .LC_ALL=C awk -f cheapest.awk FILE. summarises a table" --from committed.tsv
+refuse 2 "--from is no longer there: .LC_ALL=C awk -f cheapest.awk FILE. summarises a table" --from committed.tsv
 finish "bad usage"
 exit $failed

@@ -104,13 +104,14 @@ TEST(texts_are_bytes_to_gnuplot)
                                             .title = "1\n!touch hacked\xce\xb1",
                                             .log_y = true });
   assert_in(script, "table = \"./table\"\noutput_file = \"/");
-  assert_in(script, "kind = \"svg\"\ntitle = \"1\\012\\041touch hacked\\316\\261\"\nx_column = \"\\044x\\100\"\n");
-  assert_in(script, "y_columns[1] = \"a\\047\\140b\\140\\134\\042\"\ny_columns[2] = \"y\"\nys = 2\n");
-  assert_in(script, "by_columns[1] = \"\\042\\073 \\041touch hacked\"\nbys = 1\nlog_x = 0\nlog_y = 1\n");
+  assert_in(script,
+            "kind = \"svg\"\ntitle = \"1\\0012\\0041touch hacked\\0316\\0261\"\nx_column = \"\\0044x\\0100\"\n");
+  assert_in(script, "y_columns[1] = \"a\\0047\\0140b\\0140\\0134\\0042\"\ny_columns[2] = \"y\"\nys = 2\n");
+  assert_in(script, "by_columns[1] = \"\\0042\\0073 \\0041touch hacked\"\nbys = 1\nlog_x = 0\nlog_y = 1\n");
   assert_in(script, "keyentry with @drawn");
   script = draws((struct plot){ .table = "<t", .script = "<sub/it's.gp" });
-  assert_in(script, "table = \"./\\074t\"\n");
-  assert_in(script, "load \"./\\074sub/it\\047s.gp\"\nunset output\n");
+  assert_in(script, "table = \"./\\0074t\"\n");
+  assert_in(script, "load \"./\\0074sub/it\\0047s.gp\"\nunset output\n");
 }
 
 TEST(names_of_pictures)

@@ -1,6 +1,7 @@
 /* Tables: what a cell looks like, and what is left of a table that fails. What a whole command writes has its tests in
  * tests/compare/command/cli_*.sh. */
 #include "compare/answers/points.h"
+#include "model/version.h"
 #include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"
 
@@ -13,39 +14,6 @@ static void write_row(struct table *t, double number, const char *text)
 {
   table_number(t, number);
   table_text(t, text);
-}
-
-TEST(lines_are_wrapped_below_their_text)
-{
-  static const struct {
-    int width, full;
-    const char *text, *wanted;
-  } cases[] = {
-    { 0, 0, "one two three\n", "one two three\n" },
-    { 13, 0, "one two three\n", "one two three\n" },
-    { 12, 0, "one two three\n", "one two\nthree\n" },
-    { 12, 0, "  one two three\n\nend", "  one two\n  three\n\nend" },
-    { 4, 0, "indivisible it is\n", "indivisible\nit\nis\n" },
-    { 18, 0, "  --a  one two three\n", "  --a  one two\n       three\n" },
-    { 12, 0, "  a long name  one two\n", "  a long\n  name  one\n  two\n" }, /* no room is left below "one" */
-    { 12, 0, "# a note of it\n", "# a note of\n  it\n" },
-    { 12, 20, "one two three four\nfive six\n", "one two\nthree four\nfive six\n" }, /* "five" had no room */
-    { 12, 30, "one two three four\nfive six\n", "one two\nthree four\nfive six\n" }, /* it had */
-    { 14, 20, "  a  one two three\n     four five\n", "  a  one two\n     three\n     four five\n" },
-    { 14, 20, "  a  one two threes\n  b  four five\n", "  a  one two\n     threes\n  b  four five\n" },
-    { 16, 20, "one two three four\nfive six\n", "one two three\nfour five six\n" },
-    { 16, 30, "one two three four\nfive six\n", "one two three\nfour\nfive six\n" },
-  };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    char *text = NULL;
-    size_t size;
-    FILE *to = open_memstream(&text, &size);
-    assert_true(wrap_lines(to, cases[i].text, cases[i].width, cases[i].full));
-    assert_int_equal(wrap_width(to), 0); /* is no terminal */
-    fclose(to);
-    assert_string_equal(text, cases[i].wanted);
-    free(text);
-  }
 }
 
 TEST(cells_follow_the_format)
@@ -67,6 +35,26 @@ TEST(cells_follow_the_format)
     assert_true(table_close(&t));
     assert_holds("table", wanted[i]);
     assert_int_equal(entries(true), 1);
+  }
+}
+
+/* Names of files, say, may have line breaks and whatever separates cells. */
+TEST(a_text_begins_no_row_and_no_cell)
+{
+  static const char *const wanted[] = { "# book: a?b?c?d?e\nT\tstatus\n0\ta\\|b c d,e\n",
+                                        "{\"T\": 0, \"status\": \"a\\\\|b c d,e\"}\n", "T,status\n0,\"a\\|b c d,e\"\n",
+                                        "| T | status |\n| --- | --- |\n| 0 | a\\\\\\|b c d,e |\n",
+                                        "# book: a?b?c?d?e\nT  status\n0  a\\|b c d,e\n" };
+  for (int i = 0; i < FORMATS; i++) {
+    struct style o = { .command = "test", .format = (enum format)i, .has_format = true };
+    struct table t;
+    assert_true(table_open_at(&t, &o, "table"));
+    table_note(&t, "book: %s", "a\nb\rc\td\033e");
+    table_columns(&t, columns);
+    table_begin_rows(&t);
+    write_row(&t, 0, "a\\|b\nc\td,e");
+    assert_true(table_close(&t));
+    assert_holds("table", wanted[i]);
   }
 }
 
@@ -112,7 +100,7 @@ TEST(aligned_rows_come_in_blocks)
   table_begin_rows(&t);
   for (int i = 0; i < 3 * ALIGNED_ROWS + 1; i++) {
     write_row(&t, i < 2 * ALIGNED_ROWS ? 1 : 123456, "ok");
-    assert_true(t.aligned.count <= 2 * (ALIGNED_ROWS + 1));
+    assert_true(t.sink[0].aligned.rows <= ALIGNED_ROWS + 1);
   }
   assert_true(table_close(&t));
   FILE *file = fopen("table", "r");
@@ -139,6 +127,48 @@ TEST(parameters_that_do_not_hold_are_not_said)
     assert_holds("table", i == 0   ? "# parameters: m2=1 F2=1 L=10 alpha=0.75 gait=quadratic\n"
                           : i == 1 ? "# parameters: m1=1e0 m2=1 F1=4 F2=1 L=10 T=1 alpha=0.750 gait=quadratic\n"
                                    : "");
+  }
+  entries(true);
+}
+
+struct measured_row {
+  double order;
+  long row;
+  int points;
+  const char *status;
+};
+
+TEST(columns_join_name_and_value)
+{
+  static const struct table_column joined[] = {
+    { TABLE_COLUMN("row", column_long, offsetof(struct measured_row, row)) },
+    { TABLE_COLUMN("order", column_rounded, offsetof(struct measured_row, order)), .format = "%.2f", .blank = "nan" },
+    { TABLE_COLUMN("points", column_count, offsetof(struct measured_row, points)), .blank = "-" },
+    { TABLE_COLUMN("status", column_text, offsetof(struct measured_row, status)) },
+    { .name = NULL },
+  };
+  static const struct measured_row rows[] = { { -0.001, 1, 4, "ok" }, { 2, 1000000, 5, "unsolved" } };
+  static const char *const wanted[] = {
+    "# scallop " SCALLOP_VERSION "\n# command: test a?b\nrow\torder\tpoints\tstatus\n1\t0.00\t4\tok\n"
+    "1000000\tnan\t-\tunsolved\n",
+    "{\"row\": 1, \"order\": 0.00, \"points\": 4, \"status\": \"ok\"}\n"
+    "{\"row\": 1000000, \"order\": null, \"points\": \"-\", \"status\": \"unsolved\"}\n{\"all\": 2}\n",
+  };
+  for (int i = 0; i < 2; i++) {
+    struct style style = i == 0 ? tsv : json;
+    struct table t;
+    style.output = "table";
+    assert_true(table_head(&t, &style, "%s", "test a\nb"));
+    table_add(&t, joined);
+    table_begin_rows(&t);
+    table_row(&t, joined, &rows[0], true);
+    table_row(&t, joined, &rows[1], false);
+    if (table_begin_anew(&t)) {
+      table_columns(&t, (const char *const[]){ "all", NULL });
+      table_count(&t, 2);
+    }
+    assert_true(table_close(&t));
+    assert_holds("table", wanted[i]);
   }
   entries(true);
 }

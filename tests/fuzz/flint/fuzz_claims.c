@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "asymptotics/asymptotics.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/claims/claims.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/scoped.h"

@@ -1,6 +1,6 @@
 /* Text as an exact fraction, and back: all bytes as text, and eight of them as a double. What strtod takes for a finite
  * number is taken, and strtod's double is the one nearest to the fraction. */
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* A gait's own numbers count as they were written: the same gait in other numbers is the same one to every digit. */
-#include "compare/answers/gaits.h"
-#include "compare/answers/point_flint.h"
+#include "compare/points/gaits.h"
+#include "compare/points/point_flint.h"
 #include "model/exact/fractions.h"
 #include "tests/support/certified_balls.h"
 #include "tests/support/scratch_folder.h"

@@ -2,7 +2,7 @@
  * R -> 0 tends to. */
 #include <float.h>
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "numerics/wide/wide.h"
 #include "tests/support/certified_balls.h"
 #include "tests/support/random_crawler.h"

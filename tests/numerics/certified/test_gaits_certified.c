@@ -3,7 +3,7 @@
 #include <float.h>
 
 #include "asymptotics/derived/derived.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/stress/judge.h"
 #include "model/exact/ball.h"
 #include "tests/support/certified_balls.h"

@@ -1,5 +1,5 @@
-/* Gaits that rise within 1e-2 to 1e-8 of a phase: every number of a phase and of the steady state within the units that
- * are promised. */
+/* Gaits that rise within 1e-2 to 1e-10 of a phase: every number of a phase and of the steady state within the units
+ * that are promised. */
 #include "compare/stress/judge.h"
 #include "tests/support/random_rises.h"
 #include "tests/support/solved.h"
@@ -36,8 +36,8 @@ TEST(within_units)
 {
   struct random r = { 20261501 };
   struct rises g;
-  for (int i = 0; i < 42; i++) {
-    const struct scallop_gait *gait = rises_draw(&g, &r, pow(10, -2 - i % 7));
+  for (int i = 0; i < 54; i++) {
+    const struct scallop_gait *gait = rises_draw(&g, &r, pow(10, -2 - i % 9));
     for (int n = 0; n < 4; n++) {
       struct stress_case s = draw(&r, gait, n < 3 ? STRESS_PHASE : STRESS_STEADY);
       judge(&s);

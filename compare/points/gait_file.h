@@ -1,6 +1,6 @@
 /* A measured gait: the file, and the spline through it. */
-#ifndef SCALLOP_COMPARE_ANSWERS_GAIT_FILE_H
-#define SCALLOP_COMPARE_ANSWERS_GAIT_FILE_H
+#ifndef SCALLOP_COMPARE_POINTS_GAIT_FILE_H
+#define SCALLOP_COMPARE_POINTS_GAIT_FILE_H
 
 #include <stddef.h>
 

@@ -1,7 +1,7 @@
 /* Gaits by their names on the command line: NAME or NAME:NUMBERS for the families of model/families.h, and
  * measured:FILE, a table of t and l through which a spline is laid. */
-#ifndef SCALLOP_COMPARE_ANSWERS_GAITS_H
-#define SCALLOP_COMPARE_ANSWERS_GAITS_H
+#ifndef SCALLOP_COMPARE_POINTS_GAITS_H
+#define SCALLOP_COMPARE_POINTS_GAITS_H
 
 #include "model/families.h"
 

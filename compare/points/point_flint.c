@@ -1,9 +1,9 @@
-#include "compare/answers/point_flint.h"
+#include "compare/points/point_flint.h"
 
 #include <stdlib.h>
 
-#include "compare/answers/gait_file.h"
-#include "compare/answers/gaits.h"
+#include "compare/points/gait_file.h"
+#include "compare/points/gaits.h"
 #include "compare/text/digits.h"
 #include "compare/text/table.h"
 #include "model/exact/fractions.h"

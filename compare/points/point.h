@@ -1,7 +1,7 @@
 /* A point: a crawler, its gait and, where asked, a phase with a start velocity; and each of its numbers as it was
  * written, so that certified answers can take 0.7 as 7/10. */
-#ifndef SCALLOP_COMPARE_ANSWERS_POINT_H
-#define SCALLOP_COMPARE_ANSWERS_POINT_H
+#ifndef SCALLOP_COMPARE_POINTS_POINT_H
+#define SCALLOP_COMPARE_POINTS_POINT_H
 
 #include <stdbool.h>
 
@@ -21,6 +21,8 @@ struct point {
   bool has_gait, has_phase, has_v0;
   bool unreadable; /* the file of a measured gait */
 };
+
+enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
 struct point point_initial(const struct scallop_crawler *usual);
 

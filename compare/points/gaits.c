@@ -1,4 +1,4 @@
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "compare/text/memory.h"
-#include "compare/answers/counts.h"
-#include "compare/answers/gait_file.h"
+#include "compare/points/counts.h"
+#include "compare/points/gait_file.h"
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 #include "model/gaits.h"

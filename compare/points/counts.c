@@ -1,4 +1,7 @@
-#include "compare/answers/counts.h"
+#include "compare/points/counts.h"
+
+#include <stdio.h>
+#include <sys/resource.h>
 
 static long counts[COUNTS];
 
@@ -16,6 +19,12 @@ void count_work(const struct scallop_work *work)
   counts[COUNT_GAIT_EVALUATIONS] += work->gait_evaluations;
 }
 
-long count_of(enum count what) { return counts[what]; }
-
-const char *count_name(enum count what) { return names[what]; }
+void counts_print(void)
+{
+  struct rusage usage;
+  fputs("# what was done\nstage\tcount\n", stderr);
+  for (int k = 0; k < COUNTS; k++)
+    fprintf(stderr, "%s\t%ld\n", names[k], counts[k]);
+  if (getrusage(RUSAGE_SELF, &usage) == 0)
+    fprintf(stderr, "peak_memory_kB\t%ld\n", usage.ru_maxrss);
+}

@@ -1,10 +1,9 @@
 /* A sweep: a list of points. Variables of a group advance together; a product is every combination of its groups, the
  * first slowest; the products of a sweep follow one another. What a variable may set is one table (sweep.c). */
-#ifndef SCALLOP_COMPARE_ANSWERS_SWEEP_H
-#define SCALLOP_COMPARE_ANSWERS_SWEEP_H
+#ifndef SCALLOP_COMPARE_POINTS_SWEEP_H
+#define SCALLOP_COMPARE_POINTS_SWEEP_H
 
-#include "compare/answers/point.h"
-#include "compare/answers/quantities.h"
+#include "compare/points/point.h"
 #include "compare/text/digits.h"
 #include "asymptotics/formula.h"
 
@@ -12,7 +11,7 @@ enum {
   SWEEP_GROUPS = 10, /* one for each parameter of the command line */
   SWEEP_VARIABLES = 8,
   SWEEP_PRODUCTS = 16,
-  SWEEP_LABELS = QUANTITY_LABELS,
+  SWEEP_LABELS = 8,
   SWEEP_RANGE = 1000000000, /* most values of a range */
   SWEEP_WHY = 320
 };

@@ -1,9 +1,9 @@
-#include "compare/answers/point.h"
+#include "compare/points/point.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "compare/answers/gaits.h"
+#include "compare/points/gaits.h"
 #include "compare/text/values.h"
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };

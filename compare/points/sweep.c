@@ -1,4 +1,4 @@
-#include "compare/answers/sweep.h"
+#include "compare/points/sweep.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* A point in fractions, as it was written: what certified answers and derived series are about. And numbers with more
  * digits than a double has, as text. Needs FLINT. */
-#ifndef SCALLOP_COMPARE_ANSWERS_POINT_FLINT_H
-#define SCALLOP_COMPARE_ANSWERS_POINT_FLINT_H
+#ifndef SCALLOP_COMPARE_POINTS_POINT_FLINT_H
+#define SCALLOP_COMPARE_POINTS_POINT_FLINT_H
 
-#include "compare/answers/point.h"
+#include "compare/points/point.h"
 #include "model/exact/ball.h"
 #include "model/exact/flint.h"
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/gaits.h"
-#include "compare/answers/sweep.h"
+#include "compare/points/gaits.h"
+#include "compare/points/sweep.h"
 #include "compare/text/values.h"
 
 enum { WRONG = 400 };

@@ -1,7 +1,7 @@
 /* What holds in tables that need FLINT where an option is not given. --help prints these numbers, also where FLINT is
  * not there. */
-#ifndef SCALLOP_COMPARE_ANSWERS_DEFAULTS_H
-#define SCALLOP_COMPARE_ANSWERS_DEFAULTS_H
+#ifndef SCALLOP_COMPARE_POINTS_DEFAULTS_H
+#define SCALLOP_COMPARE_POINTS_DEFAULTS_H
 
 /* Digits of certified rows */
 #define CERTIFIED_DIGITS 30

@@ -1,4 +1,4 @@
-#include "compare/answers/gait_file.h"
+#include "compare/points/gait_file.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Sweeps: which points there are, in which order, and what each is. */
-#include "compare/answers/sweep.h"
+#include "compare/points/sweep.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,0 +1,42 @@
+/* A sheet: the columns of a table by the texts that ask for them, and its rows at points.
+ *
+ * A text is QUANTITY, NAME = FORMULA or FORMULA, of names of quantities (quantities.h) and of the sheet's own names,
+ * which come first: "regime = phase_regime" makes regime mean that of the phase. */
+#ifndef SCALLOP_COMPARE_ANSWERS_SHEET_H
+#define SCALLOP_COMPARE_ANSWERS_SHEET_H
+
+#include "compare/answers/at.h"
+#include "compare/text/table.h"
+
+struct sheet_column {
+  char *name;              /* in the table */
+  int quantity;            /* one as it is, a text perhaps; -1: the formula */
+  struct formula *formula; /* or NULL */
+};
+
+struct sheet {
+  struct asked *asked;    /* grows with each column */
+  const char *const *own; /* texts that give the sheet's own names, NULL-terminated, or NULL */
+  /* NULL, or why such a quantity cannot be in this sheet; context is the sheet's. */
+  const char *(*refuses)(const struct sheet *sheet, const struct quantity *quantity);
+  const void *context;
+  long digits; /* of certified values */
+  int count;
+  struct sheet_column *column;
+  bool early_status; /* a status stands before other columns: these are asked for first */
+};
+
+/* Adds a column. NULL, or what is wrong with the text: that lives until the next call. */
+const char *sheet_add(struct sheet *sheet, const char *text);
+/* NULL, or what is wrong with a formula of quantities */
+const char *sheet_formula(struct sheet *sheet, struct formula *formula, const char *text);
+/* What is said where there is no such quantity */
+const char *sheet_no_quantity(const struct sheet *sheet, const char *name);
+bool sheet_has(const struct sheet *sheet, const char *column);
+void sheet_free(struct sheet *sheet);
+
+/* The names of the columns go into the head of the table, and the values at the point into a row of it. */
+void sheet_head(const struct sheet *sheet, struct table *table);
+void sheet_row(const struct sheet *sheet, struct table *table, struct at *at);
+
+#endif
