@@ -144,9 +144,10 @@ static struct changes changes_around(struct boundaries *b, const struct place co
 static void add_part(struct boundaries *b, struct parts *parts, struct part part)
 {
   struct part *list = with_room(parts->list, parts->count, sizeof *list);
-  b->out_of_memory |= !list;
-  if (!list)
+  if (!list) {
+    b->out_of_memory = true;
     return;
+  }
   parts->list = list;
   parts->list[parts->count++] = part;
 }
@@ -217,11 +218,11 @@ static double grid_line(int i, int cells)
 static void find_row(struct boundaries *b, int j)
 {
   struct place *low = b->rows[0], *high = b->rows[1];
-  const int cells = b->cells[0], threads = threads_for(0, cells);
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
+  const int cells = b->cells[0];
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, cells))
   for (int i = 0; i <= cells; i++)
     high[i] = place_at(b, grid_line(i, cells), grid_line(j, b->cells[1]));
-#pragma omp parallel for schedule(dynamic) num_threads(threads)
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, cells))
   for (int i = 0; i < cells; i++) {
     b->parts[i].count = 0;
     if (j > 0)
