@@ -29,20 +29,20 @@ LDLIBS    ?= $(foreach l,gsl gslcblas config,$(or $(call archive,$(l)),-l$(l))) 
 FLINT     ?= $(if $(call works,echo '#include <arb.h>' | $(CC) $(CPPFLAGS) -E -),-lflint-arb) -lflint -lgmp
 sundials  := $(filter 4 5 6 7 8 9,$(shell printf '\043include <cvode/cvode.h>\nSUNDIALS_VERSION_MAJOR' | $(CC) $(CPPFLAGS) -E -P - 2>/dev/null | tail -n 1))
 with_sundials := $(if $(call chosen,$(WITH_SUNDIALS),$(sundials)),1,0)
-SUNDIALS  ?= $(if $(filter 1,$(with_sundials)),-lsundials_cvode -lsundials_arkode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
+SUNDIALS  ?= $(if $(filter 1,$(with_sundials)),-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 
 # What needs FLINT follows from the folder, or from a name that ends in flint; what is made for it has threads, where there are any.
 in_flint   = model/exact/% asymptotics/derived/% asymptotics/symbolic/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec summary)
 flint     := $(in_flint) $(addprefix tests/,$(in_flint) fuzz/flint/%) %flint
 built      = $(if $(filter 0,$(WITH_FLINT)),$(filter-out $(flint),$(1)),$(1))
 found      = $(call built,$(basename $(sort $(shell find $(1) -name '$(2).c'))))
-sundials_parts := $(addprefix numerics/rivals/,sundials cvode arkode)
-parts     := $(filter-out compare/command/main $(sundials_parts),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper
+cvode := numerics/rivals/cvode
+parts     := $(filter-out compare/command/main $(cvode),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper
 threaded  := numerics/batch
 object     = $(patsubst %,$(B)/%.o,$(1))
 shipped   := $(call object,$(addprefix shipped_,scenes scripts completion))
 core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
-full      := $(call object,$(filter-out $(threaded),$(parts)) $(sundials_parts) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
+full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded)) shipped_ledger) $(shipped)
 
 # A test or a fuzz target needs what its room needs; tests/ mirrors the rooms. libFuzzer drives a target (make fuzz), or tests/corpus does.
 of_tests  := $(call found,tests,test_*)
@@ -72,8 +72,8 @@ $(B)/%.o: $(B)/%.c
 $(call object,$(filter $(flint),$(parts)) $(addprefix threads/,$(threaded))): ALL_CFLAGS += $(threads)
 # Who judges rounds the same way whatever CFLAGS allow the judged.
 $(B)/tests/%.o: ALL_CFLAGS += -ffp-contract=off
-$(call object,$(sundials_parts)): ALL_CFLAGS += -DWITH_SUNDIALS=$(with_sundials)
-$(call object,$(sundials_parts)): $(B)/with-sundials-$(with_sundials)
+$(call object,$(cvode)): ALL_CFLAGS += -DWITH_SUNDIALS=$(with_sundials)
+$(call object,$(cvode)): $(B)/with-sundials-$(with_sundials)
 $(B)/with-sundials-$(with_sundials):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
@@ -88,13 +88,13 @@ $(B)/shipped_%.c: scripts/dev/embed.sh
 	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
 
 # A program is linked with the libraries that its objects need.
-needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/sundials.o,$^),$(SUNDIALS)) $(if $(filter %/support/check.o,$^),-lcmocka) \
+needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/rivals/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/support/check.o,$^),-lcmocka) \
              $(if $(filter $(B)/threads/%,$^),$(threads))
 $(B)/scallop: $(B)/compare/command/main.o $(core)
 $(B)/scallop-flint: $(B)/compare/command/main.o $(full)
 $(foreach t,$(of_tests) $(of_fuzz),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(filter $(flint),$(t)),$(full),$(core))))
 $(tests): $(call object,tests/support/check)
-$(B)/test_integrators: $(call object,$(sundials_parts))
+$(B)/test_integrators: $(call object,$(cvode))
 $(fuzz): $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 $(B)/scallop-bench: $(call object,$(filter-out bench/nothing,$(basename $(wildcard bench/*.c)))) $(core)
 $(programs) $(tests) $(fuzz) $(B)/scallop-bench:
@@ -150,7 +150,7 @@ abi       := $(shell sed -n 's/^.define SCALLOP_ABI //p' model/version.h)
 libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
 in_library = $(filter $(patsubst %,$(B)/%/%,model asymptotics numerics threads),$(1))
 core_headers := scallop.h $(shell sed -n 's/^.include "\(.*\)"/\1/p' scallop.h)
-headers   := $(core_headers) $(patsubst %,numerics/rivals/%.h,rival odeiv smoothed moreau cvode arkode) \
+headers   := $(core_headers) numerics/rivals/rival.h \
              $(call built,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h numerics/certified/certified.h)
 passed     = NM OBJCOPY AR LDFLAGS INSTALL DESTDIR PREFIX bindir libdir includedir datadir mandir pkgconfigdir completionsdir
 to_script  = CC="$(CC) $(ALL_CFLAGS)" $(foreach name,$(passed),$(name)="$($(name))") sh scripts/dev

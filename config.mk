@@ -4,7 +4,7 @@
 WITH_FLINT    ?= 1
 # OpenMP: many steady states, and maps, on all cores. auto: where the compiler has it; 0: on one.
 WITH_OPENMP   ?= auto
-# SUNDIALS: two more rivals for `workprec`. auto: where its headers are found (where they need MPI's, give them CPPFLAGS and LDLIBS).
+# SUNDIALS: one more rival for `workprec`. auto: where its headers are found (where they need MPI's, give them CPPFLAGS and LDLIBS).
 WITH_SUNDIALS ?= auto
 # 1: GSL and libconfig are linked into the programs where there are archives of them, so that a program starts in a millisecond. 0: they
 # are shared libraries, as distributions want it.

@@ -19,8 +19,7 @@
  * In libscallop alone, and not included here:
  *     numerics/certified/certified.h   any number of proven digits (FLINT), with exact parameters
  *     asymptotics/derived/expansion.h  the derived series, term by term, and formulas in balls (FLINT)
- *     numerics/rivals/rival.h          general-purpose methods to compare with: odeiv.h and smoothed.h (GSL),
- *                                      cvode.h and arkode.h (SUNDIALS), moreau.h
+ *     numerics/rivals/rival.h          general-purpose methods to compare with, on GSL and SUNDIALS
  *
  * No function prints, exits or holds state. Only the rivals, the functions that need FLINT, and scallop_formula_read
  * allocate memory. All functions can be called from several threads at once. */

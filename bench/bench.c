@@ -18,7 +18,7 @@
 #include "bench/start.h"
 #include "compare/text/stopwatch.h"
 #include "numerics/numerics.h"
-#include "numerics/rivals/odeiv.h"
+#include "numerics/rivals/rival.h"
 
 enum { MOST_CRAWLERS = 1024, FEW_CRAWLERS = 64, BATCHES = 61 };
 
@@ -42,7 +42,8 @@ struct method {
   const char *name;
   stopwatch_task *pass; /* over all crawlers of the set; context is the method                    */
   const struct set *set;
-  struct scallop_odeiv *odeiv;
+  enum scallop_odeiv_stepper stepper;
+  struct scallop_rival *rival;
   double goal, tolerance, error;
   long passes;
   double ns[BATCHES];
@@ -165,7 +166,7 @@ static double odeiv_periods(void *context)
   double sum = 0;
   for (int i = 0; i < m->set->count; i++) {
     struct scallop_rival_period r;
-    enum scallop_status status = scallop_odeiv_run(m->odeiv, &m->set->crawler[i], m->set->v0[i], m->tolerance, &r);
+    enum scallop_status status = m->rival->period(m->rival, &m->set->crawler[i], m->set->v0[i], NULL, &r);
     sum += status == SCALLOP_OK ? r.v_end + r.displacement : NAN;
   }
   return sum;
@@ -216,14 +217,14 @@ static double batches(void *context)
 static double larger(double worst, double error) { return isnan(worst) || error <= worst ? worst : error; }
 
 /* Largest relative error in v_end and displacement over the set, and the evaluations it took. */
-static double odeiv_error(const struct method *m, double tolerance, long *evaluations)
+static double odeiv_error(const struct method *m, struct scallop_rival *rival, long *evaluations)
 {
   double worst = 0;
   *evaluations = 0;
   for (int i = 0; i < m->set->count; i++) {
     const struct scallop_period_result *exact = &m->set->exact[i];
     struct scallop_rival_period r;
-    if (scallop_odeiv_run(m->odeiv, &m->set->crawler[i], m->set->v0[i], tolerance, &r) != SCALLOP_OK)
+    if (rival->period(rival, &m->set->crawler[i], m->set->v0[i], NULL, &r) != SCALLOP_OK)
       return INFINITY;
     worst = larger(worst, fabs(r.v_end / exact->v_end - 1));
     worst = larger(worst, fabs(r.displacement / exact->displacement - 1));
@@ -235,17 +236,20 @@ static double odeiv_error(const struct method *m, double tolerance, long *evalua
 /* The cheapest tolerance that reaches the goal. */
 static void choose_tolerance(struct method *m)
 {
-  long fewest = 0, evaluations;
-  m->error = INFINITY;
+  long fewest = 0, evaluations = 0;
   for (int i = 4; i <= 30; i++) { /* half decades: 1e-2 to 1e-15 */
-    double tolerance = pow(10, -0.5 * i), error = odeiv_error(m, tolerance, &evaluations);
+    double tolerance = pow(10, -0.5 * i);
+    struct scallop_rival *rival = scallop_odeiv_rival(m->stepper, tolerance);
+    double error = rival ? odeiv_error(m, rival, &evaluations) : INFINITY;
+    scallop_rival_destroy(rival);
     if (error <= m->goal && (fewest == 0 || evaluations < fewest)) {
       fewest = evaluations;
       m->tolerance = tolerance;
       m->error = error;
     }
   }
-  if (fewest == 0)
+  m->rival = scallop_odeiv_rival(m->stepper, m->tolerance);
+  if (fewest == 0 || !m->rival)
     give_up("no tolerance reaches the wanted error");
 }
 
@@ -337,16 +341,12 @@ static void bench_period(const struct set *set, const char *choice)
 {
   enum { METHODS = 5 };
   const char *gait = set->crawler[0].gait->name;
-  struct scallop_odeiv *rkf45 = scallop_odeiv_make(SCALLOP_ODEIV_RKF45);
-  struct scallop_odeiv *rk8pd = scallop_odeiv_make(SCALLOP_ODEIV_RK8PD);
-  if (!rkf45 || !rk8pd)
-    give_up("out of memory");
   struct method m[METHODS] = {
     { .name = "exact", .pass = exact_periods, .set = set, .tolerance = NAN },
-    { .name = "gsl rkf45", .pass = odeiv_periods, .set = set, .odeiv = rkf45, .goal = 1e-12 },
-    { .name = "gsl rk8pd", .pass = odeiv_periods, .set = set, .odeiv = rk8pd, .goal = 1e-12 },
-    { .name = "gsl rkf45 to 1e-6", .pass = odeiv_periods, .set = set, .odeiv = rkf45, .goal = 1e-6 },
-    { .name = "gsl rk8pd to 1e-6", .pass = odeiv_periods, .set = set, .odeiv = rk8pd, .goal = 1e-6 },
+    { .name = "gsl rkf45", .pass = odeiv_periods, .set = set, .stepper = SCALLOP_ODEIV_RKF45, .goal = 1e-12 },
+    { .name = "gsl rk8pd", .pass = odeiv_periods, .set = set, .stepper = SCALLOP_ODEIV_RK8PD, .goal = 1e-12 },
+    { .name = "gsl rkf45 to 1e-6", .pass = odeiv_periods, .set = set, .stepper = SCALLOP_ODEIV_RKF45, .goal = 1e-6 },
+    { .name = "gsl rk8pd to 1e-6", .pass = odeiv_periods, .set = set, .stepper = SCALLOP_ODEIV_RK8PD, .goal = 1e-6 },
   };
   for (int k = 1; k < METHODS; k++)
     choose_tolerance(&m[k]);
@@ -356,8 +356,8 @@ static void bench_period(const struct set *set, const char *choice)
   const struct method *best = m[1].spread.median < m[2].spread.median ? &m[1] : &m[2];
   printf("# %s %s period: the best GSL at error <= %g is %s: %.1f times the exact solver's time\n", choice, gait,
          best->goal, best->name, ratio(best, m));
-  scallop_odeiv_destroy(rkf45);
-  scallop_odeiv_destroy(rk8pd);
+  for (int k = 1; k < METHODS; k++)
+    scallop_rival_destroy(m[k].rival);
 }
 
 /* One period of each kind, in turns. */

@@ -139,17 +139,17 @@ static bool begin(struct book *b)
   return true;
 }
 
-static void write_names(struct table *t, const struct stiff_scene *scene, int stepper)
+static void write_names(struct table *t, const struct stiff_scene *scene)
 {
   table_text(t, scene->name);
   table_text(t, scene->crawler.gait->name);
   table_text(t, scallop_regime_text(scene->regime));
-  table_text(t, stiff_steppers[stepper]);
+  table_text(t, "msbdf");
 }
 
-static void write_run(struct table *t, const struct stiff_scene *scene, int stepper, const struct stiff_run *run)
+static void write_run(struct table *t, const struct stiff_scene *scene, const struct stiff_run *run)
 {
-  write_names(t, scene, stepper);
+  write_names(t, scene);
   for (int i = 0; i < RUN_COLUMNS; i++) {
     const void *number = (const char *)run + run_columns[i].at;
     table_rounded(t, *(const double *)number, run_columns[i].format);
@@ -157,12 +157,12 @@ static void write_run(struct table *t, const struct stiff_scene *scene, int step
   table_text(t, run->status);
 }
 
-static void write_trend(struct table *t, const struct stiff_scene *scene, int stepper, const struct stiff_run *runs,
-                        int count, int quantity)
+static void write_trend(struct table *t, const struct stiff_scene *scene, const struct stiff_run *runs, int count,
+                        int quantity)
 {
   struct stiff_trend trend = stiff_trend(runs, count, quantity);
   const struct stiff_run *best = trend.good > 0 ? &runs[trend.good - 1] : NULL, *last = &runs[count - 1];
-  write_names(t, scene, stepper);
+  write_names(t, scene);
   table_text(t, stiff_quantities[quantity]);
   table_rounded(t, trend.fit.order, "%.4f");
   table_rounded(t, trend.fit.low, "%.4f");
@@ -178,27 +178,24 @@ static void write_trend(struct table *t, const struct stiff_scene *scene, int st
   table_text(t, last->status);
 }
 
-static void write_series(struct book *b, const struct stiff_scene *scene, int stepper, const struct stiff_run *runs,
-                         int count)
+static void write_series(struct book *b, const struct stiff_scene *scene, const struct stiff_run *runs, int count)
 {
   if (!b->options->summary)
     for (int i = 0; i < count; i++)
-      write_run(&b->table, scene, stepper, &runs[i]);
+      write_run(&b->table, scene, &runs[i]);
   else
     for (int quantity = 0; quantity < STIFF_QUANTITIES; quantity++)
       if (quantity != STIFF_CREEP || scene->held.body != 0)
-        write_trend(&b->table, scene, stepper, runs, count, quantity);
+        write_trend(&b->table, scene, runs, count, quantity);
 }
 
 /* As delta -> 0, until the stepper gives up. Returns how many runs were made. */
-static int solve_series(const struct book *b, const struct stiff_scene *scene, int stepper, struct stiff_run *runs)
+static int solve_series(const struct book *b, const struct stiff_scene *scene, struct stiff_run *runs)
 {
-  enum scallop_smoothed_stepper which = (enum scallop_smoothed_stepper)stepper;
   for (int i = 0; i < b->deltas; i++) {
     double delta = deltas[i];
-    progress_show(&b->progress, "%s, %s: %s, delta = %g", scene->name, scene->crawler.gait->name,
-                  stiff_steppers[stepper], delta);
-    stiff_solve(scene, which, delta, stiff_tolerance(delta), b->most, &runs[i]);
+    progress_show(&b->progress, "%s, %s: delta = %g", scene->name, scene->crawler.gait->name, delta);
+    stiff_solve(scene, delta, stiff_tolerance(delta), b->most, &runs[i]);
     if (!runs[i].solved)
       return i + 1;
   }
@@ -208,11 +205,10 @@ static int solve_series(const struct book *b, const struct stiff_scene *scene, i
 static void solve_all(struct book *b)
 {
   struct stiff_run runs[STIFF_MOST_RUNS];
-  for (int i = 0; i < b->scene_count; i++)
-    for (int stepper = 0; stepper < STIFF_STEPPERS && !table_failed(&b->table); stepper++) {
-      int count = solve_series(b, &b->scenes[i], stepper, runs);
-      write_series(b, &b->scenes[i], stepper, runs, count);
-    }
+  for (int i = 0; i < b->scene_count && !table_failed(&b->table); i++) {
+    int count = solve_series(b, &b->scenes[i], runs);
+    write_series(b, &b->scenes[i], runs, count);
+  }
   progress_end(&b->progress);
 }
 

@@ -14,7 +14,6 @@ enum { REFERENCE_DIGITS = 40 };
 static const double LOOSER = 10;
 
 const char *const stiff_quantities[] = { "v_end", "displacement", "creep", NULL };
-const char *const stiff_steppers[] = { "msbdf", "bsimp", "rk4imp", NULL };
 
 struct stretch {
   struct scallop_scaled scaled;
@@ -221,8 +220,8 @@ double stiff_tolerance(double delta)
   return fmax(least, 1e-9 * delta);
 }
 
-static void solve_once(const struct stiff_scene *scene, enum scallop_smoothed_stepper stepper, double delta,
-                       double tolerance, long most, struct stiff_run *run)
+static void solve_once(const struct stiff_scene *scene, double delta, double tolerance, long most,
+                       struct stiff_run *run)
 {
   static const struct stiff_run unknown = {
     NAN, NAN, { NAN, NAN, NAN }, { NAN, NAN, NAN }, NAN, NAN, NAN, NAN, NAN, NAN, NAN, false, ""
@@ -233,7 +232,7 @@ static void solve_once(const struct stiff_scene *scene, enum scallop_smoothed_st
   run->tolerance = tolerance;
   run->predicted_creep = held ? scene->held.creep : NAN;
   run->predicted_velocity = held ? scene->held.velocity : NAN;
-  struct scallop_rival *rival = scallop_smoothed_rival(stepper, delta, tolerance);
+  struct scallop_rival *rival = scallop_smoothed_rival(delta, tolerance);
   if (!rival) {
     snprintf(run->status, sizeof run->status, "out of memory");
     return;
@@ -249,14 +248,13 @@ static void solve_once(const struct stiff_scene *scene, enum scallop_smoothed_st
   scallop_rival_destroy(rival);
 }
 
-void stiff_solve(const struct stiff_scene *scene, enum scallop_smoothed_stepper stepper, double delta, double tolerance,
-                 long most, struct stiff_run *run)
+void stiff_solve(const struct stiff_scene *scene, double delta, double tolerance, long most, struct stiff_run *run)
 {
   struct stiff_run looser;
-  solve_once(scene, stepper, delta, tolerance, most, run);
+  solve_once(scene, delta, tolerance, most, run);
   if (!run->solved)
     return;
-  solve_once(scene, stepper, delta, LOOSER * tolerance, most, &looser);
+  solve_once(scene, delta, LOOSER * tolerance, most, &looser);
   for (int i = 0; i < STIFF_QUANTITIES; i++)
     run->own[i] = fabs(run->error[i] - looser.error[i]);
 }

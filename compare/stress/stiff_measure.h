@@ -1,12 +1,11 @@
-/* Friction smoothed over delta (numerics/rivals/smoothed.h): one period from the exact steady start by each of the
- * stiff steppers, as delta -> 0: certified scenes, single runs, and the order in delta of a series of runs. Needs
- * FLINT. */
+/* Friction smoothed over delta (scallop_smoothed_rival): one period from the exact steady start, as delta -> 0:
+ * certified scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
 #define SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
 
 #include "compare/answers/answer.h"
 #include "asymptotics/observed/order.h"
-#include "numerics/rivals/smoothed.h"
+#include "numerics/rivals/rival.h"
 
 /* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of
  * it: the body creeps at the velocity whose friction is the force that holds it, v_delta artanh(force/friction). */
@@ -33,9 +32,8 @@ struct stiff_scene {
 /* NULL, or why there is nothing to compare with. GSL's error handler must be off. */
 const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler);
 
-enum { STIFF_V_END, STIFF_DISPLACEMENT, STIFF_CREEP, STIFF_QUANTITIES, STIFF_STEPPERS = 3, STIFF_STATUS = 80 };
+enum { STIFF_V_END, STIFF_DISPLACEMENT, STIFF_CREEP, STIFF_QUANTITIES, STIFF_STATUS = 80 };
 extern const char *const stiff_quantities[]; /* their names */
-extern const char *const stiff_steppers[];   /* by enum scallop_smoothed_stepper */
 
 struct stiff_run {
   double delta, tolerance;
@@ -53,10 +51,9 @@ struct stiff_run {
 /* The tolerance that goes with delta: where all of the steppers leave the error of the model for as long as they can,
  * and no less than rounding allows. */
 double stiff_tolerance(double delta);
-/* tolerance: a tenth of the largest that smoothed.h takes at most. most: accepted steps that a period, or the phase of
+/* tolerance: a tenth of the largest that the rival takes at most. most: accepted steps that a period, or the phase of
  * the stretch, may take. */
-void stiff_solve(const struct stiff_scene *scene, enum scallop_smoothed_stepper stepper, double delta, double tolerance,
-                 long most, struct stiff_run *run);
+void stiff_solve(const struct stiff_scene *scene, double delta, double tolerance, long most, struct stiff_run *run);
 
 struct stiff_trend {
   struct scallop_order_result fit; /* in delta, over the good runs, against order 1 */

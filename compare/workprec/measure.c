@@ -5,6 +5,7 @@
 
 #include "compare/text/values.h"
 #include "compare/workprec/setting.h"
+#include "model/exact/scoped.h"
 
 enum { ERROR_DIGITS = 3 };
 
@@ -86,7 +87,7 @@ static void plan(struct setting *s, double long_enough, double budget)
   if (!s->solved)
     return;
   if (s->first > budget / 2) {
-    s->samples[s->taken++] = s->first * s->share;
+    s->samples[s->taken++] = s->first;
     s->repetitions = 1;
     return;
   }
@@ -107,7 +108,7 @@ static void time_in_turns(struct settings *settings)
     for (int i = 0; i < settings->count; i++) {
       struct setting *s = &settings->list[i];
       if (is_due(s, round))
-        s->samples[s->taken++] = stopwatch_batch(solve_again, s, s->passes) / (double)s->passes * s->share;
+        s->samples[s->taken++] = stopwatch_batch(solve_again, s, s->passes) / (double)s->passes;
     }
 }
 
@@ -125,9 +126,7 @@ static void find_error(struct setting *s, int quantity)
   const struct reference *reference = s->reference;
   const arb_struct *certified = reference->steady.value[compared[quantity]];
   const slong precision = 4 * reference->digits + 64;
-  arb_t error, size;
-  arb_init(error);
-  arb_init(size);
+  SCOPED(arb, error, size);
   if (s->answer.ball[quantity])
     arb_set(error, s->answer.ball[quantity]);
   else
@@ -148,8 +147,6 @@ static void find_error(struct setting *s, int quantity)
   char *text = arb_get_str(size, ERROR_DIGITS, ARB_STR_NO_RADIUS);
   snprintf(s->error[quantity], SETTING_TEXT, "%s", text);
   flint_free(text);
-  arb_clear(error);
-  arb_clear(size);
 }
 
 double printed_error_log10(const char *text)
@@ -175,10 +172,7 @@ static void find_errors(struct setting *s)
   }
 }
 
-static bool may_lead(const struct setting *s, int quantity)
-{
-  return s->solved && s->kind != METHOD_OTHER && !isnan(s->error_log10[quantity]);
-}
+static bool may_lead(const struct setting *s, int quantity) { return s->solved && !isnan(s->error_log10[quantity]); }
 
 /* Whether a is no worse than b in both, and better in one. */
 static bool beats(const struct setting *a, const struct setting *b, int quantity)

@@ -1,11 +1,13 @@
-/* The methods of the paper and of this tool: published and derived series, the limit, the exact and the certified
- * solver. */
+/* The methods: published and derived series, the limit, the exact and the certified solver, and the rivals of
+ * numerics/rivals/rival.h. */
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "compare/book/book.h"
 #include "compare/workprec/setting.h"
+#include "model/exact/scoped.h"
+
+SCOPED_KIND(series_answer, struct series_answer)
 
 static int place(const struct scallop_formula *formula)
 {
@@ -19,29 +21,24 @@ struct balls {
   arb_t T, value[COMPARED];
 };
 
+#define BALLS_PARTS(of) \
+  of(series_answer, &s->series) of(ball_answer, &s->certified) of(arb, s->T) of(arb, s->value[VELOCITY]) \
+      of(arb, s->value[DISPLACEMENT])
+SCOPED_PARTS(balls, struct balls, BALLS_PARTS)
+
 static void *make_balls(const struct setting *s)
 {
   struct balls *b = malloc(sizeof *b);
   (void)s;
-  if (!b)
-    return NULL;
-  series_answer_init(&b->series);
-  ball_answer_init(&b->certified);
-  arb_init(b->T);
-  for (int i = 0; i < COMPARED; i++)
-    arb_init(b->value[i]);
+  if (b)
+    balls_init(b);
   return b;
 }
 
 static void release_balls(void *memory)
 {
-  struct balls *b = memory;
-  series_answer_clear(&b->series);
-  ball_answer_clear(&b->certified);
-  arb_clear(b->T);
-  for (int i = 0; i < COMPARED; i++)
-    arb_clear(b->value[i]);
-  free(b);
+  balls_clear(memory);
+  free(memory);
 }
 
 /* The paper's formulas */
@@ -66,14 +63,10 @@ static enum scallop_status solve_corrected(struct setting *s, struct setting_ans
 /* Does a body turn in both phases for T -> 0? Where that is not known it is said to. */
 static enum scallop_turns turns_in_limit(const struct reference *reference)
 {
-  struct series_answer limit;
-  enum scallop_turns turns = SCALLOP_TURNS_IN_BOTH;
-  series_answer_init(&limit);
-  if (scallop_gait_is_rational(reference->exact.gait)
-      && answer_in_series(&limit, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, 1, 64))
-    turns = turns_in_modes(limit.modes);
-  series_answer_clear(&limit);
-  return turns;
+  SCOPED(series_answer, limit);
+  bool known = scallop_gait_is_rational(reference->exact.gait)
+               && answer_in_series(&limit, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, 1, 64);
+  return known ? turns_in_modes(limit.modes) : SCALLOP_TURNS_IN_BOTH;
 }
 
 static bool is_compared(const void *context, const struct scallop_formula *f)
@@ -115,70 +108,17 @@ static slong bits(const struct reference *reference, long order)
   return 64 + 8 * order + (slong)(smaller * (double)order / 2);
 }
 
-static bool derive(struct series_answer *series, const struct reference *reference, long order)
-{
-  return answer_in_series(series, &reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, order, bits(reference, order));
-}
-
 static enum scallop_status solve_derived(struct setting *s, struct setting_answer *answer)
 {
   struct balls *b = s->memory;
   slong precision = bits(s->reference, s->number);
-  if (!derive(&b->series, s->reference, s->number))
+  if (!answer_in_series(&b->series, &s->reference->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, s->number, precision))
     return b->series.status;
   arb_set_fmpq(b->T, s->reference->exact.T, precision);
   for (int i = 0; i < COMPARED; i++) {
     series_value(b->value[i], b->series.value[compared[i]], b->T, s->number, precision);
     answer->ball[i] = b->value[i];
   }
-  return SCALLOP_OK;
-}
-
-/* Derived series whose coefficients are given: v_start times T and the displacement, in even powers of T, in doubles */
-struct coefficients {
-  enum scallop_status status;
-  int count[COMPARED];
-  double of[COMPARED][MOST_TERMS];
-};
-
-static void *make_coefficients(const struct setting *s)
-{
-  static const slong first[COMPARED] = { [VELOCITY] = -1, [DISPLACEMENT] = 0 };
-  struct coefficients *known = calloc(1, sizeof *known);
-  struct series_answer series;
-  arb_t c;
-  if (!known)
-    return NULL;
-  arb_init(c);
-  series_answer_init(&series);
-  if (derive(&series, s->reference, s->number))
-    for (int i = 0; i < COMPARED; i++)
-      for (slong power = first[i]; power < s->number; power += 2) {
-        series_coefficient(c, series.value[compared[i]], power, 64);
-        known->of[i][known->count[i]++] = arf_get_d(arb_midref(c), ARF_RND_NEAR);
-      }
-  known->status = series.status;
-  series_answer_clear(&series);
-  arb_clear(c);
-  return known;
-}
-
-static double horner(const double *coefficient, int count, double x)
-{
-  double sum = 0;
-  while (count > 0)
-    sum = sum * x + coefficient[--count];
-  return sum;
-}
-
-static enum scallop_status solve_coefficients(struct setting *s, struct setting_answer *answer)
-{
-  const struct coefficients *known = s->memory;
-  double T = s->reference->crawler.T;
-  if (known->status != SCALLOP_OK)
-    return known->status;
-  answer->value[VELOCITY] = horner(known->of[VELOCITY], known->count[VELOCITY], T * T) / T;
-  answer->value[DISPLACEMENT] = horner(known->of[DISPLACEMENT], known->count[DISPLACEMENT], T * T);
   return SCALLOP_OK;
 }
 
@@ -197,60 +137,6 @@ static enum scallop_status solve_exact(struct setting *s, struct setting_answer 
   return SCALLOP_OK;
 }
 
-static enum scallop_status solve_period(struct setting *s, struct setting_answer *answer)
-{
-  struct scallop_period_result r;
-  enum scallop_status status = scallop_period(&s->reference->crawler, s->reference->v_start, &r);
-  if (status < 0)
-    return status;
-  answer->value[VELOCITY] = r.v_end;
-  answer->value[DISPLACEMENT] = r.displacement;
-  answer->periods = 1;
-  return SCALLOP_OK;
-}
-
-/* A batch: the crawler, and others whose first mass differs by up to a thousandth, so that no two are the same. */
-enum { BATCH = 1024 };
-
-struct batch {
-  double m1[BATCH], m2[BATCH], F1[BATCH], F2[BATCH], L[BATCH], T[BATCH], alpha[BATCH];
-  const struct scallop_gait *gait[BATCH];
-  double v_start[BATCH], displacement[BATCH];
-  enum scallop_status status[BATCH];
-};
-
-static void *make_batch(const struct setting *s)
-{
-  const struct scallop_crawler *c = &s->reference->crawler;
-  struct batch *b = malloc(sizeof *b);
-  for (int i = 0; b && i < BATCH; i++) {
-    b->m1[i] = c->m1 * (1 + 1e-3 * i / BATCH);
-    b->m2[i] = c->m2;
-    b->F1[i] = c->F1;
-    b->F2[i] = c->F2;
-    b->L[i] = c->L;
-    b->T[i] = c->T;
-    b->alpha[i] = c->alpha;
-    b->gait[i] = c->gait;
-  }
-  return b;
-}
-
-static enum scallop_status solve_batch(struct setting *s, struct setting_answer *answer)
-{
-  struct batch *b = s->memory;
-  const struct scallop_crawlers crawlers = { BATCH, b->m1, b->m2, b->F1, b->F2, b->L, b->T, b->alpha, b->gait };
-  const struct scallop_steady_states states = { .v_start = b->v_start,
-                                                .displacement = b->displacement,
-                                                .status = b->status };
-  scallop_steady_batch(&crawlers, &states, 1);
-  if (b->status[0] < 0)
-    return b->status[0];
-  answer->value[VELOCITY] = b->v_start[0];
-  answer->value[DISPLACEMENT] = b->displacement[0];
-  return SCALLOP_OK;
-}
-
 static enum scallop_status solve_certified(struct setting *s, struct setting_answer *answer)
 {
   struct ball_answer *a = &((struct balls *)s->memory)->certified;
@@ -261,52 +147,118 @@ static enum scallop_status solve_certified(struct setting *s, struct setting_ans
   return SCALLOP_OK;
 }
 
-enum { MOST_NUMBERS = 4, QUICK_NUMBERS = 3 };
+/* A rival, simulated from rest until the periods repeat, or the root of its period map. Steady to the tolerance of the
+ * period; time stepping has none, and its steps are of second order at best. */
+static enum scallop_status solve_rival(struct setting *s, struct setting_answer *answer)
+{
+  const struct scallop_crawler *c = &s->reference->crawler;
+  const double steps = (double)s->number, tolerance = steps > 0 ? 1 / (steps * steps) : s->tolerance;
+  struct scallop_rival_steady r;
+  enum scallop_status status = s->kind == METHOD_ROOT
+                                   ? scallop_rival_root(s->memory, c, tolerance, s->patience, &r)
+                                   : scallop_rival_simulate(s->memory, c, 0, tolerance, s->patience, &r);
+  if (status >= 0)
+    *answer = (struct setting_answer){ .value = { [VELOCITY] = r.v_start, [DISPLACEMENT] = r.displacement },
+                                       .gait_evaluations = (double)r.evaluations,
+                                       .events = (double)r.events,
+                                       .root_iterations = (double)r.root_iterations,
+                                       .periods = (double)r.periods };
+  return status;
+}
 
-/* A setting for each number, of terms, digits or crawlers. */
-static const struct method {
-  const char *name;
-  enum method_kind kind;
-  setting_solve *solve;
-  void *(*make)(const struct setting *setting); /* the memory, or NULL */
-  void (*release)(void *memory);
-  long numbers[MOST_NUMBERS]; /* 0: no more */
-  const char *text;           /* of the setting; it may print the number */
-} methods[] = {
-  { "limit", METHOD_FORMULA, solve_derived, make_balls, release_balls, { 1 }, "leading terms" },
-  { "derived series",
-    METHOD_FORMULA,
-    solve_derived,
-    make_balls,
-    release_balls,
-    { 4, 8, 16, MOST_TERMS },
-    "terms below T^%ld" },
-  { "derived series, coefficients known",
-    METHOD_OTHER,
-    solve_coefficients,
-    make_coefficients,
-    free,
-    { 4, 8, 16, MOST_TERMS },
-    "terms below T^%ld" },
-  { "exact", METHOD_EXACT, solve_exact, NULL, NULL, { 1 }, "steady state" },
-  { "exact, batch", METHOD_OTHER, solve_batch, make_batch, free, { BATCH }, "each of %ld, one thread" },
-  { "exact, one period", METHOD_OTHER, solve_period, NULL, NULL, { 1 }, "from the steady velocity" },
-  { "certified", METHOD_EXACT, solve_certified, make_balls, release_balls, { 16, 50, 200 }, "%ld digits" },
+static void *make_rkf45(const struct setting *s) { return scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, s->tolerance); }
+static void *make_rk8pd(const struct setting *s) { return scallop_odeiv_rival(SCALLOP_ODEIV_RK8PD, s->tolerance); }
+static void *make_cvode(const struct setting *s) { return scallop_cvode_rival(s->tolerance); }
+static void *make_smoothed(const struct setting *s) { return scallop_smoothed_rival(s->delta, s->tolerance); }
+static void *make_moreau(const struct setting *s) { return scallop_moreau_rival(s->number); }
+
+static void release_rival(void *memory) { scallop_rival_destroy(memory); }
+
+/* What a setting asks of its method: those of the numbers that it takes. */
+struct accuracy {
+  long number; /* of terms, digits or steps */
+  double tolerance, delta;
+};
+static const struct accuracy one[] = { { .number = 1 } };
+static const struct accuracy terms[] = { { .number = 4 }, { .number = 8 }, { .number = 16 }, { .number = MOST_TERMS } };
+static const struct accuracy digits[] = { { .number = 16 }, { .number = 50 }, { .number = 200 } };
+static const struct accuracy tolerances[] = { { 0, 1e-4, 0 },  { 0, 1e-6, 0 },  { 0, 1e-8, 0 },
+                                              { 0, 1e-10, 0 }, { 0, 1e-12, 0 }, { 0, 1e-14, 0 } };
+static const struct accuracy deltas[] = { { 0, 1e-6, 1e-2 }, { 0, 1e-9, 1e-2 }, { 0, 1e-6, 1e-4 },
+                                          { 0, 1e-9, 1e-4 }, { 0, 1e-6, 1e-6 }, { 0, 1e-9, 1e-6 } };
+static const struct accuracy steps[] = {
+  { .number = 16 }, { .number = 128 }, { .number = 1024 }, { .number = 8192 }, { .number = 65536 }
 };
 
-static void add(struct settings *settings, const struct reference *reference, const struct method *m, long number)
+/* A setting for each accuracy; of a rival two, its simulation before its root. */
+static const struct method {
+  const char *name, *text; /* of the setting; it may print the number */
+  enum method_kind kind;
+  setting_solve *solve;
+  void *(*make)(const struct setting *setting); /* the memory, beforehand, as a user would; or NULL */
+  void (*release)(void *memory);
+  const struct accuracy *of;
+  int count, first, end;  /* accuracies; and those of --quick */
+  bool (*is_there)(void); /* was the program built with it? NULL: always */
+} methods[] = {
+  { "limit", "leading terms", METHOD_FORMULA, solve_derived, make_balls, release_balls, one, 1, 0, 1, NULL },
+  { "derived series", "terms below T^%ld", METHOD_FORMULA, solve_derived, make_balls, release_balls, terms, 4, 0, 3,
+    NULL },
+  { "exact", "steady state", METHOD_EXACT, solve_exact, NULL, NULL, one, 1, 0, 1, NULL },
+  { "certified", "%ld digits", METHOD_EXACT, solve_certified, make_balls, release_balls, digits, 3, 0, 3, NULL },
+  { "gsl rkf45", "", METHOD_ROOT, solve_rival, make_rkf45, release_rival, tolerances, 5, 1, 2, NULL },
+  { "gsl rk8pd", "", METHOD_ROOT, solve_rival, make_rk8pd, release_rival, tolerances, 6, 1, 2, NULL },
+  { "cvode", "", METHOD_ROOT, solve_rival, make_cvode, release_rival, tolerances, 5, 1, 2, scallop_has_cvode },
+  { "smoothed msbdf", "", METHOD_ROOT, solve_rival, make_smoothed, release_rival, deltas, 6, 0, 1, NULL },
+  { "moreau", "%ld steps", METHOD_ROOT, solve_rival, make_moreau, release_rival, steps, 5, 1, 2, NULL },
+};
+
+static void describe(char text[SETTING_TEXT], const struct method *m, const struct accuracy *a)
 {
-  struct setting *s = settings_add(settings, reference, m->name, m->kind, m->solve, m->text, number);
-  s->number = number;
-  s->share = m->make == make_batch ? 1.0 / BATCH : 1;
+  if (a->delta > 0)
+    snprintf(text, SETTING_TEXT, "delta %g, tolerance %g", a->delta, a->tolerance);
+  else if (a->tolerance > 0)
+    snprintf(text, SETTING_TEXT, "tolerance %g", a->tolerance);
+  else
+    snprintf(text, SETTING_TEXT, m->text, a->number);
+}
+
+/* a: NULL where the method is left out. */
+static void add(struct settings *settings, const struct reference *reference, const struct method *m,
+                enum method_kind kind, const struct accuracy *a)
+{
+  const char *way = kind == METHOD_ROOT ? ", root" : kind == METHOD_SIMULATION ? ", simulated" : "";
+  char name[SETTING_TEXT], text[SETTING_TEXT] = "-";
+  snprintf(name, sizeof name, "%s%s", m->name, way);
+  if (a)
+    describe(text, m, a);
+  struct setting *s = settings_add(settings, reference, name, kind, a ? m->solve : NULL, "%s", text);
+  if (!a) {
+    snprintf(s->status, sizeof s->status, "left out: built without SUNDIALS");
+    return;
+  }
+  s->number = a->number;
+  s->tolerance = a->tolerance;
+  s->delta = a->delta;
   s->memory = m->make ? m->make(s) : NULL;
   s->release = m->release;
+}
+
+static void add_method(struct settings *settings, const struct reference *reference, const struct method *m, bool quick)
+{
+  bool there = !m->is_there || m->is_there();
+  int first = quick ? m->first : 0, end = !there ? first + 1 : quick ? m->end : m->count;
+  for (int i = first; i < end; i++) {
+    const struct accuracy *a = there ? &m->of[i] : NULL;
+    if (m->kind == METHOD_ROOT)
+      add(settings, reference, m, METHOD_SIMULATION, a);
+    add(settings, reference, m, m->kind, a);
+  }
 }
 
 void methods_add(struct settings *settings, const struct reference *reference, bool quick)
 {
   add_formulas(settings, reference);
   for (size_t k = 0; k < sizeof methods / sizeof *methods; k++)
-    for (int i = 0; i < (quick ? QUICK_NUMBERS : MOST_NUMBERS) && methods[k].numbers[i] > 0; i++)
-      add(settings, reference, &methods[k], methods[k].numbers[i]);
+    add_method(settings, reference, &methods[k], quick);
 }

@@ -9,11 +9,9 @@ enum { REFERENCE_DIGITS = 250 };
 
 const enum quantity_id compared[COMPARED] = { [VELOCITY] = Q_V_START, [DISPLACEMENT] = Q_DISPLACEMENT };
 
-const char *const kind_words[] = { [METHOD_FORMULA] = "formula",
-                                   [METHOD_EXACT] = "exact",
-                                   [METHOD_OTHER] = "other",
-                                   [METHOD_ROOT] = "root",
-                                   [METHOD_SIMULATION] = "simulation" };
+const char *const kind_words[] = {
+  [METHOD_FORMULA] = "formula", [METHOD_EXACT] = "exact", [METHOD_ROOT] = "root", [METHOD_SIMULATION] = "simulation"
+};
 
 const struct setting_answer no_answer = {
   .value = { NAN, NAN }, .gait_evaluations = NAN, .events = NAN, .root_iterations = NAN, .periods = NAN
@@ -36,7 +34,6 @@ const char *reference_init(struct reference *t, const struct scallop_crawler *cr
   scallop_rational_of(&t->exact, crawler);
   if (!answer_in_balls(&t->steady, &t->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, t->digits))
     return t->steady.why ? t->steady.why : scallop_status_text(t->steady.status);
-  t->v_start = arf_get_d(arb_midref(t->steady.value[Q_V_START]), ARF_RND_NEAR);
   return NULL;
 }
 
@@ -52,7 +49,7 @@ struct setting *settings_add(struct settings *settings, const struct reference *
   va_list arguments;
   assert(settings->count < MOST_SETTINGS);
   struct setting *s = &settings->list[settings->count++];
-  *s = (struct setting){ .kind = kind, .solve = solve, .reference = reference, .share = 1, .answer = no_answer };
+  *s = (struct setting){ .kind = kind, .solve = solve, .reference = reference, .answer = no_answer };
   snprintf(s->method, sizeof s->method, "%s", method);
   va_start(arguments, format);
   vsnprintf(s->text, sizeof s->text, format, arguments);

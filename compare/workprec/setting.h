@@ -1,8 +1,8 @@
 /* Error against run time: the settings of methods for the steady state of one reference. Needs FLINT.
  *
  * A method is a way to get the steady state; a setting is a method with its tolerance, number of terms or digits. The
- * settings of a reference are made by methods.c and rivals.c, timed and held to the certified answer by measure.c, and
- * printed by table.c and summary.c. */
+ * settings of a reference are made by methods.c, timed and held to the certified answer by measure.c, and printed by
+ * table.c. */
 #ifndef SCALLOP_COMPARE_WORKPREC_SETTING_H
 #define SCALLOP_COMPARE_WORKPREC_SETTING_H
 
@@ -23,8 +23,7 @@ struct reference {
   struct scallop_rational_crawler exact;
   double eps; /* T^2 (F1 + F2)/(M L) */
   struct ball_answer steady;
-  long digits;    /* of it                      */
-  double v_start; /* the certified one, rounded */
+  long digits; /* of it */
 };
 enum { MOST_TERMS = 32 }; /* of the longest series */
 /* NULL, or why there is no certified steady state to compare with. reference_clear ends it in either case. */
@@ -39,10 +38,8 @@ struct setting_answer {
 extern const struct setting_answer no_answer; /* all nan */
 
 enum method_kind {
-  METHOD_FORMULA, /* a series or a limit                           */
-  METHOD_EXACT,   /* the solvers of this tool                      */
-  /* answers another question (takes coefficients or a velocity as given, needs many crawlers): not on the front */
-  METHOD_OTHER,
+  METHOD_FORMULA,   /* a series or a limit                           */
+  METHOD_EXACT,     /* the solvers of this tool                      */
   METHOD_ROOT,      /* a rival: the root of its period map           */
   METHOD_SIMULATION /* a rival: simulation until its periods repeat  */
 };
@@ -59,9 +56,8 @@ struct setting {
   const struct reference *reference;
   setting_solve *solve;                  /* NULL: the library is missing, as status says      */
   const struct scallop_formula *formula; /* published or corrected                            */
-  long number;                           /* of terms, digits or crawlers                      */
-  double tolerance;
-  double share;            /* of one answer in what one call does: 1, or 1/1024   */
+  long number;                           /* of terms, digits or steps                         */
+  double tolerance, delta;
   void *memory;            /* what the method needs besides, made beforehand      */
   void (*release)(void *); /* of the memory                                       */
 
@@ -92,12 +88,10 @@ struct setting *settings_add(struct settings *settings, const struct reference *
     __attribute__((format(printf, 6, 7)));
 void settings_clear(struct settings *settings);
 
-/* methods.c: the methods of the paper and of this tool; rivals.c: those of general-purpose solvers. quick: fewer
- * settings. */
+/* methods.c. quick: fewer settings. */
 void methods_add(struct settings *settings, const struct reference *reference, bool quick);
 /* Is a formula of the book that was given, if any was, among them? False: the message is on stderr. */
 bool methods_serve(const char *book);
-void rivals_add(struct settings *settings, const struct reference *reference, bool quick);
 
 /* measure.c. Settings take turns: each is solved once, for its answer and its duration; then rounds over all of them,
  * so that a machine that slows down slows all; then errors against the certified value, and the Pareto front. limit:
@@ -110,9 +104,5 @@ bool setting_has(const struct setting *setting, int quantity);
  * four digits; log10 of an error, whose exponent may be beyond a double's, nan if the text is no number >= 0. */
 double printed_seconds(double seconds);
 double printed_error_log10(const char *error);
-
-/* summary.c: the cheapest setting for each wanted error that some setting of one reference reaches. */
-void summary_begin(struct table *table); /* its columns */
-void summary_write(struct table *table, const struct settings *settings);
 
 #endif

@@ -66,25 +66,17 @@ static bool begin(struct run *r)
   const struct workprec_options *o = r->options;
   static const char *const columns_of_points[] = { "T", "gait", NULL };
   struct table *t = &r->table;
-  if (!table_head(t, &o->request.style, "workprec%s%s --limit %g", o->quick ? " --quick" : "",
-                  o->summary ? " --summary" : "", r->limit))
+  if (!table_head(t, &o->request.style, "workprec%s --limit %g", o->quick ? " --quick" : "", r->limit))
     return false;
   note_parameters(t, &o->request.point, columns_of_points, false);
   table_note(t, "error: |answer - certified| / |certified|, for these very doubles; over L/T or L where the certified "
                 "value is 0");
-  if (o->summary) {
-    t->of = "ratios";
-    table_note(t, "ratios: of median times of one run on one machine");
-    summary_begin(t);
-  } else {
-    table_note(
-        t,
-        "times: seconds for one solve, by the wall clock of one machine: only ratios within one table mean anything");
-    table_note(
-        t, "clock: a reading takes %.2g s, the smallest step is %.2g s; shortest batch %.2g s; an empty call %.2g s",
-        r->clock.cost, r->clock.step, stopwatch_long_enough(&r->clock), call_cost(&r->clock));
-    table_columns(t, columns);
-  }
+  table_note(t, "times: seconds for one solve, by the wall clock of one machine: only ratios within one table mean "
+                "anything");
+  table_note(t,
+             "clock: a reading takes %.2g s, the smallest step is %.2g s; shortest batch %.2g s; an empty call %.2g s",
+             r->clock.cost, r->clock.step, stopwatch_long_enough(&r->clock), call_cost(&r->clock));
+  table_columns(t, columns);
   table_begin_rows(t);
   return true;
 }
@@ -112,7 +104,7 @@ static void write_setting(struct table *t, const struct setting *s, int quantity
   table_number(t, a->events);
   table_number(t, a->root_iterations);
   table_number(t, a->periods);
-  table_text(t, s->kind == METHOD_OTHER || !s->solved ? "-" : s->front[quantity] ? "yes" : "no");
+  table_text(t, !s->solved ? "-" : s->front[quantity] ? "yes" : "no");
   table_text(t, s->status);
 }
 
@@ -128,12 +120,8 @@ static void measure(struct run *r, struct settings *settings)
 {
   for (int i = 0; i < r->count; i++) {
     methods_add(settings, &r->references[i], r->options->quick);
-    rivals_add(settings, &r->references[i], r->options->quick);
     settings_measure(settings, &r->clock, r->limit, &r->progress);
-    if (r->options->summary)
-      summary_write(&r->table, settings);
-    else
-      write_settings(r, settings);
+    write_settings(r, settings);
     settings_clear(settings);
   }
   progress_end(&r->progress);

@@ -1,5 +1,5 @@
 /* CVODE, where the program is built with SUNDIALS. */
-#include "numerics/rivals/cvode.h"
+#include "numerics/rivals/rival.h"
 
 #include <stddef.h>
 
@@ -12,63 +12,233 @@ struct scallop_rival *scallop_cvode_rival(double tolerance)
   return NULL;
 }
 #else
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
 #include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "numerics/rivals/sundials.h"
+#include "numerics/rivals/rival_motion.h"
 
-_Static_assert(CV_SUCCESS == SUNDIALS_DONE && CV_TSTOP_RETURN == SUNDIALS_AT_STOP && CV_ROOT_RETURN == SUNDIALS_AT_ROOT
-                   && CV_TOO_CLOSE == SUNDIALS_TOO_CLOSE && CV_ONE_STEP == SUNDIALS_ONE_STEP,
-               "numbers of CVODE");
+#ifndef SUNDIALS_DOUBLE_PRECISION
+#error "SUNDIALS is built for another precision than double"
+#endif
 
-#if SUNDIALS_VERSION_MAJOR < 6
+#if SUNDIALS_VERSION_MAJOR < 6 /* there were no contexts */
+typedef void *SUNContext;
+#define N_VNew_Serial(length, context) N_VNew_Serial(length)
 #define CVodeCreate(method, context) CVodeCreate(method)
 #define SUNNonlinSol_FixedPoint(y, m, context) SUNNonlinSol_FixedPoint(y, m)
 #endif
 
+enum { DIMENSION = 2 };
+
+struct cvode {
+  struct scallop_rival rival; /* first, so that the one is the other */
+  SUNContext context;
+  N_Vector y; /* x1' and x1 */
+  void *memory;
+  SUNNonlinearSolver solver;
+  double tolerance;
+};
+
+struct run {
+  struct rival_motion motion; /* first, so that the one is the other */
+  const struct cvode *tools;
+  bool let_go[2]; /* a body that was at rest where the integration began */
+};
+
+static int equation(double t, N_Vector y, N_Vector dydt, void *context)
+{
+  struct rival_motion *m = context;
+  m->phases.evaluations++;
+  NV_Ith_S(dydt, 0) = rival_acceleration(m, t);
+  NV_Ith_S(dydt, 1) = NV_Ith_S(y, 0);
+  return 0;
+}
+
+/* A root function that is zero where CVODE starts is left out of the search until CVODE sees it move; and a body that
+ * has just been let go starts at zero. But it cannot be back before the forces turn on it, so until then its function
+ * is far from zero; and from then on it is to fall behind zero by a tolerance, in case the forces have turned
+ * already. */
+static double slack(const struct run *r, double t, int body)
+{
+  if (!r->let_go[body])
+    return 0;
+  return rival_ahead_rate(&r->motion, t, body) > 0 ? 1 : fmax(r->tools->tolerance, 4 * DBL_EPSILON);
+}
+
+static int velocities(double t, N_Vector y, double *ahead, void *context)
+{
+  const struct run *r = context;
+  double v1 = NV_Ith_S(y, 0), v2 = v1 + rival_gait_velocity(&r->motion, t);
+  for (int body = 0; body < 2; body++)
+    ahead[body] = rival_ahead(&r->motion, v1, v2, body) + slack(r, t, body);
+  return 0;
+}
+
+/* From where the motion stands, with no memory of what was before. */
+static bool begin(struct run *r)
+{
+  const struct cvode *tools = r->tools;
+  const struct rival_motion *m = &r->motion;
+  double v2 = m->y[0] + rival_gait_velocity(m, m->t);
+  for (int body = 0; body < 2; body++)
+    r->let_go[body] = rival_ahead(m, m->y[0], v2, body) <= 0;
+  NV_Ith_S(tools->y, 0) = m->y[0];
+  NV_Ith_S(tools->y, 1) = m->y[1];
+  return CVodeReInit(tools->memory, m->t, tools->y) == CV_SUCCESS;
+}
+
+/* CVODE looks for a change of sign from step to step. So that no body can come to zero and be off again within one, it
+ * stops where a velocity turns. */
+static bool set_stop(const struct run *r, double end, double *stop)
+{
+  const struct rival_motion *m = &r->motion;
+  *stop = end;
+  for (int body = 0; body < 2; body++)
+    if (m->turn[body] > m->t && m->turn[body] < *stop)
+      *stop = m->turn[body];
+  return CVodeSetStopTime(r->tools->memory, *stop) == CV_SUCCESS;
+}
+
+/* To `stop` or the first event, whichever comes first: the body of that event, or -1. */
+static int advance(struct run *r, double stop)
+{
+  struct rival_motion *m = &r->motion;
+  const struct cvode *tools = r->tools;
+  int found[2] = { 0, 0 };
+  while (rival_motion_goes_on(m)) {
+    int flag = CVode(tools->memory, stop, tools->y, &m->t, CV_ONE_STEP);
+    m->phases.steps++;
+    if (flag == CV_TOO_CLOSE) { /* a few units in the last place: nothing moves */
+      m->t = stop;
+      break;
+    }
+    if (flag < 0 || (flag == CV_ROOT_RETURN && CVodeGetRootInfo(tools->memory, found) != CV_SUCCESS)) {
+      m->status = SCALLOP_ECONVERGE;
+      return -1;
+    }
+    m->y[0] = NV_Ith_S(tools->y, 0);
+    m->y[1] = NV_Ith_S(tools->y, 1);
+    if (flag == CV_ROOT_RETURN)
+      return found[0] != 0 ? 0 : 1;
+    if (flag == CV_TSTOP_RETURN)
+      break;
+  }
+  return -1;
+}
+
+/* Steps tried in vain since CVODE began. */
+static bool count_rejected(struct rival_motion *m, void *memory)
+{
+  long errors = 0, convergence = 0;
+  bool known = CVodeGetNumErrTestFails(memory, &errors) == CV_SUCCESS
+               && CVodeGetNumNonlinSolvConvFails(memory, &convergence) == CV_SUCCESS;
+  m->phases.steps += errors + convergence;
+  return known;
+}
+
+static int slide(struct rival_motion *m, double end)
+{
+  struct run *r = (struct run *)m;
+  int body = -1;
+  double stop;
+  bool heeded = begin(r); /* refused without memory only, and so the others */
+  while (heeded && body < 0 && m->t < end && m->status == SCALLOP_OK) {
+    heeded = set_stop(r, end, &stop);
+    if (heeded)
+      body = advance(r, stop);
+  }
+  if (!count_rejected(m, r->tools->memory) || !heeded)
+    m->status = SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE */
+  return body;
+}
+
+static enum scallop_status period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
+                                  const struct scallop_patience *patience, struct scallop_rival_period *result)
+{
+  struct cvode *tools = (struct cvode *)self;
+  struct run r = { .motion = { .slide = slide }, .tools = tools };
+  if (CVodeSetUserData(tools->memory, &r) != CV_SUCCESS)
+    return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE */
+  return rival_motion_period(&r.motion, crawler, v0, patience, result);
+}
+
+#if SUNDIALS_VERSION_MAJOR < 7
+static void say_nothing(int code, const char *module, const char *function, char *message, void *context)
+{
+  (void)code, (void)module, (void)function, (void)message, (void)context;
+}
+#endif
+
+static bool create_context(struct cvode *r)
+{
+#if SUNDIALS_VERSION_MAJOR < 6
+  return !r->context;
+#elif SUNDIALS_VERSION_MAJOR < 7
+  return SUNContext_Create(NULL, &r->context) == 0;
+#else
+  return SUNContext_Create(SUN_COMM_NULL, &r->context) == 0 && SUNContext_ClearErrHandlers(r->context) == 0;
+#endif
+}
+
 static bool silence(void *memory)
 {
 #if SUNDIALS_VERSION_MAJOR < 7
-  if (CVodeSetErrHandlerFn(memory, sundials_be_silent, NULL) != CV_SUCCESS)
+  if (CVodeSetErrHandlerFn(memory, say_nothing, NULL) != CV_SUCCESS)
     return false; /* GCOVR_EXCL_LINE: refused without memory only */
 #endif
   return CVodeSetMaxHnilWarns(memory, -1) == CV_SUCCESS && CVodeSetNoInactiveRootWarn(memory) == CV_SUCCESS;
 }
 
-static bool create(struct sundials_rival *r)
+static bool prepare(struct cvode *r)
 {
+  int falling[2] = { -1, -1 };
+  r->y = create_context(r) ? N_VNew_Serial(DIMENSION, r->context) : NULL;
+  if (!r->y)
+    return false;
+  N_VConst(0, r->y);
   r->memory = CVodeCreate(CV_ADAMS, r->context);
   r->solver = SUNNonlinSol_FixedPoint(r->y, 0, r->context);
-  return r->memory && r->solver && CVodeInit(r->memory, sundials_equation, 0, r->y) == CV_SUCCESS
-         && CVodeSetNonlinearSolver(r->memory, r->solver) == CV_SUCCESS;
+  return r->memory && r->solver && CVodeInit(r->memory, equation, 0, r->y) == CV_SUCCESS
+         && CVodeSetNonlinearSolver(r->memory, r->solver) == CV_SUCCESS
+         && CVodeSStolerances(r->memory, r->tolerance, r->tolerance) == CV_SUCCESS
+         && CVodeRootInit(r->memory, 2, velocities) == CV_SUCCESS
+         && CVodeSetRootDirection(r->memory, falling) == CV_SUCCESS && silence(r->memory);
 }
 
-static int get_rejected(void *memory, long *count)
+static void destroy(struct scallop_rival *self)
 {
-  long errors = 0, convergence = 0;
-  int flag = CVodeGetNumErrTestFails(memory, &errors);
-  if (flag == CV_SUCCESS)
-    flag = CVodeGetNumNonlinSolvConvFails(memory, &convergence);
-  *count = errors + convergence;
-  return flag;
+  struct cvode *r = (struct cvode *)self;
+  if (r->memory)
+    CVodeFree(&r->memory);
+  if (r->solver)
+    (void)SUNNonlinSolFree(r->solver);
+  if (r->y)
+    N_VDestroy(r->y);
+#if SUNDIALS_VERSION_MAJOR >= 6
+  if (r->context)
+    (void)SUNContext_Free(&r->context);
+#endif
+  free(r);
 }
 
 bool scallop_has_cvode(void) { return true; }
 
 struct scallop_rival *scallop_cvode_rival(double tolerance)
 {
-  static const struct sundials_calls calls = { .create = create,
-                                               .restart = CVodeReInit,
-                                               .set_tolerances = CVodeSStolerances,
-                                               .init_roots = CVodeRootInit,
-                                               .set_directions = CVodeSetRootDirection,
-                                               .silence = silence,
-                                               .set_context = CVodeSetUserData,
-                                               .set_stop = CVodeSetStopTime,
-                                               .evolve = CVode,
-                                               .get_roots = CVodeGetRootInfo,
-                                               .get_rejected = get_rejected,
-                                               .free = CVodeFree };
-  return sundials_make(&calls, tolerance);
+  bool good = tolerance >= DBL_EPSILON && tolerance <= 0.1;
+  struct cvode *r = good ? calloc(1, sizeof *r) : NULL;
+  if (!r)
+    return NULL;
+  r->rival = (struct scallop_rival){ period, destroy };
+  r->tolerance = tolerance;
+  if (prepare(r))
+    return &r->rival;
+  destroy(&r->rival);
+  return NULL;
 }
 #endif

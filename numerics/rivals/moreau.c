@@ -1,4 +1,4 @@
-#include "numerics/rivals/moreau.h"
+#include "numerics/rivals/rival.h"
 
 #include <math.h>
 #include <stddef.h>

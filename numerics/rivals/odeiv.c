@@ -1,4 +1,4 @@
-#include "numerics/rivals/odeiv.h"
+#include "numerics/rivals/rival.h"
 
 #include <float.h>
 #include <math.h>
@@ -12,12 +12,11 @@
 
 enum { DIMENSION = 2, MAX_TRIALS = 2200 /* doubles can be halved no longer */ };
 
-struct scallop_odeiv {
-  gsl_odeiv2_driver *driver; /* GSL's multistep methods will not do without one */
+struct odeiv {
+  struct scallop_rival rival; /* first, so that the one is the other */
+  gsl_odeiv2_driver *driver;
   gsl_odeiv2_system system;
-  /* a one-step method that takes a step of a multistep method again; NULL where that needs no other */
-  gsl_odeiv2_step *relay;
-  gsl_odeiv2_evolve *relay_evolve;
+  double tolerance;
 };
 
 /* One end of a step. Units throughout: L, and the duration of the phase. */
@@ -30,10 +29,9 @@ struct point {
 
 struct run {
   struct rival_motion motion; /* first, so that the one is the other */
-  struct scallop_odeiv *tools;
-  double close; /* a velocity that counts as zero when an event is located              */
-  double start; /* the first step tried after an event, at most                         */
-  double h;     /* what the step control suggests                                       */
+  struct odeiv *tools;
+  double close; /* a velocity that counts as zero when an event is located */
+  double h;     /* what the step control suggests                          */
 };
 
 static int equation(double t, const double y[], double dydt[], void *params)
@@ -64,37 +62,17 @@ static void check(struct run *r, int gsl_status)
 
 static long tried(const gsl_odeiv2_evolve *e) { return (long)(e->count + e->failed_steps); }
 
-/* As many steps of the one-step method as the step control asks for, which is nearly always one. */
-static void relay_to(struct run *r, double from, struct point *to)
-{
-  const struct scallop_odeiv *tools = r->tools;
-  gsl_odeiv2_evolve *e = tools->relay_evolve;
-  double t = from, h = to->t - from;
-  check(r, gsl_odeiv2_evolve_reset(e));
-  do {
-    check(r, gsl_odeiv2_evolve_apply(e, tools->driver->c, tools->relay, &tools->system, &t, to->t, &h, to->y));
-  } while (t < to->t && rival_motion_goes_on(&r->motion));
-  r->motion.phases.steps += tried(e);
-  to->dydt[0] = e->dydt_out[0];
-  to->dydt[1] = e->dydt_out[1];
-}
-
-/* One step of the method from `from` to time t. It is shorter than one that the step control has accepted; that says
- * nothing of another method, so there the step control is asked again. */
+/* One step of the method from `from` to time t */
 static void step_to(struct run *r, const struct point *from, double t, struct point *to)
 {
-  const struct scallop_odeiv *tools = r->tools;
+  const struct odeiv *tools = r->tools;
   double error[DIMENSION];
   to->t = t;
   to->y[0] = from->y[0];
   to->y[1] = from->y[1];
-  if (tools->relay) {
-    relay_to(r, from->t, to);
-  } else {
-    r->motion.phases.steps++;
-    check(r, gsl_odeiv2_step_apply(tools->driver->s, from->t, t - from->t, to->y, error, from->dydt, to->dydt,
-                                   &tools->system));
-  }
+  r->motion.phases.steps++;
+  check(r, gsl_odeiv2_step_apply(tools->driver->s, from->t, t - from->t, to->y, error, from->dydt, to->dydt,
+                                 &tools->system));
   to->v2 = to->y[0] + rival_gait_velocity(&r->motion, t);
 }
 
@@ -186,7 +164,6 @@ static void begin(struct run *r, struct point *from)
   from->y[0] = m->y[0];
   from->y[1] = m->y[1];
   from->v2 = m->y[0] + rival_gait_velocity(m, m->t);
-  r->h = fmin(r->h, r->start);
   check(r, gsl_odeiv2_driver_reset(r->tools->driver));
 }
 
@@ -225,121 +202,41 @@ static int slide(struct rival_motion *m, double end)
   return body;
 }
 
-static enum scallop_status run(struct scallop_odeiv *odeiv, const struct scallop_crawler *crawler, double v0,
-                               double tolerance, const struct scallop_patience *patience,
-                               struct scallop_rival_period *period)
+static enum scallop_status period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
+                                  const struct scallop_patience *patience, struct scallop_rival_period *result)
 {
-  /* h: the whole piece is the first step tried, as the control cuts down faster than it grows; but a multistep method
-   * starts with Euler's */
-  struct run r = { .motion = { .slide = slide },
-                   .tools = odeiv,
-                   .close = fmax(0.1 * tolerance, 4 * DBL_EPSILON),
-                   .start = odeiv->relay ? sqrt(tolerance) : 1,
-                   .h = 1 };
-  odeiv->system.params = &r.motion;
-  if (gsl_odeiv2_control_init(odeiv->driver->c, tolerance, tolerance, 1, 0) != GSL_SUCCESS)
-    return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: GSL refuses negative tolerances only */
-  return rival_motion_period(&r.motion, crawler, v0, patience, period);
+  struct odeiv *tools = (struct odeiv *)self;
+  /* h: the whole piece is the first step tried, as the control cuts down faster than it grows */
+  struct run r = {
+    .motion = { .slide = slide }, .tools = tools, .close = fmax(0.1 * tools->tolerance, 4 * DBL_EPSILON), .h = 1
+  };
+  tools->system.params = &r.motion;
+  return rival_motion_period(&r.motion, crawler, v0, patience, result);
 }
 
-static bool good_tolerance(double tolerance) { return tolerance >= DBL_EPSILON && tolerance <= 0.1; }
-
-enum scallop_status scallop_odeiv_run(struct scallop_odeiv *odeiv, const struct scallop_crawler *crawler, double v0,
-                                      double tolerance, struct scallop_rival_period *period)
+static void destroy(struct scallop_rival *self)
 {
-  return good_tolerance(tolerance) ? run(odeiv, crawler, v0, tolerance, NULL, period) : SCALLOP_EDOMAIN;
-}
-
-static const gsl_odeiv2_step_type *type_of(enum scallop_odeiv_stepper stepper)
-{
-  switch (stepper) {
-  case SCALLOP_ODEIV_RKF45: return gsl_odeiv2_step_rkf45;
-  case SCALLOP_ODEIV_RK8PD: return gsl_odeiv2_step_rk8pd;
-  case SCALLOP_ODEIV_MSADAMS: return gsl_odeiv2_step_msadams;
-  }
-  return NULL;
-}
-
-static bool allocate(struct scallop_odeiv *odeiv, const gsl_odeiv2_step_type *type)
-{
-  odeiv->system = (gsl_odeiv2_system){ .function = equation, .dimension = DIMENSION };
-  odeiv->driver = gsl_odeiv2_driver_alloc_y_new(&odeiv->system, type, 1, 1, 1);
-  if (type != gsl_odeiv2_step_msadams)
-    return odeiv->driver;
-  odeiv->relay = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, DIMENSION);
-  odeiv->relay_evolve = gsl_odeiv2_evolve_alloc(DIMENSION);
-  return odeiv->driver && odeiv->relay && odeiv->relay_evolve;
-}
-
-struct scallop_odeiv *scallop_odeiv_make(enum scallop_odeiv_stepper stepper)
-{
-  const gsl_odeiv2_step_type *type = type_of(stepper);
-  struct scallop_odeiv *odeiv = type ? calloc(1, sizeof *odeiv) : NULL;
-  if (!odeiv)
-    return NULL;
-  gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* GSL aborts when memory is short */
-  bool made = allocate(odeiv, type);
-  gsl_set_error_handler(handler);
-  if (made)
-    return odeiv;
-  scallop_odeiv_destroy(odeiv);
-  return NULL;
-}
-
-void scallop_odeiv_destroy(struct scallop_odeiv *odeiv)
-{
-  if (!odeiv)
-    return;
-  if (odeiv->driver)
-    gsl_odeiv2_driver_free(odeiv->driver);
-  if (odeiv->relay)
-    gsl_odeiv2_step_free(odeiv->relay);
-  if (odeiv->relay_evolve)
-    gsl_odeiv2_evolve_free(odeiv->relay_evolve);
-  free(odeiv);
-}
-
-enum scallop_status scallop_odeiv_period(const struct scallop_crawler *crawler, double v0,
-                                         enum scallop_odeiv_stepper stepper, double tolerance,
-                                         struct scallop_rival_period *period)
-{
-  if (!type_of(stepper))
-    return SCALLOP_EDOMAIN;
-  struct scallop_odeiv *odeiv = scallop_odeiv_make(stepper);
-  if (!odeiv)
-    return SCALLOP_ECONVERGE;
-  enum scallop_status status = scallop_odeiv_run(odeiv, crawler, v0, tolerance, period);
-  scallop_odeiv_destroy(odeiv);
-  return status;
-}
-
-struct odeiv_rival {
-  struct scallop_rival rival; /* first, so that the one is the other */
-  struct scallop_odeiv *odeiv;
-  double tolerance;
-};
-
-static enum scallop_status period_of_rival(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
-                                           const struct scallop_patience *patience, struct scallop_rival_period *period)
-{
-  const struct odeiv_rival *r = (struct odeiv_rival *)self;
-  return run(r->odeiv, crawler, v0, r->tolerance, patience, period);
-}
-
-static void rival_destroy(struct scallop_rival *self)
-{
-  struct odeiv_rival *r = (struct odeiv_rival *)self;
-  scallop_odeiv_destroy(r->odeiv);
+  struct odeiv *r = (struct odeiv *)self;
+  gsl_odeiv2_driver_free(r->driver);
   free(r);
 }
 
 struct scallop_rival *scallop_odeiv_rival(enum scallop_odeiv_stepper stepper, double tolerance)
 {
-  struct odeiv_rival *r = good_tolerance(tolerance) ? malloc(sizeof *r) : NULL;
+  const gsl_odeiv2_step_type *type = stepper == SCALLOP_ODEIV_RKF45   ? gsl_odeiv2_step_rkf45
+                                     : stepper == SCALLOP_ODEIV_RK8PD ? gsl_odeiv2_step_rk8pd
+                                                                      : NULL;
+  bool good = type && tolerance >= DBL_EPSILON && tolerance <= 0.1;
+  struct odeiv *r = good ? malloc(sizeof *r) : NULL;
   if (!r)
     return NULL;
-  *r = (struct odeiv_rival){ { period_of_rival, rival_destroy }, scallop_odeiv_make(stepper), tolerance };
-  if (r->odeiv)
+  *r = (struct odeiv){ .rival = { period, destroy },
+                       .system = { .function = equation, .dimension = DIMENSION },
+                       .tolerance = tolerance };
+  gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* GSL aborts when memory is short */
+  r->driver = gsl_odeiv2_driver_alloc_y_new(&r->system, type, 1, tolerance, tolerance);
+  gsl_set_error_handler(handler);
+  if (r->driver)
     return &r->rival;
   free(r);
   return NULL;

@@ -2,7 +2,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdalign.h>
 #include <stddef.h>
 
 #include <gsl/gsl_errno.h>
@@ -13,8 +12,7 @@
 enum {
   COMPARISONS = 16, /* with strides of one length; then they double */
   REVERSALS = 8,    /* of the direction in which the velocity creeps: one can be an accident of the steps */
-  ITERATIONS = 200,
-  BRENT_STATE = 128
+  ITERATIONS = 200
 };
 
 void scallop_rival_destroy(struct scallop_rival *rival)
@@ -151,28 +149,7 @@ static void bracket(const struct scallop_scaled *s, double *lo, double *hi)
   *hi = margin * s->velocity * fmax(s->mu2 * e, s->mu1 * c);
 }
 
-/* Friction slows a crawler down that is faster than anything can drive it. If the map does not show it, its errors are
- * larger than what friction does in a period, and a root of it would mean nothing. */
-static bool straddles(const struct root_search *r)
-{
-  return r->count == 2 && r->tried[0].change > 0 && r->tried[1].change < 0;
-}
-
-static enum scallop_status iterate(struct root_search *r, gsl_root_fsolver *solver, double tolerance, double unit)
-{
-  for (int i = 0; i < ITERATIONS; i++) {
-    double v = gsl_root_fsolver_root(solver),
-           width = gsl_root_fsolver_x_upper(solver) - gsl_root_fsolver_x_lower(solver);
-    if (width <= fmax(tolerance, DBL_EPSILON) * (unit + fabs(v)))
-      return SCALLOP_OK;
-    if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS)
-      return r->status != SCALLOP_OK ? r->status : SCALLOP_ECONVERGE;
-    r->search.at.root_iterations++;
-  }
-  return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: Brent's method ends before ITERATIONS */
-}
-
-/* GSL's solver ends at a velocity that it tried, or at none. */
+/* Where Brent's method ends: at a velocity that it tried, or at none. */
 static void take(struct root_search *r, double v)
 {
   for (int i = 0; i < r->count; i++)
@@ -182,14 +159,41 @@ static void take(struct root_search *r, double v)
     }
 }
 
+static enum scallop_status iterate(struct root_search *r, gsl_root_fsolver *solver, double tolerance, double unit)
+{
+  for (int i = 0; i < ITERATIONS; i++) {
+    double v = gsl_root_fsolver_root(solver);
+    double width = gsl_root_fsolver_x_upper(solver) - gsl_root_fsolver_x_lower(solver);
+    take(r, v);
+    if (width <= fmax(tolerance, DBL_EPSILON) * (unit + fabs(v)))
+      return SCALLOP_OK;
+    if (gsl_root_fsolver_iterate(solver) != GSL_SUCCESS)
+      return SCALLOP_ECONVERGE;
+    r->search.at.root_iterations++;
+  }
+  return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: Brent's method ends before ITERATIONS */
+}
+
+/* Friction slows a crawler down that is faster than anything can drive it. If the map does not show it, its errors are
+ * larger than what friction does in a period, and a root of it would mean nothing. */
+static enum scallop_status find_root(struct root_search *r, double lo, double hi, double tolerance, double unit)
+{
+  gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+  gsl_function f = { change, r };
+  enum scallop_status status = SCALLOP_ECONVERGE;
+  if (solver && gsl_root_fsolver_set(solver, &f, lo, hi) == GSL_SUCCESS && r->tried[0].change > 0
+      && r->tried[1].change < 0)
+    status = iterate(r, solver, tolerance, unit);
+  if (solver)
+    gsl_root_fsolver_free(solver);
+  return r->status != SCALLOP_OK ? r->status : status;
+}
+
 enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct scallop_crawler *crawler,
                                        double tolerance, const struct scallop_patience *patience,
                                        struct scallop_rival_steady *steady)
 {
-  alignas(max_align_t) unsigned char state[BRENT_STATE]; /* so that nothing is allocated */
   struct root_search r = { .search = { rival, crawler, patience, { .v_start = NAN, .displacement = NAN } } };
-  gsl_function f = { change, &r };
-  gsl_root_fsolver solver = { .type = gsl_root_fsolver_brent, .state = state };
   struct scallop_scaled scaled;
   double lo, hi;
   enum scallop_status status = scallop_scale(crawler, &scaled);
@@ -200,13 +204,7 @@ enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct
   bracket(&scaled, &lo, &hi);
   if (!isfinite(lo) || !isfinite(hi))
     return SCALLOP_ERANGE;
-  bool set = gsl_root_fsolver_brent->size <= sizeof state && gsl_root_fsolver_set(&solver, &f, lo, hi) == GSL_SUCCESS;
-  if (set && straddles(&r)) {
-    status = iterate(&r, &solver, tolerance, scaled.velocity);
-    take(&r, gsl_root_fsolver_root(&solver));
-  } else {
-    status = r.status != SCALLOP_OK ? r.status : SCALLOP_ECONVERGE;
-  }
+  status = find_root(&r, lo, hi, tolerance, scaled.velocity);
   if (status != SCALLOP_OK && status != SCALLOP_ESTOPPED)
     return status;
   *steady = r.search.at;

@@ -69,13 +69,102 @@ enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const st
  * (L/T + |v|), or DBL_EPSILON for a tolerance below that. tolerance >= 0. What one period changes is 1 - multiplier,
  * O(T^2) for T -> 0: this divides the error of the period by that. Where the map's noise is larger than the tolerance
  * allows, the root is one of those that the noise makes. v_start is a velocity that was tried, and displacement that of
- * its period. SCALLOP_ECONVERGE: at an end of the bracket the map does not slow the crawler down, as friction must: its
- * error is larger than what friction does in a period, and it says nothing of the steady state. SCALLOP_STOPPED:
- * patience ended it; *steady is where it stood, v_start and displacement nan while not both ends are known. Others as
- * above. */
+ * its period. SCALLOP_ECONVERGE: memory is short; or at an end of the bracket the map does not slow the crawler down,
+ * as friction must: its error is larger than what friction does in a period, and it says nothing of the steady state.
+ * SCALLOP_STOPPED: patience ended it; *steady is where it stood, v_start and displacement nan while not both ends are
+ * known. Others as above. */
 enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct scallop_crawler *crawler,
                                        double tolerance, const struct scallop_patience *patience,
                                        struct scallop_rival_steady *steady);
+
+/* ---- The rivals that locate events. Where a body's velocity has changed sign the step is taken again up to the zero,
+ * and the forces decide whether the body reverses, goes on or sticks; the motion of a stuck body needs no integration,
+ * x1' = 0 or x1' = -l'. Between events
+ *
+ *     x1'' = -(m2/M) l'' - (F1 s1 + F2 s2)/M,   x2' = x1' + l'        (the paper, section 2)
+ *
+ * is integrated in (x1, x1') over each smooth piece of the gait, with the error tolerance * (1 + |y|) allowed to each
+ * step, y being x1/L and x1' tau/L, tau the duration of the phase: so the tolerance is relative to L and L/tau, and a
+ * velocity that is small beside L/tau is lost in the steps. DBL_EPSILON <= tolerance <= 0.1. Patience is asked at each
+ * step. SCALLOP_ECONVERGE: the step size shrank to nothing, or a million steps were not enough: the tolerance is too
+ * near rounding. tests/numerics/rivals/test_integrators.c holds the worst errors to bounds. */
+
+/* GSL's odeiv2: embedded Runge-Kutta pairs, Fehlberg 4(5), 6 evaluations a step, and Prince-Dormand 8(9), 13. Events
+ * are located by Newton's method on the length of the step, kept inside a bracket, to a velocity of tolerance/10 or to
+ * rounding. Worst error seen in a velocity: 4.5 tolerance (L/(T min(alpha, 1 - alpha)) + |v|), and T times that in the
+ * displacement. NULL: a bad argument, or memory is short. */
+enum scallop_odeiv_stepper { SCALLOP_ODEIV_RKF45, SCALLOP_ODEIV_RK8PD };
+struct scallop_rival *scallop_odeiv_rival(enum scallop_odeiv_stepper stepper, double tolerance);
+
+/* SUNDIALS CVODE: Adams's method of variable order and step, which meets the events by its own root finder. It starts
+ * anew at each event and at each piece of the gait, and never steps over the end of one; its tolerance is in the root
+ * mean square. Worst error seen in a velocity: 180 tolerance (L/(T min(alpha, 1 - alpha)) + |v|) at 1e-12, 15 at 1e-4,
+ * and T times that in the displacement. NULL: a bad tolerance, memory is short, or the program was built without
+ * SUNDIALS, which scallop_has_cvode tells. */
+bool scallop_has_cvode(void);
+struct scallop_rival *scallop_cvode_rival(double tolerance);
+
+/* ---- Coulomb friction smoothed, so that the equation of motion is an ordinary, stiff one, which a stiff
+ * solver integrates without an event to locate. With c the velocity of the centre of mass (numerics.h),
+ *
+ *     c' = -(F1 tanh(v1/v_delta) + F2 tanh(v2/v_delta))/M,   v1 = c - (m2/M) l',   v2 = c + (m1/M) l',   X' = c
+ *
+ * is integrated in (c, X) over each piece of the gait with the analytic Jacobian, which needs l'' and no higher
+ * derivative: GSL's backward differentiation of order 1 to 5 (msbdf). It starts anew at each piece, as l'' may jump
+ * there.
+ *
+ * delta > 0: v_delta in units of L/T, T the period. DBL_EPSILON <= tolerance <= 0.1: a step may make the error
+ * tolerance * (1 + |y|), y being X/L and c tau/L, tau the duration of the phase. NULL: an argument outside of that, or
+ * memory is short. Patience is asked at each step. Of the period's statuses: SCALLOP_ERANGE also where v_delta tau/L
+ * underflows, or the stiffness, tau^2 (F1 + F2)/(M L) over that, overflows; SCALLOP_ECONVERGE: a step shrank to
+ * nothing, or a million were not enough. evaluations: of the equation and of its Jacobian. GSL's error handler must be
+ * off (gsl_set_error_handler_off).
+ *
+ * Errors of v_end in L/T and of the displacement in L over one period from the exact steady start, measured over 100
+ * crawlers with ratios up to 25, eps = T^2 (F1 + F2)/(M L) up to 60, alpha from 0.05 to 0.95;
+ * tests/numerics/rivals/test_smoothed.c holds them to bounds:
+ *   of the model: at most 3.2 delta where the bodies slide (0.002 delta for half of the crawlers: it is a fraction of
+ *     eps delta), and at most (1.3 + ln(1/delta)/4) delta in stick-slip: first order but for a logarithm. A body about
+ *     to be released creeps at v_delta artanh(force/friction), and is (v_delta/4) ln(1/v_delta) ahead when it goes. No
+ *     logarithm where l'' is constant in each piece, as in the quadratic gait: there it is released by a jump of l''.
+ *   of the solver: nothing tells that it dominates. The tolerance has to be far below delta, as a stuck body's
+ *     friction is known no better than its velocity over v_delta. Where it is not, the call succeeds and the answer is
+ *     wrong: by 1e-3 to 1e-2 in stick-slip at delta = 1e-6, tolerance = 1e-8. tolerance <= 1e-6 delta leaves the error
+ *     of the model, down to delta = 1e-8; 300 to 1500 steps, 0.1 to 1 ms. It gives up in stick-slip where the tolerance
+ *     is 100 delta: 2 crawlers of 200, after a million steps.
+ * No step is longer than 1/32 of a phase, so that none leaps over a crossing. */
+struct scallop_rival *scallop_smoothed_rival(double delta, double tolerance);
+
+/* Inside one phase: the motion from start velocity v0, at the given times since the phase began, where steps are made
+ * to end. times: count of them, rising, from 0 to the duration of the phase. rival: one of the above. A sample has t,
+ * x1, x2, xC, v1, v2 and l; x1 = 0 and x2 = l where the phase begins, and positions are good to the tolerance and an
+ * ulp of L. Where l' jumps the velocities are those before the jump. Return false from sampler to end early:
+ * SCALLOP_STOPPED. SCALLOP_EDOMAIN also for bad times. Else the statuses of the period; below zero the samples so far
+ * have been given. */
+enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
+                                           enum scallop_phase_kind kind, double v0,
+                                           const struct scallop_patience *patience, const double *times, int count,
+                                           scallop_sampler *sampler, void *context);
+
+/* ---- Moreau and Jean's time stepping, which steps over events and needs to know nothing of them. One step of the
+ * velocity c of the centre of mass (numerics.h) is the implicit Euler step with the set-valued sign, Sgn(0) = [-1, 1],
+ *
+ *     c_new + h (F1 Sgn(c_new - (m2/M) l') + F2 Sgn(c_new + (m1/M) l'))/M  contains  c_old,
+ *
+ * l' at the end of the step, and its path that of the theta rule, X_new = X_old + h (c_old + c_new)/2. The inclusion
+ * is monotone and piecewise linear in one unknown, so it is solved in closed form: no iteration, no tolerance, and a
+ * stuck body is exactly at rest. The displacement of the geometric centre is that of X, as l returns.
+ * Sources: J. J. Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988; M. Jean, Comput.
+ * Methods Appl. Mech. Eng. 177 (1999) 235; V. Acary and B. Brogliato, "Numerical methods for nonsmooth dynamical
+ * systems", 2008, chapter 10.
+ *
+ * steps equal steps a phase, 1 <= steps <= 2^53. NULL: an argument outside of that, or memory is short. Patience is
+ * asked every 256 steps. evaluations: of l'. Never SCALLOP_ECONVERGE. First order, and that from the crossings alone:
+ * in the step in which a body turns, friction has the sign of the end for the whole step. So the error lies anywhere
+ * below its bound, by where in the step that happens, and does not fall smoothly. Worst seen in 10000 periods, in v_end
+ * in L/T and in the displacement in L: 1.8 eps/steps, eps = T^2 (F1 + F2)/(M L); tests/numerics/rivals/test_moreau.c
+ * holds both to 2 eps/steps. Rounding adds up to 1e-16 (1 + |c| T/L) steps, and overtakes that at about 1e8 steps. */
+struct scallop_rival *scallop_moreau_rival(long steps);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-#include "numerics/rivals/smoothed.h"
+#include "numerics/rivals/rival.h"
 
 #include <float.h>
 #include <math.h>
@@ -16,12 +16,12 @@ enum { DIMENSION = 2 };
 
 /* The first step tried in a period, and the longest. Between two layers of friction the velocity is a straight line,
  * which these methods solve exactly, so that the step control would lengthen the step until it leaps over the next
- * layer. Powers of two: steps of a tenth leave an ulp of a phase, and rk4imp fails on a step of that length. */
+ * layer. Powers of two: steps of a tenth leave an ulp of a phase. */
 static const double first_step = 0x1p-10, longest_step = 0x1p-5;
 
 struct smoothed {
   struct scallop_rival rival; /* first, so that the one is the other */
-  gsl_odeiv2_driver *driver;  /* msbdf and rk4imp ask it for the tolerance; else only its parts are used */
+  gsl_odeiv2_driver *driver;  /* msbdf asks it for the tolerance; else only its parts are used */
   double delta;
 };
 
@@ -114,7 +114,7 @@ static struct scallop_sample sample_at(const struct run *run, double t, const do
   return s;
 }
 
-/* Gives the samples whose time has come, or is so near that a step to there would be too short for rk4imp. */
+/* Gives the samples whose time has come, or is so near that a step to there would be too short. */
 static enum scallop_status show(struct run *run, double t, const double y[])
 {
   struct watch *w = &run->watch;
@@ -210,27 +210,17 @@ static void smoothed_destroy(struct scallop_rival *self)
   free(s);
 }
 
-static const gsl_odeiv2_step_type *type_of(enum scallop_smoothed_stepper stepper)
-{
-  switch (stepper) {
-  case SCALLOP_SMOOTHED_MSBDF: return gsl_odeiv2_step_msbdf;
-  case SCALLOP_SMOOTHED_BSIMP: return gsl_odeiv2_step_bsimp;
-  case SCALLOP_SMOOTHED_RK4IMP: return gsl_odeiv2_step_rk4imp;
-  }
-  return NULL;
-}
-
-struct scallop_rival *scallop_smoothed_rival(enum scallop_smoothed_stepper stepper, double delta, double tolerance)
+struct scallop_rival *scallop_smoothed_rival(double delta, double tolerance)
 {
   static const gsl_odeiv2_system shape = { equation, jacobian, DIMENSION, NULL };
-  const gsl_odeiv2_step_type *type = type_of(stepper);
-  bool good = type && delta > 0 && isfinite(delta) && tolerance >= DBL_EPSILON && tolerance <= 0.1;
+  bool good = delta > 0 && isfinite(delta) && tolerance >= DBL_EPSILON && tolerance <= 0.1;
   struct smoothed *s = good ? malloc(sizeof *s) : NULL;
   if (!s)
     return NULL;
   gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* GSL aborts when memory is short */
   *s = (struct smoothed){ { smoothed_period, smoothed_destroy },
-                          gsl_odeiv2_driver_alloc_y_new(&shape, type, first_step, tolerance, tolerance),
+                          gsl_odeiv2_driver_alloc_y_new(&shape, gsl_odeiv2_step_msbdf, first_step, tolerance,
+                                                        tolerance),
                           delta };
   gsl_set_error_handler(handler);
   if (s->driver)

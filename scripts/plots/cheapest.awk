@@ -1,4 +1,4 @@
-# Who is cheapest for a wanted error: from a table of `scallop workprec`, the table that `scallop workprec --summary` measures anew.
+# Who is cheapest for a wanted error: from a table of `scallop workprec`.
 #   LC_ALL=C awk -f scripts/plots/cheapest.awk data/workprec.tsv
 BEGIN {
   FS = OFS = "\t"
@@ -31,7 +31,7 @@ NF != columns {
   if (point != last)
     summarise()
   last = point
-  if ($at["status"] != "ok" || $at["kind"] == "other") # it answers another question than the rest
+  if ($at["status"] != "ok")
     next
   n++
   method[n] = $at["method"]

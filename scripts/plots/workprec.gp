@@ -6,12 +6,12 @@ MOST = 12
 array gait[MOST]
 array period[MOST]
 gaits = periods = rivals = 0
-known_rivals = "'gsl rkf45' 'gsl rk8pd' 'gsl msadams' cvode moreau arkode"
-array rival_of[6]
+known_rivals = "'gsl rkf45' 'gsl rk8pd' cvode moreau"
+array rival_of[4]
 put_gait(text, i) = i > MOST ? 0 : i > gaits ? (gaits = i, gait[i] = text, 0) : gait[i] eq text ? 0 : put_gait(text, i + 1)
 put_period(text, i) = i > MOST ? 0 : i > periods ? (periods = i, period[i] = text, 0) : period[i] eq text ? 0 : put_period(text, i + 1)
 begins(text, head) = text[1:strlen(head)] eq head
-known(text, i) = i > 6 ? 0 : begins(text, word(known_rivals, i)) ? i : known(text, i + 1)
+known(text, i) = i > 4 ? 0 : begins(text, word(known_rivals, i)) ? i : known(text, i + 1)
 put_rival(k, i) = k == 0 ? 0 : i > rivals ? (rivals = i, rival_of[i] = k, 0) : rival_of[i] == k ? 0 : put_rival(k, i + 1)
 fastest = 1e999
 slowest = -1e999
@@ -42,8 +42,8 @@ cut(g, T) = here(g, T) && begins(strcol("status"), "cut off") ? clip(column("err
 front(g, T) = strcol("pareto") eq "yes" && here(g, T) ? clip(column("error")) : NaN
 
 rival(i) = word(known_rivals, rival_of[i])
-open(i) = word("4 6 8 10 12 14", rival_of[i]) + 0 # the symbol after it is the same, filled
-colour(i) = word("#c8102e #0b3c8c #b8860b #2a9d4a #7b3fa0 #1f9fc0", rival_of[i])
+open(i) = word("4 6 10 12", rival_of[i]) + 0 # the symbol after it is the same, filled
+colour(i) = word("#c8102e #0b3c8c #2a9d4a #7b3fa0", rival_of[i])
 grey = "#777777"
 
 high = 390.0 * gaits + 190
@@ -62,10 +62,9 @@ do for [row=1:gaits] {
     if (c == 1) { set ytics ("1" 1, "10^{-4}" 1e-4, "10^{-8}" 1e-8, "10^{-12}" 1e-12, "10^{-16}" 1e-16, "< 10^{-20}" 1e-20) }
     if (c > 1) { set ytics ("" 1, "" 1e-4, "" 1e-8, "" 1e-12, "" 1e-16, "" 1e-20) }
     unset key
-    if (row == gaits && c == 1) { set key at screen 0.53,0.005 center bottom vertical maxrows (shown == 1 ? 8 : rivals == 5 ? 5 : 6) samplen 3.5 width -1 }
+    if (row == gaits && c == 1) { set key at screen 0.53,0.005 center bottom vertical maxrows (shown == 1 ? 8 : 4) samplen 3.5 width -1 }
     plot table using "time_median":(front(g, T)) smooth unique with steps lw 9 lc rgb "#cccccc" notitle, \
       table using "time_median":(is("published", g, T)) with points pt 1 ps 1.5 lw 2 lc rgb "black" notitle, \
-      table using "time_median":(is("derived series, coefficients known", g, T)) with linespoints pt 3 ps 1.1 lw 1.5 dt 3 lc rgb "black" notitle, \
       table using "time_median":(is("derived series", g, T)) with linespoints pt 2 ps 1.1 lw 1.5 dt 4 lc rgb "black" notitle, \
       table using "time_median":(is("exact", g, T)) with points pt 7 ps 2.2 lc rgb "black" notitle, \
       table using "time_median":(is("certified", g, T)) with linespoints pt 5 ps 1.3 lw 1.5 lc rgb "black" notitle, \
@@ -76,7 +75,6 @@ do for [row=1:gaits] {
       table using "time_median":(cut(g, T)) with points pt 2 ps 0.7 lw 1 lc rgb "#c8102e" notitle, \
       keyentry with lines lw 9 lc rgb "#cccccc" title "Pareto front", \
       keyentry with points pt 1 ps 1.5 lw 2 lc rgb "black" title "published (28)", \
-      keyentry with linespoints pt 3 ps 1.1 lw 1.5 dt 3 lc rgb "black" title "series, coefficients known", \
       keyentry with linespoints pt 2 ps 1.1 lw 1.5 dt 4 lc rgb "black" title "series, derived", \
       keyentry with points pt 7 ps 2.2 lc rgb "black" title "exact", \
       keyentry with linespoints pt 5 ps 1.3 lw 1.5 lc rgb "black" title "certified", \

@@ -120,7 +120,7 @@ chosen 'formula relative' series --columns 'formula,relative=error/exact'
 chosen 'power c' series --source derived --columns 'power,c=2*coefficient'
 chosen 'claim verdict' claims --columns claim,verdict --gait quadratic --quiet
 chosen 'T f' breakdown --only radius --columns 'T,f=froude/2'
-chosen 'next_ratio gait' workprec --quick --summary --limit 0.01 --columns next_ratio,gait --quiet
+chosen 'error gait' workprec --quick --limit 0.01 --columns error,gait --quiet
 chosen 'certified quantity' stress --T 0.5 --columns certified,quantity
 chosen 'dT F1_over_F2' figure 4 --columns 'dT=10*T,F1_over_F2'
 printf 'h err\n0.1 0.01\n0.05 0.0025\n0.025 0.000625\n' >errors.txt

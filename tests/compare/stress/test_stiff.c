@@ -131,24 +131,20 @@ TEST(errors_are_the_periods)
 {
   struct scallop_crawler c = sticking(&scallop_gait_sinusoidal);
   struct stiff_scene scene = scene_of(&c);
-  for (int stepper = 0; stepper < STIFF_STEPPERS; stepper++) {
-    struct stiff_run run;
-    struct scallop_rival_period p, looser;
-    stiff_solve(&scene, (enum scallop_smoothed_stepper)stepper, 1e-3, 1e-9, LONG, &run);
-    struct scallop_rival *rivals[2] = { scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, 1e-3, 1e-9),
-                                        scallop_smoothed_rival((enum scallop_smoothed_stepper)stepper, 1e-3,
-                                                               10 * 1e-9) };
-    assert_int_equal(rivals[0]->period(rivals[0], &c, scene.v_start, NULL, &p), SCALLOP_OK);
-    assert_int_equal(rivals[1]->period(rivals[1], &c, scene.v_start, NULL, &looser), SCALLOP_OK);
-    CHECK_NEAR(run.error[STIFF_V_END], (p.v_end - scene.v_start) * c.T / c.L, 1e-14);
-    CHECK_NEAR(run.error[STIFF_DISPLACEMENT], (p.displacement - scene.displacement.high) / c.L, 1e-15);
-    CHECK_NEAR(run.own[STIFF_V_END], fabs(p.v_end - looser.v_end) * c.T / c.L, 1e-15);
-    CHECK_EQUAL(run.steps, (double)p.steps);
-    CHECK_EQUAL(run.evaluations, (double)p.evaluations);
-    assert_string_equal(run.status, "ok");
-    scallop_rival_destroy(rivals[0]);
-    scallop_rival_destroy(rivals[1]);
-  }
+  struct stiff_run run;
+  struct scallop_rival_period p, looser;
+  stiff_solve(&scene, 1e-3, 1e-9, LONG, &run);
+  struct scallop_rival *rivals[2] = { scallop_smoothed_rival(1e-3, 1e-9), scallop_smoothed_rival(1e-3, 10 * 1e-9) };
+  assert_int_equal(rivals[0]->period(rivals[0], &c, scene.v_start, NULL, &p), SCALLOP_OK);
+  assert_int_equal(rivals[1]->period(rivals[1], &c, scene.v_start, NULL, &looser), SCALLOP_OK);
+  CHECK_NEAR(run.error[STIFF_V_END], (p.v_end - scene.v_start) * c.T / c.L, 1e-14);
+  CHECK_NEAR(run.error[STIFF_DISPLACEMENT], (p.displacement - scene.displacement.high) / c.L, 1e-15);
+  CHECK_NEAR(run.own[STIFF_V_END], fabs(p.v_end - looser.v_end) * c.T / c.L, 1e-15);
+  CHECK_EQUAL(run.steps, (double)p.steps);
+  CHECK_EQUAL(run.evaluations, (double)p.evaluations);
+  assert_string_equal(run.status, "ok");
+  scallop_rival_destroy(rivals[0]);
+  scallop_rival_destroy(rivals[1]);
 }
 
 /* What is left against the prediction is of a higher order in delta. */
@@ -160,18 +156,16 @@ TEST(creep_is_as_predicted)
     c = i & 4 ? exchanged(&c) : c;
     struct stiff_scene scene = scene_of(&c);
     double before = INFINITY;
-    for (int stepper = 0; stepper < STIFF_STEPPERS; stepper++)
-      for (int digits = 3; digits <= 6 && (stepper == SCALLOP_SMOOTHED_MSBDF || digits < 5); digits++) {
-        struct stiff_run run;
-        double delta = pow(10, -digits);
-        stiff_solve(&scene, (enum scallop_smoothed_stepper)stepper, delta, stiff_tolerance(delta), LONG, &run);
-        double off = fabs(run.error[STIFF_CREEP] / delta / scene.held.creep - 1);
-        CHECK_AT_MOST(off, 2 * sqrt(delta));
-        CHECK_NEAR(run.velocity, scene.held.velocity, 20 * delta);
-        if (stepper == SCALLOP_SMOOTHED_MSBDF)
-          CHECK_AT_MOST(off, 0.5 * before);
-        before = off;
-      }
+    for (int digits = 3; digits <= 6; digits++) {
+      struct stiff_run run;
+      double delta = pow(10, -digits);
+      stiff_solve(&scene, delta, stiff_tolerance(delta), LONG, &run);
+      double off = fabs(run.error[STIFF_CREEP] / delta / scene.held.creep - 1);
+      CHECK_AT_MOST(off, 2 * sqrt(delta));
+      CHECK_NEAR(run.velocity, scene.held.velocity, 20 * delta);
+      CHECK_AT_MOST(off, 0.5 * before);
+      before = off;
+    }
   }
 }
 
@@ -186,7 +180,7 @@ TEST(last_velocity)
     double before = NAN;
     for (int digits = 5; digits <= 8; digits++) {
       double delta = pow(10, -digits);
-      stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, delta, stiff_tolerance(delta), LONG, &run);
+      stiff_solve(&scene, delta, stiff_tolerance(delta), LONG, &run);
       if (!gradual)
         CHECK_NEAR(run.last, run.velocity, 0.01);
       else if (digits > 5)
@@ -207,16 +201,16 @@ TEST(most_steps)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct stiff_scene scene = scene_of(&c);
-  struct scallop_rival *rival = scallop_smoothed_rival(SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9);
+  struct scallop_rival *rival = scallop_smoothed_rival(1e-3, 1e-9);
   struct scallop_rival_period p;
   struct stiff_run run;
   long steps = 0;
   const struct scallop_patience patience = { count, &steps };
   assert_int_equal(rival->period(rival, &c, scene.v_start, &patience, &p), SCALLOP_OK);
   scallop_rival_destroy(rival);
-  stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9, steps, &run);
+  stiff_solve(&scene, 1e-3, 1e-9, steps, &run);
   assert_true(run.solved);
-  stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9, steps - 1, &run);
+  stiff_solve(&scene, 1e-3, 1e-9, steps - 1, &run);
   assert_false(run.solved);
 }
 
@@ -225,13 +219,13 @@ TEST(a_run_that_gives_up)
   struct scallop_crawler c = sticking(&scallop_gait_quadratic);
   struct stiff_scene scene = scene_of(&c);
   struct stiff_run run;
-  stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1e-9, 100, &run);
+  stiff_solve(&scene, 1e-3, 1e-9, 100, &run);
   assert_false(run.solved);
   assert_string_equal(run.status, "cut off after 100 accepted steps");
   CHECK_EQUAL(run.steps, NAN);
   for (int i = 0; i < STIFF_QUANTITIES; i++)
     CHECK_EQUAL(run.error[i], NAN);
-  stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, 1e-3, 1, LONG, &run); /* not a tolerance */
+  stiff_solve(&scene, 1e-3, 1, LONG, &run); /* not a tolerance */
   assert_false(run.solved);
 }
 
@@ -244,7 +238,7 @@ TEST(order_of_the_model)
     struct stiff_run runs[DECADES];
     for (int k = 0; k < DECADES; k++) {
       double delta = pow(10, -1 - k);
-      stiff_solve(&scene, SCALLOP_SMOOTHED_MSBDF, delta, stiff_tolerance(delta), LONG, &runs[k]);
+      stiff_solve(&scene, delta, stiff_tolerance(delta), LONG, &runs[k]);
     }
     for (int quantity = 0; quantity < (i < 2 ? STIFF_CREEP : STIFF_QUANTITIES); quantity++) {
       struct stiff_trend trend = stiff_trend(runs, DECADES, quantity);

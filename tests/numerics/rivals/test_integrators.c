@@ -1,4 +1,4 @@
-/* GSL's integrators, CVODE and ARKODE against the exact solver. They share the model and nothing else, so each checks
+/* GSL's integrators and CVODE against the exact solver. They share the model and nothing else, so each checks
  * the other: over seeded crawlers of every regime they agree to the tolerance.
  *
  * The bound: bound_of[method] tolerance (L/(T min(alpha, 1 - alpha)) + |v|) for velocities, and T times that for the
@@ -8,22 +8,19 @@
 #include <stdio.h>
 #include <unistd.h>
 
-#include "numerics/rivals/arkode.h"
-#include "numerics/rivals/cvode.h"
-#include "numerics/rivals/odeiv.h"
+#include "numerics/rivals/rival.h"
 #include "tests/support/rivals.h"
 
-enum { EACH = 40, CVODE = 3, ARKODE = 4, METHODS = 5 }; /* the others are steppers of numerics/rivals/odeiv.h */
-static const double bound_of[METHODS] = { 32, 32, 512, 512, 32 };
+enum { EACH = 40, CVODE = 2, METHODS = 3 }; /* the others are steppers of scallop_odeiv_rival */
+static const double bound_of[METHODS] = { 32, 32, 512 };
 
 /* All that this program was built with */
 static int methods(void) { return scallop_has_cvode() ? METHODS : CVODE; }
 
 static struct scallop_rival *make(int method, double tolerance)
 {
-  return method == CVODE    ? scallop_cvode_rival(tolerance)
-         : method == ARKODE ? scallop_arkode_rival(tolerance)
-                            : scallop_odeiv_rival((enum scallop_odeiv_stepper)method, tolerance);
+  return method == CVODE ? scallop_cvode_rival(tolerance)
+                         : scallop_odeiv_rival((enum scallop_odeiv_stepper)method, tolerance);
 }
 
 static struct scallop_rival_period solved(const struct scallop_crawler *c, double v0, int method, double tolerance)
@@ -88,17 +85,14 @@ static void agree(int first, int end, long events[METHODS])
   assert_true(backward >= 20 && reversed >= 10 && held >= 10);
 }
 
-/* What the steps of Adams's method are off by must not look like a body that stops again and again. */
 TEST(integrators_of_gsl_agree)
 {
   long events[METHODS] = { 0 };
   agree(0, CVODE, events);
   CHECK_NEAR((double)events[SCALLOP_ODEIV_RKF45], (double)events[SCALLOP_ODEIV_RK8PD], 0.01 * (double)events[0]);
-  CHECK_NEAR((double)events[SCALLOP_ODEIV_MSADAMS], (double)events[SCALLOP_ODEIV_RK8PD], 0.01 * (double)events[0]);
 }
 
 TEST(cvode_agrees) { agree(CVODE, CVODE + 1, (long[METHODS]){ 0 }); }
-TEST(arkode_agrees) { agree(ARKODE, ARKODE + 1, (long[METHODS]){ 0 }); }
 
 /* Both at rest where l'' = 0, with equal forces: friction could hold either, but l' is about to part them, and then
  * neither can hold the other. */
@@ -112,15 +106,14 @@ TEST(parted_from_rest)
   }
 }
 
-/* No tolerance bounds the error from below: tightening it must pay. ARKODE's steps grow from so little after each event
- * that a tolerance above 1e-6 bounds few of them. */
+/* No tolerance bounds the error from below: tightening it must pay. */
 TEST(tolerance_controls_error)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct scallop_period_result exact = period_of(&c, 1.317);
   for (int method = 0; method < methods(); method++) {
     double last = INFINITY;
-    for (int digits = method == CVODE ? 2 : method == ARKODE ? 6 : 4; digits <= 14; digits += 4) {
+    for (int digits = method == CVODE ? 2 : 4; digits <= 14; digits += 4) {
       double error = fabs(solved(&c, 1.317, method, pow(10, -digits)).v_end - exact.v_end);
       CHECK_AT_MOST(error, 1e-2 * last);
       last = error;
@@ -151,7 +144,7 @@ TEST(light_body)
   const double v0 = -0.02662866572576535;
   struct scallop_period_result exact = period_of(&c, v0);
   for (int method = 0; method < methods(); method++)
-    assert_true(compare(&c, v0, &exact, method, 1e-9).steps < (method < SCALLOP_ODEIV_MSADAMS ? 50 : 500));
+    assert_true(compare(&c, v0, &exact, method, 1e-9).steps < (method < CVODE ? 50 : 500));
 }
 
 /* A stuck body needs no integration. */
@@ -171,31 +164,21 @@ TEST(any_units)
 {
   for (int method = 0; method < methods(); method++) {
     RIVAL(rival, make(method, 1e-9));
-    if (method == ARKODE) { /* which counts alike from its first event on */
-      struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-      struct scallop_rival_period first = rival_period(rival, &c, 1.317), again = rival_period(rival, &c, 1.317);
-      CHECK_EQUAL(first.v_end, again.v_end);
-      CHECK_EQUAL(first.displacement, again.displacement);
-    }
     check_units(rival);
   }
 }
 
-/* A workspace used before, with another tolerance, gives what a new one gives. */
-TEST(workspace_forgets)
+/* A rival used before gives what a new one gives. */
+TEST(rival_forgets)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal), other = c;
   other.T = 37;
-  for (int k = 0; k < CVODE; k++) {
-    enum scallop_odeiv_stepper stepper = (enum scallop_odeiv_stepper)k;
-    struct scallop_odeiv *odeiv = scallop_odeiv_make(stepper);
-    struct scallop_rival_period first, again;
-    assert_non_null(odeiv);
-    assert_int_equal(scallop_odeiv_period(&c, 2.385, stepper, 1e-11, &first), SCALLOP_OK);
-    assert_int_equal(scallop_odeiv_run(odeiv, &other, -3.1, 1e-5, &again), SCALLOP_OK);
-    assert_int_equal(scallop_odeiv_run(odeiv, &c, 2.385, 1e-11, &again), SCALLOP_OK);
+  for (int method = 0; method < methods(); method++) {
+    RIVAL(rival, make(method, 1e-11));
+    struct scallop_rival_period first = rival_period(rival, &c, 2.385);
+    rival_period(rival, &other, -3.1);
+    struct scallop_rival_period again = rival_period(rival, &c, 2.385);
     assert_memory_equal(&again, &first, sizeof again); /* doubles and longs, no padding */
-    scallop_odeiv_destroy(odeiv);
   }
 }
 
@@ -208,27 +191,14 @@ TEST(steady_state)
   }
 }
 
-static void refused(double tolerance, int stepper)
-{
-  struct scallop_crawler good = scallop_crawler_default();
-  struct scallop_rival_period p = { .v_end = 7 };
-  assert_int_equal(scallop_odeiv_period(&good, 1, (enum scallop_odeiv_stepper)stepper, tolerance, &p), SCALLOP_EDOMAIN);
-  CHECK_EQUAL(p.v_end, 7);
-  assert_null(scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, tolerance));
-}
-
 TEST(bad_input)
 {
   const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, 1e-17, NAN, INFINITY };
-  for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++) {
-    refused(bad_tolerances[i], SCALLOP_ODEIV_RKF45);
-    assert_null(scallop_cvode_rival(bad_tolerances[i]));
-    assert_null(scallop_arkode_rival(bad_tolerances[i]));
-  }
-  refused(1e-9, CVODE);
-  refused(1e-9, -1);
-  assert_null(scallop_odeiv_make((enum scallop_odeiv_stepper)CVODE));
-  scallop_odeiv_destroy(NULL);
+  for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
+    for (int method = 0; method < METHODS; method++)
+      assert_null(make(method, bad_tolerances[i]));
+  assert_null(scallop_odeiv_rival((enum scallop_odeiv_stepper)CVODE, 1e-9));
+  assert_null(make(-1, 1e-9));
   for (int method = 0; method < methods(); method++) {
     RIVAL(rival, make(method, 1e-9));
     check_refusals(rival);
@@ -288,7 +258,6 @@ static void fails_in_silence(int method)
 }
 
 TEST(cvode_fails_in_silence) { fails_in_silence(CVODE); }
-TEST(arkode_fails_in_silence) { fails_in_silence(ARKODE); }
 
 /* Whatever the crawler, there is an answer that agrees, and never an endless run. */
 TEST(extremes_end)
@@ -319,9 +288,7 @@ TEST(extremes_end)
 
 TEST(sundials_is_there_or_left_out)
 {
-  for (int method = CVODE; method < METHODS; method++) {
-    struct scallop_rival *rival = make(method, 1e-9);
-    assert_int_equal(rival != NULL, method == CVODE ? scallop_has_cvode() : scallop_has_arkode());
-    scallop_rival_destroy(rival);
-  }
+  struct scallop_rival *rival = scallop_cvode_rival(1e-9);
+  assert_int_equal(rival != NULL, scallop_has_cvode());
+  scallop_rival_destroy(rival);
 }

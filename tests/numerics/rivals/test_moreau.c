@@ -4,7 +4,7 @@
  * turns.) That pins the exact solver without sharing a line with it. */
 #include <limits.h>
 
-#include "numerics/rivals/moreau.h"
+#include "numerics/rivals/rival.h"
 #include "tests/support/rivals.h"
 
 static struct scallop_rival_period stepped(const struct scallop_crawler *c, double v0, long steps)

@@ -1,25 +1,17 @@
-/* Friction smoothed and integrated by stiff solvers, against the exact period. What smoothing does is measured with a
+/* Friction smoothed and integrated by a stiff solver, against the exact period. What smoothing does is measured with a
  * tolerance far below delta: an error at most proportional to delta, but for a logarithm in stick-slip, that falls
- * with every decade of delta for every crawler. What the solvers do is measured at one delta, against the tightest
+ * with every decade of delta for every crawler. What the solver does is measured at one delta, against the tightest
  * tolerance. */
 #include <gsl/gsl_errno.h>
 
-#include "numerics/rivals/smoothed.h"
+#include "numerics/rivals/rival.h"
 #include "tests/support/rivals.h"
 
-enum { CRAWLERS = 40, DECADES = 5, STEPPERS = 3 };
+enum { CRAWLERS = 40, DECADES = 5 };
 
-static enum scallop_smoothed_stepper stepper_of(int i) { return (enum scallop_smoothed_stepper)i; }
-
-static struct scallop_rival *make(int stepper, double delta, double tolerance)
+static struct scallop_rival_period smoothed(const struct scallop_crawler *c, double v0, double delta, double tolerance)
 {
-  return scallop_smoothed_rival(stepper_of(stepper), delta, tolerance);
-}
-
-static struct scallop_rival_period smoothed(const struct scallop_crawler *c, double v0, int stepper, double delta,
-                                            double tolerance)
-{
-  RIVAL(rival, make(stepper, delta, tolerance));
+  RIVAL(rival, scallop_smoothed_rival(delta, tolerance));
   struct scallop_rival_period p = rival_period(rival, c, v0);
   assert_true(p.steps > 0 && p.evaluations > p.steps && p.events == 0);
   return p;
@@ -39,7 +31,7 @@ static void errors_of(const struct scallop_crawler *c, double worst[3][DECADES])
   double before = INFINITY;
   for (int i = 0; i < DECADES; i++) {
     double delta = pow(10, -2 - i);
-    struct scallop_rival_period p = smoothed(c, exact.v_start, SCALLOP_SMOOTHED_MSBDF, delta, 1e-6 * delta);
+    struct scallop_rival_period p = smoothed(c, exact.v_start, delta, 1e-6 * delta);
     double error = distance(c, &p, exact.v_end, exact.displacement);
     worst[exact.regime][i] = fmax(worst[exact.regime][i], error);
     CHECK_AT_MOST(error, (exact.regime == SCALLOP_SLIDING ? 4 : 1.5 + 0.25 * log(1 / delta)) * delta);
@@ -80,7 +72,7 @@ TEST(logarithm_of_a_release)
   double before = NAN;
   for (int digits = 3; digits <= 7; digits++) {
     double delta = pow(10, -digits);
-    struct scallop_rival_period p = smoothed(&c, 1.32, SCALLOP_SMOOTHED_MSBDF, delta, 1e-7 * delta);
+    struct scallop_rival_period p = smoothed(&c, 1.32, delta, 1e-7 * delta);
     double now = (p.v_mid - exact.v_mid) * c.T / c.L / delta;
     if (digits > 3)
       CHECK_NEAR((now - before) / log(10), 0.25, 3 * sqrt(delta));
@@ -90,51 +82,40 @@ TEST(logarithm_of_a_release)
 
 TEST(tolerance_controls_error)
 {
-  const double tolerances[] = { 1e-4, 1e-6, 1e-8, 1e-10 }, bounds[STEPPERS] = { 1000, 200, 40 };
-  double worst[STEPPERS][4] = { { 0 } };
+  enum { TOLERANCES = 4 };
+  const double tolerances[TOLERANCES] = { 1e-4, 1e-6, 1e-8, 1e-10 };
+  double worst[TOLERANCES] = { 0 };
   struct random r = { 31 };
   for (int i = 0; i < 12; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, every_gait[i % ALL_GAITS]);
     struct scallop_period_result exact = steady_period(&c);
-    struct scallop_rival_period best = smoothed(&c, exact.v_start, SCALLOP_SMOOTHED_MSBDF, 0.05, 1e-13);
-    for (int stepper = 0; stepper < STEPPERS; stepper++)
-      for (int j = 0; j < 4; j++) {
-        struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, 0.05, tolerances[j]);
-        worst[stepper][j] = fmax(worst[stepper][j], distance(&c, &p, best.v_end, best.displacement));
-      }
-  }
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    print_message("stepper %d: worst/tolerance", stepper);
-    for (int j = 0; j < 4; j++) {
-      print_message(" %.2g", worst[stepper][j] / tolerances[j]);
-      CHECK_AT_MOST(worst[stepper][j], bounds[stepper] * tolerances[j]);
-      if (j >= 2) /* before, bsimp's longest step is short enough for any tolerance */
-        CHECK_AT_MOST(worst[stepper][j], 0.2 * worst[stepper][j - 1]);
+    struct scallop_rival_period best = smoothed(&c, exact.v_start, 0.05, 1e-13);
+    for (int j = 0; j < TOLERANCES; j++) {
+      struct scallop_rival_period p = smoothed(&c, exact.v_start, 0.05, tolerances[j]);
+      worst[j] = fmax(worst[j], distance(&c, &p, best.v_end, best.displacement));
     }
-    print_message("\n");
+  }
+  for (int j = 0; j < TOLERANCES; j++) {
+    print_message("worst/tolerance %.2g\n", worst[j] / tolerances[j]);
+    CHECK_AT_MOST(worst[j], 1000 * tolerances[j]);
+    if (j >= 1)
+      CHECK_AT_MOST(worst[j], 0.2 * worst[j - 1]);
   }
 }
 
-/* The header says that bsimp and rk4imp leap over crossings where delta is small, whatever the tolerance, and that
- * msbdf does not. */
-TEST(blind_steps)
+/* A tolerance far below delta leaves none of the crossings out. */
+TEST(no_blind_steps)
 {
   const double delta = 1e-6;
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  double error[STEPPERS];
   struct scallop_period_result exact = steady_period(&c);
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, delta, 1e-12);
-    error[stepper] = distance(&c, &p, exact.v_end, exact.displacement);
-  }
-  CHECK_AT_MOST(error[SCALLOP_SMOOTHED_MSBDF], 0.1 * delta);
-  CHECK_AT_MOST(10 * delta, error[SCALLOP_SMOOTHED_RK4IMP]);
+  struct scallop_rival_period p = smoothed(&c, exact.v_start, delta, 1e-12);
+  CHECK_AT_MOST(distance(&c, &p, exact.v_end, exact.displacement), 0.1 * delta);
 }
 
 /* With a wrong Jacobian the implicit steps do not converge, or only short ones do. Body 1 sticks, then body 2. */
 TEST(jacobian_pays)
 {
-  const long most[STEPPERS] = { 750, 160, 5500 };
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   c.T = 5;
   for (int stuck = 1; stuck <= 2; stuck++) {
@@ -142,20 +123,16 @@ TEST(jacobian_pays)
     c.F2 = stuck == 1 ? 1 : 4;
     struct scallop_period_result exact = steady_period(&c);
     assert_int_equal(exact.regime, SCALLOP_STICK_SLIP);
-    for (int stepper = 0; stepper < STEPPERS; stepper++) {
-      struct scallop_rival_period p = smoothed(&c, exact.v_start, stepper, 1e-4, 1e-8);
-      print_message("stepper %d: %ld steps, %ld evaluations\n", stepper, p.steps, p.evaluations);
-      assert_true(p.steps <= most[stepper]);
-    }
+    struct scallop_rival_period p = smoothed(&c, exact.v_start, 1e-4, 1e-8);
+    print_message("%ld steps, %ld evaluations\n", p.steps, p.evaluations);
+    assert_true(p.steps <= 750);
   }
 }
 
 TEST(units_and_handles)
 {
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    RIVAL(rival, make(stepper, 1e-3, 1e-7));
-    check_units(rival);
-  }
+  RIVAL(rival, scallop_smoothed_rival(1e-3, 1e-7));
+  check_units(rival);
 }
 
 /* Smoothed beyond recognition, friction does nothing; far above its layer, it is what it is without one. */
@@ -164,20 +141,16 @@ TEST(large_arguments)
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   const double v0 = 1013.7;
   struct scallop_period_result exact = period_of(&c, v0);
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e300, 1e-9).v_end, v0, 1e-9);
-    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e-3, 1e-9).v_end, exact.v_end, 1e-9);
-    CHECK_RELATIVE(smoothed(&c, v0, stepper, 1e-300, 1e-9).v_end, exact.v_end, 1e-9);
-    CHECK_RELATIVE(smoothed(&c, 1e150, stepper, 1e-3, 1e-9).v_end, 1e150, 1e-9);
-  }
+  CHECK_RELATIVE(smoothed(&c, v0, 1e300, 1e-9).v_end, v0, 1e-9);
+  CHECK_RELATIVE(smoothed(&c, v0, 1e-3, 1e-9).v_end, exact.v_end, 1e-9);
+  CHECK_RELATIVE(smoothed(&c, v0, 1e-300, 1e-9).v_end, exact.v_end, 1e-9);
+  CHECK_RELATIVE(smoothed(&c, 1e150, 1e-3, 1e-9).v_end, 1e150, 1e-9);
 }
 
 static void refused(const struct scallop_crawler *c, double v0, double delta, enum scallop_status wanted)
 {
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    RIVAL(rival, make(stepper, delta, 1e-6));
-    check_refused(rival, c, v0, NULL, wanted);
-  }
+  RIVAL(rival, scallop_smoothed_rival(delta, 1e-6));
+  check_refused(rival, c, v0, NULL, wanted);
 }
 
 TEST(bad_arguments)
@@ -185,11 +158,9 @@ TEST(bad_arguments)
   const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY },
                bad_deltas[] = { 0, -1e-3, NAN, INFINITY };
   for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
-    assert_null(make(SCALLOP_SMOOTHED_MSBDF, 1e-3, bad_tolerances[i]));
+    assert_null(scallop_smoothed_rival(1e-3, bad_tolerances[i]));
   for (size_t i = 0; i < sizeof bad_deltas / sizeof *bad_deltas; i++)
-    assert_null(make(SCALLOP_SMOOTHED_BSIMP, bad_deltas[i], 1e-6));
-  assert_null(make(STEPPERS, 1e-3, 1e-6));
-  assert_null(make(-1, 1e-3, 1e-6));
+    assert_null(scallop_smoothed_rival(bad_deltas[i], 1e-6));
 }
 
 TEST(bad_input)
@@ -197,10 +168,8 @@ TEST(bad_input)
   const struct scallop_gait *g = &scallop_gait_quadratic;
   const struct scallop_crawler c = scallop_crawler_default(), stiff = { 1, 1, 4, 1, 10, 1e10, 0.75, g };
   const struct scallop_crawler far = { 1, 1, 4e298, 1e298, 1e300, 10, 0.75, g };
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    RIVAL(rival, make(stepper, 1e-3, 1e-6));
-    check_refusals(rival);
-  }
+  RIVAL(rival, scallop_smoothed_rival(1e-3, 1e-6));
+  check_refusals(rival);
   refused(&c, 1, DBL_MIN, SCALLOP_ERANGE);    /* alpha of it is below DBL_MIN */
   refused(&stiff, 1, 1e-300, SCALLOP_ERANGE); /* the stiffness overflows */
   refused(&far, 1e308, 1e-3, SCALLOP_ERANGE); /* the displacement overflows */
@@ -221,22 +190,20 @@ TEST(no_convergence)
 TEST(patience_ends)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    RIVAL(rival, make(stepper, 1e-2, 1e-6));
-    for (long left, questions = 0; questions <= 40; questions += 10) {
-      left = questions;
-      PATIENCE(patience, left);
-      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
-      assert_int_equal(left, -1); /* it ended at once */
-    }
-    long left = 100000;
+  RIVAL(rival, scallop_smoothed_rival(1e-2, 1e-6));
+  for (long left, questions = 0; questions <= 40; questions += 10) {
+    left = questions;
     PATIENCE(patience, left);
-    struct scallop_rival_period patient, alone = smoothed(&c, 1, stepper, 1e-2, 1e-6);
-    assert_int_equal(rival->period(rival, &c, 1, &patience, &patient), SCALLOP_OK);
-    assert_true(100000 - left <= patient.steps);
-    CHECK_EQUAL(patient.v_end, alone.v_end);
-    CHECK_EQUAL(patient.displacement, alone.displacement);
+    check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
+    assert_int_equal(left, -1); /* it ended at once */
   }
+  long left = 100000;
+  PATIENCE(patience, left);
+  struct scallop_rival_period patient, alone = smoothed(&c, 1, 1e-2, 1e-6);
+  assert_int_equal(rival->period(rival, &c, 1, &patience, &patient), SCALLOP_OK);
+  assert_true(100000 - left <= patient.steps);
+  CHECK_EQUAL(patient.v_end, alone.v_end);
+  CHECK_EQUAL(patient.displacement, alone.displacement);
 }
 
 /* Whatever the crawler, delta and tolerance: an answer or a status, soon. */
@@ -247,7 +214,7 @@ TEST(extremes_end)
   for (int i = 0; i < 600; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)random_below(&r, FAMILIES), every_gait[i % ALL_GAITS]);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), delta = random_decades(&r, 1e-12, 1e3);
-    RIVAL(rival, make(i % STEPPERS, delta, random_decades(&r, 1e-15, 0.1)));
+    RIVAL(rival, scallop_smoothed_rival(delta, random_decades(&r, 1e-15, 0.1)));
     long left = 2000;
     PATIENCE(patience, left);
     struct scallop_rival_period p = { NAN, NAN, NAN, 0, 0, 0 };
@@ -279,9 +246,9 @@ static bool note(void *context, const struct scallop_sample *sample)
 }
 
 static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
-                                   int stepper, double delta, const double *times, int count, struct look *look)
+                                   double delta, const double *times, int count, struct look *look)
 {
-  RIVAL(rival, scallop_smoothed_rival(stepper_of(stepper), delta, 1e-8 * delta));
+  RIVAL(rival, scallop_smoothed_rival(delta, 1e-8 * delta));
   look->count = 0;
   look->wanted = look->wanted > 0 ? look->wanted : count + 1;
   return scallop_smoothed_phase(rival, c, kind, v0, NULL, times, count, note, look);
@@ -292,32 +259,30 @@ TEST(phase_is_that_of_the_period)
 {
   struct scallop_crawler c = scallop_crawler_default();
   for (int i = 0; i < ALL_GAITS; i++)
-    for (int stepper = 0; stepper < STEPPERS; stepper++) {
-      c.gait = every_gait[i];
-      RIVAL(rival, scallop_smoothed_rival(stepper_of(stepper), 0x1p-4, 1e-8 * 0x1p-4));
-      struct scallop_rival_period p = rival_period(rival, &c, 3.1);
-      struct look first = { .count = 0 }, second = first;
-      const double ends[2][2] = { { 0, scallop_phase_duration(&c, SCALLOP_EXTENSION) },
-                                  { 0, scallop_phase_duration(&c, SCALLOP_CONTRACTION) } };
-      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 3.1, stepper, 0x1p-4, ends[0], 2, &first), SCALLOP_OK);
-      assert_int_equal(look_at(&c, SCALLOP_CONTRACTION, p.v_mid, stepper, 0x1p-4, ends[1], 2, &second), SCALLOP_OK);
-      assert_true(first.count == 2 && second.count == 2);
-      const struct scallop_sample *a = first.samples, *b = second.samples;
-      CHECK_EQUAL(a[0].x1, 0);
-      CHECK_EQUAL(a[0].l, 0);
-      CHECK_EQUAL(b[0].x1, 0);
-      CHECK_EQUAL(b[0].x2, c.L);
-      CHECK_RELATIVE(a[1].x2 - a[1].x1, c.L, 4 * DBL_EPSILON);
-      CHECK_EQUAL(b[1].t, ends[1][1]);
-      CHECK_NEAR(b[1].l, 0, 4 * DBL_EPSILON * c.L);
-      CHECK_NEAR(a[1].xC - a[0].xC + b[1].xC - b[0].xC, p.displacement, 1e-7 * c.L);
-      if (!c.gait->phase[0].pieces[0].jump) { /* else the bodies begin and end with velocities of their own */
-        CHECK_RELATIVE(a[0].v1, 3.1, 4 * DBL_EPSILON);
-        CHECK_NEAR(a[1].v1, p.v_mid, 1e-13 * c.L / c.T);
-        CHECK_NEAR(a[1].v2, p.v_mid, 1e-13 * c.L / c.T);
-        CHECK_NEAR(b[1].v2, p.v_end, 1e-7 * c.L / c.T);
-      }
-    }
+    c.gait = every_gait[i];
+  RIVAL(rival, scallop_smoothed_rival(0x1p-4, 1e-8 * 0x1p-4));
+  struct scallop_rival_period p = rival_period(rival, &c, 3.1);
+  struct look first = { .count = 0 }, second = first;
+  const double ends[2][2] = { { 0, scallop_phase_duration(&c, SCALLOP_EXTENSION) },
+                              { 0, scallop_phase_duration(&c, SCALLOP_CONTRACTION) } };
+  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 3.1, 0x1p-4, ends[0], 2, &first), SCALLOP_OK);
+  assert_int_equal(look_at(&c, SCALLOP_CONTRACTION, p.v_mid, 0x1p-4, ends[1], 2, &second), SCALLOP_OK);
+  assert_true(first.count == 2 && second.count == 2);
+  const struct scallop_sample *a = first.samples, *b = second.samples;
+  CHECK_EQUAL(a[0].x1, 0);
+  CHECK_EQUAL(a[0].l, 0);
+  CHECK_EQUAL(b[0].x1, 0);
+  CHECK_EQUAL(b[0].x2, c.L);
+  CHECK_RELATIVE(a[1].x2 - a[1].x1, c.L, 4 * DBL_EPSILON);
+  CHECK_EQUAL(b[1].t, ends[1][1]);
+  CHECK_NEAR(b[1].l, 0, 4 * DBL_EPSILON * c.L);
+  CHECK_NEAR(a[1].xC - a[0].xC + b[1].xC - b[0].xC, p.displacement, 1e-7 * c.L);
+  if (!c.gait->phase[0].pieces[0].jump) { /* else the bodies begin and end with velocities of their own */
+    CHECK_RELATIVE(a[0].v1, 3.1, 4 * DBL_EPSILON);
+    CHECK_NEAR(a[1].v1, p.v_mid, 1e-13 * c.L / c.T);
+    CHECK_NEAR(a[1].v2, p.v_mid, 1e-13 * c.L / c.T);
+    CHECK_NEAR(b[1].v2, p.v_end, 1e-7 * c.L / c.T);
+  }
 }
 
 /* Against the exact motion, at times of all sorts; two may be the same. */
@@ -346,20 +311,17 @@ TEST(samples_follow_the_exact_motion)
       for (int k = 0; k < LOOKS; k++)
         times[k] = k * c.T / 64;
       struct look look = { .count = 0 };
-      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, SCALLOP_SMOOTHED_MSBDF, 1e-7, times, LOOKS, &look),
-                       SCALLOP_OK);
+      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, 1e-7, times, LOOKS, &look), SCALLOP_OK);
       assert_int_equal(look.count, LOOKS);
       look.wanted = LOOKS;
       look.count = 0;
       assert_int_equal(scallop_trajectory(&c, 1.3, 1, 64, compare_with, &look), SCALLOP_STOPPED);
       const double twice[] = { 0.3, 0.3, nextafter(0.3, 1), 0.375, 0.375 };
       struct look again = { .count = 0 };
-      for (int stepper = 0; stepper < STEPPERS; stepper++) {
-        assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, stepper, 1e-3, twice, 5, &again), SCALLOP_OK);
-        assert_int_equal(again.count, 5);
-        CHECK_EQUAL(again.samples[0].v1, again.samples[1].v1);
-        CHECK_EQUAL(again.samples[3].x1, again.samples[4].x1);
-      }
+      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, 1e-3, twice, 5, &again), SCALLOP_OK);
+      assert_int_equal(again.count, 5);
+      CHECK_EQUAL(again.samples[0].v1, again.samples[1].v1);
+      CHECK_EQUAL(again.samples[3].x1, again.samples[4].x1);
     }
 }
 
@@ -370,18 +332,17 @@ TEST(looks_that_end)
   struct scallop_crawler c = scallop_crawler_default();
   struct look look = { .count = 0 };
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, bad[i], 2, &look),
-                     SCALLOP_EDOMAIN);
+    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, 1e-3, bad[i], 2, &look), SCALLOP_EDOMAIN);
     assert_int_equal(look.count, 0);
   }
-  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, good, -1, &look), SCALLOP_EDOMAIN);
-  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, NAN, SCALLOP_SMOOTHED_MSBDF, 1e-3, good, 3, &look), SCALLOP_EDOMAIN);
+  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, 1e-3, good, -1, &look), SCALLOP_EDOMAIN);
+  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, NAN, 1e-3, good, 3, &look), SCALLOP_EDOMAIN);
   for (int wanted = 1; wanted <= 2; wanted++) {
     look.wanted = wanted;
-    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, SCALLOP_SMOOTHED_MSBDF, 1e-3, good, 3, &look), SCALLOP_STOPPED);
+    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, 1e-3, good, 3, &look), SCALLOP_STOPPED);
     assert_int_equal(look.count, wanted);
   }
-  RIVAL(rival, scallop_smoothed_rival(SCALLOP_SMOOTHED_BSIMP, 1e-3, 1e-9));
+  RIVAL(rival, scallop_smoothed_rival(1e-3, 1e-9));
   long left = 0;
   PATIENCE(none, left);
   look = (struct look){ .wanted = 9 };
