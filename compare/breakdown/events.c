@@ -5,8 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/answer_flint.h"
-#include "compare/breakdown/motion.h"
+#include "compare/breakdown/series.h"
 #include "compare/text/halfway.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"
@@ -119,16 +118,24 @@ static void settle(double *low, double *high, const struct motion *m, const stru
   }
 }
 
-/* Are these proven to be the modes at T? */
-static bool is_certified(const struct motion *m, double T, const struct signature *s)
+/* The sign of the displacement, or 0 */
+static int way(const struct answer *a)
 {
-  enum { DIGITS = 6 };
+  double x = a->value[Q_DISPLACEMENT].high;
+  return (x > 0) - (x < 0);
+}
+
+/* Are these proven to be the modes at T, or, of a sign that is not 0, is that of the displacement? */
+static bool is_certified(const struct motion *m, double T, const struct signature *s, int sign)
+{
+  enum { DIGITS = 6, DIGITS_OF_SIGN = 20 };
   const struct motion at = motion_at(m, T);
-  struct ball_answer a;
-  ball_answer_init(&a);
-  bool proven = answer_of_doubles(&a, &at, DIGITS) && same_modes(a.modes, s->answer.modes);
-  ball_answer_clear(&a);
-  return proven;
+  SCOPED(ball_answer, a);
+  if (!answer_of_doubles(&a, &at, sign == 0 ? DIGITS : DIGITS_OF_SIGN))
+    return false;
+  const arb_struct *displacement = a.value[Q_DISPLACEMENT];
+  return sign == 0 ? same_modes(a.modes, s->answer.modes)
+                   : displacement && (sign > 0 ? arb_is_positive : arb_is_negative)(displacement);
 }
 
 /* A body turns, stops or starts in another part than before */
@@ -187,7 +194,7 @@ static void enter(struct events *events, const struct motion *m, double low, dou
   settle(&low, &high, m, &before, of_modes);
   e->T = low;
   if (of_modes) {
-    bool proven = is_certified(m, low * (1 - PROVEN), &before) && is_certified(m, low * (1 + PROVEN), &after);
+    bool proven = is_certified(m, low * (1 - PROVEN), &before, 0) && is_certified(m, low * (1 + PROVEN), &after, 0);
     e->status = proven ? "certified" : "binary128";
   }
 }
@@ -207,29 +214,10 @@ static void search(struct events *events, const struct motion *m, double low, do
   search(events, m, T, high, &middle, at_high);
 }
 
-/* The sign of the displacement, or 0 */
-static int way(const struct answer *a)
-{
-  double x = a->value[Q_DISPLACEMENT].high;
-  return (x > 0) - (x < 0);
-}
-
 static int way_in_wide(const struct motion *m, double T)
 {
   struct answer a;
   return motion_in_wide(m, T, &a) ? way(&a) : 0;
-}
-
-static bool is_way_certified(const struct motion *m, double T, int sign)
-{
-  enum { DIGITS = 20 };
-  const struct motion at = motion_at(m, T);
-  struct ball_answer a;
-  ball_answer_init(&a);
-  bool solved = answer_of_doubles(&a, &at, DIGITS) && a.value[Q_DISPLACEMENT];
-  bool proven = solved && (sign > 0 ? arb_is_positive : arb_is_negative)(a.value[Q_DISPLACEMENT]);
-  ball_answer_clear(&a);
-  return proven;
 }
 
 /* Where the crawler turns back between low and high, if it does */
@@ -245,7 +233,8 @@ static void find_reversal(struct events *events, const struct motion *m, double 
   events->reversal = larger;
   for (double T; halfway(&T, low, high);)
     *(way_in_wide(m, T) == before ? &low : &high) = T;
-  bool proven = is_way_certified(m, low * (1 - PROVEN), before) && is_way_certified(m, low * (1 + PROVEN), after);
+  bool proven = is_certified(m, low * (1 - PROVEN), at_low, before)
+                && is_certified(m, low * (1 + PROVEN), at_high, after);
   events->reversal[events->reversals++] = (struct reversal){ low, after, proven ? "certified" : "binary128" };
 }
 

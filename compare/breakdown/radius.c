@@ -34,14 +34,9 @@ enum { MOST_POLES = 12, CONFIRMED = 4 };
  * 0, c_0 = 1. Returns its length, or -1 if it is longer than MOST_POLES. */
 static slong recurrence(fmpq_poly_t c, const fmpq *a, slong count)
 {
-  fmpq_poly_t last, next;
-  fmpq_t d, before, x;
   slong length = 0, shift = 1;
-  fmpq_poly_init(last);
-  fmpq_poly_init(next);
-  fmpq_init(d);
-  fmpq_init(before);
-  fmpq_init(x);
+  SCOPED(fmpq_poly, last, next);
+  SCOPED(fmpq, d, before, x);
   fmpq_poly_one(c);
   fmpq_poly_one(last);
   fmpq_one(before);
@@ -65,11 +60,6 @@ static slong recurrence(fmpq_poly_t c, const fmpq *a, slong count)
     }
     fmpq_poly_swap(c, next);
   }
-  fmpq_clear(d);
-  fmpq_clear(before);
-  fmpq_clear(x);
-  fmpq_poly_clear(last);
-  fmpq_poly_clear(next);
   return length <= MOST_POLES ? length : -1;
 }
 
@@ -98,14 +88,12 @@ static void place_text(char text[PLACE], const acb_t z, slong power, bool mirror
 
 static void set_bounds(struct radius *r, const arb_t low, const arb_t high)
 {
-  arf_t end;
-  arf_init(end);
+  SCOPED(arf, end);
   r->T = arf_get_d(arb_midref(high), ARF_RND_NEAR);
   arb_get_lbound_arf(end, low, PLACE_BITS);
   r->low = arf_get_d(end, ARF_RND_FLOOR);
   arb_get_ubound_arf(end, high, PLACE_BITS);
   r->high = arf_get_d(end, ARF_RND_CEIL);
-  arf_clear(end);
 }
 
 /* The root of q with the least |z| */
@@ -113,10 +101,8 @@ static void nearest_root(struct radius *r, const fmpz_poly_t q, const struct ter
 {
   slong degree = fmpz_poly_degree(q);
   acb_ptr roots = _acb_vec_init(degree);
-  arb_t size, least;
   char place[PLACE];
-  arb_init(size);
-  arb_init(least);
+  SCOPED(arb, size, least);
   arb_fmpz_poly_complex_roots(roots, q, 0, PLACE_BITS);
   slong best = 0;
   for (slong i = 0; i < degree; i++) {
@@ -132,18 +118,15 @@ static void nearest_root(struct radius *r, const fmpz_poly_t q, const struct ter
            (long)(t->count - 2 * length));
   arb_root_ui(least, least, (ulong)t->stride, PLACE_BITS);
   set_bounds(r, least, least);
-  arb_clear(size);
-  arb_clear(least);
   _acb_vec_clear(roots, degree);
 }
 
 static bool by_poles(struct radius *r, const struct terms *t)
 {
   fmpq *a = _fmpq_vec_init(t->count);
-  fmpq_poly_t q;
   fmpz_poly_t whole, common;
   bool found = true;
-  fmpq_poly_init(q);
+  SCOPED(fmpq_poly, q);
   fmpz_poly_init(whole);
   fmpz_poly_init(common);
   for (slong j = 0; j < t->count && found; j++)
@@ -159,7 +142,6 @@ static bool by_poles(struct radius *r, const struct terms *t)
     if (fmpz_poly_degree(whole) > 0)
       nearest_root(r, whole, t, length);
   }
-  fmpq_poly_clear(q);
   fmpz_poly_clear(whole);
   fmpz_poly_clear(common);
   _fmpq_vec_clear(a, t->count);

@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "compare/breakdown/motion.h"
 #include "compare/breakdown/reach.h"
 #include "compare/text/halfway.h"
 #include "numerics/event/itp.h"
@@ -41,9 +40,7 @@ struct error {
 static struct error error_beside(const struct comparison *c, double T, const arb_t exact, slong precision)
 {
   struct error error = { NAN, NAN, 0 };
-  arb_t x, tolerance;
-  arb_init(x);
-  arb_init(tolerance);
+  SCOPED(arb, x, tolerance);
   series_item_value(x, &c->item, c->expansions, T, precision);
   arb_sub(x, x, exact, precision);
   if (arb_is_zero(x) || arb_is_zero(exact)) {
@@ -60,8 +57,6 @@ static struct error error_beside(const struct comparison *c, double T, const arb
       error.side = arb_is_negative(x) ? -1 : arb_is_nonnegative(x);
     }
   }
-  arb_clear(tolerance);
-  arb_clear(x);
   return error;
 }
 
@@ -73,18 +68,13 @@ double comparison_error_beside(const struct comparison *c, double T, const arb_t
 static struct error error_of(const struct comparison *c, double T, const struct answer *a)
 {
   const struct scallop_wide *value = &a->value[c->item.quantity];
-  arb_t exact, low;
   if (a->status < 0 || !isfinite(value->high))
     return (struct error){ NAN, NAN, 0 };
-  arb_init(exact);
-  arb_init(low);
+  SCOPED(arb, exact, low);
   arb_set_d(exact, value->high);
   arb_set_d(low, value->low);
   arb_add(exact, exact, low, BREAKDOWN_BITS);
-  struct error error = error_beside(c, T, exact, BREAKDOWN_BITS);
-  arb_clear(exact);
-  arb_clear(low);
-  return error;
+  return error_beside(c, T, exact, BREAKDOWN_BITS);
 }
 
 static struct error error_in_wide(const struct comparison *c, double T)
@@ -99,12 +89,9 @@ double comparison_error(const struct comparison *c, double T) { return error_in_
 int comparison_certified_side(const struct comparison *c, double T, long digits)
 {
   const struct motion at = motion_at(c->expansions->motion, T);
-  struct ball_answer exact;
-  ball_answer_init(&exact);
+  SCOPED(ball_answer, exact);
   bool solved = answer_of_doubles(&exact, &at, digits) && exact.value[c->item.quantity];
-  int side = solved ? error_beside(c, T, exact.value[c->item.quantity], BREAKDOWN_BITS).side : 0;
-  ball_answer_clear(&exact);
-  return side;
+  return solved ? error_beside(c, T, exact.value[c->item.quantity], BREAKDOWN_BITS).side : 0;
 }
 
 struct look { /* at the error from afar                                                          */

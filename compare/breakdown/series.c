@@ -1,7 +1,81 @@
 #include "compare/breakdown/series.h"
-#include "compare/book/book.h"
 
+#include <math.h>
+
+#include "compare/book/book.h"
 #include "compare/points/gaits.h"
+
+struct motion motion_at(const struct motion *m, double T)
+{
+  struct motion at = *m;
+  at.crawler.T = m->of == OF_STEADY ? T : 2 * T;
+  at.crawler.alpha = m->of == OF_STEADY ? m->crawler.alpha : 0.5;
+  return at;
+}
+
+bool motion_in_wide(const struct motion *m, double T, struct answer *a)
+{
+  const struct motion at = motion_at(m, T);
+  struct answer rounded;
+  if (!answer_in_wide(a, &at, SCALLOP_BINARY128))
+    return false;
+  if (m->of == OF_STEADY && answer_in_double(&rounded, &at) && rounded.value[Q_DISPLACEMENT].high == 0)
+    a->value[Q_DISPLACEMENT] = a->value[Q_MEAN_VELOCITY] = (struct scallop_wide){ 0, 0 };
+  return true;
+}
+
+bool motion_has(const struct motion *m, enum quantity_id quantity)
+{
+  return quantity_rows[quantity].has_series && quantity_rows[quantity].of == m->of;
+}
+
+double motion_froude(const struct motion *s, double T)
+{
+  const struct scallop_crawler *c = &s->crawler;
+  return (c->m1 + c->m2) / (c->F1 + c->F2) * c->L / T / T;
+}
+
+double motion_natural_time(const struct motion *s) { return sqrt(motion_froude(s, 1)); }
+
+/* max |l''|: l'' is monotone within a piece */
+static double most_acceleration(const struct scallop_shape *shape)
+{
+  double most = 0;
+  for (int i = 0; i < shape->count; i++) {
+    const struct scallop_piece *p = &shape->pieces[i];
+    most = fmax(most, fmax(fabs(p->curve->acceleration(p, p->begin)), fabs(p->curve->acceleration(p, p->end))));
+  }
+  return most;
+}
+
+/* Does l' jump where a piece begins? */
+static bool jumps(const struct scallop_shape *shape)
+{
+  for (int i = 0; i < shape->count; i++)
+    if (shape->pieces[i].jump)
+      return true;
+  return false;
+}
+
+/* A body i that rests is held there while m_j |l''| + F_j <= F_i: for every T from sqrt(m_j max|l''| L/(F_i - F_j)) on,
+ * l'' here being that of a phase of duration 1. With equal forces nothing depends on how they differ, and m_j |l''| is
+ * to be compared with them. A start velocity is used up after |v0| M/(F1 + F2). Where l' jumps it throws the bodies
+ * into motion; the velocity of the centre of mass comes to the level of one of them at the rate |F1 - F2|/M at least,
+ * from as far as the fastest motions of both phases are apart. */
+double motion_last_time(const struct motion *s)
+{
+  const struct scallop_crawler *c = &s->crawler;
+  const struct scallop_shape *phase = c->gait->phase;
+  double M = c->m1 + c->m2, difference = fmax(fabs(c->F1 - c->F2), 1e-12 * (c->F1 + c->F2));
+  if (c->F1 == c->F2)
+    difference = c->F1;
+  double a = s->of == OF_STEADY ? c->alpha : 1, b = s->of == OF_STEADY ? 1 - c->alpha : 1;
+  double most = fmax(most_acceleration(&phase[0]) / (a * a), most_acceleration(&phase[1]) / (b * b));
+  double thrown = jumps(&phase[0]) || jumps(&phase[1]) ? (phase[0].peak / a + phase[1].peak / b) / fmin(a, b) : 0;
+  double rest = sqrt(fmax(fmax(c->m1, c->m2) * most, M * thrown) * c->L / difference);
+  double stop = s->of == OF_STEADY ? 0 : fabs(s->v0) * M / (c->F1 + c->F2);
+  return 2 * fmax(rest, 16 * stop);
+}
 
 void expansions_init(struct expansions *e, const struct motion *motion, slong order, slong precision)
 {
@@ -75,8 +149,7 @@ static void published(arb_t value, const struct series_item *item, const struct 
 {
   const struct motion *m = e->motion;
   bool is_other = quantity_of_formula(item->formula, m->phase) != item->quantity;
-  arb_t x;
-  arb_init(x);
+  SCOPED(arb, x);
   /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no
    * L_kin */
   bool divides = item->source == FROM_PUBLISHED || formula_takes(item->formula, SCALLOP_SYMBOL_L_kin);
@@ -88,22 +161,17 @@ static void published(arb_t value, const struct series_item *item, const struct 
     arb_div(value, value, x, BREAKDOWN_BITS);
   else if (is_other)
     arb_add(value, value, x, BREAKDOWN_BITS);
-  arb_clear(x);
 }
 
 void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T,
                        slong precision)
 {
-  arb_t time;
-  fmpq_t exact;
-  arb_init(time);
-  fmpq_init(exact);
+  SCOPED(arb, time);
+  SCOPED(fmpq, exact);
   arb_set_d(time, T);
   scallop_rational_set_double(exact, T);
   if (item->formula)
     published(value, item, e, exact);
   else
     series_value(value, item->series, time, item->before, precision);
-  fmpq_clear(exact);
-  arb_clear(time);
 }

@@ -3,7 +3,6 @@
 #define SCALLOP_COMPARE_BREAKDOWN_STUDY_H
 
 #include "compare/breakdown/events.h"
-#include "compare/breakdown/motion.h"
 #include "compare/breakdown/reach.h"
 
 /* Terms below T^STUDY_MANY tell the best order, and where the poles of a rational function are. */

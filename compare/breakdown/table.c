@@ -6,7 +6,6 @@
 #include "compare/points/defaults.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/events.h"
-#include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"
 #include "compare/breakdown/reach.h"
 #include "compare/breakdown/study.h"
@@ -37,23 +36,55 @@ struct row { /* a text that is NULL is a dash */
   double order, tolerance /* 0: none */, T, error;
   const struct scallop_modes *modes;
   const char *note, *status;
+  const struct motion *motion;
 };
+
+static void put_text(struct table *t, const struct table_column *c, const void *row)
+{
+  const char *text = *(const char *const *)((const char *)row + c->at);
+  table_text(t, text ? text : "-");
+}
+
+static void put_tolerance(struct table *t, const struct table_column *c, const void *row)
+{
+  double tolerance = ((const struct row *)row)->tolerance;
+  (void)c;
+  table_number(t, tolerance > 0 ? tolerance : NAN);
+}
+
+static void put_froude(struct table *t, const struct table_column *c, const void *row)
+{
+  const struct row *r = row;
+  (void)c;
+  table_number(t, motion_froude(r->motion, r->T));
+}
+
+static void put_modes(struct table *t, const struct table_column *c, const void *row)
+{
+  const struct row *r = row;
+  char modes[MOTION_MODES_TEXT];
+  (void)c;
+  table_text(t, r->modes ? motion_modes_text(modes, r->motion->of, r->modes) : "-");
+}
+
+static const struct table_column columns[] = { { TABLE_COLUMN("what", put_text, offsetof(struct row, what)) },
+                                               { TABLE_COLUMN("quantity", put_text, offsetof(struct row, quantity)) },
+                                               { TABLE_COLUMN("series", put_text, offsetof(struct row, series)) },
+                                               { TABLE_COLUMN("order", column_number, offsetof(struct row, order)) },
+                                               { TABLE_COLUMN("tolerance", put_tolerance, 0) },
+                                               { TABLE_COLUMN("T", column_number, offsetof(struct row, T)) },
+                                               { TABLE_COLUMN("froude", put_froude, 0) },
+                                               { TABLE_COLUMN("error", column_rounded, offsetof(struct row, error)),
+                                                 .format = "%.4g" },
+                                               { TABLE_COLUMN("modes", put_modes, 0) },
+                                               { TABLE_COLUMN("note", put_text, offsetof(struct row, note)) },
+                                               { TABLE_COLUMN("status", put_text, offsetof(struct row, status)) },
+                                               { .name = NULL } };
 
 static void write_row(struct report *r, struct row row)
 {
-  struct table *t = &r->table;
-  char modes[MOTION_MODES_TEXT];
-  const char *const texts[] = { row.what, row.quantity, row.series };
-  for (int i = 0; i < 3; i++)
-    table_text(t, texts[i] ? texts[i] : "-");
-  table_number(t, row.order);
-  table_number(t, row.tolerance > 0 ? row.tolerance : NAN);
-  table_number(t, row.T);
-  table_number(t, motion_froude(&r->study.motion, row.T));
-  table_rounded(t, row.error, "%.4g");
-  table_text(t, row.modes ? motion_modes_text(modes, r->study.motion.of, row.modes) : "-");
-  table_text(t, row.note);
-  table_text(t, row.status ? row.status : "-");
+  row.motion = &r->study.motion;
+  table_row(&r->table, columns, &row, true);
   r->rows++;
 }
 
@@ -61,12 +92,10 @@ static void write_row(struct report *r, struct row row)
 static void write_limit(struct report *r)
 {
   char note[120] = "the limit T -> 0";
-  struct row row = { .what = "event", .order = NAN, .error = NAN, .modes = r->study.events.first, .note = note };
+  struct row row = { "event", .order = NAN, .error = NAN, .modes = r->study.events.first, .note = note };
   const char *ends;
-  arb_t T;
-  arf_t least;
-  arb_init(T);
-  arf_init(least);
+  SCOPED(arb, T);
+  SCOPED(arf, least);
   row.status = *expansions_modes(&r->study.expansions) ? "derived" : "double";
   if (r->study.motion.of == OF_STEADY
       && scallop_steady_modes_hold(&r->study.expansions.crawler, BOUND_BITS, T, &ends, NULL) == SCALLOP_OK) {
@@ -76,23 +105,21 @@ static void write_limit(struct report *r)
     row.status = "certified";
   }
   write_row(r, row);
-  arf_clear(least);
-  arb_clear(T);
 }
 
 static void write_events(struct report *r)
 {
   write_limit(r);
   for (const struct event *e = r->study.events.event; e < r->study.events.event + r->study.events.count; e++)
-    write_row(r, (struct row){ "event", .order = NAN, .T = e->T, .error = NAN, .modes = e->modes, .note = e->what,
+    write_row(r, (struct row){ "event", .T = e->T, .order = NAN, .error = NAN, .modes = e->modes, .note = e->what,
                                .status = e->status });
 }
 
 static void write_reversals(struct report *r)
 {
-  for (const struct reversal *v = r->study.events.reversal; v < r->study.events.reversal + r->study.events.reversals;
-       v++)
-    write_row(r, (struct row){ "reversal", quantity_rows[Q_DISPLACEMENT].name, .order = NAN, .T = v->T, .error = NAN,
+  const struct reversal *v = r->study.events.reversal, *end = v + r->study.events.reversals;
+  for (; v < end; v++)
+    write_row(r, (struct row){ "reversal", "displacement", .T = v->T, .order = NAN, .error = NAN,
                                .modes = study_modes_at(&r->study, v->T), .status = v->status,
                                .note = v->sign > 0 ? "the direction of crawling reverses: from here on forward"
                                                    : "the direction of crawling reverses: from here on backward" });
@@ -114,12 +141,15 @@ static void write_reach(struct report *r, const struct comparison *c)
 {
   char text[160];
   double T = comparison_reach(c), limit = T == 0 ? comparison_limit(c) : NAN;
-  struct row row = {
-    "reach", quantity_rows[c->item.quantity].name, c->item.name, .T = T, .error = limit, .note = text
-  };
-  row.order = c->item.source == FROM_DERIVED ? (double)c->item.before : NAN;
-  row.tolerance = c->tolerance;
-  row.status = "binary128";
+  struct row row = { "reach",
+                     quantity_rows[c->item.quantity].name,
+                     c->item.name,
+                     c->item.source == FROM_DERIVED ? (double)c->item.before : NAN,
+                     c->tolerance,
+                     T,
+                     limit,
+                     .note = text,
+                     .status = "binary128" };
   if (T > 0 && isfinite(T)) {
     row.modes = study_modes_at(&r->study, T);
     row.error = comparison_error(c, T);
@@ -184,7 +214,7 @@ static void write_radius(struct report *r, enum quantity_id quantity)
   struct radius radius;
   char text[sizeof radius.note + 100];
   struct row row = {
-    "radius", quantity_rows[quantity].name, .order = NAN, .T = NAN, .error = NAN, .note = radius.note
+    "radius", quantity_rows[quantity].name, .T = NAN, .order = NAN, .error = NAN, .note = radius.note
   };
   if (find_radius(&radius, r, quantity)) {
     snprintf(text, sizeof text, "%s; %s", radius.note, which_first(r, radius.T));
@@ -226,7 +256,7 @@ static void write_best(struct report *r, enum quantity_id quantity, const struct
     slong order;
     if (study_best_order(&r->study, quantity, T, exact[i].value[quantity], &order, &error))
       write_row(r, (struct row){ "best", quantity_rows[quantity].name, "derived", (double)order, 0, T, error,
-                                 study_modes_at(&r->study, T), beyond(r, quantity, T, order), "certified" });
+                                 study_modes_at(&r->study, T), beyond(r, quantity, T, order), "certified", NULL });
   }
 }
 
@@ -280,8 +310,7 @@ static bool begin(struct report *r)
     table_note(t, "no derived series: %s", study_why_none(&r->study));
   table_note(t, "modes may change and change back unseen within a 256th of an octave of T, from T = %.3g to %.3g",
              r->study.events.from, r->study.events.until);
-  table_columns(t, (const char *const[]){ "what", "quantity", "series", "order", "tolerance", "T", "froude", "error",
-                                          "modes", "note", "status", NULL });
+  table_add(t, columns);
   table_begin_rows(t);
   return true;
 }

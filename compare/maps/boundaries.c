@@ -1,248 +1,302 @@
-/* breakdown --map X Y --boundaries: the curves between the regions of a map in which the modes of the steady state are
- * the same. */
+/* breakdown --map X Y --boundaries: where the modes of the steady state change along the lines of a grid, and the parts
+ * of the boundaries that lie within its cells. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/answers/mode_change.h"
-#include "compare/maps/curves.h"
 #include "compare/maps/maps.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"
 #include "numerics/threads.h"
 
-/* How far from a printed point each of the two regions is looked for: relative on a logarithmic axis, of the larger end
- * on a linear one. */
+/* How near a change lies to both of its regions: relative on a logarithmic axis, of the larger end on a linear one. */
 static const double promise = 1e-12;
 
+/* Of boundaries that meet in a cell the halves of its halves ... are looked at, so many times. */
+enum { NOWHERE = -1, MOST_CHANGES = 8, HALVINGS = 5 };
+
+struct place { /* in the square, from 0 to 1 along both axes */
+  double u, v;
+  int region; /* its number, or NOWHERE: there is no steady state */
+};
+struct change {
+  double u, v;
+  int before, after;
+};
+struct changes {
+  int count;
+  struct change list[4 * MOST_CHANGES];
+};
+/* Of a boundary, from a change to (u, v): the region before is on the left. */
+struct part {
+  struct change from;
+  double u, v;
+  bool is_guess; /* the end */
+};
+struct parts {
+  long count;
+  struct part *list;
+};
+
+struct region {
+  struct answer answer;
+  char modes[MOTION_MODES_TEXT];
+};
 struct boundaries {
   const struct breakdown_options *options;
   struct axis axes[2];
-  struct answer *regions; /* their modes, and how one may come there */
+  int cells[2];
+  struct place *rows[2]; /* of nodes: below and above the cells that are at hand */
+  struct parts *parts;   /* of these cells */
+  struct region *regions;
   int count;
-  bool out_of_memory;
+  bool in_double, out_of_memory;
 };
 
-static struct motion motion_at(const struct boundaries *b, double u, double v)
-{
-  const struct scallop_crawler *base = &b->options->request.point.crawler;
-  return (struct motion){
-    .of = OF_STEADY, .crawler = axes_crawler(b->axes, base, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v))
-  };
-}
-
-/* Of both bodies alike: the sign of their velocity where a phase begins (end: false) or ends; 0 where they differ or
- * one is at rest. */
-static int common_sign(const struct scallop_modes *m, bool end)
-{
-  if (m->count == 0 || m->count > SCALLOP_MODES_KEPT)
-    return 0;
-  struct scallop_mode mode = m->kept[end ? m->count - 1 : 0];
-  return mode.s1 == mode.s2 ? mode.s1 : 0;
-}
-
-/* Whether rounding may have chosen the modes: a phase ends with a velocity with which the next one does not begin, or
- * that is tiny. */
-static bool is_uncertain(const struct scallop_crawler *c, const struct answer *a)
-{
-  const double tiny = 1e-13 * c->L / c->T, v[2] = { fabs(a->value[Q_V_START].high), fabs(a->value[Q_V_MID].high) };
-  for (int phase = 0; phase < 2; phase++)
-    if (common_sign(&a->modes[1 - phase], true) != common_sign(&a->modes[phase], false)
-        || (v[phase] > 0 && v[phase] < tiny))
-      return true;
-  return false;
-}
-
-/* In double where that decides, else in wider arithmetic where that can. */
-static bool solve(const struct motion *m, struct answer *a)
-{
-  struct answer wide;
-  if (!answer_in_double(a, m))
-    return false;
-  if (is_uncertain(&m->crawler, a) && answer_in_wide(&wide, m, SCALLOP_BINARY128))
-    *a = wide;
-  a->value[Q_V_START].high = common_sign(&a->modes[0], false);
-  return true;
-}
-
 /* By one thread at a time. */
-static int number_of(struct boundaries *b, const struct answer *r)
+static int number_of(struct boundaries *b, const struct answer *a)
 {
   for (int i = 0; i < b->count; i++)
-    if (same_modes(b->regions[i].modes, r->modes))
+    if (same_modes(b->regions[i].answer.modes, a->modes))
       return i;
-  struct answer *regions = with_room(b->regions, b->count, sizeof *regions);
+  struct region *regions = with_room(b->regions, b->count, sizeof *regions);
   if (!regions) {
     b->out_of_memory = true;
-    return MAP_NOWHERE;
+    return NOWHERE;
   }
   b->regions = regions;
-  b->regions[b->count] = *r;
+  regions[b->count].answer = *a;
+  motion_modes_text(regions[b->count].modes, OF_STEADY, a->modes);
   return b->count++;
 }
 
-static int region_at(void *context, double u, double v)
+/* In binary128, where there is one: rounding in double may choose the modes near a boundary. */
+static struct place place_at(struct boundaries *b, double u, double v)
 {
-  struct boundaries *b = context;
-  struct answer r;
-  const struct motion m = motion_at(b, u, v);
-  int found;
-  if (!solve(&m, &r))
-    return MAP_NOWHERE;
+  const struct scallop_crawler *base = &b->options->request.point.crawler;
+  const struct motion m = {
+    .of = OF_STEADY, .crawler = axes_crawler(b->axes, base, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v))
+  };
+  struct place place = { u, v, NOWHERE };
+  struct answer a;
+  bool wide = answer_in_wide(&a, &m, SCALLOP_BINARY128);
+  if (!wide && !answer_in_double(&a, &m))
+    return place;
 #ifdef _OPENMP
 #pragma omp critical
 #endif
-  found = number_of(b, &r);
-  return found;
-}
-
-/* What a point is found to be when it is looked at more closely. Which side of the curve a place is on is told by the
- * modes in binary128. */
-enum outcome { CHECKED, IN_DOUBLE, NOT_THERE };
-enum side { ON_LEFT, ON_RIGHT, ON_OTHER, ON_UNKNOWN };
-
-static enum side side_of(const struct boundaries *b, const struct map_curve *c, const struct map_point *p,
-                         double distance)
-{
-  struct answer r;
-  const struct motion m = motion_at(b, p->u + distance * p->nu, p->v + distance * p->nv);
-  if (!answer_in_wide(&r, &m, SCALLOP_BINARY128))
-    return ON_UNKNOWN;
-  if (same_modes(b->regions[c->left].modes, r.modes))
-    return ON_LEFT;
-  return same_modes(b->regions[c->right].modes, r.modes) ? ON_RIGHT : ON_OTHER;
-}
-
-static bool is_within(const struct boundaries *b, const struct map_curve *c, const struct map_point *p, double distance)
-{
-  return side_of(b, c, p, distance) == ON_LEFT && side_of(b, c, p, -distance) == ON_RIGHT;
-}
-
-/* The promise in u and v, across the curve */
-static double promised(const struct boundaries *b, const struct map_point *p)
-{
-  return promise / fmax(fabs(p->nu) * axis_scale(&b->axes[0]), fabs(p->nv) * axis_scale(&b->axes[1]));
-}
-
-/* The curve lies within that distance of the point: moves it there. */
-static void bisect(const struct boundaries *b, const struct map_curve *c, struct map_point *p, double far,
-                   double enough)
-{
-  double right = -far, left = far;
-  while (left - right > enough) {
-    double middle = right + (left - right) / 2;
-    *(side_of(b, c, p, middle) == ON_RIGHT ? &right : &left) = middle;
+  {
+    b->in_double |= !wide;
+    place.region = number_of(b, &a);
   }
-  double middle = right + (left - right) / 2;
-  p->u += middle * p->nu;
-  p->v += middle * p->nv;
+  return place;
 }
 
-/* Modes in double are those of the other side within rounding of a curve. Where they misled, the curve is sought
- * again. */
-static enum outcome check(const struct boundaries *b, const struct map_curve *c, struct map_point *p)
+static double apart(const struct boundaries *b, double du, double dv)
 {
-  enum { WIDER = 7 };
-  double near = promised(b, p), far = near;
-  if (side_of(b, c, p, near) == ON_UNKNOWN || side_of(b, c, p, -near) == ON_UNKNOWN)
-    return IN_DOUBLE;
-  if (is_within(b, c, p, near))
-    return CHECKED;
-  bool found = false;
-  for (int i = 0; i < WIDER && !found; i++)
-    found = is_within(b, c, p, far *= 8);
-  if (found)
-    bisect(b, c, p, far, near / 8);
-  return found && is_within(b, c, p, near) ? CHECKED : NOT_THERE;
+  return fmax(fabs(du) * axis_scale(&b->axes[0]), fabs(dv) * axis_scale(&b->axes[1]));
 }
 
-/* Points are printed evenly: the short steps before a bend or an end are left out. */
-static void make_even(struct map_curve *c, double step)
+/* A region that is thinner than the promise, such as a line on which a symmetry holds, is a part of the boundary. */
+static void add_change(const struct boundaries *b, struct changes *all, struct change c)
 {
-  const struct map_point end = c->points[c->count - 1];
-  struct map_point *last = c->points;
-  for (long i = 1; i + 1 < c->count; i++) {
-    const struct map_point *p = &c->points[i];
-    if (hypot(p->u - last->u, p->v - last->v) >= 0.6 * step && hypot(p->u - end.u, p->v - end.v) >= 0.3 * step)
-      *++last = *p;
-  }
-  if (c->count > 1)
-    *++last = end;
-  c->count = last - c->points + 1;
-}
-
-static void write_curve(const struct boundaries *b, struct table *t, long number, const struct map_curve *c,
-                        const enum outcome *outcomes)
-{
-  static const char *const ends[] = { "-", "open", "closed", "junction", "stops" };
-  static const char *const statuses[] = { "ok", "not checked in wider arithmetic", "other modes within 1e-12" };
-  const struct answer *left = &b->regions[c->left], *right = &b->regions[c->right];
-  char modes[MOTION_MODES_TEXT], what[MODE_CHANGE_TEXT];
-  for (long i = 0; i < c->count; i++) {
-    const struct map_point *p = &c->points[i];
-    table_number(t, (double)number);
-    table_number(t, (double)(i + 1));
-    table_number(t, axis_value(&b->axes[0], p->u));
-    table_number(t, axis_value(&b->axes[1], p->v));
-    table_text(t, motion_modes_text(modes, OF_STEADY, left->modes));
-    table_text(t, motion_modes_text(modes, OF_STEADY, right->modes));
-    table_text(t, mode_change_text(what, left, right));
-    table_text(t, ends[p->end]);
-    table_text(t, p->third == MAP_NOWHERE ? "-" : motion_modes_text(modes, OF_STEADY, b->regions[p->third].modes));
-    table_text(t, p->end == MAP_STOPS ? "could not be followed further" : statuses[outcomes[i]]);
+  struct change *last = all->count > 0 ? &all->list[all->count - 1] : NULL;
+  if (last && last->after == c.before && apart(b, c.u - last->u, c.v - last->v) <= 2 * promise) {
+    last->after = c.after;
+    all->count -= last->before == last->after;
+  } else if (c.before != NOWHERE && c.after != NOWHERE && all->count < MOST_CHANGES) {
+    all->list[all->count++] = c;
   }
 }
 
-/* False: out of memory. */
-static bool do_curve(struct boundaries *b, struct table *t, long number, struct map_curve *c, double step)
+/* A region between two places is seen where a half of a half ... ends in it. */
+static void find_changes(struct boundaries *b, struct changes *all, struct place from, struct place to)
 {
-  enum outcome *outcomes = calloc((size_t)c->count, sizeof *outcomes);
-  if (!outcomes)
-    return false;
-  if (b->regions[c->left].regime > b->regions[c->right].regime) /* from region_1 to region_2 there is more sticking */
-    map_curve_reverse(c);
-  make_even(c, step);
-#pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, c->count))
-  for (long i = 0; i < c->count; i++)
-    outcomes[i] = check(b, c, &c->points[i]);
-  write_curve(b, t, number, c, outcomes);
-  free(outcomes);
-  return true;
+  if (from.region == to.region)
+    return;
+  double u = from.u + (to.u - from.u) / 2, v = from.v + (to.v - from.v) / 2;
+  if (apart(b, to.u - from.u, to.v - from.v) <= promise) {
+    add_change(b, all, (struct change){ u, v, from.region, to.region });
+    return;
+  }
+  const struct place middle = place_at(b, u, v);
+  find_changes(b, all, from, middle);
+  find_changes(b, all, middle, to);
+}
+
+/* Around a cell, against the clock from its corner with the least u and v. */
+static struct changes changes_around(struct boundaries *b, const struct place corner[4])
+{
+  struct changes all = { .count = 0 };
+  for (int k = 0; k < 4; k++) {
+    struct changes edge = { .count = 0 };
+    bool back = k >= 2; /* the same edge is always halved from the same end */
+    find_changes(b, &edge, corner[back ? (k + 1) % 4 : k], corner[back ? k : k + 1]);
+    for (int i = 0; i < edge.count; i++) {
+      struct change c = edge.list[back ? edge.count - 1 - i : i];
+      all.list[all.count++] = back ? (struct change){ c.u, c.v, c.after, c.before } : c;
+    }
+  }
+  return all;
+}
+
+static void add_part(struct boundaries *b, struct parts *parts, struct part part)
+{
+  struct part *list = with_room(parts->list, parts->count, sizeof *list);
+  if (!list) {
+    b->out_of_memory = true;
+    return;
+  }
+  parts->list = list;
+  parts->list[parts->count++] = part;
+}
+
+/* The changes that are left go to their middle. */
+static void add_guesses(struct boundaries *b, struct parts *parts, const struct changes *left)
+{
+  double u = 0, v = 0;
+  for (int i = 0; i < left->count; i++) {
+    u += left->list[i].u / left->count;
+    v += left->list[i].v / left->count;
+  }
+  for (int i = 0; i < left->count; i++)
+    add_part(b, parts, (struct part){ left->list[i], u, v, true });
+}
+
+static void quarter(struct boundaries *b, struct parts *parts, const struct place corner[4], int halvings);
+
+/* A boundary that comes into a cell with the regions A and B beside it goes out with B and A. */
+static void find_parts(struct boundaries *b, struct parts *parts, const struct place corner[4], int halvings)
+{
+  const struct changes around = changes_around(b, corner);
+  struct changes left = { .count = 0 };
+  bool done[4 * MOST_CHANGES] = { false };
+  const long before = parts->count;
+  for (int p = 0; p < around.count; p++) {
+    const struct change *in = &around.list[p], *out;
+    for (int q = p + 1; q < around.count && !done[p]; q++) {
+      out = &around.list[q];
+      if (!done[q] && in->before == out->after && in->after == out->before) {
+        add_part(b, parts, (struct part){ *in, out->u, out->v, false });
+        done[p] = done[q] = true;
+      }
+    }
+    if (!done[p])
+      left.list[left.count++] = *in;
+  }
+  if (left.count == 0 || halvings == 0) {
+    add_guesses(b, parts, &left);
+    return;
+  }
+  parts->count = before;
+  quarter(b, parts, corner, halvings - 1);
+}
+
+/* Nodes of the quarters: the corners, the middles of the edges behind each, and the centre */
+static void quarter(struct boundaries *b, struct parts *parts, const struct place corner[4], int halvings)
+{
+  struct place middle[4];
+  double u = corner[0].u + (corner[2].u - corner[0].u) / 2, v = corner[0].v + (corner[2].v - corner[0].v) / 2;
+  const struct place centre = place_at(b, u, v);
+  for (int k = 0; k < 4; k++)
+    middle[k] = place_at(b, k % 2 ? corner[k].u : u, k % 2 ? v : corner[k].v);
+  find_parts(b, parts, (struct place[4]){ corner[0], middle[0], centre, middle[3] }, halvings);
+  find_parts(b, parts, (struct place[4]){ middle[0], corner[1], middle[1], centre }, halvings);
+  find_parts(b, parts, (struct place[4]){ centre, middle[1], corner[2], middle[2] }, halvings);
+  find_parts(b, parts, (struct place[4]){ middle[3], centre, middle[2], corner[3] }, halvings);
+}
+
+/* Line i of the grid: not at even fractions, where symmetries hold more often than elsewhere, and a little inside. */
+static double grid_line(int i, int cells)
+{
+  static const double inside = 1e-11;
+  return i == 0 ? inside : i == cells ? 1 - inside : (i + 0.0618) / (cells + 0.1);
+}
+
+/* Row j of the nodes, and the boundaries between it and the one before. */
+static void find_row(struct boundaries *b, int j)
+{
+  struct place *low = b->rows[0], *high = b->rows[1];
+  const int cells = b->cells[0];
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, cells))
+  for (int i = 0; i <= cells; i++)
+    high[i] = place_at(b, grid_line(i, cells), grid_line(j, b->cells[1]));
+#pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, cells))
+  for (int i = 0; i < cells; i++) {
+    b->parts[i].count = 0;
+    if (j > 0)
+      find_parts(b, &b->parts[i], (struct place[4]){ low[i], low[i + 1], high[i + 1], high[i] }, HALVINGS);
+  }
+}
+
+/* The bodies that rest in the modes */
+static int rests(const char *modes)
+{
+  int count = 0;
+  for (; *modes; modes++)
+    count += *modes == '0';
+  return count;
+}
+
+/* From region_1 to region_2 there is more sticking. */
+static bool comes_second(const struct region *a, const struct region *b)
+{
+  int more = a->answer.regime != b->answer.regime ? (int)a->answer.regime - (int)b->answer.regime
+                                                  : rests(a->modes) - rests(b->modes);
+  return more != 0 ? more > 0 : strcmp(a->modes, b->modes) > 0;
+}
+
+static void write_part(const struct boundaries *b, struct table *t, const struct part *p)
+{
+  const struct region *left = &b->regions[p->from.before], *right = &b->regions[p->from.after];
+  double x[2] = { axis_value(&b->axes[0], p->from.u), axis_value(&b->axes[0], p->u) };
+  double y[2] = { axis_value(&b->axes[1], p->from.v), axis_value(&b->axes[1], p->v) };
+  char what[MODE_CHANGE_TEXT];
+  bool turned = comes_second(left, right);
+  const struct region *one = turned ? right : left, *two = turned ? left : right;
+  for (int i = 0; i < 2; i++) {
+    table_number(t, x[i ^ turned]);
+    table_number(t, y[i ^ turned]);
+  }
+  table_text(t, one->modes);
+  table_text(t, two->modes);
+  table_text(t, mode_change_text(what, &one->answer, &two->answer));
+  table_text(t, p->is_guess ? "one end is a guess: boundaries meet there" : b->in_double ? "in double" : "ok");
 }
 
 static void begin_table(const struct boundaries *b, struct table *t)
 {
+  static char to[2][32];
   t->of = "boundaries";
   axes_head(t, b->options, b->axes, " --boundaries");
-  table_note(t, "regions: of the same modes; region_1 is on the left as the points go, x to the right and y up");
-  table_note(t, "what: happens from region_1 to region_2; meets: the third region at a junction");
-  table_note(
-      t,
-      "found: every curve that crosses a line of the grid at which the modes of its nodes differ, and what meets it");
-  table_columns(t, (const char *const[]){ "curve", "point", b->axes[0].name, b->axes[1].name, NULL });
-  table_columns(t, (const char *const[]){ "region_1", "region_2", "what", "end", "meets", "status", NULL });
+  table_note(t, "regions: of the same modes; a row: the part of a boundary within a cell of the grid, from one edge of "
+                "it to another");
+  table_note(t, "region_1 is on the left from the first end to the second, x to the right and y up; what: happens from "
+                "region_1 to region_2");
+  for (int i = 0; i < 2; i++)
+    snprintf(to[i], sizeof to[i], "to_%s", b->axes[i].name);
+  table_columns(t, (const char *const[]){ b->axes[0].name, b->axes[1].name, to[0], to[1], "region_1", "region_2",
+                                          "what", "status", NULL });
   table_begin_rows(t);
 }
 
 static enum exit_code run(struct boundaries *b, struct table *t)
 {
-  struct map_curves curves = { .count = 0 };
-  int columns = (int)b->axes[0].count - 1, rows = (int)b->axes[1].count - 1;
-  double step = 1.0 / (columns > rows ? columns : rows);
   const struct progress progress = progress_begin(b->options->request.style.quiet);
-  progress_show(&progress, "following the boundaries");
-  bool done = map_follow(region_at, b, columns, rows, step, &curves) && !b->out_of_memory;
   begin_table(b, t);
-  for (long i = 0; done && i < curves.count && !table_failed(t); i++) {
-    progress_show(&progress, "curve %ld of %ld", i + 1, curves.count);
-    done = do_curve(b, t, i + 1, &curves.curves[i], step);
+  for (int j = 0; j <= b->cells[1] && !b->out_of_memory && !table_failed(t); j++) {
+    progress_show(&progress, "row %d of %d", j, b->cells[1]);
+    find_row(b, j);
+    for (int i = 0; j > 0 && i < b->cells[0]; i++)
+      for (long k = 0; k < b->parts[i].count; k++)
+        write_part(b, t, &b->parts[i].list[k]);
+    struct place *above = b->rows[1];
+    b->rows[1] = b->rows[0];
+    b->rows[0] = above;
   }
   progress_end(&progress);
-  if (curves.lost > 0)
-    table_note(t, "changes from which no curve could be followed: %ld", curves.lost);
-  map_curves_clear(&curves);
-  free(b->regions);
-  if (done)
+  if (!b->out_of_memory)
     return table_close(t) ? EXIT_DONE : EXIT_FILE;
   complain("breakdown", "out of memory");
   table_abandon(t);
@@ -256,10 +310,24 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
   struct table t;
   if (!axes_read(b.axes, o->map, o->range, &o->request.point))
     return EXIT_USAGE;
-  for (int i = 0; i < 2; i++)
+  for (int i = 0; i < 2; i++) {
     if (b.axes[i].count < LEAST || b.axes[i].count > MOST) {
       complain("breakdown", "--%c: %ld values; --boundaries takes 2 to 2001 along each axis", "xy"[i], b.axes[i].count);
       return EXIT_USAGE;
     }
-  return table_open(&t, &o->request.style) ? run(&b, &t) : EXIT_FILE;
+    b.cells[i] = (int)b.axes[i].count - 1;
+  }
+  const size_t nodes = (size_t)b.axes[0].count;
+  for (int i = 0; i < 2; i++)
+    b.rows[i] = calloc(nodes, sizeof *b.rows[i]);
+  b.parts = calloc(nodes, sizeof *b.parts);
+  b.out_of_memory = !b.rows[0] || !b.rows[1] || !b.parts;
+  enum exit_code code = table_open(&t, &o->request.style) ? run(&b, &t) : EXIT_FILE;
+  for (size_t i = 0; b.parts && i < nodes; i++)
+    free(b.parts[i].list);
+  for (int i = 0; i < 2; i++)
+    free(b.rows[i]);
+  free(b.parts);
+  free(b.regions);
+  return code;
 }

@@ -8,7 +8,6 @@
 #include "compare/points/gaits.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/reach.h"
-#include "compare/maps/journal.h"
 #include "compare/maps/maps.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"
@@ -19,8 +18,7 @@ enum {
   MOST_MEASURES = (BREAKDOWN_SOURCES - 1 + BOOK_MOST) * (1 + MOST_TOLERANCES),
   MOST_ROWS = 10000000
 };
-_Static_assert((int)MOST_MEASURES <= (int)JOURNAL_WIDTH, "a journal holds all measures");
-enum { NAME = 96, TITLE = 16384 };
+enum { NAME = 96 };
 
 /* A column that takes long: the error of a series at T; with a tolerance, the largest T up to which the error is below
  * that. */
@@ -38,7 +36,7 @@ struct grid {
   enum quantity_id quantity;
   int width;
   struct measure measures[MOST_MEASURES];
-  struct journal journal; /* of the measures */
+  double *values; /* of the measures, row by row */
   struct progress progress;
 };
 
@@ -123,7 +121,7 @@ static int used_of(const struct grid *g, bool of_tolerance)
   return count;
 }
 
-static void compute(const struct grid *g, long row, double values[MOST_MEASURES])
+static void compute(const struct grid *g, long row, double *values)
 {
   const struct motion at = { .of = OF_STEADY, .crawler = crawler_of(g, row) };
   const long order = g->options->order.value, least = 6; /* that holds the first term, which is the limit */
@@ -154,63 +152,25 @@ static void compute(const struct grid *g, long row, double values[MOST_MEASURES]
   expansions_clear(&e);
 }
 
-/* Until the journal cannot be written. */
+static long rows_of(const struct grid *g) { return g->axes[0].count * g->axes[1].count; }
+
 static void compute_all(struct grid *g)
 {
-  struct journal *j = &g->journal;
-#pragma omp parallel num_threads(threads_for(0, j->rows))
+  const long rows = rows_of(g);
+  long done = 0;
+#pragma omp parallel num_threads(threads_for(0, rows))
   {
 #pragma omp for schedule(dynamic)
-    for (long row = 0; row < j->rows; row++) {
-      double values[MOST_MEASURES];
-      if (j->done[row] || j->error != 0)
-        continue;
-      compute(g, row, values);
+    for (long row = 0; row < rows; row++) {
+      compute(g, row, g->values + row * g->width);
 #ifdef _OPENMP
 #pragma omp critical
 #endif
-      {
-        journal_add(j, row, values);
-        progress_count(j->done_count, j->rows);
-      }
+      progress_count(++done, rows);
     }
     flint_cleanup();
   }
   progress_end(&g->progress);
-}
-
-/* Of the texts of a formula that is not NULL */
-static uint32_t formula_checksum(const struct scallop_formula *f)
-{
-  uint32_t sum = f ? checksum_after(CHECKSUM_OF_NOTHING, f->text, strlen(f->text) + 1) : CHECKSUM_OF_NOTHING;
-  for (const struct scallop_part *p = f ? f->parts : NULL; p && p->name; p++) {
-    sum = checksum_after(sum, p->name, strlen(p->name) + 1);
-    sum = checksum_after(sum, p->text, strlen(p->text) + 1);
-  }
-  return sum;
-}
-
-/* All that the values depend on */
-static void make_title(const struct grid *g, char title[TITLE])
-{
-  const struct point *point = &g->options->request.point;
-  const struct scallop_gait *gait = point->crawler.gait;
-  double numbers[CRAWLER_NUMBERS];
-  crawler_numbers(&point->crawler, numbers);
-  FILE *f = fmemopen(title, TITLE, "w");
-  if (!f)
-    return;
-  fprintf(f, "scallop " SCALLOP_VERSION " journal of breakdown --map: gait %.200s (%08lx)", gait->name,
-          (unsigned long)gait_checksum(gait));
-  for (int i = 0; i < 2; i++)
-    fprintf(f, " %s %a:%a:%ld:%d", g->axes[i].name, g->axes[i].from, g->axes[i].to, g->axes[i].count, g->axes[i].log);
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    fprintf(f, " %a", numbers[i]);
-  for (const struct measure *m = g->measures; m < g->measures + g->width; m++)
-    if (m->used)
-      fprintf(f, " %s %08lx %d %a", m->name, (unsigned long)formula_checksum(m->formula), (int)g->quantity,
-              m->tolerance);
-  fclose(f);
 }
 
 /* What the axes set, and what may be wanted beside it; F1/F2 as an axis is not F1. */
@@ -253,7 +213,7 @@ static bool write_row(const struct grid *g, struct table *t, bool is_head, long 
   for (int i = 0; i < g->width; i++) {
     const struct measure *measure = &g->measures[i];
     long computed = measure->tolerance > 0 ? first_of(g, row) : row;
-    cell(t, is_head, measure->name, NULL, g->journal.values[computed * g->width + i]);
+    cell(t, is_head, measure->name, NULL, g->values[computed * g->width + i]);
   }
   cell(t, is_head, "status", scallop_status_text(a.status), 0);
   return solved;
@@ -278,36 +238,26 @@ static bool begin_table(struct grid *g, struct table *t)
 static enum exit_code write_rows(const struct grid *g, struct table *t)
 {
   long unsolved = 0;
-  for (long row = 0; row < g->journal.rows && !table_failed(t); row++)
+  for (long row = 0; row < rows_of(g) && !table_failed(t); row++)
     unsolved += !write_row(g, t, false, row);
   if (!table_close(t))
     return EXIT_FILE;
   if (unsolved > 0)
-    complain("breakdown", "%ld of %ld points have no steady state: see the column status", unsolved, g->journal.rows);
+    complain("breakdown", "%ld of %ld points have no steady state: see the column status", unsolved, rows_of(g));
   return unsolved > 0 ? EXIT_UNSOLVED : EXIT_DONE;
 }
 
 static enum exit_code run(struct grid *g)
 {
   struct table t;
-  struct journal *j = &g->journal;
-  const struct style *style = &g->options->request.style;
-  char title[TITLE] = "";
-  if (!table_open(&t, style))
+  if (!table_open(&t, &g->options->request.style))
     return EXIT_FILE;
-  bool begun = begin_table(g, &t);
-  make_title(g, title);
-  bool kept = begun && (!t.sink[0].out.target || journal_open(j, style->output, title));
-  if (kept && j->done_count > 0 && !style->quiet)
-    complain("breakdown", "going on from %s: %ld of %ld are done", j->path, j->done_count, j->rows);
-  if (kept)
-    compute_all(g);
-  if (j->error != 0)
-    complain("breakdown", "cannot write %s: %s", j->path, strerror(j->error));
-  if (kept && j->error == 0)
-    return write_rows(g, &t);
-  table_abandon(&t);
-  return EXIT_FILE;
+  if (!begin_table(g, &t)) {
+    table_abandon(&t);
+    return EXIT_FILE;
+  }
+  compute_all(g);
+  return write_rows(g, &t);
 }
 
 enum exit_code breakdown_map(const struct breakdown_options *o)
@@ -317,18 +267,16 @@ enum exit_code breakdown_map(const struct breakdown_options *o)
   if (!axes_read(g.axes, o->map, o->range, &o->request.point) || !breakdown_quantity(&g.quantity, o, OF_STEADY)
       || !breakdown_is_sound(o) || !serves(&g))
     return EXIT_USAGE;
-  long rows = g.axes[0].count * g.axes[1].count;
-  if (rows > MOST_ROWS) {
+  if (rows_of(&g) > MOST_ROWS) {
     complain("breakdown", "--map: %ld x %ld values are more than 10000000 rows", g.axes[0].count, g.axes[1].count);
     return EXIT_USAGE;
   }
   add_measures(&g, (const double[]){ 0 }, 1);
   add_measures(&g, o->tolerance.given ? &o->tolerance.value : usual, o->tolerance.given ? 1 : MOST_TOLERANCES);
-  enum exit_code code = EXIT_UNSOLVED;
-  if (journal_init(&g.journal, rows, g.width))
-    code = run(&g);
-  else
+  g.values = calloc((size_t)(rows_of(&g) * g.width) + 1, sizeof *g.values);
+  if (!g.values)
     complain("breakdown", "out of memory");
-  journal_close(&g.journal, code == EXIT_DONE || code == EXIT_UNSOLVED);
+  enum exit_code code = g.values ? run(&g) : EXIT_UNSOLVED;
+  free(g.values);
   return code;
 }

@@ -3,7 +3,6 @@
 #define SCALLOP_COMPARE_POINTS_GAIT_FILE_H
 
 #include <stddef.h>
-#include <stdint.h>
 
 #include "model/gaits.h"
 
@@ -15,7 +14,6 @@ struct gait_row {
 struct gait_file {
   struct scallop_spline spline;
   double L, T, alpha;    /* of the table itself */
-  uint32_t checksum;     /* of the knots */
   struct gait_row *rows; /* 0 to last: the last one is the first one, a period later */
   long last;
   long least; /* the first row with the smallest l */

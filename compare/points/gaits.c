@@ -248,13 +248,6 @@ static struct made *made_of(const struct scallop_gait *gait)
   return made && made->gait == gait ? made : NULL;
 }
 
-uint32_t gait_checksum(const struct scallop_gait *gait)
-{
-  struct made *made = made_of(gait);
-  uint32_t knots = made && file_of(made) ? made->file.checksum : CHECKSUM_OF_NOTHING;
-  return checksum_after(knots, gait->name, strlen(gait->name));
-}
-
 bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
 {
   struct made *made = made_of(gait);

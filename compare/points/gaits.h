@@ -3,8 +3,6 @@
 #ifndef SCALLOP_COMPARE_POINTS_GAITS_H
 #define SCALLOP_COMPARE_POINTS_GAITS_H
 
-#include <stdint.h>
-
 #include "model/families.h"
 
 /* The families, measured last: i = 0, 1, ...; NULL after the last. */
@@ -31,9 +29,6 @@ const char *gait_sample(int i);
 
 /* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. False: this is none. */
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha);
-
-/* Of all that the gait is: its name, and where it is a measured one the knots of its spline, as its file may change. */
-uint32_t gait_checksum(const struct scallop_gait *gait);
 
 /* What a gait was made of, for those who want more digits of its numbers than doubles have. */
 struct gait_file;

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What takes longer than the tables of tables.sh: how far the series reach, into TABLES, and grids for plots, into MAPS, where a run that
-# was interrupted goes on: scripts/dev/maps.sh SCALLOP TABLES MAPS
+# What takes longer than the tables of tables.sh: how far the series reach, into TABLES, and grids for plots, into MAPS:
+# scripts/dev/maps.sh SCALLOP TABLES MAPS
 set -eu
 scallop=$1 tables=$2 maps=$3
 mkdir -p "$maps"

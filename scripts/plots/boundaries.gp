@@ -1,17 +1,20 @@
-# The curves between the regions of a map, over the axes x_column and by_columns[1], followed one by one; on both sides of each the
-# number of the region that is there, and a list of them below.
+# The boundaries between the regions of a map, over the axes x_column and by_columns[1], as the parts of them in the cells of a grid; on both
+# sides of the boundary of two regions the number of the region that is there, and a list of them below.
 MOST = 60 # regions
 set datafile columnheaders
 y_column = by_columns[1]
+to_x = "to_".x_column
+to_y = "to_".y_column
 array name[MOST]
 regions = 0
-curves = 0
 place(text, i) = i > MOST ? MOST : i > regions ? (regions = i, name[i] = text, i) : name[i] eq text ? i : place(text, i + 1)
 set table $all
-plot table using (c = int(column("curve")), curves = c > curves ? c : curves, place(strcol("region_1"), 1) + place(strcol("region_2"), 1)) \
-     with table
+plot table using (place(strcol("region_1"), 1) + place(strcol("region_2"), 1)) with table
 unset table
-stats table using (column(x_column)):(column(y_column)) name "seen" nooutput
+stats table using (column(x_column)):(column(y_column)) name "begin" nooutput
+stats table using (column(to_x)):(column(to_y)) name "end" nooutput
+least(a, b) = a < b ? a : b
+most(a, b) = a > b ? a : b
 rows = (regions + 1) / 2
 eval picture(900, 640 + 20 * rows, 13)
 set title title noenhanced font small
@@ -21,33 +24,37 @@ set xlabel axis(x_column) noenhanced
 set ylabel axis(y_column) noenhanced
 set rmargin 4
 wide(low, high) = low > 0 && log10(high / low) > 3.999
-x_low = has_x_range ? low_x : seen_min_x
-x_high = has_x_range ? high_x : seen_max_x
-y_low = has_y_range ? low_y : seen_min_y
-y_high = has_y_range ? high_y : seen_max_y
+x_low = has_x_range ? low_x : least(begin_min_x, end_min_x)
+x_high = has_x_range ? high_x : most(begin_max_x, end_max_x)
+y_low = has_y_range ? low_y : least(begin_min_y, end_min_y)
+y_high = has_y_range ? high_y : most(begin_max_y, end_max_y)
 
-# On both sides of each curve a number, nearer to the curve than to any other, so that it is in its region: of some places the freest one.
+# On both sides of each boundary a number, nearer to it than to any other, so that it is in its region: of some places the freest one.
 ux(x) = log_x ? log10(x) : x
 uy(y) = log_y ? log10(y) : y
 across = ux(x_high) - ux(x_low)
 up = uy(y_high) - uy(y_low)
-MOST_POINTS = 20000
-array px[MOST_POINTS]
-array py[MOST_POINTS]
-array of[MOST_POINTS]
-array left[MOST_POINTS]
-array right[MOST_POINTS]
-points = 0
-take(c, x, y, one, two) = (points = points + 1, of[points] = int(c), px[points] = (ux(x) - ux(x_low)) / across, \
-                           py[points] = (uy(y) - uy(y_low)) / up, left[points] = place(one, 1), right[points] = place(two, 1), 0)
+px(x) = (ux(x) - ux(x_low)) / across
+py(y) = (uy(y) - uy(y_low)) / up
+MOST_PARTS = 20000
+array mx[MOST_PARTS] # the middle of a part
+array my[MOST_PARTS]
+array dx[MOST_PARTS] # the way along it, region_1 being on the left
+array dy[MOST_PARTS]
+array pair[MOST_PARTS]
+array count[MOST * MOST]
+do for [k=1:MOST * MOST] { count[k] = 0 }
+parts = 0
+take(x1, y1, x2, y2, of) = (parts = parts + 1, mx[parts] = (x1 + x2) / 2, my[parts] = (y1 + y2) / 2, dx[parts] = x2 - x1, \
+                            dy[parts] = y2 - y1, pair[parts] = of, count[of] = count[of] + 1, 0)
 set table $all
-plot table using (points < MOST_POINTS ? take(column("curve"), column(x_column), column(y_column), strcol("region_1"), strcol("region_2")) : 0) \
-     with table
+plot table using (parts < MOST_PARTS ? take(px(column(x_column)), py(column(y_column)), px(column(to_x)), py(column(to_y)), \
+                  (place(strcol("region_1"), 1) - 1) * MOST + place(strcol("region_2"), 1)) : 0) with table
 unset table
-set print $points
-print "x\ty\tcurve"
-do for [k=1:points] { print sprintf("%.6f\t%.6f\t%d", px[k], py[k], of[k]) }
-print sprintf("9\t9\t%d", curves + 1) # never near
+set print $parts
+print "x\ty\tpair"
+do for [k=1:parts] { print sprintf("%.6f\t%.6f\t%d", mx[k], my[k], pair[k]) }
+print "9\t9\t0" # never near
 unset print
 NEAR = 0.14 # of the picture: two numbers that are the same are not as near as this
 MOST_NUMBERS = 200
@@ -57,26 +64,24 @@ array number[MOST_NUMBERS]
 numbers = 0
 set print $numbers
 print "x\ty\tnumber"
-first = 1
-do for [k=1:points] { if (k == points || of[k + 1] != of[k]) {
+do for [of=1:regions * MOST] { if (count[of] > 0) {
   do for [side=-1:1:2] {
     best = -1
-    do for [part=1:9] { do for [away in "0.005 0.01 0.018 0.025"] {
-      at = first + int((k - first) * part / 10.0)
-      from = at > first ? at - 1 : at
-      to = at < k ? at + 1 : at
-      dx = px[to] - px[from]
-      dy = py[to] - py[from]
-      long = sqrt(dx**2 + dy**2)
-      x = px[at] + (long > 0 ? side * dy / long * away : 0)
-      y = py[at] - (long > 0 ? side * dx / long * away : 0)
-      if (long > 0 && x > 0.02 && x < 0.98 && y > 0.02 && y < 0.98) {
-        stats $points using (column(3) == of[k] ? NaN : sqrt((column(1) - x)**2 + (column(2) - y)**2)) name "way" nooutput
-        free = way_min < 1.2 * away ? -1 : away + (way_min < 0.1 ? way_min : 0.1)
-        if (free > best) { best = free; best_x = x; best_y = y }
-      }
+    seen = 0
+    do for [k=1:parts] { if (pair[k] == of) {
+      seen = seen + 1
+      long = sqrt(dx[k]**2 + dy[k]**2)
+      if (long > 0 && seen % (count[of] / 9 + 1) == 0) { do for [away in "0.005 0.01 0.018 0.025"] {
+        nx = mx[k] - side * dy[k] / long * away
+        ny = my[k] + side * dx[k] / long * away
+        if (nx > 0.02 && nx < 0.98 && ny > 0.02 && ny < 0.98) {
+          stats $parts using (column(3) == of ? NaN : sqrt((column(1) - nx)**2 + (column(2) - ny)**2)) name "way" nooutput
+          free = way_min < 1.2 * away ? -1 : away + least(way_min, 0.1)
+          if (free > best) { best = free; best_x = nx; best_y = ny }
+        }
+      } }
     } }
-    region = side < 0 ? left[first] : right[first]
+    region = side > 0 ? (of - 1) / MOST + 1 : (of - 1) % MOST + 1
     is_new = best > 0 && numbers < MOST_NUMBERS
     do for [n=1:numbers] { if (number[n] == region && sqrt((at_x[n] - best_x)**2 + (at_y[n] - best_y)**2) < NEAR) { is_new = 0 } }
     if (is_new) {
@@ -87,7 +92,6 @@ do for [k=1:points] { if (k == points || of[k + 1] != of[k]) {
       print sprintf("%.6f\t%.6f\t%d", best_x, best_y, region)
     }
   }
-  first = k + 1
 } }
 unset print
 vx(u) = log_x ? 10**(ux(x_low) + u * across) : x_low + u * across
@@ -99,6 +103,8 @@ if (y_low < y_high) { set yrange [y_low:y_high] }
 set key at screen 0.5, screen 0.01 center bottom vertical Left reverse noenhanced samplen 0 maxrows rows width 2 font mono
 set bmargin at screen (17.0 * rows + 62) / (height > 0 ? height : 640 + 20 * rows)
 entry(k) = sprintf("%2d  %s", k, name[k])
-plot for [c=1:curves] table using (int(column("curve")) == c ? column(x_column) : NaN):(column(y_column)) with lines lw 2 lc rgb "black" notitle, \
+plot table using (column(x_column)):(column(y_column)):(column(to_x) - column(x_column)):(column(to_y) - column(y_column)) \
+       with vectors nohead lw 2 lc rgb "black" notitle, \
+     table using (column(x_column)):(column(y_column)) with points pt 7 ps 0.15 lc rgb "black" notitle, \
      $numbers using (vx(column(1))):(vy(column(2))):3 with labels font "DejaVu Sans Bold,".(kind eq "png" ? 14 : 11) notitle, \
      for [k=1:regions] keyentry with points pt 7 ps 0 title entry(k)

@@ -1,5 +1,5 @@
-# Regions of the same modes over (froude, alpha) and (F1/F2, froude): the regime by colour from a grid, the boundaries from the curves
-# that were followed, a number in each region and what it stands for below. tables: of grids and numbers, which maps.sh writes.
+# Regions of the same modes over (froude, alpha) and (F1/F2, froude): the regime by colour from a grid, the boundaries from
+# their parts, a number in each region and what it stands for below. tables: of grids and numbers, which maps.sh writes.
 eval picture(1250, 820, 15)
 set datafile columnheaders
 set border 15
@@ -29,14 +29,14 @@ do for [k=1:2] {
   set ylabel ynames[k] offset 1,0
   set title (k == 1 ? "quadratic gait, m_1 = m_2, F_1 / F_2 = 4" : "quadratic gait, m_1 = m_2, α = 3/4") offset 0,-0.5
   grid = work."/map_".grids[k]."_grid.tsv"
-  curves = tables."/map_".grids[k].".tsv"
+  parts = tables."/map_".grids[k].".tsv"
   numbers = work."/map_".grids[k]."_numbers.tsv"
   half = 0.55 * 0.98 / 89 # a little more than half of a cell: no seams
   step = 10**(0.55 * (k == 1 ? 4 : 2) / 89)
   ystep = 10**(0.55 * log10(100 / 0.003) / 89)
   plot grid using 1:2:($1/step):($1*step):(k == 1 ? $2-half : $2/ystep):(k == 1 ? $2+half : $2*ystep):(colour(strcol("regime"))) with boxxyerror fillstyle solid noborder fillcolor palette, \
-    curves using ($2 == 1 ? NaN : $3):4 with points pt 7 ps 0.01 lc rgb "black", \
-    for [c=1:40] curves using ($1 == c ? $3 : NaN):4 with lines lw 1.6 lc rgb "black", \
+    parts using 1:2:($3 - $1):($4 - $2) with vectors nohead lw 1.6 lc rgb "black", \
+    parts using 1:2 with points pt 7 ps 0.1 lc rgb "black", \
     numbers using 2:3:1 with labels font "DejaVu Sans Bold,".(kind eq "png" ? "15" : "12") textcolor rgb "black"
   unset logscale
   set xrange [*:*]

@@ -10,12 +10,12 @@ set ylabel "mean velocity" offset 0.5,0
 set xzeroaxis lt 1 lc rgb "#bbbbbb"
 unset key
 small = "DejaVu Sans,".(kind eq "png" ? "13" : "10")
-# the ends of the boundaries at the edge T = 1 of their map
-here(end, T) = end eq "open" && T == 1
-first(w) = w[1:14] eq "start velocity" || w[1:12] eq "body 1 slips"
+# where the boundaries come to the edge T = 1 of their map
+here(n) = column("T") == 1 ? column("F1/F2") : column("to_T") == 1 ? column("to_F1/F2") : NaN
+first(w) = w[1:14] eq "start velocity" || w[1:12] eq "body 1 is he"
 second(w) = !first(w)
 what(w) = w[1:14] eq "start velocity" ? "start velocity changes sign " \
-  : w[1:12] eq "body 1 slips" ? "sticks in both phases " \
+  : w[1:12] eq "body 1 is he" ? "sticks in both phases " \
   : w[1:16] eq "onset of stickin" ? " body 1 sticks in the extension" \
   : w[1:14] eq "permanent rest" ? " permanent rest of body 1" : w
 set multiplot layout 3,1 title "quadratic gait, m_1 = m_2 = 1, L = 10, T = 1, α = 3/4; dotted: boundaries between regions of the same modes"
@@ -26,9 +26,9 @@ do for [i=1:3] {
   set label 1 "F_2 = ".F2 at graph 0.02,0.9 textcolor rgb colour
   set format x (i == 3 ? "10^{%T}" : "")
   set xlabel (i == 3 ? "F_1 / F_2" : "")
-  plot changes using (here(strcol("end"), column("T")) ? column("F1/F2") : NaN):(-0.3):(0):(first(strcol("what")) ? 6.3 : 5.6) with vectors nohead lw 1.2 dt 3 lc rgb "#555555", \
-    changes using (here(strcol("end"), column("T")) && first(strcol("what")) ? column("F1/F2") : NaN):(5.9):(what(strcol("what"))) with labels right font small, \
-    changes using (here(strcol("end"), column("T")) && second(strcol("what")) ? column("F1/F2") : NaN):(5.1):(what(strcol("what"))) with labels left font small, \
+  plot changes using (here(0)):(-0.3):(0):(first(strcol("what")) ? 6.3 : 5.6) with vectors nohead lw 1.2 dt 3 lc rgb "#555555", \
+    changes using (first(strcol("what")) ? here(0) : NaN):(5.9):(what(strcol("what"))) with labels right font small, \
+    changes using (second(strcol("what")) ? here(0) : NaN):(5.1):(what(strcol("what"))) with labels left font small, \
     tables."/map_velocity_".F2.".tsv" using 1:(column("mean_velocity")) with lines lw 2.5 lc rgb colour
 }
 unset multiplot

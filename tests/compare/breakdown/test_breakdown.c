@@ -2,7 +2,6 @@
  * brute force, radii of convergence by two routes. */
 #include "compare/points/gaits.h"
 #include "compare/breakdown/events.h"
-#include "compare/breakdown/motion.h"
 #include "compare/breakdown/radius.h"
 #include "compare/breakdown/reach.h"
 #include "tests/support/exact.h"

@@ -283,14 +283,6 @@ END
 # shellcheck disable=SC2086
 run 0 breakdown $map --book map.cfg --source book
 [ "$(grep -v '^#' out | head -n 1 | tr '\t' '\n' | grep -c '^error_\|^T_')" = 4 ] || note "--source book: $(grep -v '^#' out | head -n 1)"
-# What an interrupted map has computed is not taken for another formula of that name.
-# shellcheck disable=SC2086
-{ run 0 breakdown $map --book map.cfg --source book -o first
-  (keep_counts_apart; ulimit -f 1; "$tool" breakdown --map F1/F2 alpha --tol 0.01 --book map.cfg --source book -o whole >/dev/null 2>&1)
-  if [ -s whole.rows ]; then
-    sed 's/2\*limit/3*limit/' map.cfg >other.cfg
-    run 4 breakdown --map F1/F2 alpha --tol 0.01 --book other.cfg --source book -o whole
-  else note "no interrupted map"; fi; }
 finish "formulas of a book in a map"
 
 # ---- a book without effect ----
