@@ -1,5 +1,4 @@
-/* A scene: read, and planned where it is one. What is planned is finite and has reasons; nothing is run. */
-#include <math.h>
+/* A scene: read and checked. Each of its columns is a quantity or a formula; nothing is run. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,11 +10,12 @@ static void judge(const struct scene *scene)
   if (scene->wants < 1 || scene->sweep.products < 1 || !(sweep_points(&scene->sweep) >= 1))
     fuzz_fail("a scene of %d wants, %d products and %ld points was taken", scene->wants, scene->sweep.products,
               sweep_points(&scene->sweep));
-  for (int i = 0; i < COUNT_PLANNED; i++) {
-    const struct plan_stage *s = &scene->plan.stage[i];
-    if (!(s->count >= 0) || !isfinite(s->count) || (s->count > 0) != (s->reason[0] != '\0'))
-      fuzz_fail("stage %s: %g for '%s'", count_name((enum count)i), s->count, s->reason);
-  }
+  for (int w = 0; w < scene->wants; w++)
+    for (int i = 0; i < scene->want[w].sheet.count; i++) {
+      const struct sheet_column *c = &scene->want[w].sheet.column[i];
+      if (!c->name || (c->quantity >= 0) == (c->formula != NULL) || c->quantity >= scene->asked.quantities.count)
+        fuzz_fail("column %d of want %d: quantity %d", i, w, c->quantity);
+    }
 }
 
 static enum exit_code take_all(const struct scene *scene, const struct scene_want *want,
