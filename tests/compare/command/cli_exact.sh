@@ -155,7 +155,7 @@ refused_at_once "order 61 of a bound" 2 "from 1 to 60" series --bound --order 61
 refused_at_once "digits of a bound" 2 "exclude each other" series --bound --digits 6
 refused_at_once "unknown source" 2 "published, derived, limit or closed" series --source guessed
 refused_at_once "order of the published" 2 "needs --source derived" series --order 4
-refused_at_once "order of the limit" 2 "exclude each other" series --source limit --order 4
+refused_at_once "order of the limit" 2 "the limit is one term" series --source limit --order 4
 refused_at_once "start velocity of the limit" 2 "steady state" series --source limit --v0 1
 refused_at_once "bound of the published" 2 "leave --source out" series --bound --source published
 refused_at_once "points of the derived" 2 "one point at a time" series --source derived --points kept
