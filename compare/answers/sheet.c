@@ -105,26 +105,35 @@ static const char *find(struct sheet *s, struct sheet_column *column, const char
   return NULL;
 }
 
+/* A new column of that name, or NULL: out of memory */
+static struct sheet_column *append(struct sheet *s, const char *text, int length)
+{
+  char *name = strndup(text, (size_t)length);
+  struct sheet_column *grown = name ? realloc(s->column, (size_t)(s->count + 1) * sizeof *grown) : NULL;
+  if (!grown) {
+    free(name);
+    return NULL;
+  }
+  s->column = grown;
+  s->column[s->count] = (struct sheet_column){ .name = name, .quantity = -1 };
+  return &s->column[s->count++];
+}
+
 const char *sheet_add(struct sheet *s, const char *text)
 {
   int length;
-  const char *formula, *meaning = own_meaning(s, text, &text);
-  formula = column_formula(text, &length);
-  struct sheet_column *grown = realloc(s->column, (size_t)(s->count + 1) * sizeof *grown);
-  char *name = grown ? strndup(text, (size_t)length) : NULL;
-  s->column = grown ? grown : s->column;
-  if (!name)
+  const char *meaning = own_meaning(s, text, &text), *formula = column_formula(text, &length);
+  struct sheet_column *column = append(s, text, length);
+  if (!column)
     return "out of memory";
-  struct sheet_column *column = &s->column[s->count++];
-  *column = (struct sheet_column){ .name = name, .quantity = -1 };
   if (length == 0 || *formula == '\0')
     return wrong(text, "a column is QUANTITY or NAME = FORMULA");
-  if (!meaning && formula > text && !column_may_be_called(name))
+  if (!meaning && formula > text && !column_may_be_called(column->name))
     return wrong(text, "the name of a column is of printable ASCII, without tabs, quotes and backslashes");
   const char *why = find(s, column, text, formula);
   for (int i = 0; i < s->count - 1 && !why; i++)
-    if (strcmp(s->column[i].name, name) == 0)
-      snprintf(message, WRONG, "the column %.100s is there twice", name), why = message;
+    if (strcmp(s->column[i].name, column->name) == 0)
+      snprintf(message, WRONG, "the column %.100s is there twice", column->name), why = message;
   for (int i = 0; i < s->count - 1; i++)
     s->early_status |= s->column[i].quantity >= 0
                        && s->asked->quantities.item[s->column[i].quantity].kind == QUANTITY_STATUS;
