@@ -116,7 +116,7 @@ static void measure(struct aligned *a, const char *const *cells, bool first)
     c->width = least > c->width ? least : c->width;
     c->numbers = first ? a->rows > 1 : c->numbers;
     for (long k = 0; k < a->rows; k++) {
-      const char *cell = cells[k * a->columns + i];
+      const char *cell = cells[k * a->columns + i]; /* NOLINT(clang-analyzer-core.uninitialized.Assign): all are set */
       int length = (int)strlen(cell);
       c->width = length > c->width ? length : c->width;
       c->numbers = c->numbers && (!first || k == 0 || is_number(cell));
@@ -156,7 +156,7 @@ static struct aligned_column *begin_columns(int count, const char *const *names,
 }
 
 /* Where each cell begins, to be freed; NULL: out of memory */
-static const char **cells_of(struct aligned *a)
+static const char **cells_of(const struct aligned *a)
 {
   long count = a->rows * a->columns;
   const char **cells = fflush(a->kept) == 0 ? malloc((size_t)count * sizeof *cells) : NULL;

@@ -256,7 +256,7 @@ static void keep(struct table *t, enum cell_kind kind, double value, const char 
 {
   struct table_cell *c = &t->row[t->at];
   size_t size = text ? strlen(text) + 1 : 0;
-  if (size > c->room) {
+  if (text && size > c->room) {
     char *longer = realloc(c->text, 2 * size);
     if (!longer)
       return note_error(&t->sink[0], ENOMEM);
