@@ -31,8 +31,8 @@ bool has_flint(const struct arguments *arguments, const char *what)
   if (flint_cleanup)
     return true;
   /* through any link, and without /proc, which need not be there */
-  const char *own = (const char *)getauxval(AT_EXECFN),
-             *earlier = getenv(marker); /* NOLINT(performance-no-int-to-ptr) */
+  const char *own = (const char *)getauxval(AT_EXECFN); /* NOLINT(performance-no-int-to-ptr) */
+  const char *earlier = getenv(marker);
   bool is_known = own && realpath(own, path);
   int error = 0;
   /* The number of this process stays when another program takes it over. Children have another. */
