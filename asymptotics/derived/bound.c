@@ -400,9 +400,10 @@ static enum scallop_status bounds_from(const struct limit *l, const struct scall
     time_of(b->T0, eps0, kappa, precision);
     time_of(b->T_end, end, kappa, precision);
   }
-  if (!found && why) /* GCOVR_EXCL_LINE: as above, no limit is known to */
-    /* GCOVR_EXCL_LINE */
+  /* GCOVR_EXCL_START: as above, no limit is known to */
+  if (!found && why)
     *why = "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary";
+  /* GCOVR_EXCL_STOP */
   arf_clear(end);
   arf_clear(eps0);
   arb_clear(kappa);

@@ -44,8 +44,8 @@ static real walk_when(const struct scallop_piece *p, real a)
   struct root_end begin = { .u = p->begin }, end = { .u = p->end };
   begin.f = rate_beyond(&search, begin.u, &begin.slope);
   end.f = rate_beyond(&search, end.u, &end.slope);
-  return (begin.f > 0) == (end.f > 0) && begin.f != 0 && end.f != 0 ? NAN
-                                                                    : root_between(rate_beyond, &search, begin, end);
+  const bool changes = (begin.f > 0) != (end.f > 0) || begin.f == 0 || end.f == 0;
+  return changes ? root_between(rate_beyond, &search, begin, end) : NAN;
 }
 
 #define walk_show(walk, u, c) ((void)(walk), (void)(u), (void)(c)) /* nobody is told */
