@@ -33,8 +33,8 @@
 
 #define SCOPED_BY(kind, type, begin, end) \
   typedef type scoped_##kind; \
-  static inline void scoped_begin_##kind(scoped_##kind *x) { begin; } \
-  static inline void scoped_end_##kind(scoped_##kind *x) { end; }
+  __attribute__((unused)) static inline void scoped_begin_##kind(scoped_##kind *x) { begin; } \
+  __attribute__((unused)) static inline void scoped_end_##kind(scoped_##kind *x) { end; }
 #define SCOPED_KIND(kind, type) SCOPED_BY(kind, type, kind##_init(x), kind##_clear(x))
 #define SCOPED_FLINT(kind) SCOPED_BY(kind, kind##_t, kind##_init(*x), kind##_clear(*x))
 
