@@ -185,7 +185,7 @@ int main(int count, char **arguments)
       hand_over_before(&read, read.options.request.book);
     code = options_book(&read);
     if (code == EXIT_DONE)
-      code = options_judge(&read, command->run(&read, &read.options));
+      code = options_judge(&read, command_make(&read));
     if (read.options.request.stats)
       counts_print();
   }

@@ -2,10 +2,9 @@
 #ifndef SCALLOP_COMPARE_COMMAND_RUN_H
 #define SCALLOP_COMPARE_COMMAND_RUN_H
 
-#include "compare/scenes/scene.h"
+#include "compare/command/want.h"
 
 /* Reads all scenes, and only then runs them. */
-struct arguments;
 enum exit_code run_scenes(const struct arguments *arguments, const struct scene_options *options,
                           const struct scene_source *sources, int count);
 

@@ -4,7 +4,7 @@
 #include "compare/command/with_flint.h"
 #include "compare/summary/summary.h"
 
-#pragma weak summary_table
+#pragma weak summary_plan
 
 struct summary_options {
   struct request request;
@@ -20,10 +20,10 @@ static const struct option options_of_summary[] = {
   OPTIONS_LAST,
 };
 
-static enum exit_code run(const struct arguments *arguments, const void *options)
+static const char *plan(const void *options, struct rows *rows)
 {
-  const struct summary_options *o = options;
-  return has_flint(arguments, "this command") ? summary_table(&o->request) : EXIT_UNSOLVED;
+  (void)options;
+  return summary_plan(rows);
 }
 
 const struct command command_summary = {
@@ -47,5 +47,6 @@ const struct command command_summary = {
            "error, proven; inf: exact). first_event, with its T and Froude number, is where the modes change\n"
            "first as T grows; reversals: the T at which the direction of crawling reverses; best_order: of the\n"
            "derived displacement, that the terms below T^best_order have the least error at this T, best_error.",
-  .run = run,
+  .plan = plan,
+  .needs_flint = true,
 };
