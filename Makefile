@@ -40,7 +40,7 @@ cvode := numerics/rivals/cvode
 parts     := $(filter-out compare/command/main $(cvode),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper
 threaded  := numerics/batch
 object     = $(patsubst %,$(B)/%.o,$(1))
-shipped   := $(call object,$(addprefix shipped_,scenes scripts completion))
+shipped   := $(call object,$(addprefix shipped_,scenes scripts completion help))
 core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
 full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded))) $(shipped)
 
@@ -77,10 +77,11 @@ $(call object,$(cvode)): $(B)/with-sundials-$(with_sundials)
 $(B)/with-sundials-$(with_sundials):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
-# Scenes, their plot scripts and the completion, in the program
+# Scenes, their plot scripts, the completion and the texts of --help, in the program
 $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
 $(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(sort $(wildcard scripts/plots/figure*.gp))
 $(B)/shipped_completion.c: scripts/dev/completion.bash
+$(B)/shipped_help.c: $(sort $(wildcard docs/help/*.txt))
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg
 	@mkdir -p $(@D) && awk -f $^ >$@
 $(B)/shipped_%.c: scripts/dev/embed.sh

@@ -179,12 +179,6 @@ const struct command command_run = {
   .options = options_of_run,
   .rules = rules,
   .size = sizeof(struct scene_options),
-  .about = "A scene is a file that says which crawler and gait, what varies, and what is wanted of it:\n"
-           "trajectories, phases, steady states, series, errors, orders, or the tables of other commands.\n"
-           "docs/scenes.md has the language. Each want is a table with a file and a format of its own, and may\n"
-           "have a plot. A name without .cfg is that of a scene that comes with the tool: figure2 to figure5,\n"
-           "claims, errors, found_*, stress, workprec, maps. '-': a scene on standard input. Parameters,\n"
-           "--digits and --format given here take the place of the scene's.",
   .quantities = { 0, NAMED_QUANTITIES },
   .run = run,
 };

@@ -45,7 +45,7 @@ sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
   -e "s|^BESIDE = .*|BESIDE = \"$(escaped "$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")")\"|" scripts/python/scallop_library.py \
   >"$data/python/scallop_library.py"
 chmod 644 "$data/python/scallop_library.py"
-put "$datadir/doc/scallop" docs/* LICENSE
+put "$datadir/doc/scallop" docs/*.* LICENSE
 # A link to a file of the sources becomes the name of the file
 sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$datadir"/doc/scallop/*.md
 put "$datadir/scallop/scenes" data/scenes/*.cfg
