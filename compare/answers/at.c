@@ -11,6 +11,8 @@
 #include "compare/columns/columns.h"
 #include "compare/text/values.h"
 
+const struct at_flint_functions *at_flint;
+
 struct asked asked_nothing(void)
 {
   return (struct asked){ .accuracy = ACCURACY_OF_DOUBLES, .digits = DIGITS_OF_DOUBLE };
@@ -45,14 +47,14 @@ bool at_init(struct at *s, const struct asked *asked)
   bool needs_flint = asked_needs_flint(asked);
   *s = (struct at){ .asked = asked, .onset = 1, .certified_errors = certifies_errors(asked) };
   if (needs_flint)
-    s->flint = at_flint.create(asked);
+    s->flint = at_flint->create(asked);
   return !needs_flint || s->flint;
 }
 
 void at_clear(struct at *s)
 {
   if (s->flint)
-    at_flint.free(s->flint);
+    at_flint->free(s->flint);
 }
 
 double at_fail(struct at *s, const char *why)
@@ -103,7 +105,7 @@ static void arrive(struct at *s, const char *refused)
     at_fail(s, refused);
   s->is_outside = refused != NULL;
   if (s->flint && !refused)
-    at_flint.move(s);
+    at_flint->move(s);
   count_add(COUNT_POINTS, 1);
 }
 
@@ -198,7 +200,7 @@ static bool certify(struct at *s, enum quantity_of of)
 {
   bool has = has_start(s, of);
   if (has && is_to_solve(s, IN_BALLS + of, COUNT_CERTIFIED))
-    at_flint.certify(s, of);
+    at_flint->certify(s, of);
   return has;
 }
 
@@ -276,7 +278,7 @@ static void compare(struct at *s, struct comparison *c, const struct quantity *s
       ready &= certify(s, OF_PHASE);
   }
   if (ready)
-    *c = at_flint.compare(s, series, quantity);
+    *c = at_flint->compare(s, series, quantity);
 }
 
 static const struct comparison *compared(struct at *s, int place)
@@ -323,7 +325,7 @@ static double compute(struct at *s, const struct quantity *q)
   case QUANTITY_ESTIMATE: return estimate(s, q);
   case QUANTITY_PUBLISHED: return published(s, q->formula);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return expand(s, q) ? at_flint.sum(s, q) : NAN;
+  case QUANTITY_LIMIT: return expand(s, q) ? at_flint->sum(s, q) : NAN;
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
   case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
@@ -371,7 +373,7 @@ static const char *how(struct at *s, const struct quantity *q)
     return "-";
   if (!s->asked->as_written)
     a = solved(s, of);
-  else if (!certify(s, of) || !at_flint.modes(s, of, &proven.regime, proven.modes))
+  else if (!certify(s, of) || !at_flint->modes(s, of, &proven.regime, proven.modes))
     a = NULL;
   return !a                           ? "-"
          : q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime)
@@ -406,7 +408,7 @@ const char *at_text(struct at *s, int quantity, long digits)
   case QUANTITY_WORDS: return in_words(s, (enum quantity_of)q->which);
   case QUANTITY_CERTIFIED:
     return !s->is_outside && certify(s, quantity_rows[q->which].of)
-               ? at_flint.text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE)
+               ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE)
                : "nan";
   default: return status_text(s);
   }

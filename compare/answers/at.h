@@ -82,9 +82,9 @@ double at_formula(struct at *at, const struct formula *formula);
 /* The start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Weak: `scallop` is
- * linked without this table, and hands what needs it over to the program that has it. */
-extern const struct at_flint_functions {
+/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. NULL until the part
+ * of the program that needs FLINT is there (command/flint.h), and to be there before such quantities are asked for. */
+struct at_flint_functions {
   struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */
   void (*free)(struct at_flint *flint);
   /* Goes to the point. The start of its phase is taken from there with the first thing that is of the phase. */
@@ -99,6 +99,7 @@ extern const struct at_flint_functions {
   const char *(*text)(struct at *at, const struct quantity *q, long digits);
   /* The regime and the modes of the certified answer; false: there is none. */
   bool (*modes)(struct at *at, enum quantity_of of, enum scallop_regime *regime, struct scallop_modes modes[2]);
-} at_flint __attribute__((weak, visibility("hidden")));
+};
+extern const struct at_flint_functions *at_flint;
 
 #endif

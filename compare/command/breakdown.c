@@ -4,13 +4,8 @@
 #include "compare/maps/maps.h"
 #include "compare/command/commands.h"
 #include "compare/points/defaults.h"
-#include "compare/command/with_flint.h"
+#include "compare/command/flint.h"
 #include "compare/summary/summary.h"
-
-#pragma weak breakdown_table
-#pragma weak breakdown_map
-#pragma weak breakdown_boundaries
-#pragma weak summary_of_breakdown
 
 #define RANGES AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE
 static const char *const sources[] = { "book", "published", "derived", "limit", NULL };
@@ -54,11 +49,12 @@ static const struct breakdown_options initial = { .source = { "published", false
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct breakdown_options *o = options;
-  if (!has_flint(arguments, "this command"))
+  const struct flint_part *flint = flint_for("breakdown", "this command");
+  if (!flint)
     return EXIT_UNSOLVED;
   if (o->map[0])
-    return o->boundaries ? breakdown_boundaries(o) : breakdown_map(o);
-  return given_option(arguments, NARROWS) ? breakdown_table(o) : summary_of_breakdown(&o->request);
+    return o->boundaries ? flint->breakdown_boundaries(o) : flint->breakdown_map(o);
+  return given_option(arguments, NARROWS) ? flint->breakdown_table(o) : flint->summary_of_breakdown(&o->request);
 }
 
 const struct command command_breakdown = {

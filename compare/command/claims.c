@@ -3,9 +3,7 @@
 #include "compare/command/commands.h"
 #include "compare/claims/claims.h"
 #include "compare/points/gaits.h"
-#include "compare/command/with_flint.h"
-
-#pragma weak claims_table
+#include "compare/command/flint.h"
 
 static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecided", NULL };
 static const struct option options_of_claims[] = {
@@ -46,21 +44,23 @@ static const struct option_rule rules[] = {
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
 
 /* The claims of a book, or of --formula */
-static enum exit_code prove(const struct arguments *arguments, const struct claims_options *o)
+static enum exit_code prove(const struct claims_options *o)
 {
   const struct formula_given given = { o->formula, o->of.value, o->start.value, o->phase.value, o->claimed };
-  if (!has_flint(arguments, "the proof"))
+  const struct flint_part *flint = flint_for("claims", "the proof");
+  if (!flint)
     return EXIT_UNSOLVED;
   enum exit_code code = o->formula ? book_add("claims", &given) : EXIT_DONE;
-  return code == EXIT_DONE ? claims_table(o) : code;
+  return code == EXIT_DONE ? flint->claims_table(o) : code;
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct claims_options *o = options;
+  (void)arguments;
   const struct scallop_crawler *c = &o->request.point.crawler;
   if (o->formula || o->request.book)
-    return prove(arguments, o);
+    return prove(o);
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",
              "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "
@@ -80,7 +80,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     complain("claims", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  return has_flint(arguments, "the ledger") ? claims_table(o) : EXIT_UNSOLVED;
+  const struct flint_part *flint = flint_for("claims", "the ledger");
+  return flint ? flint->claims_table(o) : EXIT_UNSOLVED;
 }
 
 const struct command command_claims = {

@@ -32,7 +32,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     to_output.request.style.has_output = to_output.no_plots = true;
     if (!names_columns(&to_output.request.style.plot))
       to_output.request.style.plot.program = shipped_text(shipped_scripts, name);
-    return run_scenes(arguments, &to_output, &(struct scene_source){ .path = name, .text = scene }, 1);
+    return run_scenes(&to_output, &(struct scene_source){ .path = name, .text = scene }, 1);
   }
   complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", figure);
   return EXIT_USAGE;

@@ -8,7 +8,7 @@
 #include "compare/answers/points.h"
 #include "compare/points/defaults.h"
 #include "compare/command/commands.h"
-#include "compare/command/with_flint.h"
+#include "compare/command/flint.h"
 
 struct motion_options {
   struct request request;
@@ -73,6 +73,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 {
   static const char *const none[] = { NULL }, *const start[] = { "phase", "v0", NULL };
   const struct motion_options *o = options;
+  (void)arguments;
   const char *columns[MOST];
   char texts[QUANTITIES][2][TEXT];
   long digits = o->request.style.digits > 0 ? o->request.style.digits : CERTIFIED_DIGITS;
@@ -86,8 +87,9 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   struct sheet sheet = { .asked = asked, .own = columns, .digits = digits };
   const struct point_table table = { .extra = o->of == OF_PHASE ? start : none, .columns = columns, .sheet = &sheet };
   enum exit_code code = EXIT_UNSOLVED;
-  if ((!o->certified || has_flint(arguments, "--certified"))
-      && (!choice_needs_flint(o->request.style.choice, &sheet) || has_flint(arguments, "such a column")))
+  const char *command = o->request.style.command;
+  if ((!o->certified || flint_for(command, "--certified"))
+      && (!choice_needs_flint(o->request.style.choice, &sheet) || flint_for(command, "such a column")))
     code = for_each_point(&o->request, &table);
   sheet_free(&sheet);
   free(asked);

@@ -280,17 +280,15 @@ static bool read_values(struct arguments *a, const struct option *o, const char 
 
 static bool read_option(struct arguments *a)
 {
-  char *argument = a->all[a->place];
+  const char *argument = a->all[a->place];
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
-  char *name = is_o ? "output" : argument + (two_dashes ? 2 : 0);
-  char *equals = two_dashes ? strchr(name, '=') : NULL;
-  if (equals)
-    *equals = '\0';
+  char before[2 * OPTION_VALUE]; /* the value behind '=' */
+  size_t length = strcspn(argument, two_dashes ? "=" : "");
+  snprintf(before, sizeof before, "%.*s", (int)length, argument);
+  const char *name = is_o ? "output" : before + (two_dashes ? 2 : 0);
   const struct option *o = two_dashes || is_o ? option_of(a->command, name) : NULL;
-  bool good = o ? read_values(a, o, equals ? equals + 1 : NULL) : complain_of_option(a, name, argument);
-  if (equals) /* the arguments may be handed on: with_flint.h */
-    *equals = '=';
-  return good;
+  return o ? read_values(a, o, argument[length] == '=' ? argument + length + 1 : NULL)
+           : complain_of_option(a, name, before);
 }
 
 static bool take_operand(struct arguments *a, const char *text)

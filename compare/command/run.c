@@ -5,7 +5,7 @@
 #include "compare/command/commands.h"
 #include "compare/command/run.h"
 #include "compare/text/shipped.h"
-#include "compare/command/with_flint.h"
+#include "compare/command/flint.h"
 
 #define OF_SCENE "that of the scene"
 #define DIGITS DIGITS_PROVEN("where a scene has certified values")
@@ -101,8 +101,7 @@ static enum exit_code run_command(const struct scene *scene, const struct scene_
   return code;
 }
 
-static enum exit_code run_all(const struct scenes *all, const struct arguments *arguments,
-                              const struct scene_options *o)
+static enum exit_code run_all(const struct scenes *all, const struct scene_options *o)
 {
   const char *command = o->request.style.command;
   int wants = 0;
@@ -124,7 +123,7 @@ static enum exit_code run_all(const struct scenes *all, const struct arguments *
               sweep_points(&all->scene[i].sweep), all->scene[i].wants);
     return EXIT_DONE;
   }
-  if (needs_flint && !has_flint(arguments, "this scene"))
+  if (needs_flint && !flint_for(command, "this scene"))
     return EXIT_UNSOLVED;
   for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
     enum exit_code one = scene_run(&all->scene[i], o);
@@ -133,8 +132,7 @@ static enum exit_code run_all(const struct scenes *all, const struct arguments *
   return code;
 }
 
-enum exit_code run_scenes(const struct arguments *arguments, const struct scene_options *o,
-                          const struct scene_source *sources, int count)
+enum exit_code run_scenes(const struct scene_options *o, const struct scene_source *sources, int count)
 {
   struct scenes all = { 0, calloc((size_t)count, sizeof *all.scene) };
   enum exit_code code = all.scene ? EXIT_DONE : EXIT_UNSOLVED;
@@ -145,7 +143,7 @@ enum exit_code run_scenes(const struct arguments *arguments, const struct scene_
     all.count += code == EXIT_DONE;
   }
   if (code == EXIT_DONE)
-    code = run_all(&all, arguments, o);
+    code = run_all(&all, o);
   for (int i = 0; i < all.count; i++)
     scene_free(&all.scene[i]);
   free(all.scene);
@@ -163,10 +161,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     const char *operand = arguments->operands[i];
     sources[i] = (struct scene_source){ .path = strcmp(operand, "/dev/stdin") == 0 ? "-" : operand,
                                         .text = shipped_text(shipped_scenes, operand) };
-    if (!sources[i].text)
-      hand_over_before(arguments, sources[i].path);
   }
-  enum exit_code code = run_scenes(arguments, options, sources, arguments->operand_count);
+  enum exit_code code = run_scenes(options, sources, arguments->operand_count);
   free(sources);
   return code;
 }

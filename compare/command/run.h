@@ -5,8 +5,6 @@
 #include "compare/scenes/scene.h"
 
 /* Reads all scenes, and only then runs them. */
-struct arguments;
-enum exit_code run_scenes(const struct arguments *arguments, const struct scene_options *options,
-                          const struct scene_source *sources, int count);
+enum exit_code run_scenes(const struct scene_options *options, const struct scene_source *sources, int count);
 
 #endif

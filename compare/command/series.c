@@ -9,10 +9,7 @@
 #include "compare/answers/points.h"
 #include "compare/command/commands.h"
 #include "compare/command/series_options.h"
-#include "compare/command/with_flint.h"
-
-#pragma weak series_derived
-#pragma weak series_symbolic
+#include "compare/command/flint.h"
 
 #define DIGITS DIGITS_PROVEN("with --source derived or limit")
 static const char *const sources[] = { "published", "derived", "limit", "closed", NULL };
@@ -256,13 +253,17 @@ static bool only_holds(const char *only)
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct series_options *o = options;
+  (void)arguments;
   if (o->only && !only_holds(o->only))
     return EXIT_USAGE;
-  if (o->symbolic)
-    return has_flint(arguments, "--symbolic") ? series_symbolic(o) : EXIT_UNSOLVED;
-  if (is_from(o, "published"))
+  if (!o->symbolic && is_from(o, "published"))
     return (has_many_points(&o->request) ? run_points : run_point)(o);
-  return has_flint(arguments, o->bound ? "--bound" : "--source derived or limit") ? series_derived(o) : EXIT_UNSOLVED;
+  const struct flint_part *flint = flint_for("series", o->symbolic ? "--symbolic"
+                                                       : o->bound  ? "--bound"
+                                                                   : "--source derived or limit");
+  if (!flint)
+    return EXIT_UNSOLVED;
+  return o->symbolic ? flint->series_symbolic(o) : flint->series_derived(o);
 }
 
 const struct command command_series = {

@@ -3,11 +3,7 @@
 #include "compare/command/commands.h"
 #include "compare/stress/table.h"
 #include "compare/points/defaults.h"
-#include "compare/command/with_flint.h"
-
-#pragma weak stress_table
-#pragma weak stress_point
-#pragma weak stress_stiff
+#include "compare/command/flint.h"
 
 static const struct option options_of_stress[] = {
   OPTIONS_CRAWLER("%s where another parameter is given, else those of the cases", "each in turn; of a single point %s"),
@@ -42,9 +38,12 @@ static const struct option_rule rules[] = {
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct stress_options *o = options;
-  if (!has_flint(arguments, "this command"))
+  const struct flint_part *flint = flint_for("stress", "this command");
+  if (!flint)
     return EXIT_UNSOLVED;
-  return (o->stiff ? stress_stiff : given_option(arguments, OF_A_POINT) ? stress_point : stress_table)(o);
+  if (o->stiff)
+    return flint->stress_stiff(o);
+  return given_option(arguments, OF_A_POINT) ? flint->stress_point(o) : flint->stress_table(o);
 }
 
 const struct command command_stress = {

@@ -1,10 +1,8 @@
 #include <stddef.h>
 
 #include "compare/command/commands.h"
-#include "compare/command/with_flint.h"
+#include "compare/command/flint.h"
 #include "compare/summary/summary.h"
-
-#pragma weak summary_table
 
 struct summary_options {
   struct request request;
@@ -23,7 +21,9 @@ static const struct option options_of_summary[] = {
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct summary_options *o = options;
-  return has_flint(arguments, "this command") ? summary_table(&o->request) : EXIT_UNSOLVED;
+  const struct flint_part *flint = flint_for("summary", "this command");
+  (void)arguments;
+  return flint ? flint->summary_table(&o->request) : EXIT_UNSOLVED;
 }
 
 const struct command command_summary = {

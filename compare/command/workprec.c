@@ -3,9 +3,7 @@
 #include "compare/command/commands.h"
 #include "compare/workprec/table.h"
 #include "compare/points/defaults.h"
-#include "compare/command/with_flint.h"
-
-#pragma weak workprec_table
+#include "compare/command/flint.h"
 
 static const struct option options_of_workprec[] = {
   OPTIONS_TO_L(NULL),
@@ -23,7 +21,9 @@ static const struct option options_of_workprec[] = {
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  return has_flint(arguments, "this command") ? workprec_table(options) : EXIT_UNSOLVED;
+  const struct flint_part *flint = flint_for("workprec", "this command");
+  (void)arguments;
+  return flint ? flint->workprec_table(options) : EXIT_UNSOLVED;
 }
 
 const struct command command_workprec = {
