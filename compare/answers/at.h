@@ -82,8 +82,8 @@ double at_formula(struct at *at, const struct formula *formula);
 /* The start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. NULL until the part
- * of the program that needs FLINT is there (command/flint.h), and to be there before such quantities are asked for. */
+/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. NULL until the
+ * part of the program that needs FLINT is there (command/flint.h), which such quantities take for granted. */
 struct at_flint_functions {
   struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */
   void (*free)(struct at_flint *flint);

@@ -1,9 +1,8 @@
+#include "compare/command/commands.h"
+
 #include <string.h>
 
-#include "compare/command/list.h"
-
 #include "compare/points/gaits.h"
-#include "compare/command/commands.h"
 #include "compare/text/message.h"
 #include "compare/text/shipped.h"
 

@@ -11,7 +11,7 @@
 #include <gsl/gsl_errno.h>
 
 #include "compare/points/counts.h"
-#include "compare/command/list.h"
+#include "compare/command/commands.h"
 #include "compare/text/progress.h"
 #include "compare/text/message.h"
 #include "compare/text/shipped.h"

@@ -2,7 +2,7 @@
 #include <stdio.h>
 
 #include "compare/breakdown/study.h"
-#include "compare/command/list.h"
+#include "compare/command/commands.h"
 #include "compare/points/defaults.h"
 #include "compare/stress/judge.h"
 #include "compare/summary/summary.h"
