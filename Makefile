@@ -22,7 +22,7 @@ chosen     = $(filter-out 0,$(if $(filter auto,$(1)),$(2),$(1)))
 WARN       = -Wall -Wextra -Werror -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
 ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -fPIC -fno-semantic-interposition -ffp-contract=off -fno-trapping-math -fopenmp-simd $(WARN) $(CFLAGS)
 threads   := $(if $(call chosen,$(WITH_OPENMP),$(call works,echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null)),-fopenmp)
-# Of GSL and libconfig the programs take what they use out of the archives, so that nothing is looked for when they start.
+# Of GSL and libconfig a program takes what it uses out of the archives, so that nothing is looked for when it starts.
 archive    = $(filter /%,$(if $(filter 0,$(STATIC)),,$(shell $(CC) -print-file-name=lib$(1).a)))
 LDLIBS    ?= $(foreach l,gsl gslcblas config,$(or $(call archive,$(l)),-l$(l))) -lm
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3.
@@ -31,33 +31,34 @@ sundials  := $(filter 4 5 6 7 8 9,$(shell printf '\043include <cvode/cvode.h>\nS
 with_sundials := $(if $(call chosen,$(WITH_SUNDIALS),$(sundials)),1,0)
 SUNDIALS  ?= $(if $(filter 1,$(with_sundials)),-lsundials_cvode -lsundials_nvecserial $(if $(filter 4 5 6,$(sundials)),,-lsundials_core))
 
-# What needs FLINT follows from the folder, or from a name that ends in flint; what is made for it has threads, where there are any.
+# What needs FLINT follows from the folder, or from a name that ends in _flint; what is made for it has threads, where there are any.
 in_flint   = model/exact/% asymptotics/derived/% asymptotics/symbolic/% numerics/certified/% $(patsubst %,compare/%/%,claims breakdown maps stress workprec summary)
-flint     := $(in_flint) $(addprefix tests/,$(in_flint) fuzz/flint/%) %flint
+flint     := $(in_flint) $(addprefix tests/,$(in_flint) fuzz/flint/%) %_flint
 built      = $(if $(filter 0,$(WITH_FLINT)),$(filter-out $(flint),$(1)),$(1))
 found      = $(call built,$(basename $(sort $(shell find $(1) -name '$(2).c'))))
 cvode := numerics/rivals/cvode
 parts     := $(filter-out compare/command/main $(cvode),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper
 threaded  := numerics/batch
 object     = $(patsubst %,$(B)/%.o,$(1))
-shipped   := $(call object,$(addprefix shipped_,scenes scripts completion))
+shipped   := $(call object,$(addprefix shipped_,scenes scripts completion help))
 core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
 full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded))) $(shipped)
+with_flint := $(call object,$(filter $(flint),$(parts)) $(cvode))
 
 # A test or a fuzz target needs what its room needs; tests/ mirrors the rooms. libFuzzer drives a target (make fuzz), or tests/corpus does.
 of_tests  := $(call found,tests,test_*)
 of_fuzz   := $(call found,tests,fuzz_*)
 tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
-programs  := $(addprefix $(B)/,$(call built,scallop scallop-flint))
+program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT)),,scallop-flint.so))
 
 .PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
 ## all:        build the command, build/scallop, and the libraries; config.mk has the choices
-all: $(programs) libraries
-	@[ $(WITH_FLINT) != 0 ] || rm -f $(B)/scallop-flint
+all: $(program) libraries
+	@[ $(WITH_FLINT) != 0 ] || rm -f $(B)/scallop-flint.so
 
 ## help:       this list
 help: ; @sed -n 's/^## //p' Makefile explorer/rules.mk
@@ -77,10 +78,11 @@ $(call object,$(cvode)): $(B)/with-sundials-$(with_sundials)
 $(B)/with-sundials-$(with_sundials):
 	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
 
-# Scenes, their plot scripts and the completion, in the program
+# Scenes, their plot scripts, the completion and the texts of --help, in the program
 $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
 $(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(sort $(wildcard scripts/plots/figure*.gp))
 $(B)/shipped_completion.c: scripts/dev/completion.bash
+$(B)/shipped_help.c: $(sort $(wildcard docs/help/*.txt))
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg
 	@mkdir -p $(@D) && awk -f $^ >$@
 $(B)/shipped_%.c: scripts/dev/embed.sh
@@ -88,15 +90,19 @@ $(B)/shipped_%.c: scripts/dev/embed.sh
 
 # A program is linked with the libraries that its objects need.
 needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/rivals/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/support/check.o,$^),-lcmocka) \
-             $(if $(filter $(B)/threads/%,$^),$(threads))
-$(B)/scallop: $(B)/compare/command/main.o $(core)
-$(B)/scallop-flint: $(B)/compare/command/main.o $(full)
+             $(if $(filter $(B)/threads/%,$^),$(threads)) $(if $(filter %/command/main.o %/part_flint.o,$^),-rdynamic)
+# What needs FLINT is a part of its own, which scallop loads when a command asks for it (compare/answers/flint.h): loading FLINT takes
+# longer than most commands do. It takes from the program what it has not.
+$(B)/scallop: $(B)/compare/command/main.o $(core) | $(filter-out $(B)/scallop,$(program))
+$(B)/scallop-flint.so: $(with_flint)
+	@echo "  LD $@"; echo '{ global: flint_part; local: *; };' >$(B)/flint_part.map
+	@$(CC) $(ALL_CFLAGS) $(threads) $(LDFLAGS) -shared -Wl,--version-script=$(B)/flint_part.map -o $@ $(filter %.o,$^) $(needed) $(LDLIBS)
 $(foreach t,$(of_tests) $(of_fuzz),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(filter $(flint),$(t)),$(full),$(core))))
 $(tests): $(call object,tests/support/check)
 $(B)/test_integrators: $(call object,$(cvode))
 $(fuzz): $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 $(B)/scallop-bench: $(call object,$(filter-out bench/nothing,$(basename $(wildcard bench/*.c)))) $(core)
-$(programs) $(tests) $(fuzz) $(B)/scallop-bench:
+$(B)/scallop $(tests) $(fuzz) $(B)/scallop-bench:
 	@echo "  LD $@"; $(CC) $(ALL_CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(FUZZER) $(needed) $(LDLIBS)
 $(B)/nothing: $(B)/bench/nothing.o
 	@$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
@@ -122,20 +128,20 @@ check asan matrix coverage fuzz flint3:
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
 valgrind lint reproduce instructions bare release:
 	@$(script)
-check valgrind: $(programs) libraries $(tests) $(fuzz)
+check valgrind: $(program) libraries $(tests) $(fuzz)
 lint: rooms
-reproduce: $(programs)
+reproduce: $(program)
 instructions: $(B)/scallop-bench
 fuzz-programs: $(fuzz)
 
 ## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/dev/rooms.txt; circles, and what is too long
-rooms: $(programs)
+rooms: $(program)
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
 rooms size: ; @/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
 ## gates:      all that guards something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
 gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
 ## docs:       docs/commands.md anew, from --help
-docs: $(programs) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
+docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
 include explorer/rules.mk
 ## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
 bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop ; @$(B)/scallop-bench
@@ -165,6 +171,6 @@ $(B)/man: $(B)/scallop scripts/dev/man.awk scripts/dev/man.sh
 libraries: $(libraries)
 ## install:    programs, libraries, headers, man pages, completion, scenes, plot scripts, the Python module, to PREFIX (/usr/local), with DESTDIR in front
 ## uninstall:  takes away what install put there
-install: $(programs) $(libraries) $(B)/man
+install: $(program) $(libraries) $(B)/man
 install uninstall:
-	@$(to_script)/install.sh $@ $(B) $(version) $(abi) "$(headers)" "$(programs)"
+	@$(to_script)/install.sh $@ $(B) $(version) $(abi) "$(headers)" "$(program)"

@@ -1,6 +1,6 @@
 # The choices of a build. Each can be given on make's command line or in the environment as well: make WITH_FLINT=0 PREFIX=/usr
 
-# FLINT: derived series, certified numbers and the ledger, in a program of their own, scallop-flint. 0: without, and without what needs it.
+# FLINT: derived series, certified numbers and the ledger, in scallop-flint.so, which the program loads when a command needs it. 0: without.
 WITH_FLINT    ?= 1
 # OpenMP: many steady states, and maps, on all cores. auto: where the compiler has it; 0: on one.
 WITH_OPENMP   ?= auto

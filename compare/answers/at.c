@@ -5,15 +5,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/flint.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/points/counts.h"
 #include "compare/points/gaits.h"
 
-struct asked *asked_nothing(void)
+const struct at_flint_functions *at_flint;
+
+struct asked *asked_nothing(const char *command)
 {
   struct asked *asked = calloc(1, sizeof *asked);
   if (asked) {
+    asked->command = command;
     asked->accuracy = ACCURACY_OF_DOUBLES;
     asked->digits = DIGITS_OF_DOUBLE;
   }
@@ -34,29 +38,32 @@ static bool certifies_errors(const struct asked *asked)
   return certifies || (has && asked->certified_errors);
 }
 
-bool asked_needs_flint(const struct asked *asked)
+const char *asked_needs_flint(const struct asked *asked)
 {
-  bool needs = certifies_errors(asked);
+  bool certifies = certifies_errors(asked);
   for (int i = 0; i < asked->quantities.count; i++) {
-    enum quantity_kind kind = asked->quantities.item[i].kind;
-    needs = needs || kind == QUANTITY_CERTIFIED || kind == QUANTITY_DERIVED || kind == QUANTITY_LIMIT;
+    const struct quantity *q = &asked->quantities.item[i];
+    if (q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT
+        || (certifies && q->of >= 0))
+      return q->name;
   }
-  return needs;
+  return NULL;
 }
 
 bool at_init(struct at *s, const struct asked *asked)
 {
-  bool needs_flint = asked_needs_flint(asked);
+  const char *needs_flint = asked_needs_flint(asked);
   *s = (struct at){ .asked = asked, .onset = 1, .certified_errors = certifies_errors(asked) };
-  if (needs_flint)
-    s->flint = at_flint.create(asked);
-  return !needs_flint || s->flint;
+  if (needs_flint && !flint_for(asked->command, needs_flint))
+    return false;
+  s->flint = needs_flint ? at_flint->create(asked) : NULL;
+  return !needs_flint || s->flint || complain(asked->command, "out of memory");
 }
 
 void at_clear(struct at *s)
 {
   if (s->flint)
-    at_flint.free(s->flint);
+    at_flint->free(s->flint);
 }
 
 double at_fail(struct at *s, const char *why)
@@ -103,7 +110,7 @@ void at_move(struct at *s)
     at_fail(s, wrong);
   s->is_outside = wrong != NULL;
   if (s->flint && !wrong)
-    at_flint.move(s);
+    at_flint->move(s);
   count_add(COUNT_POINTS, 1);
 }
 
@@ -221,7 +228,7 @@ static bool certify(struct at *s, enum motion_of_point m)
 {
   bool has = !isnan(start_of(s, m));
   if (has && is_first(&s->solved[m].in_balls, COUNT_CERTIFIED))
-    at_flint.certify(s, m);
+    at_flint->certify(s, m);
   return has;
 }
 
@@ -287,7 +294,7 @@ static void compare(struct at *s, struct series_error *c, const struct quantity 
   }
   count_add(is_published ? COUNT_FORMULAS : COUNT_SUMS, 1);
   if (certify(s, m))
-    *c = at_flint.compare(s, series, quantity, m);
+    *c = at_flint->compare(s, series, quantity, m);
 }
 
 static const struct series_error *compared(struct at *s, int place)
@@ -332,7 +339,7 @@ static double compute(struct at *s, const struct quantity *q)
   case QUANTITY_PUBLISHED: return published(s, q);
   case QUANTITY_DERIVED:
   case QUANTITY_LIMIT:
-    return expand(s, motion_of_quantity(s, q)) ? at_flint.sum(s, q, motion_of_quantity(s, q)) : NAN;
+    return expand(s, motion_of_quantity(s, q)) ? at_flint->sum(s, q, motion_of_quantity(s, q)) : NAN;
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
   case QUANTITY_FORMULA: return at_formula(s, q->own);
@@ -381,7 +388,7 @@ static const char *how(struct at *s, const struct quantity *q)
     return "-";
   if (!s->as_written)
     a = solve(s, m);
-  else if (!certify(s, m) || !at_flint.modes(s, m, &proven.regime, proven.modes))
+  else if (!certify(s, m) || !at_flint->modes(s, m, &proven.regime, proven.modes))
     a = NULL;
   return !a                           ? "-"
          : q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime)
@@ -417,7 +424,7 @@ const char *at_text(struct at *s, int quantity, long digits)
   case QUANTITY_MODES: return how(s, q);
   case QUANTITY_WORDS: return in_words(s, m);
   case QUANTITY_CERTIFIED:
-    return !s->is_outside && certify(s, m) ? at_flint.text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
+    return !s->is_outside && certify(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
   default: return status_text(s);
   }
 }

@@ -12,6 +12,7 @@ enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
 
 /* What is known before the first point */
 struct asked {
+  const char *command; /* for messages */
   struct quantities quantities;
   bool from_steady;      /* a phase without a v0 starts with the velocity of the steady state; else from rest */
   bool tells_no_start;   /* the column v0 is nan where no v0 is given */
@@ -22,9 +23,9 @@ struct asked {
 /* Errors against doubles are told down to this part of the exact value. */
 #define ACCURACY_OF_DOUBLES 1e-10
 /* With no quantities yet; NULL: no memory. */
-struct asked *asked_nothing(void);
-/* Does any of the quantities need FLINT? */
-bool asked_needs_flint(const struct asked *asked);
+struct asked *asked_nothing(const char *command);
+/* What needs FLINT: the name of the first of these quantities, or NULL. */
+const char *asked_needs_flint(const struct asked *asked);
 
 /* The motions of a point: its steady state; an extension or a contraction with the start velocity of the point; and
  * either of these from rest. */
@@ -65,7 +66,7 @@ struct at {
 /* Notes why something cannot be done, if it is the first. Returns nan. */
 double at_fail(struct at *at, const char *why);
 
-/* asked outlives it. False: no memory. */
+/* asked outlives it. False: the message is on stderr. */
 bool at_init(struct at *at, const struct asked *asked);
 void at_clear(struct at *at);
 
@@ -86,10 +87,10 @@ double at_formula(struct at *at, const struct formula *formula);
 /* The start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Weak: `scallop` is
- * linked without this table, and hands what needs it over to the program that has it. Motions are those of the point,
- * and their start velocities known. */
-extern const struct at_flint_functions {
+/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are those of
+ * the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
+ * (answers/flint.h), which such quantities take for granted. */
+struct at_flint_functions {
   struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */
   void (*free)(struct at_flint *flint);
   void (*move)(const struct at *at); /* goes to the point */
@@ -102,6 +103,7 @@ extern const struct at_flint_functions {
   const char *(*text)(struct at *at, const struct quantity *q, long digits, enum motion_of_point m);
   /* The regime and the modes of the certified answer; false: there is none. */
   bool (*modes)(struct at *at, enum motion_of_point m, enum scallop_regime *regime, struct scallop_modes modes[2]);
-} at_flint __attribute__((weak, visibility("hidden")));
+};
+extern const struct at_flint_functions *at_flint;
 
 #endif

@@ -102,16 +102,6 @@ const char *rows_columns(struct rows *r)
   return wrong ? wrong : settle(r);
 }
 
-bool rows_need_flint(struct rows *r)
-{
-  struct asked *asked = r->sheet.asked, before = *asked;
-  rows_columns(r);
-  bool needs = asked_needs_flint(asked);
-  sheet_free(&r->sheet);
-  *asked = before;
-  return needs;
-}
-
 /* Has the table a column of that name with something else in it, as "T = alpha*T"? */
 static bool is_renamed(const struct rows *r, const char *parameter)
 {
@@ -281,10 +271,11 @@ enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
   const struct style *style = &run->rows->request->style;
   struct at *at = malloc(sizeof *at);
   enum exit_code code = EXIT_FILE;
-  if (!at || !at_init(at, run->rows->sheet.asked)) {
+  if (!at)
     complain(style->command, "out of memory");
+  if (!at || !at_init(at, run->rows->sheet.asked))
     code = EXIT_UNSOLVED;
-  } else if (open_tables(run)) {
+  else if (open_tables(run)) {
     visit_points(run, at, file);
     const char *error = file ? tsv_error(&file->tsv) : NULL;
     code = error ? complain(style->command, "%s", error), EXIT_FILE : EXIT_DONE;

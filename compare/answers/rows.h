@@ -36,8 +36,6 @@ extern const char rows_no_memory[];
 /* The columns of the sheet: those that are chosen, or labels, parameters, what is carried along and the own ones. NULL,
  * or what is wrong, until the next call. */
 const char *rows_columns(struct rows *rows);
-/* Does any of these need FLINT? What is wrong with one is told when it is known what a file carries. */
-bool rows_need_flint(struct rows *rows);
 void rows_free(struct rows *rows);
 
 /* Tables of the same points, all with the same sheet.asked */

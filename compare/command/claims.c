@@ -3,9 +3,7 @@
 #include "compare/command/commands.h"
 #include "compare/claims/claims.h"
 #include "compare/points/gaits.h"
-#include "compare/command/with_flint.h"
-
-#pragma weak claims_table
+#include "compare/answers/flint.h"
 
 static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecided", NULL };
 static const struct option options_of_claims[] = {
@@ -46,21 +44,23 @@ static const struct option_rule rules[] = {
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
 
 /* The claims of a book, or of --formula */
-static enum exit_code prove(const struct arguments *arguments, const struct claims_options *o)
+static enum exit_code prove(const struct claims_options *o)
 {
   const struct formula_given given = { o->formula, o->of.value, o->start.value, o->phase.value, o->claimed };
-  if (!has_flint(arguments, "the proof"))
+  const struct flint_part *flint = flint_for("claims", "the proof");
+  if (!flint)
     return EXIT_UNSOLVED;
   enum exit_code code = o->formula ? book_add("claims", &given) : EXIT_DONE;
-  return code == EXIT_DONE ? claims_table(o) : code;
+  return code == EXIT_DONE ? flint->claims_table(o) : code;
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct claims_options *o = options;
+  (void)arguments;
   const struct scallop_crawler *c = &o->request.point.crawler;
   if (o->formula || o->request.book)
-    return prove(arguments, o);
+    return prove(o);
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",
              "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "
@@ -80,7 +80,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     complain("claims", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  return has_flint(arguments, "the ledger") ? claims_table(o) : EXIT_UNSOLVED;
+  const struct flint_part *flint = flint_for("claims", "the ledger");
+  return flint ? flint->claims_table(o) : EXIT_UNSOLVED;
 }
 
 const struct command command_claims = {
@@ -90,36 +91,6 @@ const struct command command_claims = {
   .options = options_of_claims,
   .rules = rules,
   .size = sizeof(struct claims_options),
-  .about = "One row for each statement '... + O(T^n)', gait and set of conditions. derived_order is the first\n"
-           "power of T that the formula leaves out of the derived expansion, coefficient what stands there\n"
-           "(exact, or a ball that does not hold 0). 'none': no coefficient that was looked at differs from 0.\n"
-           "order is fitted to certified errors at 12 T, down to below 1e-20. Where these errors are not the\n"
-           "sum of what is left out, the exit code is 3.\n"
-           "evidence: how the verdict is known. Proven for all parameters: for every crawler with the modes\n"
-           "that this one has as T -> 0, by coefficients in names, or in docs/theory.md. Certified for the\n"
-           "crawler named: by exact numbers or balls, for this crawler alone. Sampled: that many crawlers, or\n"
-           "other cases, show no exception. Measured in doubles: by a scan or a fit.\n"
-           "verdict: holds; sharper (the error falls faster than claimed); refuted (slower, or not at all);\n"
-           "undecided, with the reason. corrected: the row of the formula that holds where this one does not\n"
-           "(source 'corrected'; ':mirrored' is a formula with the bodies exchanged and seen in a mirror,\n"
-           "':contraction' with the bodies exchanged). conditions: what was assumed; inside: whether the paper\n"
-           "assumes it too. Claims in words have the figure that decides in 'measured'. claimed_order inf: the\n"
-           "formula is printed as an equality. --gait: the ledger for one gait, which need not be one of the\n"
-           "paper's two; with others the rows that 'corrected' names may not hold, either: see their verdicts.\n"
-           "What the paper says and no row decides is listed in docs/errata.md.\n"
-           "--summary: one row for each claim of the paper: its verdict over all checks under the paper's\n"
-           "conditions, how many of them failed, the first condition under which it fails, and the evidence:\n"
-           "of a claim that holds, the weakest of its checks; else that of the check named. Two lines on\n"
-           "standard error count the claims.\n"
-           "--errors CLAIM: what is behind a row: T (column h), the error, the pairwise order, and whether the\n"
-           "fit used it; `scallop order` reads such a table.\n"
-           "--book, --formula: the same table for formulas of your own (source 'book'), one row for each formula\n"
-           "with a claim and gait; docs/formulas.md describes both. A crawler that is not given is one for which\n"
-           "the conditions of the formula hold; 'measured' has the numbers that were changed for that. inside:\n"
-           "whether the conditions hold for a given crawler. Exit code 1 if a formula is refuted where its\n"
-           "conditions hold, else 3 if one is undecided, or its conditions do not hold. leading_error: the term\n"
-           "that coefficient belongs to, as a formula, or '-' where it is not known as one. A formula that holds\n"
-           "for one crawler by coincidence is refuted, unless that crawler was given.",
   .defaults = &generic,
   .run = run,
 };

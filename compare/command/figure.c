@@ -32,7 +32,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     to_output.request.style.has_output = to_output.no_plots = true;
     if (!names_columns(&to_output.request.style.plot))
       to_output.request.style.plot.program = shipped_text(shipped_scripts, name);
-    return run_scenes(arguments, &to_output, &(struct scene_source){ .path = name, .text = scene }, 1);
+    return run_scenes(&to_output, &(struct scene_source){ .path = name, .text = scene }, 1);
   }
   complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", figure);
   return EXIT_USAGE;
@@ -45,11 +45,5 @@ const struct command command_figure = {
   .operand = "2|3|4|5",
   .options = options_of_figure,
   .size = sizeof(struct scene_options),
-  .about = "2: positions in time from rest, with symmetric and asymmetric kinematics. 3: one extension from\n"
-           "rest. 4: change of position and velocity over an extension from rest, against its duration up to the\n"
-           "onset of sticking, exact and by the series. 5: mean velocity over alpha and over F1/F2. Normalised\n"
-           "as in the paper. What a caption leaves out is chosen, and the table's header says so after\n"
-           "'assumed'. Each is the scene data/scenes/figureN.cfg, for `run`; parameters that are given here take\n"
-           "the place of the scene's.",
   .run = run,
 };

@@ -1,10 +1,10 @@
+#include "compare/command/commands.h"
+
 #include <string.h>
 
-#include "compare/command/list.h"
-
 #include "compare/points/gaits.h"
-#include "compare/command/commands.h"
-#include "compare/text/aligned.h"
+#include "compare/text/message.h"
+#include "compare/text/shipped.h"
 
 const struct command *const commands[] = { &command_phase,
                                            &command_steady,
@@ -35,20 +35,6 @@ const char *nearest_command(const char *word)
     names[i] = commands[i]->name;
   return nearest(word, names);
 }
-
-static const char program_text[] =
-    "\nscallop COMMAND --help prints what a command takes and what it returns. In place of a command:\n"
-    "  --help [COMMAND]    this text, or that of a command; also -h, and help without dashes\n"
-    "  --version           the version\n"
-    "  --completion bash   a script by which bash completes commands, options and file names\n"
-    "\nExit codes:\n"
-    "  0  done\n"
-    "  1  a check failed\n"
-    "  2  bad usage or input\n"
-    "  3  a computation could not be done\n"
-    "  4  a file or standard output could not be read or written, as in scallop ... | head\n"
-    "If a signal ends a run, the exit code is that of the signal. -o FILE replaces FILE only when the\n"
-    "new table is complete.\n";
 
 enum { HELP_WIDTH = 100 };
 
@@ -82,14 +68,10 @@ static void option_line(FILE *to, const char *name, const char *placeholder, con
 
 static void write_program(FILE *to)
 {
-  fputs("Example: scallop steady --F1 3 --T 0.5\n\n"
-        "scallop COMMAND [options]: a two-body crawler on dry friction, its exact motion and the\n"
-        "asymptotic series said to describe it, side by side.\n\n"
-        "Commands:\n",
-        to);
+  fputs(shipped_text(shipped_help, "scallop"), to);
   for (const struct command *const *c = commands; *c; c++)
     print_item(to, (*c)->name, 16, (*c)->summary);
-  fputs(program_text, to);
+  fputs(shipped_text(shipped_help, "scallop-end"), to);
 }
 
 /* What an option is for and, in brackets, what holds where it is not given. */
@@ -148,7 +130,7 @@ static void write_command(FILE *to, const struct command *command)
              fprintf(to, "scallop %s%s%s [options]: ", command->name, command->operand ? " " : "",
                      command->operand ? command->operand : ""),
              0, summary);
-  fprintf(to, "\n%s\n", command->about);
+  fprintf(to, "\n%s", shipped_text(shipped_help, command->name));
   if (command->quantities.end > 0)
     list_quantities(to, quantity_rows + command->quantities.first, quantity_rows + command->quantities.end);
   list_gaits(to, command);

@@ -11,8 +11,7 @@
 #include <gsl/gsl_errno.h>
 
 #include "compare/points/counts.h"
-#include "compare/command/list.h"
-#include "compare/command/with_flint.h"
+#include "compare/command/commands.h"
 #include "compare/text/progress.h"
 #include "compare/text/message.h"
 #include "compare/text/shipped.h"
@@ -181,8 +180,6 @@ int main(int count, char **arguments)
   } else if (reading == READ_RUN) {
     point_tell_noise(&read.options.request.point, &read.options.request.style);
     progress_begin(read.options.request.style.quiet);
-    if (read.options.request.book)
-      hand_over_before(&read, read.options.request.book);
     code = options_book(&read);
     if (code == EXIT_DONE)
       code = options_judge(&read, command_make(&read));

@@ -62,18 +62,6 @@ static const struct option_rule rules[] = {
   { NULL, RULE_WITH, NULL, NULL },
 };
 
-#define ABOUT_ROWS \
-  "motion: the modes in words with their times, a column of a single answer on a terminal, and\n" \
-  "elsewhere where --columns names it.\n" ABOUT_MANY_POINTS ".\n" \
-  "--error: for each number an estimate of its error: what it is off by in 113 bits\n" \
-  "(numerics/wide/wide.h). It is of the doubles nearest to the parameters as written; --certified takes\n" \
-  "the decimals themselves.\n" \
-  "--certified: the same in ball arithmetic, with --digits D digits that are proven: the last one is\n" \
-  "right to a unit. The parameters are then exactly the numbers that are written (0.7 is 7/10), those\n" \
-  "of a gait and a table too; of a range they are the decimals that the row prints. status is\n" \
-  "certified. What touches a boundary exactly cannot be decided, which status says. A polynomial whose\n" \
-  "l' changes its sign within a phase, or is not exactly 0 at its ends, is that of the doubles."
-
 const struct command command_steady = {
   .name = "steady",
   .summary = "the periodic steady state, exactly",
@@ -82,9 +70,6 @@ const struct command command_steady = {
   .initial = &of_steady,
   .size = sizeof(struct motion_options),
   .rules = rules,
-  .about = "Columns: the parameters; the quantities below; regime: sliding, stick-slip or at-rest; modes:\n"
-           "directions of body 1 and body 2 in turn, 0 stuck, | between extension and contraction; status: ok,\n"
-           "or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { Q_FROUDE, FIRST_OF_PHASE },
   .plan = plan,
 };
@@ -97,10 +82,6 @@ const struct command command_phase = {
   .initial = &of_phase,
   .size = sizeof(struct motion_options),
   .rules = rules,
-  .about =
-      "T is the period: the phase lasts alpha T (extension) or (1 - alpha) T (contraction).\n"
-      "Columns: the parameters, phase and v0; the quantities below; regime: sliding, stick-slip or at-rest;\n"
-      "modes: directions of body 1 and body 2 in turn, 0 stuck; status: ok, or why there is no answer.\n" ABOUT_ROWS,
   .quantities = { FIRST_OF_PHASE, QUANTITIES },
   .plan = plan,
 };

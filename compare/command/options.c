@@ -8,7 +8,6 @@
 #include "compare/answers/vary.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
-#include "compare/command/with_flint.h"
 #include "compare/text/plot.h"
 
 static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
@@ -306,18 +305,15 @@ static bool read_values(struct arguments *a, const struct option *o, const char 
 
 static bool read_option(struct arguments *a)
 {
-  char *argument = a->all[a->place];
+  const char *argument = a->all[a->place];
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
-  char *name = is_o ? "output" : argument + (two_dashes ? 2 : 0);
-  char *equals = two_dashes ? strchr(name, '=') : NULL;
-  if (equals)
-    *equals = '\0';
+  char before[2 * OPTION_VALUE]; /* the value behind '=' */
+  size_t length = strcspn(argument, two_dashes ? "=" : "");
+  snprintf(before, sizeof before, "%.*s", (int)length, argument);
+  const char *name = is_o ? "output" : before + (two_dashes ? 2 : 0);
   const struct option *o = two_dashes || is_o ? option_of(a->command, name) : NULL;
-  bool good = o ? read_values(a, o, equals ? equals + 1 : NULL)
-                : complain(a->command->name, "%s", option_unknown(a, name, argument));
-  if (equals) /* the arguments may be handed on: with_flint.h */
-    *equals = '=';
-  return good;
+  return o ? read_values(a, o, argument[length] == '=' ? argument + length + 1 : NULL)
+           : complain(a->command->name, "%s", option_unknown(a, name, before));
 }
 
 static bool take_operand(struct arguments *a, const char *text)
@@ -430,7 +426,7 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   a->count = count;
   a->commands = commands;
   a->operands = calloc((size_t)count, sizeof *a->operands);
-  a->options.request.asked = asked_nothing();
+  a->options.request.asked = asked_nothing(command->name);
   *code = EXIT_UNSOLVED;
   if (!a->operands || !a->options.request.asked) {
     complain(command->name, "out of memory");
@@ -456,15 +452,13 @@ enum exit_code command_make(const struct arguments *a)
   if (!command_has_rows(a->command, request))
     return a->command->run(a, request);
   struct rows rows = { .request = request, .sheet.asked = request->asked };
-  if (a->command->needs_flint && !has_flint(a, "this command"))
-    return EXIT_UNSOLVED;
   enum exit_code code = EXIT_UNSOLVED;
   const char *wrong = a->command->plan(request, &rows);
   if (wrong) {
     if (*wrong)
       complain(request->style.command, "%s", wrong);
     code = wrong == rows_no_memory ? EXIT_UNSOLVED : EXIT_USAGE;
-  } else if (!rows_need_flint(&rows) || has_flint(a, "such a column"))
+  } else
     code = rows_table(&rows);
   rows_free(&rows);
   return code;

@@ -149,13 +149,6 @@ extern const char *const reference_words[];
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
 #define OPTION_PAGER \
   OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
-/* What --help says of lists and ranges, where a command takes many points */
-#define ABOUT_MANY_POINTS \
-  "A parameter takes one value, a list (--alpha 0.6,0.7) or a range FROM:TO:COUNT (--F1 1:10:10), which\n" \
-  "with :log has equal ratios (--T 1e-3:1:50:log). Every combination is a row; the option that stands\n" \
-  "last varies fastest. Values between the ends of a range are rounded to 15 digits, with :log to 12,\n" \
-  "as in scenes: docs/scenes.md"
-
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(.name = NULL)
 #define OPTION_COLUMNS \
@@ -171,7 +164,7 @@ bool digits_hold(const struct style *style, bool proven, const char *range);
 
 struct arguments;
 
-/* One command: `scallop NAME`. */
+/* One command: `scallop NAME`. What its columns mean is docs/help/NAME.txt, for --help. */
 struct command {
   const char *name;
   const char *summary;             /* one line                                                                  */
@@ -181,7 +174,6 @@ struct command {
   const struct option_rule *rules; /* the last without names; NULL: there are none                               */
   size_t size;                     /* of its struct                                                             */
   const void *initial;             /* what that holds before anything is read, but for the request; NULL: zeros */
-  const char *about;               /* what the columns mean                                                     */
   struct {
     int first, end;
   } quantities; /* that --help lists, by enum quantity_id                                    */
@@ -193,7 +185,6 @@ struct command {
    * is false: the table of `run`. has_rows NULL: always true. */
   const char *(*plan)(const void *options, struct rows *rows);
   bool (*has_rows)(const void *options);
-  bool needs_flint; /* its rows do, whatever their columns */
   enum exit_code (*run)(const struct arguments *arguments, const void *options);
 };
 

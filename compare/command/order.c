@@ -133,25 +133,5 @@ const struct command command_order = {
   .size = sizeof(struct order_options),
   .initial = &initial,
   .is_sound = is_sound,
-  .about = "FILE ('-': standard input) is a table with blanks, tabs or commas between the columns, and a header\n"
-           "line or none. Each column of errors gives a verdict. Lines that begin with # are passed over. A\n"
-           "column 'noise' is the rounding error of err. Of values in place of errors (a column 'value', or\n"
-           "--values) three refinements give one order (Richardson), and there are two columns more: gci, the\n"
-           "grid convergence index of the finest one, and asymptotic_ratio (ASME V&V 20; docs/order.md).\n"
-           "Columns left of h that hold text name a series: rows with the same texts are judged by themselves,\n"
-           "so that `scallop claims --errors rest_dT | scallop order -` gives one order for each gait and set of\n"
-           "conditions. Texts that are different in each row name nothing.\n"
-           "interval says what low and high are: confidence-95, the 95 % confidence interval of the order, with\n"
-           "room for a second term that the scatter hides; slope-95, that of the slope of log|err| over log h,\n"
-           "with no such room; limit, the limit of the local order, give or take what separates it from the\n"
-           "local order at the finest h; pairwise, the least and the largest of the pairwise orders.\n"
-           "verdict: pass; measured (no order was expected); too-low; too-high; drifting (the local order has no\n"
-           "limit that can be told); scattered; plateau (err stops falling far above roundoff); floor-limited;\n"
-           "insufficient (fewer than three usable rows); invalid. reason says why, and of which rows: the first\n"
-           "row of data is row 1. Errors that are all 0, or within their noise, pass. A summary ends the output.\n"
-           "The exit code is 0 if every table passes, or is measured where no order is expected; 1 if a table\n"
-           "does not pass; 3 if no order is expected and a table gives none. A file that cannot be read (exit\n"
-           "code 4) or is no table (2) is a row with the verdict error, and the other files are judged. With -o\n"
-           "each table that fails is a line on standard error, too.",
   .run = run,
 };

@@ -7,7 +7,6 @@
 
 #include "compare/command/commands.h"
 #include "compare/command/run.h"
-#include "compare/command/with_flint.h"
 #include "compare/points/counts.h"
 #include "compare/text/file.h"
 #include "compare/text/plot.h"
@@ -200,24 +199,12 @@ static enum exit_code run_scene(struct running *r, const struct scene_options *o
   return keep ? judge(r, &run, code, o) : code;
 }
 
-static bool needs_flint(const struct running *r)
-{
-  bool needs = asked_needs_flint(r->scene.request.asked);
-  for (int i = 0; i < r->scene.wants; i++)
-    needs |= !r->want[i].has_rows;
-  return needs;
-}
-
-static enum exit_code run_all(struct running *all, int count, const struct arguments *arguments,
-                              const struct scene_options *o)
+static enum exit_code run_all(struct running *all, int count, const struct scene_options *o)
 {
   const char *command = o->request.style.command;
   int wants = 0;
-  bool flint = false;
-  for (int i = 0; i < count; i++) {
+  for (int i = 0; i < count; i++)
     wants += all[i].scene.wants;
-    flint |= needs_flint(&all[i]);
-  }
   if (o->request.style.has_output && wants > 1) {
     complain(command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
     return EXIT_USAGE;
@@ -229,15 +216,12 @@ static enum exit_code run_all(struct running *all, int count, const struct argum
             all[i].scene.wants);
   if (code != EXIT_DONE || o->check_only)
     return code;
-  if (flint && !has_flint(arguments, "this scene"))
-    return EXIT_UNSOLVED;
   for (int i = 0; i < count && code != EXIT_FILE; i++)
     code = worse(code, run_scene(&all[i], o));
   return code;
 }
 
-enum exit_code run_scenes(const struct arguments *arguments, const struct scene_options *o,
-                          const struct scene_source *sources, int count)
+enum exit_code run_scenes(const struct scene_options *o, const struct scene_source *sources, int count)
 {
   struct running *all = calloc((size_t)count, sizeof *all);
   enum exit_code code = EXIT_DONE;
@@ -249,7 +233,7 @@ enum exit_code run_scenes(const struct arguments *arguments, const struct scene_
     read++;
   }
   if (code == EXIT_DONE)
-    code = run_all(all, count, arguments, o);
+    code = run_all(all, count, o);
   for (int i = 0; i < read; i++)
     running_free(&all[i]);
   free(all);
@@ -267,10 +251,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     const char *operand = arguments->operands[i];
     sources[i] = (struct scene_source){ .path = strcmp(operand, "/dev/stdin") == 0 ? "-" : operand,
                                         .text = shipped_text(shipped_scenes, operand) };
-    if (!sources[i].text)
-      hand_over_before(arguments, sources[i].path);
   }
-  enum exit_code code = run_scenes(arguments, options, sources, arguments->operand_count);
+  enum exit_code code = run_scenes(options, sources, arguments->operand_count);
   free(sources);
   return code;
 }
@@ -283,12 +265,6 @@ const struct command command_run = {
   .options = options_of_run,
   .rules = rules,
   .size = sizeof(struct scene_options),
-  .about = "A scene is a file that says which crawler and gait, what varies, and what is wanted of it:\n"
-           "trajectories, phases, steady states, series, errors, orders, or the tables of other commands.\n"
-           "docs/scenes.md has the language. Each want is a table with a file and a format of its own, and may\n"
-           "have a plot. A name without .cfg is that of a scene that comes with the tool: figure2 to figure5,\n"
-           "claims, errors, found_*, stress, workprec, maps. '-': a scene on standard input. Parameters,\n"
-           "--digits and --format given here take the place of the scene's.",
   .quantities = { 0, NAMED_QUANTITIES },
   .run = run,
 };

@@ -5,7 +5,6 @@
 #include "compare/command/want.h"
 
 /* Reads all scenes, and only then runs them. */
-enum exit_code run_scenes(const struct arguments *arguments, const struct scene_options *options,
-                          const struct scene_source *sources, int count);
+enum exit_code run_scenes(const struct scene_options *options, const struct scene_source *sources, int count);
 
 #endif

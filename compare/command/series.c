@@ -1,13 +1,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/flint.h"
 #include "compare/book/book.h"
 #include "compare/command/commands.h"
 #include "compare/command/series_options.h"
-#include "compare/command/with_flint.h"
-
-#pragma weak series_derived
-#pragma weak series_symbolic
 
 #define DIGITS DIGITS_PROVEN("with --source derived or limit")
 static const char *const sources[] = { "published", "derived", "limit", "closed", NULL };
@@ -134,7 +131,7 @@ static enum exit_code write_formulas(struct at *at, const struct series_options 
   }
   struct table table;
   if (!at_init(at, o->request.asked))
-    return complain("series", "out of memory"), EXIT_UNSOLVED;
+    return EXIT_UNSOLVED;
   sweep_place_set(&at->place, &o->request.point);
   at_move(at);
   at_number(at, steady);
@@ -378,13 +375,15 @@ static bool only_holds(const char *only)
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct series_options *o = options;
+  (void)arguments;
   if (o->only && !only_holds(o->only))
     return EXIT_USAGE;
-  if (o->symbolic)
-    return has_flint(arguments, "--symbolic") ? series_symbolic(o) : EXIT_UNSOLVED;
-  if (is_from(o, "published"))
+  if (!o->symbolic && is_from(o, "published"))
     return run_point(o);
-  return has_flint(arguments, o->bound ? "--bound" : "--source derived or limit") ? series_derived(o) : EXIT_UNSOLVED;
+  const struct flint_part *flint = flint_for("series", o->symbolic ? "--symbolic"
+                                                       : o->bound  ? "--bound"
+                                                                   : "--source derived or limit");
+  return !flint ? EXIT_UNSOLVED : o->symbolic ? flint->series_symbolic(o) : flint->series_derived(o);
 }
 
 const struct command command_series = {
@@ -396,39 +395,6 @@ const struct command command_series = {
   .initial = &initial,
   .rules = rules,
   .is_sound = is_sound,
-  .about = "--source published (the default): T is the period; the formulas of one phase are evaluated for its\n"
-           "duration, alpha T or (1 - alpha) T. Formulas from rest start from rest; the others start with --v0,\n"
-           "and without it with the exact steady velocity of their phase. Columns: formula and equation (text_,\n"
-           "rest_: the main text; A_, B_: the appendices); phase; quantity; the remainder as printed; published,\n"
-           "exact and error = published - exact. v(t1) and v(T-dT) are the velocity of the body that turns then,\n"
-           "and 0; equations (A.4) and (12) print the remainders O(t1^2) and O(dT^2).\n"
-           "With --points, a list or a range: one row for each point, the published value of every formula in a\n"
-           "column of its own; with --only the value NAME, exact.NAME and relative.NAME = NAME/exact.NAME - 1 of\n"
-           "each formula, and --plot draws the relative errors.\n"
-           "" ABOUT_MANY_POINTS ".\n"
-           "\n"
-           "--source derived: all terms below T^N (--order N) of a phase from rest, of a phase from --v0 if it\n"
-           "is given, and of the steady state. Columns: phase, start, quantity as in `phase` and `steady`; power\n"
-           "of T, the duration of the phase or the period; coefficient, an exact fraction where gait and\n"
-           "parameters are rational and --digits is not given, else decimals right to a unit of the last one;\n"
-           "sum of the terms so far at this T; error = sum - certified value; status: ok, or that at this T the\n"
-           "motion has other modes than for T -> 0, so that the series is not about it. The parameters are\n"
-           "exactly the numbers that are written: 0.7 is 7/10, in a gait and in its table too (but for the\n"
-           "polynomials that `steady --help` names).\n"
-           "--source limit: the first term of the steady state alone, the limit T -> 0.\n"
-           "\n"
-           "--symbolic: coefficients as formulas, of the phases and of the steady state; power and modes: for\n"
-           "which they hold. This point says which modes, and which derivatives of l at the ends of a phase are\n"
-           "not 0: l0, l3_0, k0, l5_0, ... (second, third, ... derivative at the start, times the duration to\n"
-           "that power), lT, l3_T, kT, ... (at the end); M = m1 + m2. --source closed: the steady state as a\n"
-           "function of T, where l' is linear at the crossings. --source limit: the equation for U = v_start T\n"
-           "as T -> 0, and U in powers of (F1 - F2)(2 alpha - 1)/(F1 + F2) (the first term is (27)), of 2 alpha\n"
-           "- 1, and of (F1 - F2)/(F1 + F2).\n"
-           "--emit: functions of T in Python, or formulas in LaTeX (align*, of amsmath).\n"
-           "\n"
-           "--bound: |exact - terms below T^N| <= C T^power for every 0 < T <= T0, proven, for v_start and\n"
-           "displacement; bound: C T^power at this T (nan beyond T0); T_end: up to there the motion has the\n"
-           "modes of T -> 0; ends: what happens there. T0 is 0.9 of T_end.",
   .plan = plan,
   .has_rows = has_rows,
   .run = run,

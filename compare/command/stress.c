@@ -3,11 +3,7 @@
 #include "compare/command/commands.h"
 #include "compare/stress/table.h"
 #include "compare/points/defaults.h"
-#include "compare/command/with_flint.h"
-
-#pragma weak stress_table
-#pragma weak stress_point
-#pragma weak stress_stiff
+#include "compare/answers/flint.h"
 
 static const struct option options_of_stress[] = {
   OPTIONS_CRAWLER("%s where another parameter is given, else those of the cases", "each in turn; of a single point %s"),
@@ -42,9 +38,12 @@ static const struct option_rule rules[] = {
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct stress_options *o = options;
-  if (!has_flint(arguments, "this command"))
+  const struct flint_part *flint = flint_for("stress", "this command");
+  if (!flint)
     return EXIT_UNSOLVED;
-  return (o->stiff ? stress_stiff : given_option(arguments, OF_A_POINT) ? stress_point : stress_table)(o);
+  if (o->stiff)
+    return flint->stress_stiff(o);
+  return given_option(arguments, OF_A_POINT) ? flint->stress_point(o) : flint->stress_table(o);
 }
 
 const struct command command_stress = {
@@ -55,27 +54,5 @@ const struct command command_stress = {
   .rules = rules,
   .size = sizeof(struct stress_options),
   .initial = &initial,
-  .about = "One row for each family of cases and gait: quasi-random parameters where digits are in danger,\n"
-           "solved in double and judged by certified values. Errors are counted in units: the ulp of the result\n"
-           "or, if that is more, the sum of what one ulp of each parameter changes it by (condition times ulp;\n"
-           "differences, in binary128, so that the corners and square roots at boundaries of modes count for\n"
-           "what they are). Promised: at most 8 units; docs/stability.md lists the exceptions. units: the\n"
-           "largest error; quantity, ulp, condition, digits (kept) there; worst_at: its parameters, for steady\n"
-           "or phase. ulp_median: over all numbers of all cases. refused: left by the solver with 'out of\n"
-           "range'. undecided: by the certified solver (a body touches exactly); binary128 stands in for it\n"
-           "there. other_modes: cases in which binary128 finds other modes, within rounding of a boundary; what\n"
-           "jumps there (multiplier, t1, dT) is not judged then. rounding: spread over the four IEEE rounding\n"
-           "modes, in units, promised: 32 (each operation errs by twice as much, and it is the distance of two).\n"
-           "perturbed: largest change when one parameter is an ulp off, promised: 1 + 2 * 8. lost_...: most\n"
-           "decimal digits that double, 80-bit long double and binary128 lose in a number, conditioning\n"
-           "included. estimate_least, _most: estimate of the error (steady --error) over the error. Promised:\n"
-           "from 1 to 100, errors below the 128th part of an ulp counting as that.\n"
-           "Which families there are, and what each is, stands in the '#' lines of a table (--cases 1 is fast).\n"
-           "With parameters: the same for one point, a row for each number (certified rounded to a double;\n"
-           "estimate: of the error itself); with --phase or --v0 of a phase. A broken promise is reported with\n"
-           "that command.\n"
-           "--stiff: friction smoothed over a velocity delta, for stiff ODE solvers: error and cost as delta ->\n"
-           "0, the order in delta measured, where each stepper gives up, and how far a body that should stick\n"
-           "creeps. With parameters: of that crawler.",
   .run = run,
 };

@@ -1,10 +1,7 @@
 #include <stddef.h>
 
+#include "compare/answers/flint.h"
 #include "compare/command/commands.h"
-#include "compare/command/with_flint.h"
-#include "compare/summary/summary.h"
-
-#pragma weak summary_plan
 
 struct summary_options {
   struct request request;
@@ -23,7 +20,8 @@ static const struct option options_of_summary[] = {
 static const char *plan(const void *options, struct rows *rows)
 {
   (void)options;
-  return summary_plan(rows);
+  const struct flint_part *flint = flint_for("summary", "this command");
+  return flint ? flint->summary_plan(rows) : "";
 }
 
 const struct command command_summary = {
@@ -33,20 +31,5 @@ const struct command command_summary = {
   .options = options_of_summary,
   .size = sizeof(struct summary_options),
   .initial = &initial,
-  .about = "A page for each crawler, in words: how it moves, and when its bodies turn; the paper's formulas for\n"
-           "the steady state, each with its value, its error now, the verdict for this gait and these\n"
-           "parameters, and the T from which it is off by more than 1 % and 5 %; the best order of the derived\n"
-           "series; and the events that end the expansion. Nothing is computed otherwise than by `steady`,\n"
-           "`claims` and `breakdown`, which show more.\n"
-           "\n"
-           "--format json, tsv, csv or markdown gives a row for each crawler instead: its steady state (`steady\n"
-           "--help` has the names), motion (the modes in words, with times since the start of the extension),\n"
-           "and for each formula NAME its value NAME, NAME_error (NAME/exact - 1), NAME_reach_1 and NAME_reach_5\n"
-           "(the largest T up to which |error| stays below 1 % and 5 %; 0: it does not as T -> 0; inf: at every\n"
-           "T), NAME_limit (what |error| tends to as T -> 0, if not to 0), NAME_verdict and NAME_order (of its\n"
-           "error, proven; inf: exact). first_event, with its T and Froude number, is where the modes change\n"
-           "first as T grows; reversals: the T at which the direction of crawling reverses; best_order: of the\n"
-           "derived displacement, that the terms below T^best_order have the least error at this T, best_error.",
   .plan = plan,
-  .needs_flint = true,
 };

@@ -130,9 +130,5 @@ const struct command command_trajectory = {
   .options = options_of_trajectory,
   .size = sizeof(struct trajectory_options),
   .initial = &initial,
-  .about = "Columns: time t; positions x1, x2 of the bodies and xC = (x1 + x2)/2 of the geometric centre, all 0\n"
-           "at t = 0; velocities v1, v2; separation l = x2 - x1. A body that is stuck has velocity exactly 0.\n"
-           "Each sample is exact: errors do not grow with the number of periods.\n" ABOUT_MANY_POINTS ",\n"
-           "or with a trajectory for each point: what varies then stands in columns.",
   .plan = plan,
 };

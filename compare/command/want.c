@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "compare/command/commands.h"
-#include "compare/command/list.h"
 #include "compare/text/file.h"
 #include "compare/text/plot.h"
 #include "compare/text/shipped.h"

@@ -116,7 +116,7 @@ enum exit_code scene_read(struct scene *s, const struct scene_source *source, co
 {
   *s = (struct scene){ .name = name_of(source->path),
                        .head.given = &given->point,
-                       .request = { .style = given->style, .point = given->point, .asked = asked_nothing() } };
+                       .request = { .style = given->style, .point = given->point, .asked = asked_nothing(given->style.command) } };
   s->head.scene = s->name;
   s->request.scene = &s->head;
   enum exit_code code = config_open(&s->config, given->style.command, source->path, source->text, shipped_scenes);

@@ -7,10 +7,10 @@ struct shipped {
   const char *name, *text;
 };
 /* The last of each list has name NULL. */
-extern const struct shipped shipped_scenes[];  /* data/scenes/                                                      */
-extern const struct shipped shipped_scripts[]; /* gnuplot scripts of scripts/plots/                                  */
-extern const struct shipped
-    shipped_completion[]; /* scripts/dev/completion.bash alone                                    */
+extern const struct shipped shipped_scenes[];     /* data/scenes/ */
+extern const struct shipped shipped_scripts[];    /* gnuplot scripts of scripts/plots/ */
+extern const struct shipped shipped_completion[]; /* scripts/dev/completion.bash alone */
+extern const struct shipped shipped_help[];       /* docs/help/ */
 
 /* The text called name ("figure4"), or NULL. */
 const char *shipped_text(const struct shipped *list, const char *name);

@@ -1,9 +1,10 @@
 #!/bin/sh
-# What `make install` puts where, and `make uninstall` takes away: install.sh install|uninstall BUILD VERSION ABI "HEADERS" "PROGRAMS".
+# What `make install` puts where, and `make uninstall` takes away: install.sh install|uninstall BUILD VERSION ABI "HEADERS" "PROGRAM", the
+# last with the part that it loads from ../lib/scallop, if there is one.
 # From the environment: INSTALL, DESTDIR and the folders of config.mk.
 set -eu
-what=$1 build=$2 version=$3 abi=$4 headers=$5 programs=$6
-data=$DESTDIR$datadir/scallop
+what=$1 build=$2 version=$3 abi=$4 headers=$5 program=$6
+data=$DESTDIR$datadir/scallop parts=${bindir%/*}/lib/scallop
 
 escaped() { printf '%s\n' "$1" | sed 's/[\\&|]/\\&/g'; } # for the right side of s|||
 put() { # FOLDER FILE...
@@ -13,18 +14,18 @@ put() { # FOLDER FILE...
   "$INSTALL" -m 644 "$@" "$DESTDIR$folder"
 }
 if [ "$what" = uninstall ]; then
-  rm -f "$DESTDIR$bindir/scallop" "$DESTDIR$bindir/scallop-flint" "$DESTDIR$completionsdir/scallop" \
+  rm -f "$DESTDIR$bindir/scallop" "$DESTDIR$completionsdir/scallop" \
     "$DESTDIR$mandir"/man1/scallop.1 "$DESTDIR$mandir"/man1/scallop-*.1
   for name in scallop-core scallop; do
     rm -f "$DESTDIR$pkgconfigdir/$name.pc" "$DESTDIR$libdir/lib$name".a "$DESTDIR$libdir/lib$name".so "$DESTDIR$libdir/lib$name.so.$abi" \
       "$DESTDIR$libdir/lib$name.so.$abi".*
   done
-  rm -rf "$DESTDIR$includedir/scallop" "$data" "$DESTDIR$datadir/doc/scallop"
+  rm -rf "$DESTDIR$parts" "$DESTDIR$includedir/scallop" "$data" "$DESTDIR$datadir/doc/scallop"
   exit 0
 fi
 "$INSTALL" -d "$DESTDIR$bindir"
-# shellcheck disable=SC2086
-"$INSTALL" $programs "$DESTDIR$bindir"
+"$INSTALL" "${program%% *}" "$DESTDIR$bindir"
+case $program in *' '*) put "$parts" "${program#* }" ;; esac
 for name in scallop-core scallop; do
   put "$libdir" "$build/lib$name.a" "$build/lib$name.so.$abi.$version"
   ln -sf "lib$name.so.$abi.$version" "$DESTDIR$libdir/lib$name.so.$abi"
@@ -45,7 +46,7 @@ sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
   -e "s|^BESIDE = .*|BESIDE = \"$(escaped "$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")")\"|" scripts/python/scallop_library.py \
   >"$data/python/scallop_library.py"
 chmod 644 "$data/python/scallop_library.py"
-put "$datadir/doc/scallop" docs/* LICENSE
+put "$datadir/doc/scallop" docs/*.* LICENSE
 # A link to a file of the sources becomes the name of the file
 sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$datadir"/doc/scallop/*.md
 put "$datadir/scallop/scenes" data/scenes/*.cfg

@@ -28,7 +28,7 @@ for compiler in gcc clang; do
       mkdir -p "$build"
       passed_here=0 failed_here=''
       echo "$compiler $flags"
-      programs="$build/scallop $build/scallop-flint"
+      programs=$build/scallop
       for test in $tests; do
         programs="$programs $build/test_$test"
       done
@@ -38,7 +38,7 @@ for compiler in gcc clang; do
       # shellcheck disable=SC2086
       try "$build" build $MAKE -j"$at_a_time" --no-print-directory CC=$compiler B="$build" CFLAGS="$flags $told" $programs
       if [ -z "$failed_here" ]; then
-        try "$build" stress "$build/scallop-flint" stress --check
+        try "$build" stress "$build/scallop" stress --check
         for test in $tests; do
           try "$build" "test_$test" "$build/test_$test"
         done

@@ -67,40 +67,42 @@ programs() { # PROGRAM...: a line for each, as judge() takes it
 }
 printf 'h err\n1 0.5\n0.5 0.12\n0.25 0.0301\n0.125 0.0075\n0.0625 0.00187\n' >"$logs/order.txt"
 printf 'T\tgait\tF1\n1\tquadratic\t4\n0.5\tsinusoidal\t3\n-1\tquadratic\t4\n' >"$logs/bad.tsv"
-commands() { # of each the program, its exit code and its arguments
+commands() { # of each its exit code and its arguments
   cat <<END
-scallop 0 steady
-scallop 0 steady --gait sinusoidal --T 3 --format json -o $logs/steady.json
-scallop 0 steady --points tests/support/reference.tsv
-scallop 3 steady --points $logs/bad.tsv
-scallop 0 phase --v0 2.5
-scallop 0 phase --phase contraction --gait sinusoidal --v0 -1 --format json
-scallop 0 trajectory --periods 3 --samples 50 -o $logs/trajectory.tsv
-scallop 0 trajectory --start rest --gait sinusoidal
-scallop 0 series --T 0.1
-scallop 0 order $logs/order.txt
-scallop 1 order $logs/order.txt --expect 3
-scallop 0 figure 4
-scallop 2 steady --Tee 1
-scallop-flint 0 steady --certified --digits 60
-scallop-flint 3 steady --certified --points $logs/bad.tsv
-scallop-flint 0 phase --certified --gait sinusoidal --digits 100
-scallop-flint 0 series --source derived --order 9 --v0 2 --format json
-scallop-flint 0 series --source derived --gait sinusoidal --digits 30 --order 6
-scallop-flint 0 series --source limit
-scallop-flint 0 series --bound --order 4
-scallop-flint 0 stress --T 0.5
-scallop-flint 0 stress --cases 3
-scallop-flint 0 stress --phase contraction --v0 -1 --gait sinusoidal --format json
-scallop-flint 0 claims --errors rest_dT,text_steady_xC --gait quadratic
-scallop-flint 0 claims --quiet
-scallop-flint 0 workprec --quick --limit 0.01
+0 steady
+0 steady --gait sinusoidal --T 3 --format json -o $logs/steady.json
+0 steady --points tests/support/reference.tsv
+3 steady --points $logs/bad.tsv
+0 phase --v0 2.5
+0 phase --phase contraction --gait sinusoidal --v0 -1 --format json
+0 trajectory --periods 3 --samples 50 -o $logs/trajectory.tsv
+0 trajectory --start rest --gait sinusoidal
+0 series --T 0.1
+0 order $logs/order.txt
+1 order $logs/order.txt --expect 3
+0 figure 4
+2 steady --Tee 1
+END
+  [ ! -f "$build/scallop-flint.so" ] || cat <<END
+0 steady --certified --digits 60
+3 steady --certified --points $logs/bad.tsv
+0 phase --certified --gait sinusoidal --digits 100
+0 series --source derived --order 9 --v0 2 --format json
+0 series --source derived --gait sinusoidal --digits 30 --order 6
+0 series --source limit
+0 series --bound --order 4
+0 stress --T 0.5
+0 stress --cases 3
+0 stress --phase contraction --v0 -1 --gait sinusoidal --format json
+0 claims --errors rest_dT,text_steady_xC --gait quadratic
+0 claims --quiet
+0 workprec --quick --limit 0.01
 END
 }
 {
   programs "$@"
-  commands | grep -n '' | while IFS=': ' read -r number program code arguments; do
-    [ ! -x "$build/$program" ] || echo "$code $number-${arguments%% *} $build/$program $arguments"
+  commands | grep -n '' | while IFS=': ' read -r number code arguments; do
+    echo "$code $number-${arguments%% *} $build/scallop $arguments"
   done
 } | xargs -P "${JOBS:-$(getconf _NPROCESSORS_ONLN)}" -L 1 sh scripts/dev/valgrind.sh "$build" --judge | tee "$logs/said"
 clean=$(grep -c '^ok ' "$logs/said") dirty=$(grep -c '^FAIL ' "$logs/said")

@@ -10,7 +10,7 @@
 /* Texts of options: what stays of them, in which order they vary, and which are one value. */
 TEST(lists_and_ranges_of_options)
 {
-  struct request r = { .point = point_initial(NULL), .asked = asked_nothing() };
+  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
   static const struct {
     const char *name, *text;
     bool many;
@@ -52,7 +52,7 @@ TEST(lists_and_ranges_of_options)
 
 TEST(no_lists_and_ranges)
 {
-  struct request r = { .point = point_initial(NULL), .asked = asked_nothing() };
+  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
   static const struct {
     const char *name, *text, *message;
   } texts[] = { { "F1", "1:10:0", "'1:10:0' is no range: FROM:TO:COUNT" },
@@ -92,7 +92,7 @@ TEST(no_lists_and_ranges)
 /* What a group that stays has set is kept: as if each point were the first. */
 TEST(steps_are_those_of_single_moves)
 {
-  struct request r = { .point = point_initial(NULL), .asked = asked_nothing() };
+  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
   long index[SWEEP_GROUPS] = { 0 };
   struct sweep_cursor at = { .product = NULL };
   struct sweep_place place = { .why = "" };
@@ -120,7 +120,7 @@ TEST(steps_are_those_of_single_moves)
  * another. */
 TEST(what_no_point_has_of_itself)
 {
-  struct request r = { .point = point_initial(NULL), .asked = asked_nothing() };
+  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
   struct sweep_variable label;
   assert_null(vary_text(&r, "F1_over_F2", "2.5"));
   assert_null(vary_text(&r, "label", "panel=A"));

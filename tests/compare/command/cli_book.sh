@@ -189,7 +189,7 @@ run 2 claims --formula T
 run 2 claims --formula T --of v_end
 run 2 claims --of v_end
 finish "files that are no books"
-# A book that can be read once only reaches the program that needs it.
+# A book that can be read once only
 run 1 claims --book mine.cfg --quiet
 sed 's/book: .*/book: -/' out >wanted
 "$tool" claims --book - --quiet <mine.cfg >got 2>err

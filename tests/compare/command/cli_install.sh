@@ -121,7 +121,8 @@ finish "the command works from another folder"
 if [ "${WITH_FLINT:-1}" != 0 ]; then
   run 0 steady --F1 3 --T 0.5 --certified --digits 20
   [ "$(cells out status)" = certified ] || note "status $(cells out status)"
-  finish "it finds scallop-flint there"
+  [ -f elsewhere/usr/lib/scallop/scallop-flint.so ] || note "no scallop-flint.so"
+  finish "it finds scallop-flint.so there"
 fi
 if command -v gnuplot >/dev/null 2>&1; then
   run 0 run figure4

@@ -280,46 +280,46 @@ wait $child || note "exit code $?"
 [ "$(ls -A here)" = table ] || note "in the folder: $(ls -A here)"
 finish "two programs that write one file: the last one's table, and whole"
 
-# ---- the program with FLINT ----
+# ---- the part that needs FLINT ----
 mkdir bin
-cp "$tool" bin/
-other=bin/$(basename "$tool")-flint
-echo '#!/bin/sh' >"$other"
+cp "$tool" bin/scallop
+part=bin/scallop-flint.so
 cannot() { # PATTERN
   earlier
-  "bin/$(basename "$tool")" claims -o here/table >out 2>err
+  bin/scallop claims -o here/table >out 2>err
   code=$?
   [ $code = 3 ] || note "exit code $code, not 3"
   says "$1" err
   [ "$(wc -l <err)" -eq 1 ] || note "$(wc -l <err) lines on standard error"
   unchanged claims
 }
-chmod 644 "$other"
-cannot 'needs FLINT: cannot run .*/bin/scallop-flint: Permission denied'
-rm "$other"
-mkdir "$other"
-cannot 'needs FLINT: cannot run .*/bin/scallop-flint: Permission denied'
-rmdir "$other"
-cannot 'needs FLINT: there is no .*/bin/scallop-flint'
-finish "a scallop-flint that cannot be run"
-cat >"$other" <<'END'
-#!/bin/sh
-ls /proc/self/fd >open
-for s in HUP TERM PIPE; do (kill -s $s $(exec sh -c 'echo $PPID'); echo lives); done
-printf '%s\n' "$@"
-END
-chmod 755 "$other"
-"$other" >out 2>err
-mv open want
-(trap '' HUP && exec "bin/$(basename "$tool")" claims -o 'a b' --quiet) >out 2>err
-[ "$(tr '\n' ' ' <out)" = 'lives lives claims -o a b --quiet ' ] || note "it got: $(tr '\n' ' ' <out)"
-cmp -s open want || note "open: $(tr '\n' ' ' <open), and without scallop: $(tr '\n' ' ' <want)"
-finish "what is handed over to scallop-flint: arguments, ignored signals, and no open file"
-if [ -x "$tool-flint" ]; then
-  mkdir root
-  for program in "$tool" "$tool-flint"; do
-    cp "$program" root/
-    for library in $(ldd "$program" 2>/dev/null | sed -n 's|^[^/]*\(/[^ ]*\) (0x.*|\1|p'); do
+echo 'no library' >$part
+cannot 'the ledger needs FLINT: .*/bin/scallop-flint.so: file too short'
+rm $part
+mkdir $part
+cannot 'the ledger needs FLINT: .*/bin/scallop-flint.so: cannot read file data: Is a directory'
+rmdir $part
+cannot 'the ledger needs FLINT, and there is no scallop-flint.so in .*/bin/ or ../lib/scallop: '
+for version in 'int other;' 'const char *const flint_part[] = { "0.1" };'; do
+  echo "$version" | "${CC:-cc}" -shared -fPIC -x c -o $part - || note "no shared object is made of $version"
+  case $version in
+    int*) cannot 'the ledger needs FLINT: .*/bin/scallop-flint.so: undefined symbol: flint_part' ;;
+    *) cannot 'the ledger needs FLINT, and .*/bin/scallop-flint.so is that of scallop 0.1$' ;;
+  esac
+done
+finish "a scallop-flint.so that cannot be loaded"
+real=$(dirname "$tool")/scallop-flint.so
+if [ -f "$real" ]; then
+  mkdir -p root place/bin place/lib/scallop
+  cp "$real" place/lib/scallop
+  cp "$tool" place/bin
+  ln -s ../place/bin/scallop bin/link
+  bin/link steady --certified >out 2>err || note "exit code $?: $(cat err)"
+  says certified out
+  finish "scallop-flint.so is found in ../lib/scallop, through a link"
+  for file in "$tool" "$real"; do
+    cp "$file" root/
+    for library in $(ldd "$file" 2>/dev/null | sed -n 's|^[^/]*\(/[^ ]*\) (0x.*|\1|p'); do
       mkdir -p "root${library%/*}" && cp -L "$library" "root$library"
     done
   done
@@ -327,7 +327,7 @@ if [ -x "$tool-flint" ]; then
     chroot root "/$(basename "$tool")" phase --certified >out 2>err || note "exit code $?: $(cat err)"
     says certified out
   fi
-  finish "scallop-flint is found without /proc"
+  finish "scallop-flint.so is found without /proc"
   for arguments in claims 'workprec --quick' 'steady --certified --digits 10000 --T 1e-30 --gait sinusoidal'; do
     earlier
     # shellcheck disable=SC2086
@@ -336,6 +336,6 @@ if [ -x "$tool-flint" ]; then
     [ $code = 124 ] || note "scallop $arguments: exit code $code"
     unchanged "scallop $arguments"
   done
-  finish "Ctrl-C in scallop-flint leaves nothing"
+  finish "Ctrl-C in what needs FLINT leaves nothing"
 fi
 exit $failed

@@ -91,11 +91,10 @@ for command in claims workprec stress breakdown 'figure 4' 'run scene.cfg'; do
   # shellcheck disable=SC2086
   refuse "--F1: this command takes one value: a list or a range is for steady, phase, series and trajectory" $command --F1 1,2
 done
-refuse "this command takes one value" series --T 0.1,0.2 --symbolic
+refuse "--T: this command takes one value" series --T 0.1,0.2 --symbolic
 refuse "nothing varies in front of it" steady --and
 refuse "orders need T to vary" series --orders --F1 1,2
 refuse "is about rows of points" series --accuracy 1e-20
-refuse "is for --source published: one point at a time" series --T 0.1,0.2 --symbolic
 finish "what is no list and no range, and where none is taken"
 
 # ---- columns that are chosen ----

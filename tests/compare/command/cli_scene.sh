@@ -245,7 +245,7 @@ grep -q 'own.cfg: it is a file that this command reads' err || note "a table in 
 printf 'want = ( { what = "steady"; columns = [ "v_start" ]; } );\n' | "$tool" run - >out 2>err
 [ "$(rows out)" = 3.0166206576889527 ] || note "standard input: $(cat out err)"
 printf 'want = ( { what = "steady"; columns = [ "certified.v_start" ]; digits = 20; } );\n' | "$tool" run - >out 2>err
-[ "$(rows out)" = 3.0166206576889531287 ] || note "standard input that is handed over: $(cat out err)"
+[ "$(rows out)" = 3.0166206576889531287 ] || note "certified values of a scene on standard input: $(cat out err)"
 mkfifo pipe
 cp other.cfg copy.cfg
 (cat copy.cfg >pipe &)

@@ -61,7 +61,7 @@ names = [l for l in lines if not l.startswith("#")][0]
 if "  v_start" not in names or "length/time" not in lines[lines.index(names) + 1]:
     bad("no names and units:", lines)
 os.environ["PAGER"] = "sed s/^/paged:/"
-for command in (["steady"], ["steady", "--certified"]):  # the second is handed over to the program with FLINT
+for command in (["steady"], ["steady", "--certified"]):
     if "\npaged:displacement   3.24121" not in on_terminal(*command, "--pager"):
         bad("not paged:", on_terminal(*command, "--pager"))
 os.environ["PAGER"] = "true"

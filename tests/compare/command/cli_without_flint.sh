@@ -1,5 +1,5 @@
 #!/bin/sh
-# Without FLINT: the command does not load it, and where scallop-flint is not there everything else works, and what needs it
+# Without FLINT: the command does not load it, and where scallop-flint.so is not there everything else works, and what needs it
 # says so.
 . "$(dirname "$0")/../../support/common.sh"
 cp "$tool" alone

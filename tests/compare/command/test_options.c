@@ -1,6 +1,5 @@
 /* compare/options: operands, one or many, and where they are kept. */
 #include "compare/command/commands.h"
-#include "compare/command/list.h"
 #include "tests/support/said.h"
 
 struct some_options {

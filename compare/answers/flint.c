@@ -1,0 +1,41 @@
+#include "compare/answers/flint.h"
+
+#include <dlfcn.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/auxv.h>
+#include <unistd.h>
+
+#include "model/version.h"
+
+const struct flint_part *flint_for(const char *command, const char *what)
+{
+  static const struct flint_part *part; /* what is loaded stays */
+  char folder[PATH_MAX], path[PATH_MAX + 40] = "";
+  /* the program as it was started, through any link, and without /proc, which need not be there */
+  const char *own = (const char *)getauxval(AT_EXECFN); /* NOLINT(performance-no-int-to-ptr) */
+  if (!own || !realpath(own, folder))
+    strcpy(folder, "/");
+  strrchr(folder, '/')[1] = '\0';
+  if (!part) /* a program may be linked with it */
+    part = dlsym(dlopen(NULL, RTLD_LAZY), "flint_part");
+  for (int installed = 0; !part && installed < 2 && access(path, F_OK) != 0; installed++) {
+    snprintf(path, sizeof path, "%s%sscallop-flint.so", folder, installed ? "../lib/scallop/" : "");
+    void *file = dlopen(path, RTLD_LAZY);
+    part = file ? dlsym(file, "flint_part") : NULL;
+  }
+  if (part && strcmp(part->version, SCALLOP_VERSION) == 0)
+    return part;
+  if (part)
+    complain(command, "%s needs FLINT, and %s is that of scallop %s", what, path, part->version);
+  else if (access(path, F_OK) == 0)
+    complain(command, "%s needs FLINT: %s", what, dlerror());
+  else
+    complain(command,
+             "%s needs FLINT, and there is no scallop-flint.so in %s or ../lib/scallop: `make` builds it, "
+             "`make WITH_FLINT=0` does not",
+             what, folder);
+  return NULL;
+}

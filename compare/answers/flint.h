@@ -1,0 +1,38 @@
+/* The part of the program that needs FLINT: derived series, certified numbers and the ledger.
+ *
+ * It is a shared object, scallop-flint.so, which lies beside the program or in ../lib/scallop and is loaded when a
+ * command first asks for it, because loading FLINT takes longer than most commands do. It takes all else from the
+ * program, and gives it this one table. A build with WITH_FLINT=0 has no such file. */
+#ifndef SCALLOP_COMPARE_ANSWERS_FLINT_H
+#define SCALLOP_COMPARE_ANSWERS_FLINT_H
+
+#include "compare/text/message.h"
+
+struct request;
+struct rows;
+struct series_options;
+struct claims_options;
+struct workprec_options;
+struct breakdown_options;
+struct stress_options;
+extern const struct flint_part {
+  const char *version; /* SCALLOP_VERSION, with which it goes together */
+  enum exit_code (*series_derived)(const struct series_options *options);
+  enum exit_code (*series_symbolic)(const struct series_options *options);
+  enum exit_code (*claims_table)(const struct claims_options *options);
+  enum exit_code (*workprec_table)(const struct workprec_options *options);
+  enum exit_code (*breakdown_table)(const struct breakdown_options *options);
+  enum exit_code (*breakdown_map)(const struct breakdown_options *options);
+  enum exit_code (*breakdown_boundaries)(const struct breakdown_options *options);
+  enum exit_code (*summary_of_breakdown)(const struct request *request);
+  const char *(*summary_plan)(struct rows *rows);
+  enum exit_code (*stress_table)(const struct stress_options *options);
+  enum exit_code (*stress_point)(const struct stress_options *options);
+  enum exit_code (*stress_stiff)(const struct stress_options *options);
+} flint_part; /* in part_flint.c: not to be named elsewhere */
+
+/* The table, after which quantities that need FLINT can be asked for, too (answers/at.h). what needs it: "--certified".
+ * NULL: it is not here, and the message is on stderr. To be called before anything is written. */
+const struct flint_part *flint_for(const char *command, const char *what);
+
+#endif

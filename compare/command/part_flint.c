@@ -1,0 +1,23 @@
+#include <flint/flint.h>
+#include <gsl/gsl_errno.h>
+
+#include "compare/breakdown/breakdown.h"
+#include "compare/claims/claims.h"
+#include "compare/answers/flint.h"
+#include "compare/command/series_options.h"
+#include "compare/maps/maps.h"
+#include "compare/stress/table.h"
+#include "compare/summary/summary.h"
+#include "compare/workprec/table.h"
+
+const struct flint_part flint_part = { SCALLOP_VERSION,      series_derived,  series_symbolic, claims_table,
+                                       workprec_table,       breakdown_table, breakdown_map,   breakdown_boundaries,
+                                       summary_of_breakdown, summary_plan,    stress_table,    stress_point,
+                                       stress_stiff };
+
+/* For the functions of GSL that are linked into this part, too, an error is a status. */
+static void __attribute__((constructor)) begin(void) { gsl_set_error_handler_off(); }
+
+/* At the end the memory that FLINT keeps for reuse is given back. A leak checker then sees what was forgotten, the
+ * limbs of big integers too, which FLINT holds behind pointers that no checker can read. */
+static void __attribute__((destructor)) end(void) { flint_cleanup(); }
