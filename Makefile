@@ -79,7 +79,7 @@ $(B)/with-sundials-$(with_sundials):
 
 # Scenes, their plot scripts and the completion, in the program
 $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
-$(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(sort $(wildcard scripts/plots/figure*.gp))
+$(B)/shipped_scripts.c: $(addprefix scripts/plots/,plot.sh common.gp) $(sort $(wildcard scripts/plots/plot/*.awk scripts/plots/figure*.gp))
 $(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg
 	@mkdir -p $(@D) && awk -f $^ >$@

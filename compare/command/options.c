@@ -421,7 +421,7 @@ enum reading options_read(struct arguments *a, const struct command *command, co
 enum exit_code options_judge(const struct arguments *a, enum exit_code code)
 {
   const struct table_choice *choice = a->options.request.style.choice;
-  return choice && choice->refused ? EXIT_USAGE : code;
+  return plot_refused() || (choice && choice->refused) ? EXIT_USAGE : code;
 }
 
 enum exit_code options_book(const struct arguments *a)

@@ -9,7 +9,7 @@
 #include "compare/text/plot.h"
 #include "compare/text/shipped.h"
 
-enum { MOST_PERIODS = 1000000000 };
+enum { MOST_PERIODS = 1000000000, MOST_COLUMNS = 8 }; /* columns: of a plot */
 /* T varies, alone, in the last group of each product: an order is one of a row of such points. */
 static bool check_times(const struct reading *r, const config_setting_t *at)
 {
@@ -58,9 +58,9 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
     fclose(script);
     return true;
   }
-  p->program = shipped_text(shipped_scripts, p->script);
   const char *near = shipped_near(shipped_scripts, p->script);
-  if (!p->program)
+  p->picture = shipped_text(shipped_scripts, p->script) ? p->script : NULL;
+  if (!p->picture)
     return refuse_at(
         r->config, at,
         "no plot script '%.80s' comes with the tool%s The name of a script of yours has an ending: '%.80s.gp'",
@@ -69,19 +69,18 @@ static bool find_script(const struct reading *r, const config_setting_t *at, str
   return true;
 }
 
-/* What is written as on the command line: size, both ranges and the title; NULL: not given. */
-static bool set_texts(const struct reading *r, const config_setting_t *at, struct plot *p, const char *const texts[4])
+/* What is written as on the command line: size, both ranges and the title */
+static bool set_texts(const struct reading *r, const config_setting_t *at, struct plot *p)
 {
   static const char *const options[] = { "plot-size", "plot-x-range", "plot-y-range", "plot-title" }, *const names[] = {
     "size", "x_range", "y_range", "title"
   };
+  const char *const texts[] = { p->size, p->x_range, p->y_range, p->title };
   for (int i = 0; i < 4; i++) {
     const char *wrong = texts[i] ? plot_set(p, options[i], texts[i]) : NULL;
     if (wrong)
       return refuse_at(r->config, at, "%s: %s", names[i], wrong);
   }
-  p->log_x = p->log_x || p->x_range.is_log;
-  p->log_y = p->log_y || p->y_range.is_log;
   return true;
 }
 
@@ -90,30 +89,33 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
   struct picture {
     struct plot plot;
     int ys, bys;
-    const char *size, *x_range, *y_range;
+    const char *y[MOST_COLUMNS + 1], *by[MOST_COLUMNS + 1];
   } picture = { .ys = 0 };
   static const struct member members[] = {
     MEMBER(TEXT, "file", plot, file, ),
     MEMBER(TEXT, "script", plot, script, ),
     MEMBER(TEXT, "x", plot, x, ),
-    MEMBER(TEXTS, "y", plot, y, .high = PLOT_COLUMNS, .count = offsetof(struct picture, ys)),
-    MEMBER(TEXTS, "by", plot, by, .high = PLOT_COLUMNS, .count = offsetof(struct picture, bys)),
+    MEMBER(TEXTS, "y", picture, y, .high = MOST_COLUMNS, .count = offsetof(struct picture, ys)),
+    MEMBER(TEXTS, "by", picture, by, .high = MOST_COLUMNS, .count = offsetof(struct picture, bys)),
     MEMBER(FLAG, "log_x", plot, log_x, ),
     MEMBER(FLAG, "log_y", plot, log_y, ),
     MEMBER(TEXT, "title", plot, title, ),
-    MEMBER(TEXT, "size", picture, size, ),
-    MEMBER(TEXT, "x_range", picture, x_range, ),
-    MEMBER(TEXT, "y_range", picture, y_range, ),
+    MEMBER(TEXT, "size", plot, size, ),
+    MEMBER(TEXT, "x_range", plot, x_range, ),
+    MEMBER(TEXT, "y_range", plot, y_range, ),
     { .name = NULL }
   };
   const struct style *given = &r->options->request.style;
   struct plot *p = &w->plot;
+  char list[1000];
   if (!config_setting_is_group(at))
     return refuse_at(r->config, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
   if (!read_members(r->config, at, members, &picture, "a plot", NULL))
     return false;
   *p = picture.plot;
-  if (!set_texts(r, at, p, (const char *const[]){ picture.size, picture.x_range, picture.y_range, p->title }))
+  p->y = keep(r->config, "%s", joined(list, sizeof list, picture.y));
+  p->by = keep(r->config, "%s", joined(list, sizeof list, picture.by));
+  if (!p->y || !p->by || !set_texts(r, at, p))
     return false;
   if (!p->file || !plot_kind(p->file))
     return refuse_at(r->config, at, "a plot needs a file that ends in .svg, .png or .pdf");
@@ -124,10 +126,10 @@ static bool read_plot(const struct reading *r, const config_setting_t *at, struc
                      "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
   if (p->script)
     return find_script(r, at, p);
-  if (!p->x || !p->y[0])
+  if (!p->x || picture.ys == 0)
     return refuse_at(r->config, at, "a plot without a script of its own needs x and y, columns of the table");
   for (int i = -1; i < picture.ys && w->sheet.count > 0; i++) { /* else they are a command's own: it will show */
-    const char *name = i < 0 ? p->x : p->y[i];
+    const char *name = i < 0 ? p->x : picture.y[i];
     if (!has_column(w, name))
       return refuse_at(r->config, at, "the table has no column %s", name);
   }
