@@ -134,8 +134,6 @@ struct option_rule {
                   "800x500, more where there is more to show")
 #define OPTION_STATS OPTION_FLAG("stats", "afterwards, on standard error, what was computed, as counts", request, stats)
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
-#define OPTION_PAGER \
-  OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
 /* What --help says of lists and ranges, where a command takes many points */
 #define ABOUT_MANY_POINTS \
   "A parameter takes one value, a list (--alpha 0.6,0.7) or a range FROM:TO:COUNT (--F1 1:10:10), which\n" \
@@ -148,7 +146,7 @@ struct option_rule {
 #define OPTION_COLUMNS \
   OPTION("columns", "LIST", "only these columns, in this order, and new ones: a,b,\"c = F1/F2\"", "all", \
          .kind = &columns_option)
-#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_PAGER, OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES \
   OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
 

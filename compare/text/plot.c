@@ -114,7 +114,7 @@ static bool give_all(const struct plot *p, const char *command, const char *outp
   return given;
 }
 
-/* Returns the exit code of the script, which has said what is wrong. What ends this process ends those of the script. */
+/* Returns the exit code of the script, which has said what is wrong. What ends this process ends that one too. */
 static int run(void)
 {
   int status;

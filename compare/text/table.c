@@ -30,8 +30,7 @@ static const struct {
 /* People read what goes to a terminal. */
 static enum format format_of(const struct style *style, const char *output)
 {
-  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV
-                   && (style->pager || isatty(STDOUT_FILENO));
+  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV && isatty(STDOUT_FILENO);
   return to_people ? FORMAT_TABLE : style->format;
 }
 
