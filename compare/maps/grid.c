@@ -40,14 +40,12 @@ struct grid {
   struct progress progress;
 };
 
-/* Beside a picture of named columns, where no others are chosen, the table has of the measures those alone that are
+/* Beside a picture of a named column, where no others are chosen, the table has of the measures that alone which is
  * drawn. */
 static bool is_asked(const struct style *style, const char *name)
 {
-  const char *const *y = style->plot.y;
-  while (*y && strcmp(*y, name) != 0)
-    y++;
-  return !style->plot.file || !style->plot.y[0] || style->choice || *y;
+  const char *y = style->plot.y;
+  return !style->plot.file || !y || style->choice || strcmp(y, name) == 0;
 }
 
 static void add_measure(struct grid *g, enum breakdown_source source, const struct scallop_formula *formula,
