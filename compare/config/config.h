@@ -14,7 +14,7 @@
 struct config {
   const char *command; /* for messages */
   const char *path;    /* likewise; "-" is standard input */
-  config_t *file;      /* libconfig's, to whose texts members point */
+  config_t file;       /* libconfig's, to whose texts members point: it stays where it is */
   struct kept *kept;   /* and other texts */
 };
 
@@ -81,9 +81,7 @@ const char *keep(struct config *config, const char *format, ...) __attribute__((
 const char *path_beside(struct config *config, const char *path);
 const char *gait_beside(struct config *config, const char *gait);
 
-/* text.c: the whole file, to be freed. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
-enum exit_code config_text(const char *command, const char *path, const struct shipped *shipped, char **text);
-/* Refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes. */
-bool config_check_text(struct config *config, const char *text);
+/* text.c: refuses what libconfig would misread. */
+bool config_check_text(const struct config *config, const char *text);
 
 #endif

@@ -16,10 +16,9 @@ bool refuse_at(const struct config *c, const config_setting_t *at, const char *f
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  const char *file = at ? config_setting_source_file(at) : NULL;
   unsigned line = at ? (unsigned)config_setting_source_line(at) : 0;
   if (line > 0)
-    complain(c->command, "%s:%u: %s", file ? file : c->path, line, text);
+    complain(c->command, "%s:%u: %s", c->path, line, text);
   else
     complain(c->command, "%s: %s", c->path, text);
   return false;
