@@ -60,10 +60,8 @@ bool read_member(struct config *config, const config_setting_t *at, const struct
 bool read_members(struct config *config, const config_setting_t *group, const struct member *members, void *into,
                   const char *what, const char *want);
 
-/* "a, b, c". Returns text. */
-const char *joined(char *text, size_t size, const char *const *names);
-bool is_ascii(const char *text); /* printable */
-const config_setting_t *member_at(const config_setting_t *group, int i);
+bool is_ascii(const char *text);                                      /* printable */
+const config_setting_t *member_at(const config_setting_t *at, int i); /* of a group */
 /* The elements of a list or an array; anything else is one. */
 int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);

@@ -44,9 +44,9 @@ const config_setting_t *element_at(const config_setting_t *at, int i)
   return is_sequence(at) ? config_setting_get_elem(at, (unsigned)i) : at;
 }
 
-const config_setting_t *member_at(const config_setting_t *group, int i)
+const config_setting_t *member_at(const config_setting_t *at, int i)
 {
-  return config_setting_get_elem(group, (unsigned)i);
+  return config_setting_get_elem(at, (unsigned)i);
 }
 
 const char *text_of(struct config *c, const config_setting_t *at)
@@ -60,15 +60,6 @@ const char *text_of(struct config *c, const config_setting_t *at)
   default: return NULL;
   }
   return keep(c, "%s", text);
-}
-
-const char *joined(char *text, size_t size, const char *const *names)
-{
-  size_t used = 0;
-  *text = '\0';
-  for (int i = 0; names[i] && used < size; i++)
-    used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? ", " : "", names[i]);
-  return text;
 }
 
 static const char *text_at(const config_setting_t *at)
@@ -94,10 +85,10 @@ static bool read_word(struct config *c, const config_setting_t *at, const struct
 {
   const char *text = text_at(at);
   char allowed[200];
-  for (*word = 0; text && m->words[*word]; ++*word)
-    if (strcmp(text, m->words[*word]) == 0)
-      return true;
-  return refuse_at(c, at, "%s is a text in quotes, one of %s", m->name, joined(allowed, sizeof allowed, m->words));
+  *word = text ? word_place(text, m->words) : -1;
+  return *word >= 0
+         || refuse_at(c, at, "%s is a text in quotes, one of %s", m->name,
+                      joined(allowed, sizeof allowed, m->words, ", "));
 }
 
 bool read_member(struct config *c, const config_setting_t *at, const struct member *m, void *into)
@@ -143,7 +134,7 @@ static bool refuse_member(struct config *c, const config_setting_t *at, const st
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
   return refuse_at(c, at, "there is no '%s' in %s%s%s", config_setting_name(at), what,
-                   near ? did_you_mean(near) : ": it can have ", near ? "" : joined(known, sizeof known, names));
+                   near ? did_you_mean(near) : ": it can have ", near ? "" : joined(known, sizeof known, names, ", "));
 }
 
 bool read_members(struct config *c, const config_setting_t *group, const struct member *members, void *into,

@@ -189,7 +189,7 @@ static int find_kind(const struct reading *r, const config_setting_t *at, const 
   while (k < KINDS && strcmp(what, names[k]) != 0)
     k++;
   if (k == KINDS)
-    refuse_at(r->config, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names),
+    refuse_at(r->config, at, "'%.80s' cannot be wanted, but one of %s%s", what, joined(list, sizeof list, names, ", "),
               did_you_mean(nearest(what, names)));
   return k;
 }
