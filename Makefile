@@ -91,7 +91,7 @@ $(B)/shipped_%.c: scripts/dev/embed.sh
 # A program is linked with the libraries that its objects need.
 needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/rivals/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/support/check.o,$^),-lcmocka) \
              $(if $(filter $(B)/threads/%,$^),$(threads)) $(if $(filter %/command/main.o %/part_flint.o,$^),-rdynamic)
-# What needs FLINT is a part of its own, which scallop loads when a command asks for it (compare/command/flint.h): loading FLINT takes
+# What needs FLINT is a part of its own, which scallop loads when a command asks for it (compare/answers/flint.h): loading FLINT takes
 # longer than most commands do. It takes from the program what it has not.
 $(B)/scallop: $(B)/compare/command/main.o $(core) | $(filter-out $(B)/scallop,$(program))
 $(B)/scallop-flint.so: $(with_flint)

@@ -12,23 +12,33 @@ enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
 
 /* What is known before the first point */
 struct asked {
+  const char *command; /* for messages */
   struct quantities quantities;
   bool from_steady;      /* a phase without a v0 starts with the velocity of the steady state; else from rest */
-  bool as_written;       /* --certified: parameters with all their digits, regime and modes as they are proven */
+  bool tells_no_start;   /* the column v0 is nan where no v0 is given */
   bool certified_errors; /* else errors are those against the double solver */
-  double accuracy;       /* of errors: below this part of the exact value they are 0 */
+  double accuracy;       /* of errors: below this part of the exact value they are 0; 0: they are as doubles have them */
   long digits;           /* of certified values: the most that are wanted */
 };
 /* Errors against doubles are told down to this part of the exact value. */
 #define ACCURACY_OF_DOUBLES 1e-10
-struct asked asked_nothing(void);
-/* Does any of the quantities need FLINT? */
-bool asked_needs_flint(const struct asked *asked);
+/* With no quantities yet; NULL: no memory. */
+struct asked *asked_nothing(const char *command);
+/* What needs FLINT: the name of the first of these quantities, or NULL. */
+const char *asked_needs_flint(const struct asked *asked);
 
-/* What is solved once at a point; those of two each for the steady state and for the phase, by enum quantity_of */
-enum cell { IN_DOUBLE, WITH_ERRORS = 2, IN_BALLS = 4, TURNINGS = 6, FRICTION, CELLS };
+/* The motions of a point: its steady state; an extension or a contraction with the start velocity of the point; and
+ * either of these from rest. */
+enum motion_of_point { STEADY_STATE, FROM_START, FROM_REST = FROM_START + 2, POINT_MOTIONS = FROM_REST + 2 };
 
-struct comparison { /* of a series with what it should be */
+struct solved { /* one of them, as far as it has been asked for */
+  bool in_double, with_errors, in_balls, with_turnings, with_friction;
+  struct motion motion;
+  struct answer answer;
+  double estimate[QUANTITIES]; /* of the errors of the numbers of the answer */
+};
+
+struct series_error { /* of a series with what it should be */
   bool done;
   double value, exact, error; /* error: 0 below the accuracy that is wanted */
 };
@@ -36,40 +46,35 @@ struct comparison { /* of a series with what it should be */
 struct at {
   const struct asked *asked;
   bool certified_errors;
-  struct point point;
-  double v0;                  /* the start of the phase, for what is of it */
-  char why[POINT_STATUS];     /* the first thing that could not be done, or "" */
-  long failures;              /* so far */
-  struct at_flint *flint;     /* NULL: nothing needs it */
-  struct swept swept;         /* what is beside the parameters */
-  const char *const *carried; /* the cells of the row of a file that are no parameters */
-  bool is_outside;            /* the parameters are no point: nothing but they can be told */
-  bool is_unread;             /* nor can they */
-  bool tells_steady;          /* the row has something of the steady state in doubles */
-  bool has_cell[CELLS];
-  struct motion motion[2];
-  struct answer answer[2];
-  double estimate[2][QUANTITIES]; /* of the errors of the numbers of the answer */
-  enum scallop_status friction;   /* of the walk that gives its work */
+  struct sweep_place place;
+  char why[POINT_STATUS];  /* the first thing that could not be done, or "" */
+  long failures;           /* so far */
+  struct at_flint *flint;  /* NULL: nothing needs it */
+  bool is_outside;         /* the parameters are no point: nothing but they can be told */
+  bool as_written;         /* regime, modes and status are those of certified answers: set for each row */
+  bool tells_steady;       /* the row has something of the steady state in doubles */
+  struct solved solved[POINT_MOTIONS];
+  enum scallop_status friction; /* of the walk that gives the work of friction */
   double onset;
   struct scallop_crawler onset_of;
   bool has[MOST_QUANTITIES];
   double value[MOST_QUANTITIES];
-  struct comparison comparison[MOST_QUANTITIES];
+  struct series_error comparison[MOST_QUANTITIES];
   char text[MOTION_WORDS]; /* what at_text returns */
 };
 
 /* Notes why something cannot be done, if it is the first. Returns nan. */
 double at_fail(struct at *at, const char *why);
 
-/* asked outlives it. False: no memory. */
+/* asked outlives it. False: the message is on stderr. */
 bool at_init(struct at *at, const struct asked *asked);
 void at_clear(struct at *at);
 
-/* Goes to a point. refused: NULL, or why it could not be read. */
-void at_move(struct at *at, const struct point *point, const char *refused);
-/* Goes to a point of a sweep: index[g] is the place in group g of the product, base the point where nothing varies. */
-void at_sweep(struct at *at, const struct point *base, const struct sweep_product *product, const long *index);
+/* Goes to the point in at->place. */
+void at_move(struct at *at);
+/* Goes to a point of a sweep, whose ends may be formulas of what is set further out. */
+void at_sweep(struct at *at, struct sweep_cursor *cursor, const struct point *base,
+              const struct sweep_product *product, const long *index);
 /* Before each row of another table: what failed for one table is no matter of the next. */
 void at_begin_row(struct at *at);
 
@@ -82,23 +87,22 @@ double at_formula(struct at *at, const struct formula *formula);
 /* The start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. NULL until the
- * part of the program that needs FLINT is there (command/flint.h), which such quantities take for granted. */
+/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are those of
+ * the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
+ * (answers/flint.h), which such quantities take for granted. */
 struct at_flint_functions {
   struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */
   void (*free)(struct at_flint *flint);
-  /* Goes to the point. The start of its phase is taken from there with the first thing that is of the phase. */
-  void (*move)(const struct at *at);
-  /* Solves the steady state or the phase of the point, for the functions below. */
-  void (*certify)(const struct at *at, enum quantity_of of);
-  /* The sum of a derived series, or of its first term, at the point. */
-  double (*sum)(struct at *at, const struct quantity *series);
+  void (*move)(const struct at *at); /* goes to the point */
+  void (*certify)(const struct at *at, enum motion_of_point m);
+  /* The sum of a derived series, or of its first term. */
+  double (*sum)(struct at *at, const struct quantity *series, enum motion_of_point m);
   /* Of a series and the quantity of the certified answer that it is to be; the error is 0 below the accuracy. */
-  struct comparison (*compare)(struct at *at, const struct quantity *series, int quantity);
+  struct series_error (*compare)(struct at *at, const struct quantity *series, int quantity, enum motion_of_point m);
   /* A certified value with so many digits; it lives until the next call. */
-  const char *(*text)(struct at *at, const struct quantity *q, long digits);
+  const char *(*text)(struct at *at, const struct quantity *q, long digits, enum motion_of_point m);
   /* The regime and the modes of the certified answer; false: there is none. */
-  bool (*modes)(struct at *at, enum quantity_of of, enum scallop_regime *regime, struct scallop_modes modes[2]);
+  bool (*modes)(struct at *at, enum motion_of_point m, enum scallop_regime *regime, struct scallop_modes modes[2]);
 };
 extern const struct at_flint_functions *at_flint;
 

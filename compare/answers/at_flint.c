@@ -3,21 +3,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/at.h"
-#include "compare/points/counts.h"
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/answer_flint.h"
+#include "compare/answers/at.h"
 #include "compare/book/book.h"
+#include "compare/points/counts.h"
 #include "compare/points/gaits.h"
 #include "compare/points/point_flint.h"
-#include "numerics/certified/certified.h"
+#include "model/exact/scoped.h"
 
 /* Series that do not depend on T are kept for so many crawlers: those derived last. */
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
 
 struct kept_series {
   bool used;
-  enum quantity_of of;
+  enum motion_of_point motion;
   struct scallop_rational_crawler crawler; /* but for its T */
   fmpq_t v0;
   struct series_answer answer;
@@ -27,8 +27,8 @@ struct at_flint {
   struct kept_series kept[KEPT];
   int next; /* the series that makes room for a new one */
   struct scallop_rational_crawler crawler;
-  fmpq_t v0, T[2]; /* T by enum quantity_of: the period, the duration of the phase */
-  struct ball_answer answer[2];
+  fmpq_t v0, start, T; /* v0 as it is written; start and T of the motion looked at: the period, or the duration of the phase */
+  struct ball_answer answer[POINT_MOTIONS];
   char *text;
   long order[2]; /* of series, by enum quantity_of: terms below T^order */
 };
@@ -53,10 +53,10 @@ static struct at_flint *flint_new(const struct asked *asked)
     return NULL;
   scallop_rational_init(&f->crawler);
   fmpq_init(f->v0);
-  for (int of = 0; of < 2; of++) {
-    fmpq_init(f->T[of]);
-    ball_answer_init(&f->answer[of]);
-  }
+  fmpq_init(f->start);
+  fmpq_init(f->T);
+  for (int m = 0; m < POINT_MOTIONS; m++)
+    ball_answer_init(&f->answer[m]);
   find_orders(f, &asked->quantities);
   return f;
 }
@@ -76,27 +76,39 @@ static void flint_end(struct at_flint *f)
     clear_series(&f->kept[i]);
   scallop_rational_clear(&f->crawler);
   fmpq_clear(f->v0);
-  for (int of = 0; of < 2; of++) {
-    fmpq_clear(f->T[of]);
-    ball_answer_clear(&f->answer[of]);
-  }
+  fmpq_clear(f->start);
+  fmpq_clear(f->T);
+  for (int m = 0; m < POINT_MOTIONS; m++)
+    ball_answer_clear(&f->answer[m]);
   flint_free(f->text);
   free(f);
 }
 
 /* Parameters as they are written */
-static void move(const struct at *s)
+static void move(const struct at *s) { rational_point(&s->flint->crawler, s->flint->v0, &s->place.point); }
+
+static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
+
+static enum scallop_phase_kind phase_of(enum motion_of_point m)
 {
-  rational_point(&s->flint->crawler, s->flint->v0, &s->point);
-  fmpq_set(s->flint->T[OF_STEADY], s->flint->crawler.T);
-  scallop_rational_duration(s->flint->T[OF_PHASE], &s->flint->crawler, s->point.phase);
+  return m == STEADY_STATE ? SCALLOP_EXTENSION : (enum scallop_phase_kind)((m - FROM_START) % 2);
 }
 
-/* A start velocity that is a steady one is the double that it is. */
-static void start_phase(const struct at *s)
+/* Sets start and T. A start velocity that is a steady one is the double that it is. */
+static void look_at(const struct at *s, enum motion_of_point m)
 {
-  if (!s->point.has_v0)
-    scallop_rational_set_double(s->flint->v0, s->v0);
+  struct at_flint *f = s->flint;
+  if (m == STEADY_STATE)
+    fmpq_set(f->T, f->crawler.T);
+  else
+    scallop_rational_duration(f->T, &f->crawler, phase_of(m));
+  if (m >= FROM_REST || m == STEADY_STATE)
+    fmpq_zero(f->start);
+  else if (s->place.point.has_v0)
+    fmpq_set(f->start, f->v0);
+  else
+    scallop_rational_set_double(
+        f->start, s->solved[STEADY_STATE].answer.value[phase_of(m) == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high);
 }
 
 static bool same_but_T(const struct scallop_rational_crawler *a, const struct scallop_rational_crawler *b)
@@ -121,26 +133,26 @@ static slong bits_of(const struct at *s, long order)
   return (slong)(3.33 * (double)(digits > SUM_DIGITS ? digits : SUM_DIGITS)) + GUARD_BITS + order;
 }
 
-/* The series of the steady state or of the phase at the point, derived if it is not kept */
-static const struct series_answer *series_at(const struct at *s, enum quantity_of of)
+/* The series of a motion that is looked at, derived if they are not kept */
+static const struct series_answer *series_at(const struct at *s, enum motion_of_point m)
 {
+  struct at_flint *f = s->flint;
   for (int i = 0; i < KEPT; i++) {
-    const struct kept_series *k = &s->flint->kept[i];
-    if (k->used && k->of == of && same_but_T(&k->crawler, &s->flint->crawler)
-        && (of == OF_STEADY || fmpq_equal(k->v0, s->flint->v0)))
+    const struct kept_series *k = &f->kept[i];
+    if (k->used && k->motion == m && same_but_T(&k->crawler, &f->crawler) && fmpq_equal(k->v0, f->start))
       return &k->answer;
   }
-  long order = s->flint->order[of];
-  struct kept_series *k = &s->flint->kept[s->flint->next++ % KEPT];
+  long order = f->order[kind_of(m)];
+  struct kept_series *k = &f->kept[f->next++ % KEPT];
   clear_series(k);
-  *k = (struct kept_series){ .used = true, .of = of };
+  *k = (struct kept_series){ .used = true, .motion = m };
   scallop_rational_init(&k->crawler);
-  scallop_rational_copy(&k->crawler, &s->flint->crawler);
+  scallop_rational_copy(&k->crawler, &f->crawler);
   fmpq_init(k->v0);
-  fmpq_set(k->v0, s->flint->v0);
+  fmpq_set(k->v0, f->start);
   series_answer_init(&k->answer);
   count_add(COUNT_EXPANSIONS, 1);
-  answer_in_series(&k->answer, &k->crawler, of, s->point.phase, k->v0, order, bits_of(s, order));
+  answer_in_series(&k->answer, &k->crawler, kind_of(m), phase_of(m), k->v0, order, bits_of(s, order));
   return &k->answer;
 }
 
@@ -152,51 +164,42 @@ static slong first_power(const struct series *series)
   return k;
 }
 
-/* The sum of a derived series at the point. False: there is none, and s->why says why, unless the motion has no such
- * quantity. */
-static bool derived_value(arb_t value, struct at *s, const struct quantity *q, slong precision)
+/* The sum of a derived series. False: there is none, and s->why says why, unless the motion has no such quantity. */
+static bool derived_value(arb_t value, struct at *s, const struct quantity *q, enum motion_of_point m, slong precision)
 {
-  enum quantity_of of = quantity_rows[q->which].of;
-  if (of == OF_PHASE)
-    start_phase(s);
-  const struct series_answer *a = series_at(s, of);
+  look_at(s, m);
+  const struct series_answer *a = series_at(s, m);
   const struct series *series = a->value[q->which];
   if (a->status != SCALLOP_OK)
     at_fail(s, a->why ? a->why : scallop_status_text(a->status));
   if (a->status != SCALLOP_OK || !series)
     return false;
-  arb_t time;
-  arb_init(time);
-  arb_set_fmpq(time, s->flint->T[of], precision);
+  SCOPED(arb, time);
+  arb_set_fmpq(time, s->flint->T, precision);
   series_value(value, series, time, q->kind == QUANTITY_LIMIT ? first_power(series) + 1 : q->order, precision);
-  arb_clear(time);
   return true;
 }
 
 static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
-static double sum(struct at *s, const struct quantity *series)
+static double sum(struct at *s, const struct quantity *series, enum motion_of_point m)
 {
-  arb_t value;
-  arb_init(value);
-  double sum = derived_value(value, s, series, bits_of(s, series->order)) ? middle(value) : NAN;
-  arb_clear(value);
-  return sum;
+  SCOPED(arb, value);
+  return derived_value(value, s, series, m, bits_of(s, series->order)) ? middle(value) : NAN;
 }
 
-static void certify(const struct at *s, enum quantity_of of)
+static void certify(const struct at *s, enum motion_of_point m)
 {
   long digits = certified_digits(s);
-  if (of == OF_PHASE)
-    start_phase(s);
+  look_at(s, m);
   count_add(COUNT_CERTIFIED_DIGITS, digits);
-  answer_in_balls(&s->flint->answer[of], &s->flint->crawler, of, s->point.phase, s->flint->v0, digits);
+  answer_in_balls(&s->flint->answer[m], &s->flint->crawler, kind_of(m), phase_of(m), s->flint->start, digits);
 }
 
 /* The certified answer; NULL: there is none, and s->why says why. */
-static const struct ball_answer *certified(struct at *s, enum quantity_of of)
+static const struct ball_answer *certified(struct at *s, enum motion_of_point m)
 {
-  const struct ball_answer *a = &s->flint->answer[of];
+  const struct ball_answer *a = &s->flint->answer[m];
   char text[POINT_STATUS];
   if (a->status == SCALLOP_OK)
     return a;
@@ -205,9 +208,9 @@ static const struct ball_answer *certified(struct at *s, enum quantity_of of)
   return NULL;
 }
 
-static const char *text(struct at *s, const struct quantity *q, long digits)
+static const char *text(struct at *s, const struct quantity *q, long digits, enum motion_of_point m)
 {
-  const struct ball_answer *a = certified(s, quantity_rows[q->which].of);
+  const struct ball_answer *a = certified(s, m);
   if (!a || !a->value[q->which])
     return "nan";
   flint_free(s->flint->text);
@@ -216,17 +219,16 @@ static const char *text(struct at *s, const struct quantity *q, long digits)
 }
 
 /* The value of a formula with all digits */
-static bool formula_value(arb_t value, struct at *s, const struct scallop_formula *formula, slong precision)
+static bool formula_value(arb_t value, struct at *s, const struct scallop_formula *f, enum motion_of_point m,
+                          slong precision)
 {
-  enum quantity_of of = formula->setting == SCALLOP_STEADY ? OF_STEADY : OF_PHASE;
-  const struct ball_answer *given = formula_takes_given(formula) ? certified(s, OF_PHASE) : NULL;
-  if (of == OF_PHASE)
-    start_phase(s);
-  if (formula_takes_given(formula) && (!given || !given->phase.switches))
+  const struct ball_answer *given = formula_takes_given(f) ? certified(s, m) : NULL;
+  if (formula_takes_given(f) && (!given || !given->phase.switches))
     return false;
-  bool found = published_in_balls(value, formula, &s->flint->crawler, s->point.phase, s->flint->v0, s->flint->T[of],
-                                  given, precision);
-  if (gait_has_ends(s->point.crawler.gait) || (found && !formula_takes(formula, SCALLOP_SYMBOL_L_kin)))
+  look_at(s, m);
+  bool found = published_in_balls(value, f, &s->flint->crawler, phase_of(m), s->flint->start, s->flint->T, given,
+                                  precision);
+  if (gait_has_ends(s->place.point.crawler.gait) || (found && !formula_takes(f, SCALLOP_SYMBOL_L_kin)))
     return found;
   at_fail(s, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
   return false;
@@ -235,39 +237,31 @@ static bool formula_value(arb_t value, struct at *s, const struct scallop_formul
 /* Is every number of the error at most that part of what it is an error of? */
 static bool is_below(const arb_t error, const arb_t exact, double accuracy)
 {
-  mag_t most, least;
-  mag_init(most);
-  mag_init(least);
-  arb_get_mag(most, error);
-  arb_get_mag_lower(least, exact);
-  bool below = mag_get_d(most) <= accuracy * mag_get_d(least);
-  mag_clear(most);
-  mag_clear(least);
-  return below;
+  SCOPED(arf, most, least);
+  arb_get_abs_ubound_arf(most, error, 30);
+  arb_get_abs_lbound_arf(least, exact, 30);
+  return arf_get_d(most, ARF_RND_UP) <= accuracy * arf_get_d(least, ARF_RND_DOWN);
 }
 
-static struct comparison compare(struct at *s, const struct quantity *series, int quantity)
+static struct series_error compare(struct at *s, const struct quantity *series, int quantity, enum motion_of_point m)
 {
   slong precision = bits_of(s, series->order);
-  bool of_phase = quantity_is_of_phase(&s->asked->quantities, series);
-  const struct ball_answer *answer = certified(s, of_phase ? OF_PHASE : OF_STEADY);
+  const struct ball_answer *answer = certified(s, m);
   const arb_struct *exact = answer ? answer->value[quantity] : NULL;
-  arb_t value;
-  arb_init(value);
-  bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, s, series->formula, precision)
-                                                  : derived_value(value, s, series, precision);
-  struct comparison c = { .value = found ? middle(value) : NAN, .exact = exact ? middle(exact) : NAN, .error = NAN };
+  SCOPED(arb, value);
+  bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, s, series->formula, m, precision)
+                                                  : derived_value(value, s, series, m, precision);
+  struct series_error c = { .value = found ? middle(value) : NAN, .exact = exact ? middle(exact) : NAN, .error = NAN };
   if (found && exact) {
     arb_sub(value, value, exact, precision);
     c.error = is_below(value, exact, s->asked->accuracy) ? 0 : middle(value);
   }
-  arb_clear(value);
   return c;
 }
 
-static bool modes(struct at *s, enum quantity_of of, enum scallop_regime *regime, struct scallop_modes modes[2])
+static bool modes(struct at *s, enum motion_of_point m, enum scallop_regime *regime, struct scallop_modes modes[2])
 {
-  const struct ball_answer *a = certified(s, of);
+  const struct ball_answer *a = certified(s, m);
   if (a) {
     *regime = a->regime;
     memcpy(modes, a->modes, sizeof a->modes);

@@ -172,20 +172,39 @@ static bool estimate_named(struct quantity *q, const char *name)
   return is && q->which < QUANTITIES;
 }
 
+/* "rest_dT:contraction", of a formula that both phases have; others are of the one that they are printed for */
+static bool published_named(struct quantity *q, const char *name)
+{
+  static const char *const phases[] = { [SCALLOP_EXTENSION] = ":extension", [SCALLOP_CONTRACTION] = ":contraction" };
+  char formula[QUANTITY_NAME];
+  const char *colon = strrchr(name, ':');
+  q->kind = QUANTITY_PUBLISHED;
+  for (int i = 0; colon && i < 2 && q->phase < 0; i++)
+    q->phase = strcmp(colon, phases[i]) == 0 ? i : -1;
+  snprintf(formula, sizeof formula, "%.*s", q->phase < 0 ? (int)strlen(name) : (int)(colon - name), name);
+  q->formula = formula_named(formula);
+  if (q->formula && q->phase >= 0 && q->formula->setting != SCALLOP_AT_REST_START)
+    q->formula = NULL;
+  if (q->formula && q->formula->setting == SCALLOP_MOVING_EXTENSION)
+    q->phase = SCALLOP_EXTENSION;
+  if (q->formula && q->formula->setting == SCALLOP_MOVING_CONTRACTION)
+    q->phase = SCALLOP_CONTRACTION;
+  return q->formula != NULL;
+}
+
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
 {
   const char *other;
   for (int i = 0; (other = name_at(all, i, q)) && q->kind != QUANTITY_PUBLISHED; i++)
     if (strcmp(other, name) == 0)
       return true;
-  q->formula = formula_named(name);
-  return q->formula || estimate_named(q, name);
+  return published_named(q, name) || estimate_named(q, name);
 }
 
 bool quantity_is_other(const char *name)
 {
   static const struct quantities none = { .count = 0 };
-  struct quantity q;
+  struct quantity q = { .phase = -1 };
   for (int i = 0; i < PREFIXES; i++)
     if (strncmp(name, prefixes[i].text, strlen(prefixes[i].text)) == 0)
       return true;
@@ -226,7 +245,7 @@ static bool name_among_carried(const struct quantities *all, const char *name)
 
 int quantity_named(struct quantities *all, const char *name)
 {
-  struct quantity q = { .of = -1 };
+  struct quantity q = { .of = -1, .phase = -1 };
   int found = -1;
   for (int i = 0; i < all->count; i++)
     if (strcmp(all->item[i].name, name) == 0)

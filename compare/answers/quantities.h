@@ -8,7 +8,8 @@
  *     v_start v_mid displacement mean_velocity multiplier regime modes        of the steady state
  *     friction_work cost_of_transport                                         likewise
  *     t1 dT v_end dx1 dx2 dxC phase_regime phase_modes                        of the scene's phase from its start
- *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it
+ *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it; of a phase from rest
+ *     rest_dT:contraction                         that of the contraction, whatever the point's phase is
  *     derived_8.displacement, derived_8.dxC, ...  the sum of the derived terms below T^8
  *     limit.displacement                          the limit T -> 0: the first term
  *     exact.S, error.S, relative.S   of a series S of these: what it should be, S - exact, and that over |exact|
@@ -111,7 +112,8 @@ enum quantity_kind {
   QUANTITY_RELATIVE,
   QUANTITY_CERTIFIED,
   QUANTITY_SAMPLE, /* which: enum sample_value                                                      */
-  QUANTITY_STATUS
+  QUANTITY_STATUS,
+  QUANTITY_FORMULA /* a sheet's own: text */
 };
 
 enum sample_value { SAMPLE_T, SAMPLE_X1, SAMPLE_X2, SAMPLE_XC, SAMPLE_V1, SAMPLE_V2, SAMPLE_L, SAMPLE_VALUES };
@@ -121,9 +123,11 @@ struct quantity {
   char name[QUANTITY_NAME];
   enum quantity_kind kind;
   int which;
+  int phase;                             /* published: the phase that it is of; -1: that of the point */
   long order;                            /* derived: of the terms below T^order                                  */
   int of;                                /* exact, error, relative: of this series, as a place in the list        */
   const struct scallop_formula *formula; /* published                                                             */
+  const struct formula *own;             /* of QUANTITY_FORMULA, which no name of a quantity is: its name is its text */
 };
 
 /* The quantities that a scene uses, each once. */

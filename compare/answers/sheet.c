@@ -28,11 +28,33 @@ static const char *own_meaning(const struct sheet *s, const char *name, const ch
   return NULL;
 }
 
+static int quantity_place(void *quantities, const char *name) { return quantity_named(quantities, name); }
+
+/* An own name that is a formula of quantities becomes a quantity too, so that other formulas can take it. */
+static int place_of_meaning(struct sheet *s, const char *text, const char *meaning)
+{
+  struct quantities *all = &s->asked->quantities;
+  const struct formula_names names = { .place = quantity_place, .context = all };
+  char wrong[FORMULA_MESSAGE];
+  int own = 0;
+  while (own < SHEET_OWN - 1 && s->own[own] != text)
+    own++;
+  for (int i = 0; i < all->count; i++)
+    if (s->meaning[own] && all->item[i].own == s->meaning[own])
+      return i;
+  s->meaning[own] = s->meaning[own] ? s->meaning[own] : malloc(sizeof *s->meaning[own]);
+  if (!s->meaning[own] || formula_read(s->meaning[own], meaning, &names, wrong) || all->count == MOST_QUANTITIES)
+    return -1;
+  all->item[all->count] = (struct quantity){ .kind = QUANTITY_FORMULA, .of = -1, .phase = -1, .own = s->meaning[own] };
+  return all->count++;
+}
+
 static int place_of(void *sheet, const char *name)
 {
   struct sheet *s = sheet;
   const char *text, *meaning = own_meaning(s, name, &text);
-  return quantity_named(&s->asked->quantities, meaning ? meaning : name);
+  int place = quantity_named(&s->asked->quantities, meaning ? meaning : name);
+  return place < 0 && meaning ? place_of_meaning(s, text, meaning) : place;
 }
 
 static const char *near_to(void *sheet, const char *name, const char *const *functions)
@@ -65,14 +87,41 @@ bool sheet_has(const struct sheet *s, const char *name)
   return i < s->count;
 }
 
+bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantities *, const struct quantity *))
+{
+  for (int i = 0; i < s->count; i++) {
+    int places[FORMULA_STEPS] = { s->column[i].quantity };
+    int count = s->column[i].formula ? formula_places(s->column[i].formula, places) : 1;
+    while (count-- > 0)
+      if (holds(&s->asked->quantities, &s->asked->quantities.item[places[count]]))
+        return true;
+  }
+  return false;
+}
+
 static const char *wrong(const char *text, const char *what)
 {
   snprintf(message, WRONG, "'%.100s': %s", text, what);
   return message;
 }
 
+/* NULL, or why rows of this sheet have no such quantity */
+static const char *refusal(const struct sheet *s, const struct quantity *q)
+{
+  const struct quantity *series = q->of >= 0 ? &s->asked->quantities.item[q->of] : q;
+  if (q->kind == QUANTITY_SAMPLE && !s->of_samples)
+    return "is a quantity of a trajectory";
+  if (q->kind == QUANTITY_STATUS && s->of_samples)
+    return "is nothing that a trajectory has: it ends where it cannot go on";
+  if (s->asked->from_steady && (series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT)
+      && quantity_rows[series->which].of == OF_PHASE)
+    return "is derived for a start that stays the same as T falls: from rest, or from a velocity";
+  return NULL;
+}
+
 /* Finds what the column shows. */
-static const char *find(struct sheet *s, struct sheet_column *column, const char *text, const char *formula)
+static const char *find(struct sheet *s, struct sheet_column *column, const char *text, const char *formula,
+                        bool is_own)
 {
   struct quantities *all = &s->asked->quantities;
   int places[FORMULA_STEPS], count = 1;
@@ -80,8 +129,9 @@ static const char *find(struct sheet *s, struct sheet_column *column, const char
   if (column->quantity < 0) {
     const char *why = column->quantity == -2 ? "there are too many quantities" : NULL;
     column->formula = why ? NULL : malloc(sizeof *column->formula);
+    struct sheet plain = { .asked = s->asked }; /* in the meaning of an own name there are no own names */
     if (column->formula)
-      why = sheet_formula(s, column->formula, formula);
+      why = sheet_formula(is_own ? &plain : s, column->formula, formula);
     if (why && column->formula && formula[strcspn(formula, "+-*/^() ")] == '\0')
       return sheet_no_quantity(s, formula);
     if (why || !column->formula)
@@ -90,9 +140,7 @@ static const char *find(struct sheet *s, struct sheet_column *column, const char
   }
   for (int i = 0; i < count; i++) {
     const struct quantity *q = &all->item[places[i]];
-    const char *why = s->refuses                   ? s->refuses(s, q)
-                      : q->kind == QUANTITY_SAMPLE ? "is a quantity of a trajectory"
-                                                   : NULL;
+    const char *why = refusal(s, q);
     if (column->formula && quantity_is_text(q) && q->kind != QUANTITY_CERTIFIED && q->kind != QUANTITY_CARRIED)
       why = "is a text, which stands alone in a column";
     if (why) {
@@ -130,7 +178,7 @@ const char *sheet_add(struct sheet *s, const char *text)
     return wrong(text, "a column is QUANTITY or NAME = FORMULA");
   if (!meaning && formula > text && !column_may_be_called(column->name))
     return wrong(text, "the name of a column is of printable ASCII, without tabs, quotes and backslashes");
-  const char *why = find(s, column, text, formula);
+  const char *why = find(s, column, text, formula, meaning != NULL);
   for (int i = 0; i < s->count - 1 && !why; i++)
     if (strcmp(s->column[i].name, column->name) == 0)
       snprintf(message, WRONG, "the column %.100s is there twice", column->name), why = message;
@@ -147,6 +195,10 @@ void sheet_free(struct sheet *s)
     free(s->column[i].formula);
   }
   free(s->column);
+  for (int i = 0; i < SHEET_OWN; i++) {
+    free(s->meaning[i]);
+    s->meaning[i] = NULL;
+  }
   s->column = NULL;
   s->count = 0;
 }
@@ -160,10 +212,10 @@ void sheet_head(const struct sheet *s, struct table *t)
 /* A parameter with all the digits that were given */
 static void put_as_written(struct table *t, const struct at *at, const struct quantity *q, double value)
 {
-  const char *written = q->kind == QUANTITY_V0 ? at->point.written_v0 : at->point.written[q->which];
+  const char *written = q->kind == QUANTITY_V0 ? at->place.point.written_v0 : at->place.point.written[q->which];
   char text[NUMBER_TEXT];
   number_text(text, value, 0); /* --digits is of what is proven */
-  table_carried(t, written && !at->is_unread ? written : text);
+  table_carried(t, written && !at->place.is_unread ? written : text);
 }
 
 static void put(const struct sheet *s, struct table *t, struct at *at, const struct sheet_column *c)
@@ -171,7 +223,7 @@ static void put(const struct sheet *s, struct table *t, struct at *at, const str
   const struct quantity *q = c->quantity >= 0 ? &s->asked->quantities.item[c->quantity] : NULL;
   if (!q || !quantity_is_text(q)) {
     double x = q ? at_number(at, c->quantity) : at_formula(at, c->formula);
-    if (q && s->asked->as_written && (q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_V0))
+    if (q && s->as_written && (q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_V0))
       put_as_written(t, at, q, x);
     else if (q && q->kind == QUANTITY_ESTIMATE)
       table_rounded(t, x, "%.3g");
@@ -192,6 +244,7 @@ static void put(const struct sheet *s, struct table *t, struct at *at, const str
 
 void sheet_row(const struct sheet *s, struct table *t, struct at *at)
 {
+  at->as_written = s->as_written;
   for (int i = 0; s->early_status && i < s->count; i++)
     if (s->column[i].formula)
       at_formula(at, s->column[i].formula);

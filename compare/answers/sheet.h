@@ -14,13 +14,15 @@ struct sheet_column {
   struct formula *formula; /* or NULL */
 };
 
+enum { SHEET_OWN = 64 };
+
 struct sheet {
   struct asked *asked;    /* grows with each column */
   const char *const *own; /* texts that give the sheet's own names, NULL-terminated, or NULL */
-  /* NULL, or why such a quantity cannot be in this sheet; context is the sheet's. */
-  const char *(*refuses)(const struct sheet *sheet, const struct quantity *quantity);
-  const void *context;
-  long digits; /* of certified values */
+  struct formula *meaning[SHEET_OWN]; /* of own names that are formulas, as far as other columns take them */
+  bool of_samples;        /* the rows are those of a trajectory */
+  bool as_written;        /* --certified: parameters with all their digits, regime and modes as they are proven */
+  long digits;            /* of certified values */
   int count;
   struct sheet_column *column;
   bool early_status; /* a status stands before other columns: these are asked for first */
@@ -32,6 +34,8 @@ const char *sheet_add(struct sheet *sheet, const char *text);
 const char *sheet_formula(struct sheet *sheet, struct formula *formula, const char *text);
 /* What is said where there is no such quantity */
 const char *sheet_no_quantity(const struct sheet *sheet, const char *name);
+/* Does any column take a quantity of which that holds? */
+bool sheet_takes(const struct sheet *sheet, bool (*holds)(const struct quantities *, const struct quantity *));
 bool sheet_has(const struct sheet *sheet, const char *column);
 void sheet_free(struct sheet *sheet);
 

@@ -2,7 +2,7 @@
 #ifndef SCALLOP_COMPARE_BREAKDOWN_BREAKDOWN_H
 #define SCALLOP_COMPARE_BREAKDOWN_BREAKDOWN_H
 
-#include "compare/answers/points.h"
+#include "compare/answers/request.h"
 #include "compare/answers/quantities.h"
 #include "compare/text/values.h"
 

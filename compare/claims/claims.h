@@ -20,7 +20,7 @@
 #define SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 
 #include "compare/book/book.h"
-#include "compare/answers/points.h"
+#include "compare/answers/request.h"
 #include "compare/text/values.h"
 #include <stdbool.h>
 

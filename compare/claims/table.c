@@ -6,7 +6,7 @@
 #include "compare/points/point_flint.h"
 #include "compare/claims/claims.h"
 #include "compare/claims/evidence.h"
-#include "compare/answers/points.h"
+#include "compare/answers/request.h"
 #include "compare/book/book.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",

@@ -4,7 +4,7 @@
 #include "compare/maps/maps.h"
 #include "compare/command/commands.h"
 #include "compare/points/defaults.h"
-#include "compare/command/flint.h"
+#include "compare/answers/flint.h"
 #include "compare/summary/summary.h"
 
 #define RANGES AXIS_RANGE "; of alpha " AXIS_ALPHA_RANGE

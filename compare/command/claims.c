@@ -3,7 +3,7 @@
 #include "compare/command/commands.h"
 #include "compare/claims/claims.h"
 #include "compare/points/gaits.h"
-#include "compare/command/flint.h"
+#include "compare/answers/flint.h"
 
 static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecided", NULL };
 static const struct option options_of_claims[] = {

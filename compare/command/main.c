@@ -182,7 +182,7 @@ int main(int count, char **arguments)
     progress_begin(read.options.request.style.quiet);
     code = options_book(&read);
     if (code == EXIT_DONE)
-      code = options_judge(&read, command->run(&read, &read.options));
+      code = options_judge(&read, command_make(&read));
     if (read.options.request.stats)
       counts_print();
   }

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/points/gaits.h"
+#include "compare/answers/vary.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/text/plot.h"
@@ -16,22 +16,31 @@ static const void *value_of(const void *options, const struct option *o) { retur
 static const char *read_parameter(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
-  if (sweep_is_many(o->name, text))
-    return sweep_vary(&r->sweep, &r->point, o->name, text);
-  sweep_hold(&r->sweep, o->name);
+  if (vary_is_many(o->name, text))
+    return vary_text(r, o->name, text);
+  vary_hold(r, o->name);
   return point_set(&r->point, o->name, text);
+}
+
+static const char *read_product(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  (void)o, (void)text;
+  return r->sweep.products > 0 ? vary_product(r) : "nothing varies in front of it";
 }
 
 static void show_parameter(const void *options, const struct option *o, char text[OPTION_VALUE])
 {
   const struct request *r = options;
+  *text = '\0';
   if (strcmp(o->name, "gait") == 0)
     snprintf(text, OPTION_VALUE, "%s", r->point.crawler.gait->name);
   else if (strcmp(o->name, "phase") == 0)
     snprintf(text, OPTION_VALUE, "%s", r->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  else
-    snprintf(text, OPTION_VALUE, "%.15g",
-             strcmp(o->name, "v0") == 0 ? r->point.v0 : crawler_parameter(&r->point.crawler, o->name));
+  else if (strcmp(o->name, "v0") == 0)
+    snprintf(text, OPTION_VALUE, "%.15g", r->point.v0);
+  else if (crawler_place(o->name) < CRAWLER_NUMBERS)
+    snprintf(text, OPTION_VALUE, "%.15g", crawler_parameter(&r->point.crawler, o->name));
 }
 
 static const char *read_flag(void *options, const struct option *o, const char *text)
@@ -162,7 +171,9 @@ static const char *read_choice(void *options, const struct option *o, const char
   return columns_read(&r->style.choice, text);
 }
 
-const struct option_kind parameter_option = { read_parameter, show_parameter }, flag_option = { read_flag, NULL },
+const char *const reference_words[] = { "exact", "certified", NULL };
+const struct option_kind parameter_option = { read_parameter, show_parameter },
+                         product_option = { read_product, NULL }, flag_option = { read_flag, NULL },
                          number_option = { read_real, show_real }, count_option = { read_whole, show_whole },
                          word_option = { read_word, show_word }, text_option = { read_text, NULL },
                          format_option = { read_format, NULL }, digits_option = { read_digits, NULL },
@@ -226,18 +237,21 @@ static const char *removed_option(const char *command, const char *name, const c
   return NULL;
 }
 
-/* An option that the command does not take: another one's, a mistyped one, or none. */
-static bool complain_of_option(const struct arguments *a, const char *name, const char *argument)
+static char message[640];
+
+/* Another command's option, a mistyped one, or none */
+const char *option_unknown(const struct arguments *a, const char *name, const char *argument)
 {
   enum { MOST = 80 };
   const char *names[MOST + 2] = { NULL }, *command = a->command->name;
   int count = 0;
   const char *instead = removed_option(command, name, NULL);
-  if (instead)
-    return complain(command, "--%s is no longer there: %s", name, instead);
-  for (const struct command *const *c = a->commands; *c; c++)
-    if (option_of(*c, name))
-      return complain(command, "this command does not take the option '%s' (see scallop %s --help)", argument, command);
+  for (const struct command *const *c = a->commands; *c && !instead; c++)
+    if (option_of(*c, name)) {
+      snprintf(message, sizeof message, "this command does not take the option '%s' (see scallop %s --help)", argument,
+               command);
+      return message;
+    }
   for (const struct option *o = a->command->options; o->name && count < MOST; o++) {
     names[count++] = o->name;
     names[count++] = o->also ? o->also : "";
@@ -245,8 +259,24 @@ static bool complain_of_option(const struct arguments *a, const char *name, cons
   const char *near = nearest(name + strspn(name, "-"), names);
   for (const struct option *o = a->command->options; near && o->name; o++)
     near = near == o->also ? o->name : near;
-  return complain(command, "unknown option '%s'%s%s%s (see scallop %s --help)", argument,
-                  near ? ": did you mean '--" : "", near ? near : "", near ? "'?" : "", command);
+  if (instead)
+    snprintf(message, sizeof message, "--%s is no longer there: %s", name, instead);
+  else
+    snprintf(message, sizeof message, "unknown option '%s'%s%s%s (see scallop %s --help)", argument,
+             near ? ": did you mean '--" : "", near ? near : "", near ? "'?" : "", command);
+  return message;
+}
+
+const char *option_take(struct arguments *a, const struct option *o, const char *text)
+{
+  const char *wrong = o->kind->read(&a->options, o, text);
+  const char *instead = wrong && text ? removed_option(a->command->name, o->name, text) : NULL;
+  a->given |= 1UL << (o - a->command->options);
+  if (instead)
+    snprintf(message, sizeof message, "--%s %s is no longer there: %s", o->name, text, instead);
+  else if (wrong)
+    snprintf(message, sizeof message, "--%s: %s", o->name, wrong);
+  return wrong ? message : NULL;
 }
 
 /* The values of an option; text: the one behind '=', or NULL. False: the message is on stderr. */
@@ -261,15 +291,10 @@ static bool read_values(struct arguments *a, const struct option *o, const char 
     if (!is_here && a->place + 1 == a->count)
       return complain(command, "--%s needs %s: --%s %s", o->name, i == 0 ? "a value" : "two values", o->name,
                       o->argument);
-    const char *value = is_here ? text : a->all[++a->place];
-    const char *wrong = o->kind->read(&a->options, o, value);
-    const char *instead = wrong && value ? removed_option(command, o->name, value) : NULL;
-    if (instead)
-      return complain(command, "--%s %s is no longer there: %s", o->name, value, instead);
+    const char *wrong = option_take(a, o, is_here ? text : a->all[++a->place]);
     if (wrong)
-      return complain(command, "--%s: %s", o->name, wrong);
+      return complain(command, "%s", wrong);
   }
-  a->given |= 1UL << (o - a->command->options);
   return true;
 }
 
@@ -283,7 +308,7 @@ static bool read_option(struct arguments *a)
   const char *name = is_o ? "output" : before + (two_dashes ? 2 : 0);
   const struct option *o = two_dashes || is_o ? option_of(a->command, name) : NULL;
   return o ? read_values(a, o, argument[length] == '=' ? argument + length + 1 : NULL)
-           : complain_of_option(a, name, before);
+           : complain(a->command->name, "%s", option_unknown(a, name, before));
 }
 
 static bool take_operand(struct arguments *a, const char *text)
@@ -353,7 +378,7 @@ static bool sweep_holds(const struct arguments *a)
 {
   const struct request *r = &a->options.request;
   const struct sweep_variable *v = sweep_variable(&r->sweep, 0);
-  if (!v || (option_of(a->command, "points") && !r->points))
+  if (!v || (command_has_rows(a->command, &a->options) && !r->points))
     return true;
   if (r->points)
     return complain(a->command->name,
@@ -361,13 +386,12 @@ static bool sweep_holds(const struct arguments *a)
                     v->name);
   return complain(
       a->command->name,
-      "--%s: this command takes one value: a list or a range is for steady, phase and series, which print a row for "
-      "each point",
+      "--%s: this command takes one value: a list or a range is for steady, phase, series and trajectory, which print rows "
+      "for each point",
       v->name);
 }
 
-/* Do all options go together? */
-static bool is_sound(const struct arguments *a)
+bool options_are_sound(const struct arguments *a)
 {
   const struct style *style = &a->options.request.style;
   const struct option *of_plot = given_option(a,
@@ -397,8 +421,9 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   a->count = count;
   a->commands = commands;
   a->operands = calloc((size_t)count, sizeof *a->operands);
+  a->options.request.asked = asked_nothing(command->name);
   *code = EXIT_UNSOLVED;
-  if (!a->operands) {
+  if (!a->operands || !a->options.request.asked) {
     complain(command->name, "out of memory");
     return READ_REFUSED;
   }
@@ -408,7 +433,30 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   point_complete(point);
   if (a->options.request.points && strcmp(a->options.request.points, "-") == 0)
     a->options.request.style.has_format = true; /* each row appears when its point has come, on a terminal too */
-  return reading == READ_RUN && !is_sound(a) ? READ_REFUSED : reading;
+  return reading == READ_RUN && !options_are_sound(a) ? READ_REFUSED : reading;
+}
+
+bool command_has_rows(const struct command *c, const void *options)
+{
+  return c->plan && (!c->has_rows || c->has_rows(options));
+}
+
+enum exit_code command_make(const struct arguments *a)
+{
+  const struct request *request = &a->options.request;
+  if (!command_has_rows(a->command, request))
+    return a->command->run(a, request);
+  struct rows rows = { .request = request, .sheet.asked = request->asked };
+  enum exit_code code = EXIT_UNSOLVED;
+  const char *wrong = a->command->plan(request, &rows);
+  if (wrong) {
+    if (*wrong)
+      complain(request->style.command, "%s", wrong);
+    code = wrong == rows_no_memory ? EXIT_UNSOLVED : EXIT_USAGE;
+  } else
+    code = rows_table(&rows);
+  rows_free(&rows);
+  return code;
 }
 
 enum exit_code options_judge(const struct arguments *a, enum exit_code code)
@@ -427,6 +475,7 @@ void options_free(struct arguments *a)
 {
   sweep_free(&a->options.request.sweep);
   columns_free(a->options.request.style.choice);
+  free(a->options.request.asked);
   free(a->operands);
   a->operands = NULL;
   a->operand_count = 0;

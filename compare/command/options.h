@@ -10,8 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "compare/answers/points.h"
-#include "compare/answers/quantities.h"
+#include "compare/answers/rows.h"
 #include "compare/text/values.h"
 
 /* The text of what a macro stands for, so that --help tells the numbers that are used */
@@ -32,7 +31,8 @@ struct option_kind {
   void (*show)(const void *options, const struct option *option, char text[OPTION_VALUE]);
 };
 extern const struct option_kind
-    parameter_option,             /* of the point, by its name                                              */
+    parameter_option,             /* of the point, or what varies, by its name                              */
+    product_option,               /* begins another product of what varies                                  */
     flag_option,                  /* bool                                                                   */
     number_option,                /* struct given_number, from least to most                                */
     count_option,                 /* struct given_count, likewise                                           */
@@ -102,6 +102,19 @@ struct option_rule {
 #define FROM_TO(low, high, text) .least = low, .most = high, .allowed = text
 #define FINITE FROM_TO(-DBL_MAX, DBL_MAX, "a finite number")
 #define POSITIVE FROM_TO(DBL_TRUE_MIN, DBL_MAX, "a finite number > 0")
+#define OPTION_VARIES(name, argument, help) OPTION(name, argument, help, NULL, .kind = &parameter_option)
+#define OPTIONS_VARY \
+  OPTION_VARIES("F1_over_F2", "X", "F1 = X F2"), OPTION_VARIES("m1_over_m2", "X", "m1 = X m2"), \
+      OPTION_VARIES("froude", "X", "the Froude number, which sets T when all else is set"), \
+      OPTION_VARIES("label", "NAME=TEXT,...", "a column of texts, each for a block of rows"), \
+      OPTION("and", NULL, "what varies from here on follows as rows of their own", NULL, .kind = &product_option)
+#define OPTIONS_ERRORS(otherwise) \
+  OPTION_NUMBER("accuracy", "D", "errors of series below this part of the exact value are 0; below 1e-10 they are " \
+                                 "errors against certified values", otherwise, request, accuracy, \
+                FROM_TO(1e-300, 0.999, "a number between 1e-300 and 1")), \
+      OPTION_WORD("reference", "WHICH", "what errors of series are against: exact (in doubles) or certified", \
+                  "by the accuracy", request, reference, reference_words)
+extern const char *const reference_words[];
 #define OPTION_POINTS \
   OPTION_TEXT( \
       "points", "FILE", \
@@ -168,6 +181,10 @@ struct command {
   const struct scallop_crawler *defaults;
   /* What no rule says of the options: false, the message being on stderr. NULL: nothing. */
   bool (*is_sound)(const void *options);
+  /* Plans a table with a row for each point: NULL, or what is wrong, until the next call; "": that has been said. No such function, or has_rows
+   * is false: the table of `run`. has_rows NULL: always true. */
+  const char *(*plan)(const void *options, struct rows *rows);
+  bool (*has_rows)(const void *options);
   enum exit_code (*run)(const struct arguments *arguments, const void *options);
 };
 
@@ -186,6 +203,18 @@ struct arguments {
     double aligned_too;
   } options;
 };
+
+/* Has it a row for each point? */
+bool command_has_rows(const struct command *command, const void *options);
+/* Makes the table that the options ask for. */
+enum exit_code command_make(const struct arguments *arguments);
+
+/* Takes one more value of an option of the command. NULL, or what is wrong, until the next call. */
+const char *option_take(struct arguments *arguments, const struct option *option, const char *text);
+/* What is wrong with the name of an option that the command does not take; argument: as it is written */
+const char *option_unknown(const struct arguments *arguments, const char *name, const char *argument);
+/* Do all options go together? False: the message is on stderr. */
+bool options_are_sound(const struct arguments *arguments);
 
 /* NULL: the command does not take it. */
 const struct option *option_of(const struct command *command, const char *name);

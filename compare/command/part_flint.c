@@ -3,7 +3,7 @@
 
 #include "compare/breakdown/breakdown.h"
 #include "compare/claims/claims.h"
-#include "compare/command/flint.h"
+#include "compare/answers/flint.h"
 #include "compare/command/series_options.h"
 #include "compare/maps/maps.h"
 #include "compare/stress/table.h"
@@ -12,7 +12,7 @@
 
 const struct flint_part flint_part = { SCALLOP_VERSION,      series_derived,  series_symbolic, claims_table,
                                        workprec_table,       breakdown_table, breakdown_map,   breakdown_boundaries,
-                                       summary_of_breakdown, summary_table,   stress_table,    stress_point,
+                                       summary_of_breakdown, summary_plan,    stress_table,    stress_point,
                                        stress_stiff };
 
 /* For the functions of GSL that are linked into this part, too, an error is a status. */

@@ -1,11 +1,16 @@
+#define _GNU_SOURCE /* asprintf */
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #include "compare/command/commands.h"
 #include "compare/command/run.h"
+#include "compare/points/counts.h"
+#include "compare/text/file.h"
+#include "compare/text/plot.h"
 #include "compare/text/shipped.h"
-#include "compare/command/flint.h"
 
 #define OF_SCENE "that of the scene"
 #define DIGITS DIGITS_PROVEN("where a scene has certified values")
@@ -27,126 +32,211 @@ static const struct option options_of_run[] = {
 static const struct option_rule rules[] = { { "into", RULE_WITH, "output", "and -o exclude each other" },
                                             { NULL, RULE_WITH, NULL, NULL } };
 
-struct scenes {
-  int count;
-  struct scene *scene;
+/* A scene whose wants have been read */
+struct running {
+  struct scene scene;
+  struct want *want; /* scene.wants of them */
+  struct rows *rows; /* those that make rows share their points */
+  int makes_rows;
 };
 
-/* The tables of commands that a scene can want, each with an option that its name stands for. */
-static const struct {
-  const char *what;
-  const struct command *command;
-  char *option[2];
-} tables[] = {
-  { "terms", &command_series, { "--source", "derived" } }, { "bounds", &command_series, { "--bound", NULL } },
-  { "breakdown", &command_breakdown, { NULL, NULL } },     { "stability", &command_stress, { NULL, NULL } },
-  { "work-precision", &command_workprec, { NULL, NULL } }, { "claims", &command_claims, { NULL, NULL } }
-};
-
-static const struct command *const wanted[] = { &command_series,   &command_breakdown, &command_stress,
-                                                &command_workprec, &command_claims,    NULL };
-
-enum { MOST_ARGUMENTS = 128 };
-
-/* The parameters of the scene that the command takes, as options. Returns how many arguments there are then. */
-static int add_parameters(char **arguments, int count, const struct command *command, const struct point *base)
+static void running_free(struct running *r)
 {
-  static char *const flags[] = { "--m1", "--m2", "--F1", "--F2", "--L", "--T", "--alpha", "--gait", "--v0" };
-  bool has_map = false;
-  for (int i = 0; i < count; i++)
-    has_map |= strcmp(arguments[i], "--map") == 0;
-  for (size_t i = 0; i < sizeof flags / sizeof *flags; i++) {
-    const char *name = flags[i] + 2, *text = i < CRAWLER_NUMBERS   ? base->written[i]
-                                             : i > CRAWLER_NUMBERS ? base->written_v0
-                                             : base->has_gait      ? base->crawler.gait->name
-                                                                   : NULL;
-    bool idle = command == &command_breakdown && !has_map && strcmp(name, "T") == 0; /* all T are looked at */
-    if (!text || idle || !option_of(command, name))
-      continue;
-    arguments[count++] = flags[i];
-    arguments[count++] = (char *)text;
-  }
-  return count;
+  for (int i = 0; r->want && i < r->scene.wants; i++)
+    want_free(&r->want[i]);
+  free(r->want);
+  free(r->rows);
+  scene_free(&r->scene);
 }
 
-static enum exit_code run_command(const struct scene *scene, const struct scene_want *w, const struct scene_options *o,
-                                  bool only_read)
+static enum exit_code read_scene(struct running *r, const struct scene_source *source, const struct scene_options *o)
 {
-  char *arguments[MOST_ARGUMENTS] = { "scallop" }, digits[32];
-  struct arguments read;
+  enum exit_code code = scene_read(&r->scene, source, &o->request);
+  if (code != EXIT_DONE)
+    return code;
+  r->want = calloc((size_t)r->scene.wants, sizeof *r->want);
+  r->rows = calloc((size_t)r->scene.wants, sizeof *r->rows);
+  if (!r->want || !r->rows)
+    return complain(o->request.style.command, "out of memory"), EXIT_UNSOLVED;
+  for (int i = 0; i < r->scene.wants; i++)
+    if (!want_read(&r->want[i], &r->scene, r->scene.want[i], o))
+      return EXIT_USAGE;
+  return EXIT_DONE;
+}
+
+/* A path by which files are told apart, however they are spelled, to be freed; NULL: a device or a pipe, which takes any
+ * number of tables, or in a folder that is not there, which opening it will say */
+static char *place_of(const char *path)
+{
+  const char *slash = strrchr(path, '/');
+  struct stat there;
+  char folder[PATH_MAX], *place = NULL;
+  if (stat(path, &there) == 0)
+    return S_ISREG(there.st_mode) ? realpath(path, NULL) : NULL;
+  snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash + 1 - path) : 1, slash ? path : ".");
+  char *real = realpath(folder, NULL);
+  if (real && asprintf(&place, "%s/%s", real, slash ? slash + 1 : path) < 0)
+    place = NULL;
+  free(real);
+  return place;
+}
+
+/* The files that are written so far */
+struct places {
+  int count;
+  char *place[2 * SCENE_WANTS * 64];
+};
+
+static enum exit_code add_place(struct places *all, const char *command, const char *path)
+{
+  int error = file_spares(path);
+  if (error != 0)
+    return complain(command, "cannot write %s: %s", path, file_error(error)), EXIT_FILE;
+  char *place = place_of(path);
+  for (int i = 0; place && i < all->count; i++)
+    if (strcmp(all->place[i], place) == 0) {
+      free(place);
+      complain(command, "two things would go to %s: give each table and each plot a file of its own", path);
+      return EXIT_USAGE;
+    }
+  if (place && all->count < (int)(sizeof all->place / sizeof *all->place))
+    all->place[all->count++] = place;
+  else
+    free(place);
+  return EXIT_DONE;
+}
+
+/* Do tables and plots of all scenes go to different files, and none to one that is read? */
+static enum exit_code check_files(const struct running *all, int count, const char *command)
+{
+  static struct places places;
   enum exit_code code = EXIT_DONE;
-  int table = 0, count = 2;
-  while (strcmp(tables[table].what, w->what) != 0)
-    table++;
-  const struct command *command = tables[table].command;
-  arguments[1] = (char *)command->name;
-  for (int i = 0; i < 2 && tables[table].option[i]; i++)
-    arguments[count++] = tables[table].option[i];
-  for (int i = 0; i < w->argument_count; i++)
-    arguments[count++] = w->arguments[i];
-  count = add_parameters(arguments, count, command, &scene->base);
-  if (o->request.style.quiet && option_of(command, "quiet"))
-    arguments[count++] = "--quiet";
-  snprintf(digits, sizeof digits, "--digits=%ld", o->request.style.digits);
-  if (o->request.style.digits > 0 && option_of(command, "digits"))
-    arguments[count++] = digits;
-  if (options_read(&read, command, wanted, count, arguments, &code) == READ_RUN) {
-    code = options_book(&read);
-    read.options.request.style.output = w->file;
-    read.options.request.style.format = w->format;
-    if (code == EXIT_DONE && !only_read)
-      code = command->run(&read, &read.options);
-  }
-  options_free(&read);
+  int printed = 0;
+  for (int i = 0; i < count; i++)
+    for (int k = 0; k < all[i].scene.wants && code == EXIT_DONE; k++) {
+      const struct want *w = &all[i].want[k];
+      if (!w->file && printed++ > 0) {
+        complain(command, "two tables would go to standard output: give each want a file of its own");
+        code = EXIT_USAGE;
+      }
+      if (w->file && code == EXIT_DONE)
+        code = add_place(&places, command, w->file);
+      if (w->has_plot && code == EXIT_DONE)
+        code = add_place(&places, command, w->plot.file);
+    }
+  while (places.count > 0)
+    free(places.place[--places.count]);
   return code;
 }
 
-static enum exit_code run_all(const struct scenes *all, const struct scene_options *o)
+static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ? a : b; }
+
+static void tell_written(const struct scene_options *o, const char *file)
+{
+  if (file && !o->request.style.quiet)
+    fprintf(stderr, "scallop %s: wrote %s\n", o->request.style.command, file);
+}
+
+/* The tables of commands, each in its place when its command ends */
+static enum exit_code run_commands(struct running *r)
+{
+  enum exit_code code = EXIT_DONE;
+  for (int i = 0; i < r->scene.wants && code != EXIT_FILE; i++)
+    if (!r->want[i].has_rows) {
+      count_add(COUNT_COMMANDS, 1);
+      enum exit_code one = options_book(&r->want[i].arguments);
+      code = worse(code, one != EXIT_DONE ? one : command_make(&r->want[i].arguments));
+    }
+  return code;
+}
+
+static enum exit_code draw_plots(const struct running *r, const struct scene_options *o)
+{
+  enum exit_code code = EXIT_DONE;
+  for (int i = 0; i < r->scene.wants; i++) {
+    const struct want *w = &r->want[i];
+    bool drawn = w->has_plot && plot_draw(&w->plot, o->request.style.command);
+    code = drawn || !w->has_plot ? code : EXIT_FILE;
+    count_add(COUNT_PLOTS, drawn);
+    if (drawn)
+      tell_written(o, w->plot.file);
+  }
+  return code;
+}
+
+/* What is said of tables that are in their places, and the exit code */
+static enum exit_code judge(const struct running *r, const struct rows_run *run, enum exit_code code,
+                            const struct scene_options *o)
+{
+  const char *command = o->request.style.command;
+  long failed = 0;
+  for (int i = 0; i < run->count; i++)
+    failed += run->rows[i].failed_checks;
+  if (run->unsolved > 0)
+    complain(command, "%s: %ld of %ld points could not be solved, the first: %s", r->scene.name, run->unsolved,
+             run->points, run->why);
+  if (failed > 0)
+    complain(command, "%s: orders that are not as expected: %ld: the column 'verdict' says how", r->scene.name, failed);
+  if (draw_plots(r, o) != EXIT_DONE)
+    return EXIT_FILE;
+  return run->unsolved > 0 ? EXIT_UNSOLVED : failed > 0 ? worse(code, EXIT_CHECK_FAILED) : code;
+}
+
+/* All tables are complete before the first takes its place: where something goes wrong the earlier files stay. */
+static enum exit_code run_scene(struct running *r, const struct scene_options *o)
+{
+  struct rows_run run = { .rows = r->rows };
+  for (int i = 0; i < r->scene.wants; i++)
+    if (r->want[i].has_rows)
+      run.rows[run.count++] = r->want[i].rows;
+  enum exit_code code = run.count > 0 ? rows_visit(&run, NULL) : EXIT_DONE;
+  code = code == EXIT_DONE ? run_commands(r) : code;
+  bool keep = code != EXIT_FILE && code != EXIT_USAGE;
+  if (!rows_close(&run, keep))
+    return EXIT_FILE;
+  for (int i = 0; keep && i < r->scene.wants; i++)
+    tell_written(o, r->want[i].file);
+  return keep ? judge(r, &run, code, o) : code;
+}
+
+static enum exit_code run_all(struct running *all, int count, const struct scene_options *o)
 {
   const char *command = o->request.style.command;
   int wants = 0;
-  bool needs_flint = false;
-  for (int i = 0; i < all->count; i++) {
-    wants += all->scene[i].wants;
-    needs_flint |= all->scene[i].needs_flint;
-  }
+  for (int i = 0; i < count; i++)
+    wants += all[i].scene.wants;
   if (o->request.style.has_output && wants > 1) {
     complain(command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
     return EXIT_USAGE;
   }
-  enum exit_code code = scenes_check_files(all->scene, all->count, o);
-  if (code != EXIT_DONE)
+  enum exit_code code = check_files(all, count, command);
+  for (int i = 0; i < count && code == EXIT_DONE && o->check_only && !o->request.style.quiet; i++)
+    fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", command, all[i].scene.name,
+            all[i].scene.request.sweep.products > 0 ? sweep_points(&all[i].scene.request.sweep) : 1,
+            all[i].scene.wants);
+  if (code != EXIT_DONE || o->check_only)
     return code;
-  if (o->check_only) {
-    for (int i = 0; i < all->count && !o->request.style.quiet; i++)
-      fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", command, all->scene[i].name,
-              sweep_points(&all->scene[i].sweep), all->scene[i].wants);
-    return EXIT_DONE;
-  }
-  if (needs_flint && !flint_for(command, "this scene"))
-    return EXIT_UNSOLVED;
-  for (int i = 0; i < all->count && code != EXIT_FILE; i++) {
-    enum exit_code one = scene_run(&all->scene[i], o);
-    code = one > code ? one : code;
-  }
+  for (int i = 0; i < count && code != EXIT_FILE; i++)
+    code = worse(code, run_scene(&all[i], o));
   return code;
 }
 
 enum exit_code run_scenes(const struct scene_options *o, const struct scene_source *sources, int count)
 {
-  struct scenes all = { 0, calloc((size_t)count, sizeof *all.scene) };
-  enum exit_code code = all.scene ? EXIT_DONE : EXIT_UNSOLVED;
-  if (!all.scene)
-    complain(o->request.style.command, "out of memory");
-  while (code == EXIT_DONE && all.count < count) {
-    code = scene_read(&all.scene[all.count], &sources[all.count], o, run_command);
-    all.count += code == EXIT_DONE;
+  struct running *all = calloc((size_t)count, sizeof *all);
+  enum exit_code code = EXIT_DONE;
+  int read = 0;
+  if (!all)
+    return complain(o->request.style.command, "out of memory"), EXIT_UNSOLVED;
+  while (code == EXIT_DONE && read < count) {
+    code = read_scene(&all[read], &sources[read], o);
+    read++;
   }
   if (code == EXIT_DONE)
-    code = run_all(&all, o);
-  for (int i = 0; i < all.count; i++)
-    scene_free(&all.scene[i]);
-  free(all.scene);
+    code = run_all(all, count, o);
+  for (int i = 0; i < read; i++)
+    running_free(&all[i]);
+  free(all);
   return code;
 }
 

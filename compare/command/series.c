@@ -1,15 +1,10 @@
-#include <math.h>
-#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "numerics/numerics.h"
-#include "compare/answers/answer.h"
+#include "compare/answers/flint.h"
 #include "compare/book/book.h"
-#include "compare/points/gaits.h"
-#include "compare/answers/points.h"
 #include "compare/command/commands.h"
 #include "compare/command/series_options.h"
-#include "compare/command/flint.h"
 
 #define DIGITS DIGITS_PROVEN("with --source derived or limit")
 static const char *const sources[] = { "published", "derived", "limit", "closed", NULL };
@@ -25,9 +20,19 @@ static const struct option options_of_series[] = {
               languages),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_BOOK("the formulas of this book too, before the paper's"),
-  OPTION_TEXT("only", "LIST", "these published formulas only: names or equations, \"(28)\", separated by commas", "all",
-              series_options, only, "names or equations of formulas, separated by commas"),
+  OPTION_TEXT("only", "LIST", "these series only, separated by commas: formulas by name or equation, \"(28)\", derived_8.dxC",
+              "all published formulas", series_options, only, "names or equations of formulas, separated by commas"),
   OPTION_POINTS,
+  OPTIONS_VARY,
+  OPTION_FLAG("rows", "a row for each point, where there is one point, too", series_options, rows),
+  OPTION_TEXT("parts", "LIST", "what a row has of each series: value, exact, error, relative",
+              "value; with --only value,exact,relative", series_options, parts, "names of parts, separated by commas"),
+  OPTION_FLAG("orders", "the orders in T of the errors of series; T varies fastest", series_options, orders),
+  OPTION_NUMBER("expect", "P", "the order that is expected: exit code 1 unless it is met", "none is", series_options, expect,
+                FINITE),
+  OPTION_NUMBER("tol", "D", "how far orders may be from it", "with --orders 0.1", series_options, tolerance, POSITIVE),
+  OPTIONS_ERRORS("errors in doubles, as they are"),
+  OPTION_STATS,
   OPTION_FORMAT("tsv"),
   OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
   OPTIONS_PLOT,
@@ -35,24 +40,24 @@ static const struct option options_of_series[] = {
 };
 static const struct series_options initial = { .source = { "published", false },
                                                .order = { 8, false },
-                                               .emit = { "text", false } };
+                                               .emit = { "text", false },
+                                               .tolerance = { 0.1, false } };
 static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
                                        "published", "exact",    "error", NULL };
-static const char *const extra[] = { "v0", NULL };
 
 /* A formula and the motion that it is about: a kind of phase, or the period. */
-enum { PERIOD = SCALLOP_CONTRACTION + 1, MOST_FORMULAS = 96 };
+enum { PERIOD = SCALLOP_CONTRACTION + 1 };
 struct use {
   const struct scallop_formula *formula;
   int of;
 };
 
 /* Each formula that is asked for, once for each motion that it is about. Returns how many. */
-static int list_uses(struct use uses[MOST_FORMULAS], const struct series_options *o)
+static int list_uses(struct use uses[MOST_SERIES], const struct series_options *o)
 {
   int n = 0;
   const struct scallop_formula *f;
-  for (int i = 0; (f = listed_formula(i)) && n <= MOST_FORMULAS - 2; i++) {
+  for (int i = 0; (f = listed_formula(i)) && n <= MOST_SERIES - 2; i++) {
     if (o->only && !formula_is_listed(o->only, f->name))
       continue;
     if (f->setting == SCALLOP_STEADY)
@@ -65,34 +70,11 @@ static int list_uses(struct use uses[MOST_FORMULAS], const struct series_options
   return n;
 }
 
-static double finite(double x) { return isfinite(x) ? x : NAN; }
-
-/* What the formulas and the exact motion have at a point. Where v0 is not given, the formulas with a start velocity
- * take the exact steady one of their phase. */
-static enum scallop_status solve(const struct point *p, const struct use *uses, int count,
-                                 double published[MOST_FORMULAS], double exact[MOST_FORMULAS])
+static const char *name_of_use(char name[QUANTITY_NAME], const struct use *use)
 {
-  const struct scallop_crawler *c = &p->crawler;
-  const struct motion period = motion_of(p, OF_STEADY);
-  struct answer steady, phase;
-  if (!answer_in_double(&steady, &period))
-    return steady.status;
-  for (int i = 0; i < count; i++) {
-    const struct scallop_formula *f = uses[i].formula;
-    if (uses[i].of == PERIOD) {
-      published[i] = finite(published_value(f, &period, NULL));
-      exact[i] = steady.value[quantity_of_formula(f, SCALLOP_EXTENSION)].high;
-      continue;
-    }
-    enum scallop_phase_kind kind = (enum scallop_phase_kind)uses[i].of;
-    double start = p->has_v0 ? p->v0 : steady.value[kind == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high;
-    const struct motion m = { OF_PHASE, *c, kind, f->setting == SCALLOP_AT_REST_START ? 0 : start };
-    if (!answer_in_double(&phase, &m) || !answer_turnings(&phase, &m))
-      return phase.status;
-    published[i] = finite(published_value(f, &m, &phase));
-    exact[i] = phase.value[quantity_of_formula(f, kind)].high;
-  }
-  return SCALLOP_OK;
+  bool is_other = use->of == SCALLOP_CONTRACTION && use->formula->setting == SCALLOP_AT_REST_START;
+  snprintf(name, QUANTITY_NAME, "%s%s", use->formula->name, is_other ? ":contraction" : "");
+  return name;
 }
 
 static void write_formula(struct table *table, const struct use *use, double published, double exact)
@@ -111,81 +93,213 @@ static void write_formula(struct table *table, const struct use *use, double pub
   table_number(table, published - exact);
 }
 
-/* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
-static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
-
-/* What a row for a point has of each formula, "name" or "name:contraction": its value; of those of --only the exact
- * value and the relative error too, called as in scenes. */
-static const char *const parts[] = { "", "exact.", "relative." };
-static int parts_of(const struct series_options *o) { return o->only ? (int)(sizeof parts / sizeof *parts) : 1; }
-
-static const char *row(struct table *table, const struct point *point, const void *context, const char *refused)
+static bool open_table(struct table *table, const struct request *request)
 {
-  const struct series_options *o = context;
-  struct use uses[MOST_FORMULAS];
-  double published[MOST_FORMULAS] = { 0 }, exact[MOST_FORMULAS] = { 0 };
-  int count = list_uses(uses, o);
-  enum scallop_status solved = refused ? SCALLOP_EDOMAIN : solve(point, uses, count, published, exact);
-  const char *why = refused ? refused : solved < 0 ? scallop_status_text(solved) : NULL;
-  for (int i = 0; i < count; i++) {
-    const double values[] = { published[i], exact[i], finite((published[i] - exact[i]) / exact[i]) };
-    for (int k = 0; k < parts_of(o); k++)
-      table_number(table, why ? NAN : values[k]);
+  /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
+  static const char no_ends[] =
+      "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
+  char v0[80] = "the exact steady velocity at the start of each phase";
+  if (!table_head(table, &request->style, "series"))
+    return false;
+  table->of = "published";
+  note_parameters(table, &request->point, NULL, false);
+  if (request->point.has_v0)
+    number_text(v0, request->point.v0, 0);
+  table_note(table, "v0: %s", v0);
+  if (!gait_has_ends(request->point.crawler.gait)) {
+    table_note(table, "%s", no_ends);
+    if (!request->style.quiet)
+      complain("series", "%s", no_ends);
   }
-  table_text(table, why ? why : gait_has_ends(point->crawler.gait) ? "ok" : no_ends);
-  return why;
+  table_columns(table, columns);
+  table_begin_rows(table);
+  return true;
 }
 
-static enum exit_code run_points(const struct series_options *o)
+/* A row for each formula at the one point */
+static enum exit_code write_formulas(struct at *at, const struct series_options *o)
 {
-  enum { LONGEST = 96, MOST = 3 * MOST_FORMULAS };
-  struct use uses[MOST_FORMULAS];
-  char names[MOST][LONGEST];
-  const char *list[MOST + 2];
-  int n = 0;
-  for (int i = 0, count = list_uses(uses, o); i < count; i++)
-    for (int k = 0; k < parts_of(o); k++) {
-      bool again = i > 0 && uses[i].formula == uses[i - 1].formula;
-      snprintf(names[n], LONGEST, "%s%s%s", parts[k], uses[i].formula->name, again ? ":contraction" : "");
-      list[n] = names[n];
-      n++;
-    }
-  list[n] = "status";
-  list[n + 1] = NULL;
-  const struct point_table table = { .extra = extra, .columns = list, .v0_may_be_nan = true, .row = row, .context = o };
-  return for_each_point(&o->request, &table);
+  struct quantities *all = &o->request.asked->quantities;
+  struct use uses[MOST_SERIES];
+  int count = list_uses(uses, o), published[MOST_SERIES], exact[MOST_SERIES];
+  int steady = quantity_named(all, "v_start");
+  for (int i = 0; i < count; i++) {
+    char name[QUANTITY_NAME], other[2 * QUANTITY_NAME];
+    snprintf(other, sizeof other, "exact.%s", name_of_use(name, &uses[i]));
+    published[i] = quantity_named(all, name);
+    exact[i] = quantity_named(all, other);
+  }
+  struct table table;
+  if (!at_init(at, o->request.asked))
+    return EXIT_UNSOLVED;
+  sweep_place_set(&at->place, &o->request.point);
+  at_move(at);
+  at_number(at, steady);
+  if (at->why[0] != '\0')
+    return complain("series", "%s", at->why), EXIT_UNSOLVED;
+  if (!open_table(&table, &o->request))
+    return EXIT_FILE;
+  for (int i = 0; i < count; i++)
+    write_formula(&table, &uses[i], at_number(at, published[i]), at_number(at, exact[i]));
+  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
 
 static enum exit_code run_point(const struct series_options *o)
 {
-  const struct request *request = &o->request;
-  struct table table;
-  struct use uses[MOST_FORMULAS];
-  int count = list_uses(uses, o);
-  double published[MOST_FORMULAS] = { 0 }, exact[MOST_FORMULAS] = { 0 };
-  char v0[80] = "the exact steady velocity at the start of each phase";
-  enum scallop_status status = solve(&request->point, uses, count, published, exact);
-  if (status < 0) {
-    complain("series", "%s", scallop_status_text(status));
-    return EXIT_UNSOLVED;
-  }
-  if (!table_head(&table, &request->style, "series"))
-    return EXIT_FILE;
-  table.of = "published";
-  note_parameters(&table, &request->point, NULL, false);
-  if (request->point.has_v0)
-    number_text(v0, request->point.v0, 0);
-  table_note(&table, "v0: %s", v0);
-  if (!gait_has_ends(request->point.crawler.gait)) {
-    table_note(&table, "%s", no_ends);
-    if (!request->style.quiet)
-      complain("series", "%s", no_ends);
-  }
-  table_columns(&table, columns);
-  table_begin_rows(&table);
+  struct at *at = calloc(1, sizeof *at);
+  o->request.asked->from_steady = true;
+  o->request.asked->accuracy = 0;
+  enum exit_code code = at ? write_formulas(at, o) : EXIT_UNSOLVED;
+  if (at)
+    at_clear(at);
+  free(at);
+  return code;
+}
+
+/* Of a scene that says nothing of a phase the formulas of the steady state, else those of its phase and its start that
+ * take nothing as given */
+static bool is_of_scene(const struct series_options *o, const struct use *use)
+{
+  const struct request *r = &o->request;
+  enum scallop_setting setting = use->formula->setting;
+  if (!r->scene->is_about_phase || setting == SCALLOP_STEADY)
+    return !r->scene->is_about_phase && setting == SCALLOP_STEADY;
+  bool rests = !r->asked->from_steady && r->point.v0 == 0 && is_held(r, "v0");
+  return use->of == (int)r->point.phase && (setting == SCALLOP_AT_REST_START) == rests
+         && !formula_takes_given(use->formula);
+}
+
+/* Each item of --only, or NULL; *rest: what is behind it */
+static char *next_item(const char **rest)
+{
+  const char *text = *rest, *comma = strchr(text, ',');
+  *rest = comma ? comma + 1 : NULL;
+  return comma ? strndup(text, (size_t)(comma - text)) : strdup(text);
+}
+
+/* The names of the series in rows */
+static int usual_names(char *names[MOST_SERIES], const struct series_options *o)
+{
+  struct use uses[MOST_SERIES];
+  char name[QUANTITY_NAME];
+  int n = 0, count = is_from(o, "published") ? list_uses(uses, o) : 0;
   for (int i = 0; i < count; i++)
-    write_formula(&table, &uses[i], published[i], exact[i]);
-  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
+    if (!o->request.scene || is_of_scene(o, &uses[i]))
+      names[n++] = strdup(name_of_use(name, &uses[i]));
+  bool of_phase = o->request.scene ? o->request.scene->is_about_phase : o->request.point.has_v0;
+  enum quantity_of of = of_phase ? OF_PHASE : OF_STEADY;
+  for (int q = quantity_first(of); q < (int)quantity_end(of) && !is_from(o, "published"); q++) {
+    if (!quantity_rows[q].has_series)
+      continue;
+    if (is_from(o, "derived"))
+      snprintf(name, sizeof name, "derived_%ld.%s", o->order.value, quantity_rows[q].name);
+    else
+      snprintf(name, sizeof name, "limit.%s", quantity_rows[q].name);
+    names[n++] = strdup(name);
+  }
+  return n;
+}
+
+/* Those of --only: in a scene as they stand; else the formulas as they are listed, those of a phase from rest for both
+ * phases, and then the others */
+static int named(char *names[MOST_SERIES], const struct series_options *o)
+{
+  struct use uses[MOST_SERIES];
+  char name[QUANTITY_NAME];
+  int n = 0, count = o->request.scene ? 0 : list_uses(uses, o);
+  for (int i = 0; i < count; i++)
+    names[n++] = strdup(name_of_use(name, &uses[i]));
+  for (const char *rest = o->only; rest && n < MOST_SERIES;) {
+    char *item = next_item(&rest);
+    if (!item || o->request.scene || !formula_named(item))
+      names[n++] = item;
+    else
+      free(item);
+  }
+  return n;
+}
+
+/* NULL, or what is wrong */
+static const char *no_series(const struct series_options *o, const char *name)
+{
+  static char message[320];
+  struct quantities *all = &o->request.asked->quantities;
+  const struct sheet sheet = { .asked = o->request.asked };
+  int place = name ? quantity_named(all, name) : -1;
+  if (!name)
+    return rows_no_memory;
+  if (place < 0)
+    return sheet_no_quantity(&sheet, name);
+  snprintf(message, sizeof message,
+           "%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is meant", name);
+  return quantity_is_series(&all->item[place]) ? NULL : message;
+}
+
+const char *series_names(struct series_list *list, const struct series_options *o)
+{
+  const char *wrong = NULL;
+  list->count = o->only ? named(list->name, o) : usual_names(list->name, o);
+  for (int i = 0; i < list->count && !wrong; i++)
+    wrong = no_series(o, list->name[i]);
+  return wrong;
+}
+
+void series_list_free(struct series_list *list)
+{
+  while (list->count > 0)
+    free(list->name[--list->count]);
+}
+
+static const char *const part_names[] = { "value", "exact", "error", "relative", NULL };
+
+/* Which parts a row has of each series: its value alone, or of those of --only what they should be, too. NULL, or what is
+ * wrong. */
+static const char *read_parts(bool has[4], const struct series_options *o)
+{
+  const char *usual = o->only ? "value,exact,relative" : "value", *wrong = NULL;
+  for (const char *rest = o->parts ? o->parts : usual; rest && !wrong;) {
+    char *item = next_item(&rest);
+    int part = 0;
+    while (item && part_names[part] && strcmp(item, part_names[part]) != 0)
+      part++;
+    if (item && part_names[part])
+      has[part] = true;
+    else
+      wrong = not_allowed(item ? item : "", "parts of a series: value, exact, error and relative");
+    free(item);
+  }
+  return wrong;
+}
+
+/* A row for each point */
+static const char *plan(const void *options, struct rows *rows)
+{
+  static const char *const prefixes[] = { "", "exact.", "error.", "relative." };
+  const struct series_options *o = options;
+  const struct scene_head *scene = o->request.scene;
+  struct series_list list = { .count = 0 };
+  bool has[4] = { false };
+  if (!scene) {
+    rows->sheet.asked->from_steady = rows->sheet.asked->tells_no_start = !o->request.point.has_v0;
+    rows->sheet.asked->accuracy = 0;
+  }
+  if (o->orders)
+    return series_orders(o, rows);
+  rows->has_parameters = true;
+  rows->extra[0] = !scene || scene->is_about_phase ? "v0" : NULL;
+  const char *wrong = read_parts(has, o);
+  wrong = wrong ? wrong : series_names(&list, o);
+  for (int i = 0; i < list.count; i++)
+    for (int k = 0; k < 4 && !wrong; k++)
+      wrong = has[k] ? rows_own(rows, "%s%s", prefixes[k], list.name[i]) : NULL;
+  series_list_free(&list);
+  return wrong ? wrong : rows_own(rows, "status");
+}
+
+static bool has_rows(const void *options)
+{
+  const struct series_options *o = options;
+  return o->rows || o->orders || (has_many_points(&o->request) && !o->symbolic && !o->bound);
 }
 
 #define DERIVED "bound source=derived source=limit source=closed"
@@ -204,9 +318,13 @@ static const struct option_rule rules[] = {
   { "order", RULE_WITHOUT, "source=derived bound symbolic",
     "needs --source derived, or --bound: the published formulas end where they end, and the limit is one term" },
   { "bound", RULE_WITH, "source=published source=limit", "is for the derived series: leave --source out" },
-  { "only", RULE_WITH, DERIVED, "is for the published formulas: leave --source and --bound out" },
+  { "only", RULE_WITH, DERIVED, "is for the published formulas, and names derived ones: leave --source and --bound out" },
   { "book", RULE_WITH, DERIVED, "is for the published formulas: --source derived, limit and --bound have none" },
-  { "points", RULE_WITH, DERIVED, "is for --source published: one point at a time here" },
+  { "points", RULE_WITH, "bound source=closed", "is for --source published and derived: one point at a time here" },
+  { "rows orders", RULE_WITH, "symbolic bound source=closed emit=latex emit=python",
+    "is for the values of series: one point at a time here" },
+  { "expect tol", RULE_WITHOUT, "orders", "needs --orders" },
+  { "parts", RULE_WITH, "orders", "and --orders exclude each other: orders are those of the errors" },
   { "v0", RULE_WITH, "bound source=limit source=closed",
     "is for the formulas and series of a phase: --bound and --source limit and closed are about the steady state" },
   { NULL, RULE_WITH, NULL, NULL },
@@ -228,9 +346,13 @@ static bool is_sound(const void *options)
                     : is_from(o, "limit") ? "symbolic --source limit"
                                           : "symbolic",
                     most_order(o));
-  if (o->request.sweep.products > 0 && !published)
-    return complain("series", "a list or a range of a parameter is for --source published: one point at a time here");
-  return digits_hold(&o->request.style, !published, DIGITS);
+  const char *of_rows = o->parts                     ? "parts"
+                        : o->request.accuracy.given  ? "accuracy"
+                        : o->request.reference.given ? "reference"
+                                                     : NULL;
+  if (of_rows && !has_rows(o))
+    return complain("series", "--%s is about rows of points: give --rows, or a list or a range", of_rows);
+  return has_rows(o) || digits_hold(&o->request.style, !published, DIGITS);
 }
 
 /* Is each item of --only a formula? Books have been read. False: the message is on stderr. */
@@ -257,13 +379,11 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   if (o->only && !only_holds(o->only))
     return EXIT_USAGE;
   if (!o->symbolic && is_from(o, "published"))
-    return (has_many_points(&o->request) ? run_points : run_point)(o);
+    return run_point(o);
   const struct flint_part *flint = flint_for("series", o->symbolic ? "--symbolic"
                                                        : o->bound  ? "--bound"
                                                                    : "--source derived or limit");
-  if (!flint)
-    return EXIT_UNSOLVED;
-  return o->symbolic ? flint->series_symbolic(o) : flint->series_derived(o);
+  return !flint ? EXIT_UNSOLVED : o->symbolic ? flint->series_symbolic(o) : flint->series_derived(o);
 }
 
 const struct command command_series = {
@@ -275,5 +395,7 @@ const struct command command_series = {
   .initial = &initial,
   .rules = rules,
   .is_sound = is_sound,
+  .plan = plan,
+  .has_rows = has_rows,
   .run = run,
 };

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "compare/answers/points.h"
+#include "compare/answers/rows.h"
 #include "compare/text/values.h"
 
 struct series_options {
@@ -12,7 +12,10 @@ struct series_options {
   struct given_word source; /* published, derived, limit or closed */
   struct given_count order; /* of the derived series: terms below T^order */
   bool bound, symbolic;
-  const char *only;       /* of the published formulas: their names and equations, or NULL: all */
+  const char *only;       /* these series: names, and equations of formulas, or NULL: all */
+  const char *parts;      /* of each in a row: value, exact, error, relative; or NULL */
+  bool rows, orders;      /* a row for each point, of one point too; the orders of the errors in T */
+  struct given_number expect, tolerance; /* of the orders */
   struct given_word emit; /* text: a table */
 };
 /* Is this the source? With --bound and --symbolic it is derived where none is given. */
@@ -21,6 +24,17 @@ static inline bool is_from(const struct series_options *o, const char *source)
   bool derived = !o->source.given && (o->bound || o->symbolic);
   return strcmp(derived ? "derived" : o->source.value, source) == 0;
 }
+
+/* Of rows: the names of the series that are asked for. Functions return NULL, or what is wrong. */
+enum { MOST_SERIES = 96 };
+struct series_list {
+  int count;
+  char *name[MOST_SERIES];
+};
+const char *series_names(struct series_list *list, const struct series_options *options);
+void series_list_free(struct series_list *list);
+/* --orders */
+const char *series_orders(const struct series_options *options, struct rows *rows);
 
 /* --source derived|limit, and --bound */
 enum exit_code series_derived(const struct series_options *options);

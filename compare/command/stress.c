@@ -3,7 +3,7 @@
 #include "compare/command/commands.h"
 #include "compare/stress/table.h"
 #include "compare/points/defaults.h"
-#include "compare/command/flint.h"
+#include "compare/answers/flint.h"
 
 static const struct option options_of_stress[] = {
   OPTIONS_CRAWLER("%s where another parameter is given, else those of the cases", "each in turn; of a single point %s"),

@@ -1,8 +1,7 @@
 #include <stddef.h>
 
+#include "compare/answers/flint.h"
 #include "compare/command/commands.h"
-#include "compare/command/flint.h"
-#include "compare/summary/summary.h"
 
 struct summary_options {
   struct request request;
@@ -18,12 +17,11 @@ static const struct option options_of_summary[] = {
   OPTIONS_LAST,
 };
 
-static enum exit_code run(const struct arguments *arguments, const void *options)
+static const char *plan(const void *options, struct rows *rows)
 {
-  const struct summary_options *o = options;
+  (void)options;
   const struct flint_part *flint = flint_for("summary", "this command");
-  (void)arguments;
-  return flint ? flint->summary_table(&o->request) : EXIT_UNSOLVED;
+  return flint ? flint->summary_plan(rows) : "";
 }
 
 const struct command command_summary = {
@@ -33,5 +31,5 @@ const struct command command_summary = {
   .options = options_of_summary,
   .size = sizeof(struct summary_options),
   .initial = &initial,
-  .run = run,
+  .plan = plan,
 };

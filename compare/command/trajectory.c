@@ -1,24 +1,28 @@
-#include <stdio.h>
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/vary.h"
 #include "compare/command/commands.h"
+#include "compare/points/counts.h"
 #include "numerics/numerics.h"
 
 struct trajectory_options {
   struct request request;
-  const char *start; /* "rest", "steady" or a number */
-  double velocity;   /* that number */
   struct given_count periods, samples;
+  const char *until;
 };
 
 static const char *read_start(void *options, const struct option *option, const char *text)
 {
   struct trajectory_options *o = options;
   (void)option;
-  o->start = text;
-  if (strcmp(text, "rest") == 0 || strcmp(text, "steady") == 0 || read_number(text, &o->velocity))
+  o->request.asked->from_steady = strcmp(text, "steady") == 0;
+  o->request.point.has_v0 = false;
+  o->request.point.v0 = 0;
+  if (o->request.asked->from_steady || strcmp(text, "rest") == 0)
     return NULL;
-  return no_number(text, "rest, steady or a velocity");
+  return point_set(&o->request.point, "v0", text) ? no_number(text, "rest, steady or a velocity") : NULL;
 }
 
 static const struct option_kind start_option = { read_start, NULL };
@@ -26,84 +30,97 @@ enum { MOST_PERIODS = 1000000000 };
 
 static const struct option options_of_trajectory[] = {
   OPTIONS_CRAWLER(NULL, NULL),
+  OPTIONS_VARY,
   OPTION("start", "WHAT", "rest, steady, or a velocity", "rest", .kind = &start_option),
   OPTION_COUNT("periods", "N", "number of periods", NULL, trajectory_options, periods, 1, MOST_PERIODS),
   OPTION_COUNT("samples", "N", "samples in a period", NULL, trajectory_options, samples, 1, MOST_PERIODS),
+  OPTION_TEXT("until", "TIME", "the last time: a number, or a formula of parameters such as alpha*T", "no limit",
+              trajectory_options, until, "a time"),
   OPTIONS_PLOT,
+  OPTION_STATS,
   OPTIONS_OF_DOUBLES,
 };
-static const struct trajectory_options initial = { .start = "rest",
-                                                   .periods = { 10, false },
-                                                   .samples = { 40, false } };
+static const struct trajectory_options initial = { .periods = { 10, false }, .samples = { 40, false } };
 
-static const char *const columns[] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
-
-struct output {
+struct trajectory {
   const struct trajectory_options *options;
-  double v0;
-  struct table table;
-  bool begun, failed;
+  struct sweep_end end;
 };
-
-/* The table is opened with its first row: nothing is written if there is none. */
-static bool begin(struct output *out)
-{
-  const struct trajectory_options *o = out->options;
-  char v0[NUMBER_TEXT];
-  if (!table_head(&out->table, &o->request.style, "trajectory"))
-    return false;
-  note_parameters(&out->table, &o->request.point, NULL, false);
-  number_text(v0, out->v0, 0);
-  table_note(&out->table, "start: %s, velocity %s; periods: %ld; samples in a period: %ld", o->start, v0,
-             o->periods.value, o->samples.value);
-  table_columns(&out->table, columns);
-  table_begin_rows(&out->table);
-  return true;
-}
+/* One of them that is being written */
+struct tracing {
+  struct rows *rows;
+  struct at *at;
+  double until;
+};
 
 static bool write_sample(void *context, const struct scallop_sample *s)
 {
-  struct output *out = context;
-  struct table *table = &out->table;
-  if (!out->begun) {
-    out->failed = !begin(out);
-    out->begun = true;
-  }
-  if (out->failed)
+  struct tracing *t = context;
+  const struct quantities *all = &t->at->asked->quantities;
+  const double numbers[SAMPLE_VALUES] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
+  count_add(COUNT_SAMPLES, 1);
+  if (s->t > t->until)
     return false;
-  const double numbers[] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
-  for (int i = 0; i < 7; i++)
-    table_number(table, numbers[i]);
-  return !table_failed(table);
+  for (int i = 0; i < all->count; i++)
+    if (all->item[i].kind == QUANTITY_SAMPLE) {
+      t->at->value[i] = numbers[all->item[i].which];
+      t->at->has[i] = true;
+    }
+  if (!t->rows->is_open && !rows_open(t->rows))
+    return false;
+  sheet_row(&t->rows->sheet, &t->rows->table, t->at);
+  return !table_failed(&t->rows->table);
 }
 
-static enum exit_code run(const struct arguments *arguments, const void *options)
+static void trace(struct rows *rows, struct at *at)
+{
+  const struct trajectory *of = rows->context;
+  double v0 = at_v0(at);
+  struct tracing t = { rows, at, of->end.is_formula ? at_formula(at, &of->end.formula) : of->end.number };
+  if (at->why[0] != '\0' || isnan(v0))
+    return;
+  enum scallop_status status = scallop_trajectory(&at->place.point.crawler, v0, of->options->periods.value,
+                                                  of->options->samples.value, write_sample, &t);
+  count_add(COUNT_TRAJECTORIES, 1);
+  if (status < 0) {
+    at_fail(at, scallop_status_text(status));
+    if (rows->is_open)
+      table_note(&rows->table, "incomplete: %s", scallop_status_text(status));
+  }
+}
+
+static void head(struct rows *rows)
+{
+  const struct trajectory_options *o = ((const struct trajectory *)rows->context)->options;
+  const struct point *p = &o->request.point;
+  char v0[NUMBER_TEXT];
+  number_text(v0, p->v0, 0);
+  const char *start = o->request.asked->from_steady ? "steady" : p->v0 == 0 ? "rest" : v0;
+  if (!o->request.scene)
+    table_note(&rows->table, "start: %s; periods: %ld; samples in a period: %ld", start, o->periods.value,
+               o->samples.value);
+}
+
+/* What varies tells the curves apart. */
+static const char *plan(const void *options, struct rows *rows)
 {
   const struct trajectory_options *o = options;
-  const struct scallop_crawler *crawler = &o->request.point.crawler;
-  struct scallop_steady_result steady;
-  struct output out = { .options = o, .v0 = o->velocity };
-  enum scallop_status status = SCALLOP_OK;
-  (void)arguments;
-  if (strcmp(o->start, "rest") == 0)
-    out.v0 = 0;
-  if (strcmp(o->start, "steady") == 0) {
-    status = scallop_steady(crawler, &steady);
-    out.v0 = status < 0 ? 0 : steady.period.v_start;
-  }
-  if (status >= 0)
-    status = scallop_trajectory(crawler, out.v0, o->periods.value, o->samples.value, write_sample, &out);
-  if (out.failed)
-    return EXIT_FILE;
-  if (status < 0) {
-    complain("trajectory", "%s", scallop_status_text(status));
-    if (out.begun) {
-      table_note(&out.table, "incomplete: %s", scallop_status_text(status));
-      table_abandon(&out.table);
-    }
-    return EXIT_UNSOLVED;
-  }
-  return table_close(&out.table) ? EXIT_DONE : EXIT_FILE;
+  const struct sweep_variable *v;
+  struct trajectory *of = rows->context = calloc(1, sizeof *of);
+  if (!of)
+    return rows_no_memory;
+  *of = (struct trajectory){ .options = o, .end.number = INFINITY };
+  const char *wrong = o->until ? vary_end(&o->request, o->until, &of->end) : NULL;
+  rows->opens_late = !o->request.scene && !has_many_points(&o->request);
+  rows->sheet.of_samples = true;
+  rows->notes_parameters = true;
+  rows->head = head;
+  rows->visit = trace;
+  for (int i = 0; (v = sweep_variable(&o->request.sweep, i)) && !wrong; i++)
+    wrong = v->target == TARGET_LABEL ? NULL : rows_own(rows, "%s", v->name);
+  for (int i = 0; i < SAMPLE_VALUES && !wrong; i++)
+    wrong = rows_own(rows, "%s", quantity_samples[i]);
+  return wrong;
 }
 
 const struct command command_trajectory = {
@@ -113,5 +130,5 @@ const struct command command_trajectory = {
   .options = options_of_trajectory,
   .size = sizeof(struct trajectory_options),
   .initial = &initial,
-  .run = run,
+  .plan = plan,
 };

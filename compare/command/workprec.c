@@ -3,7 +3,7 @@
 #include "compare/command/commands.h"
 #include "compare/workprec/table.h"
 #include "compare/points/defaults.h"
-#include "compare/command/flint.h"
+#include "compare/answers/flint.h"
 
 static const struct option options_of_workprec[] = {
   OPTIONS_TO_L(NULL),

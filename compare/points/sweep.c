@@ -31,6 +31,15 @@ bool sweep_variable_of_name(struct sweep_variable *v, const char *name)
   return false;
 }
 
+const char *sweep_wrong(const struct sweep_variable *v, const struct point *point, const char *text)
+{
+  struct point probe = *point;
+  double x;
+  if (v->target == TARGET_NUMBER || v->target == TARGET_V0 || v->target == TARGET_GAIT || v->target == TARGET_PHASE)
+    return point_set(&probe, v->name, text);
+  return v->target == TARGET_LABEL || (read_number(text, &x) && x > 0) ? NULL : no_number(text, "a finite number > 0");
+}
+
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product)
 {
   const struct sweep_variable *all[SWEEP_GROUPS * SWEEP_VARIABLES];
@@ -90,30 +99,50 @@ void sweep_free(struct sweep *s)
   *s = (struct sweep){ .products = 0 };
 }
 
+void sweep_place_set(struct sweep_place *p, const struct point *point)
+{
+  memset(p->label, 0, sizeof p->label);
+  p->point = *point;
+  p->F1_over_F2 = p->m1_over_m2 = p->froude = NAN;
+  p->carried = NULL;
+  p->why[0] = '\0';
+  p->is_unread = false;
+}
+
+void sweep_place_copy(struct sweep_place *copy, const struct sweep_place *p)
+{
+  *copy = *p;
+  for (int i = 0; i <= CRAWLER_NUMBERS; i++) {
+    const char **written = i < CRAWLER_NUMBERS ? &copy->point.written[i] : &copy->point.written_v0;
+    if (*written == p->written[i])
+      *written = copy->written[i];
+  }
+}
+
 /* A move that is going on */
 struct move {
-  struct swept *swept;
-  struct point *point;
+  struct sweep_cursor *cursor;
+  struct sweep_place *place;
   sweep_formula *value;
   void *context;
 };
 
 static void note(const struct move *m, const char *name, const char *wrong)
 {
-  if (wrong && m->swept->why[0] == '\0')
-    snprintf(m->swept->why, SWEEP_WHY, "%s: %s", name, wrong);
+  if (wrong && m->place->why[0] == '\0')
+    snprintf(m->place->why, POINT_STATUS, "%s: %s", name, wrong);
 }
 
 /* Sets a parameter, m1 to alpha or v0, to a double; is_written: what was written of it stays. */
 static void set(const struct move *m, const char *parameter, double x, bool is_written, const char *name)
 {
   int place = crawler_place(parameter);
-  char *written = m->swept->written[place];
+  char *written = m->place->written[place];
+  struct point *point = &m->place->point;
   if (!is_written)
     number_text(written, x, 0);
   bool reads_back = x == 0 || isnormal(x); /* else its text is refused, and it is */
-  note(m, name,
-       reads_back ? point_set_double(m->point, place, x, written) : point_set_number(m->point, place, written));
+  note(m, name, reads_back ? point_set_double(point, place, x, written) : point_set_number(point, place, written));
 }
 
 static double rounded(double x, long digits)
@@ -153,9 +182,9 @@ static void set_range(const struct move *m, const struct sweep_variable *v, long
   if (!stays)
     *known = range_value(m, v, i);
   switch (v->target) {
-  case TARGET_F1_OVER_F2: m->swept->F1_over_F2 = *known; break;
-  case TARGET_M1_OVER_M2: m->swept->m1_over_m2 = *known; break;
-  case TARGET_FROUDE: m->swept->froude = *known; break;
+  case TARGET_F1_OVER_F2: m->place->F1_over_F2 = *known; break;
+  case TARGET_M1_OVER_M2: m->place->m1_over_m2 = *known; break;
+  case TARGET_FROUDE: m->place->froude = *known; break;
   default: set(m, v->name, *known, stays, v->name); break;
   }
 }
@@ -164,58 +193,58 @@ static void set_range(const struct move *m, const struct sweep_variable *v, long
 static void set_text(const struct move *m, const struct sweep_variable *v, const char *text)
 {
   switch (v->target) {
-  case TARGET_LABEL: m->swept->label[v->place] = text; break;
-  case TARGET_F1_OVER_F2: read_number(text, &m->swept->F1_over_F2); break;
-  case TARGET_M1_OVER_M2: read_number(text, &m->swept->m1_over_m2); break;
-  case TARGET_FROUDE: read_number(text, &m->swept->froude); break;
-  default: note(m, v->name, point_set(m->point, v->name, text)); break;
+  case TARGET_LABEL: m->place->label[v->place] = text; break;
+  case TARGET_F1_OVER_F2: read_number(text, &m->place->F1_over_F2); break;
+  case TARGET_M1_OVER_M2: read_number(text, &m->place->m1_over_m2); break;
+  case TARGET_FROUDE: read_number(text, &m->place->froude); break;
+  default: note(m, v->name, point_set(&m->place->point, v->name, text)); break;
   }
 }
 
 static void set_group(const struct move *m, const struct sweep_product *product, int g, long i)
 {
-  struct swept *s = m->swept;
-  bool stays = s->product == product && s->index[g] == i;
+  struct sweep_cursor *c = m->cursor;
+  bool stays = c->product == product && c->index[g] == i;
   for (int k = 0; k < product->group[g].variables; k++) {
     const struct sweep_variable *v = &product->group[g].variable[k];
     long place = v->count == 1 ? 0 : i;
     if (v->texts)
       set_text(m, v, v->texts[place]);
     else
-      set_range(m, v, place, &s->value[g][k], stays);
+      set_range(m, v, place, &c->value[g][k], stays);
   }
-  s->index[g] = i;
+  c->index[g] = i;
 }
 
 /* What follows from other parameters follows from them as they are now, and the Froude number is last. */
 static void settle(const struct move *m)
 {
-  const struct swept *s = m->swept;
-  const struct scallop_crawler *c = &m->point->crawler;
-  point_complete(m->point);
-  if (!isnan(s->F1_over_F2))
-    set(m, "F1", s->F1_over_F2 * c->F2, false, "F1_over_F2");
-  if (!isnan(s->m1_over_m2))
-    set(m, "m1", s->m1_over_m2 * c->m2, false, "m1_over_m2");
-  if (!isnan(s->froude))
-    set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / s->froude), false, "froude");
+  const struct sweep_place *p = m->place;
+  const struct scallop_crawler *c = &p->point.crawler;
+  point_complete(&m->place->point);
+  if (!isnan(p->F1_over_F2))
+    set(m, "F1", p->F1_over_F2 * c->F2, false, "F1_over_F2");
+  if (!isnan(p->m1_over_m2))
+    set(m, "m1", p->m1_over_m2 * c->m2, false, "m1_over_m2");
+  if (!isnan(p->froude))
+    set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / p->froude), false, "froude");
 }
 
-void sweep_move(struct swept *swept, struct point *point, const struct sweep_product *product, const long *index,
-                sweep_formula *value, void *context)
+void sweep_move(struct sweep_cursor *cursor, struct sweep_place *place, const struct point *base,
+                const struct sweep_product *product, const long *index, sweep_formula *value, void *context)
 {
-  const struct move m = { swept, point, value, context };
-  memset(swept->label, 0, sizeof swept->label);
-  swept->F1_over_F2 = swept->m1_over_m2 = swept->froude = NAN;
-  swept->why[0] = '\0';
+  const struct move m = { cursor, place, value, context };
+  sweep_place_set(place, base);
   for (int g = 0; g < product->groups; g++) {
     set_group(&m, product, g, index[g]);
-    bool was_outside = swept->why[0] != '\0';
+    bool was_outside = place->why[0] != '\0';
     settle(&m);
     if (!was_outside && g < product->groups - 1) /* what is set further in may bring it back */
-      swept->why[0] = '\0';
+      place->why[0] = '\0';
   }
-  swept->product = product;
+  const int last = product->groups - 1;
+  place->ends_group = last >= 0 && index[last] == product->group[last].count - 1;
+  cursor->product = product;
 }
 
 bool sweep_next(const struct sweep_product *product, long index[SWEEP_GROUPS])

@@ -12,8 +12,7 @@ enum {
   SWEEP_VARIABLES = 8,
   SWEEP_PRODUCTS = 16,
   SWEEP_LABELS = 8,
-  SWEEP_RANGE = 1000000000, /* most values of a range */
-  SWEEP_WHY = 320
+  SWEEP_RANGE = 1000000000 /* most values of a range */
 };
 #define SWEEP_POINTS 1e15 /* of a product at most: they fit a long with room to spare */
 
@@ -65,19 +64,6 @@ struct sweep {
 bool sweep_variable_of_name(struct sweep_variable *variable, const char *name);
 /* NULL, or what is wrong with a value of the variable, at the point. Lives until the next call. */
 const char *sweep_wrong(const struct sweep_variable *variable, const struct point *point, const char *text);
-/* The same for an end of a range, whose spacing is known. */
-const char *sweep_end_wrong(const struct sweep_variable *variable, const struct point *point, const char *text);
-
-/* Options of the command line: is text several values of that parameter, a list "0.6,0.7" or a range "1:10:10" or
- * "1e-3:1:50:log"? */
-bool sweep_is_many(const char *name, const char *text);
-/* Makes them the last group of the one product of the sweep, which is then varied fastest; earlier values of the
- * parameter are dropped. A value of a list stays as it is written, with the numbers of a gait behind its name,
- * "constant:0.1,quadratic"; one of a range is the decimal to which sweep_move rounds. The point is set to the first of
- * them. NULL, or what is wrong with the text: then the parameter does not vary. */
-const char *sweep_vary(struct sweep *sweep, struct point *point, const char *name, const char *text);
-/* Drops the values of the parameter. */
-void sweep_hold(struct sweep *sweep, const char *name);
 /* The variable of the product that sets the same as another one, or NULL. */
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product);
 /* The variables of all products, one after another: number i, or NULL after the last. */
@@ -86,22 +72,33 @@ long sweep_points(const struct sweep *sweep);
 void sweep_variable_free(struct sweep_variable *variable);
 void sweep_free(struct sweep *sweep);
 
-/* Where a sweep is: what is beside the point, and the numbers of the point as they are written. */
-struct swept {
+/* A point of a sweep or of a file, and what is beside its parameters */
+struct sweep_place {
+  struct point point;
   const char *label[SWEEP_LABELS];                /* NULL: none */
-  double F1_over_F2, m1_over_m2, froude;          /* where they are set; else nan */
-  char why[SWEEP_WHY];                            /* the first value that is not allowed, or "" */
-  char written[CRAWLER_NUMBERS + 1][DIGITS_TEXT]; /* the last: v0 */
-  /* Where it was before: what a group that stays sets is not worked out again. Zero at first. */
+  double F1_over_F2, m1_over_m2, froude;          /* as they are set; else nan */
+  const char *const *carried;                     /* the cells of a row of a file that are no parameters */
+  char why[POINT_STATUS];                         /* why the parameters are no point, or "" */
+  bool is_unread;                                 /* then they are not even known */
+  bool ends_group;                                /* it is the last of a group that varies fastest */
+  char written[CRAWLER_NUMBERS + 1][DIGITS_TEXT]; /* what values of ranges are written as; the last: v0 */
+};
+/* Goes to a point that has nothing beside it. */
+void sweep_place_set(struct sweep_place *place, const struct point *point);
+/* What the copy's point was written as is in the copy. */
+void sweep_place_copy(struct sweep_place *copy, const struct sweep_place *place);
+
+/* Where a sweep is. What a group that stays sets is not worked out again. Zero at first. */
+struct sweep_cursor {
   const struct sweep_product *product;
   long index[SWEEP_GROUPS];
   double value[SWEEP_GROUPS][SWEEP_VARIABLES]; /* of ranges */
 };
 /* The value of a formula at the point as it is so far */
 typedef double sweep_formula(void *context, const struct formula *formula);
-/* Moves point, which is where nothing varies, to index[g] in group g of the product. */
-void sweep_move(struct swept *swept, struct point *point, const struct sweep_product *product, const long *index,
-                sweep_formula *value, void *context);
+/* Moves the place, which begins as { 0 }, to index[g] in group g of the product; base: the point where nothing varies. */
+void sweep_move(struct sweep_cursor *cursor, struct sweep_place *place, const struct point *base,
+                const struct sweep_product *product, const long *index, sweep_formula *value, void *context);
 /* Advances index by one point. False: it was the last, and index is that of the first again. */
 bool sweep_next(const struct sweep_product *product, long index[SWEEP_GROUPS]);
 

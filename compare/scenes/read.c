@@ -1,115 +1,97 @@
-/* A scene as a whole: its file, its crawler and its start. */
-#include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/at.h"
 #include "compare/book/book.h"
-#include "compare/scenes/parts.h"
+#include "compare/scenes/scene.h"
 
-static bool read_parameter(const struct reading *r, const config_setting_t *at)
+static bool read_parameter(struct scene *s, const config_setting_t *at)
 {
-  struct point *base = &r->scene->base;
-  const char *name = config_setting_name(at), *text = text_of(r->config, at);
+  struct point *base = &s->request.point;
+  const char *name = config_setting_name(at), *text = text_of(&s->config, at);
   int place = crawler_place(name);
   bool is_gait = place == CRAWLER_NUMBERS;
   if (!name_among(crawler_parameters, name))
-    return refuse_at(r->config, at, "there is no '%s' in a crawler%s", name,
+    return refuse_at(&s->config, at, "there is no '%s' in a crawler%s", name,
                      did_you_mean(nearest(name, crawler_parameters)));
   if (is_gait ? base->has_gait : base->written[place] != NULL) /* on the command line */
     return true;
   if (text && is_gait)
-    text = gait_beside(r->config, text);
+    text = gait_beside(&s->config, text);
   const char *wrong = text ? point_set(base, name, text) : "it takes a number, or a text in quotes";
-  return !wrong || refuse_at(r->config, at, "%s: %s", name, wrong);
+  return !wrong || refuse_at(&s->config, at, "%s: %s", name, wrong);
 }
 
-static bool read_crawler(const struct reading *r, const config_setting_t *crawler)
+static bool read_crawler(struct scene *s, const config_setting_t *crawler)
 {
-  point_complete(&r->scene->base);
+  point_complete(&s->request.point);
   if (crawler && !config_setting_is_group(crawler))
-    return refuse_at(r->config, crawler, "crawler is a group of parameters: { F1 = 3.0; T = 0.5; }");
+    return refuse_at(&s->config, crawler, "crawler is a group of parameters: { F1 = 3.0; T = 0.5; }");
   for (int i = 0; crawler && i < config_setting_length(crawler); i++)
-    if (!read_parameter(r, member_at(crawler, i)))
+    if (!read_parameter(s, member_at(crawler, i)))
       return false;
-  point_complete(&r->scene->base);
+  point_complete(&s->request.point);
   return true;
 }
 
-static bool read_start(const struct reading *r, const config_setting_t *start)
+static bool read_start(struct scene *s, const config_setting_t *start)
 {
-  struct scene *s = r->scene;
-  const char *text = start ? text_of(r->config, start) : "rest";
-  if (text && strcmp(text, "steady") == 0)
-    s->start = START_STEADY;
-  s->asked.from_steady = s->start == START_STEADY;
-  if (s->asked.from_steady)
-    s->base.has_v0 = false;
-  else if (!text || strcmp(text, "rest") != 0) {
-    if (!text || point_set(&s->base, "v0", text))
-      return refuse_at(r->config, start, "start is \"rest\", \"steady\" or a velocity");
-    s->start = s->base.v0 == 0 ? START_REST : START_VELOCITY;
-  }
-  return true;
+  const char *text = start ? text_of(&s->config, start) : "rest";
+  struct point *base = &s->request.point;
+  base->has_v0 = false;
+  s->request.asked->from_steady = text && strcmp(text, "steady") == 0;
+  if (s->request.asked->from_steady || (text && strcmp(text, "rest") == 0))
+    return true;
+  return (text && !point_set(base, "v0", text))
+         || refuse_at(&s->config, start, "start is \"rest\", \"steady\" or a velocity");
 }
 
 /* The head of a table, and its picture, show them as they are. */
-static bool are_lines(const struct reading *r, const config_setting_t *root)
+static bool are_lines(const struct scene *s, const config_setting_t *root)
 {
-  const struct scene *s = r->scene;
-  bool fine = !s->title || is_shown(s->title);
-  for (int i = 0; i < s->notes; i++)
-    fine &= is_shown(s->note[i]);
+  bool fine = !s->head.title || is_shown(s->head.title);
+  for (int i = 0; i < s->head.notes; i++)
+    fine &= is_shown(s->head.note[i]);
   return fine
-         || refuse_at(r->config, root,
+         || refuse_at(&s->config, root,
                       "title and notes are lines of UTF-8, without a line break or another control character");
 }
 
-static bool read_root(const struct reading *r, const config_setting_t *root)
+static bool take_wants(struct scene *s, const config_setting_t *want)
+{
+  s->wants = want ? element_count(want) : 0;
+  if (s->wants == 0)
+    return refuse_at(&s->config, want, "nothing is wanted: want = ( { what = \"steady\"; } );");
+  if (s->wants > SCENE_WANTS)
+    return refuse_at(&s->config, want, "%d wants: %d at most", s->wants, SCENE_WANTS);
+  for (int i = 0; i < s->wants; i++)
+    s->want[i] = element_at(want, i);
+  return true;
+}
+
+static bool read_root(struct scene *s, const config_setting_t *root)
 {
   static const char *const phases[] = { "extension", "contraction", NULL };
-  static const struct member members[] = { MEMBER(TEXT, "title", scene, title, ),
-                                           MEMBER(TEXTS, "notes", scene, note, .high = SCENE_NOTES,
-                                                  .count = offsetof(struct scene, notes)),
-                                           MEMBER(WORD, "phase", scene, phase, .words = phases),
+  static const struct member members[] = { MEMBER(TEXT, "title", scene, head.title, ),
+                                           MEMBER(TEXTS, "notes", scene, head.note, .high = MOST_NOTES,
+                                                  .count = offsetof(struct scene, head.notes)),
+                                           MEMBER(WORD, "phase", scene, request.point.phase, .words = phases),
                                            MEMBER(TEXT, "book", scene, book, ),
                                            OTHER("crawler"),
                                            OTHER("start"),
                                            OTHER("vary"),
                                            OTHER("want"),
                                            { .name = NULL } };
-  if (!read_members(r->config, root, members, r->scene, "a scene", NULL) || !are_lines(r, root))
+  const config_setting_t *start = config_setting_get_member(root, "start");
+  if (!read_members(&s->config, root, members, s, "a scene", NULL) || !are_lines(s, root))
     return false;
-  r->scene->base.phase = r->scene->phase;
-  const char *book = r->scene->book ? path_beside(r->config, r->scene->book) : NULL;
-  if (r->scene->book && (!book || book_read(r->config->command, book, quantity_is_other) != EXIT_DONE))
+  s->head.is_about_phase = start || config_setting_get_member(root, "phase");
+  const char *book = s->book ? path_beside(&s->config, s->book) : NULL;
+  if (s->book && (!book || book_read(s->config.command, book, quantity_is_other) != EXIT_DONE))
     return false;
-  return read_crawler(r, config_setting_get_member(root, "crawler"))
-         && read_start(r, config_setting_get_member(root, "start"))
-         && read_vary(r, config_setting_get_member(root, "vary"))
-         && read_wants(r, config_setting_get_member(root, "want"));
-}
-
-/* How well certified answers and errors must be known for all wants */
-static void find_needs(struct scene *s)
-{
-  struct asked *a = &s->asked;
-  for (int i = 0; i < s->wants; i++) {
-    struct scene_want *w = &s->want[i];
-    int places[WANT_QUANTITIES];
-    bool has_errors = false;
-    for (int k = want_quantities(w, places); k-- > 0;)
-      has_errors |= a->quantities.item[places[k]].of >= 0;
-    if (has_errors) {
-      a->certified_errors |= w->reference == REFERENCE_CERTIFIED || w->accuracy < ACCURACY_OF_DOUBLES;
-      a->accuracy = fmin(a->accuracy, w->accuracy);
-    }
-    if (w->kind == WANT_ROWS && w->digits > a->digits)
-      a->digits = w->digits;
-    w->sheet.digits = w->digits;
-    s->needs_flint |= w->kind == WANT_COMMAND;
-  }
-  s->needs_flint |= asked_needs_flint(a);
+  return read_crawler(s, config_setting_get_member(root, "crawler")) && read_start(s, start)
+         && scene_read_vary(s, config_setting_get_member(root, "vary"))
+         && take_wants(s, config_setting_get_member(root, "want"));
 }
 
 static char *name_of(const char *path)
@@ -123,34 +105,24 @@ static char *name_of(const char *path)
 
 void scene_free(struct scene *s)
 {
-  sweep_free(&s->sweep);
-  for (int w = 0; w < s->wants; w++)
-    free(s->want[w].arguments), sheet_free(&s->want[w].sheet);
+  sweep_free(&s->request.sweep);
+  free(s->request.asked);
   free(s->name);
   config_close(&s->config);
   *s = (struct scene){ .name = NULL };
 }
 
-enum exit_code scene_read(struct scene *s, const struct scene_source *source, const struct scene_options *options,
-                          scene_command *run_command)
+enum exit_code scene_read(struct scene *s, const struct scene_source *source, const struct request *given)
 {
   *s = (struct scene){ .name = name_of(source->path),
-                       .path = source->text ? NULL : source->path,
-                       .base = options->request.point,
-                       .run_command = run_command,
-                       .asked = asked_nothing() };
-  const struct reading r = { s, &s->config, options };
-  enum exit_code code = config_open(&s->config, options->request.style.command, source->path, source->text,
-                                    shipped_scenes);
-  if (code == EXIT_DONE && !s->name) {
-    refuse_at(r.config, NULL, "out of memory");
-    code = EXIT_UNSOLVED;
+                       .head.given = &given->point,
+                       .request = { .style = given->style, .point = given->point, .asked = asked_nothing(given->style.command) } };
+  s->head.scene = s->name;
+  s->request.scene = &s->head;
+  enum exit_code code = config_open(&s->config, given->style.command, source->path, source->text, shipped_scenes);
+  if (code == EXIT_DONE && (!s->name || !s->request.asked)) {
+    refuse_at(&s->config, NULL, "out of memory");
+    return EXIT_UNSOLVED;
   }
-  if (code == EXIT_DONE && !read_root(&r, config_root(&s->config)))
-    code = EXIT_USAGE;
-  if (code == EXIT_DONE)
-    find_needs(s);
-  else
-    scene_free(s);
-  return code;
+  return code == EXIT_DONE && !read_root(s, config_root(&s->config)) ? EXIT_USAGE : code;
 }

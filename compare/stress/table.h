@@ -4,7 +4,7 @@
 #ifndef SCALLOP_COMPARE_STRESS_TABLE_H
 #define SCALLOP_COMPARE_STRESS_TABLE_H
 
-#include "compare/answers/points.h"
+#include "compare/answers/request.h"
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 

@@ -5,6 +5,7 @@
 #define SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 
 #include "compare/book/book.h"
+#include "compare/answers/rows.h"
 #include "compare/breakdown/study.h"
 #include "compare/claims/claims.h"
 
@@ -42,7 +43,7 @@ const char *summary_make(struct summary *summary, const struct point *point, boo
 void summary_clear(struct summary *summary);
 
 /* `scallop summary`: a page, or a row, for each point */
-enum exit_code summary_table(const struct request *request);
+const char *summary_plan(struct rows *rows);
 /* `scallop breakdown` without more: the part of the page about events and reach. */
 enum exit_code summary_of_breakdown(const struct request *request);
 

@@ -101,34 +101,39 @@ static void write_page(FILE *page, const struct point *point, const struct summa
         page);
 }
 
-static const char *row(struct table *t, const struct point *point, const void *context, const char *refused)
+static void row(struct rows *rows, struct at *at)
 {
-  const struct request *request = context;
+  const struct request *request = rows->request;
   const struct scallop_formula *formulas[SUMMARY_FORMULAS];
+  struct table *t = &rows->table;
   struct summary s;
-  const char *why = refused ? refused : summary_make(&s, point, true);
+  const char *refused = at->place.why[0] != '\0' ? at->place.why : NULL;
+  const char *why = refused ? refused : summary_make(&s, &at->place.point, true);
   FILE *page = table_page(t);
+  if (!page)
+    sheet_row(&rows->sheet, t, at);
   if (why && page)
     fprintf(page, "\nThis crawler has no page: %s.\n", why);
   else if (why)
     write_blank(t, summary_formulas(formulas), why);
   else if (page)
-    write_page(page, point, &s, request->style.digits > 0 ? (int)request->style.digits : DIGITS);
+    write_page(page, &at->place.point, &s, request->style.digits > 0 ? (int)request->style.digits : DIGITS);
   else
     write_cells(t, &s);
   if (!refused)
     summary_clear(&s);
-  return why;
+  if (why && !refused)
+    at_fail(at, why);
 }
 
-enum exit_code summary_table(const struct request *request)
+const char *summary_plan(struct rows *rows)
 {
   const struct scallop_formula *formulas[SUMMARY_FORMULAS];
   static char names[SUMMARY_FORMULAS * PER_FORMULA][COLUMN];
-  const char *columns[MOST_COLUMNS], *const none[] = { NULL };
+  static const char *columns[MOST_COLUMNS];
   int n = 0, count = summary_formulas(formulas);
-  if (!summary_serves(request))
-    return EXIT_USAGE;
+  if (!summary_serves(rows->request))
+    return "";
   for (int i = 0; of_motion[i]; i++)
     columns[n++] = of_motion[i];
   for (int i = 0; i < count * PER_FORMULA; i++) {
@@ -137,9 +142,10 @@ enum exit_code summary_table(const struct request *request)
   }
   for (int i = 0; of_expansion[i]; i++)
     columns[n++] = of_expansion[i];
-  columns[n] = NULL;
-  const struct point_table table = { .extra = none, .columns = columns, .row = row, .context = request };
-  return for_each_point(request, &table);
+  rows->has_parameters = true;
+  rows->behind = columns;
+  rows->visit = row;
+  return NULL;
 }
 
 static enum exit_code write_breakdown(const struct request *request, const struct summary *s)

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "compare/points/defaults.h"
-#include "compare/answers/points.h"
+#include "compare/answers/request.h"
 #include "compare/workprec/setting.h"
 
 enum { MOST_REFERENCES = 40 };

@@ -2,7 +2,7 @@
 #ifndef SCALLOP_COMPARE_WORKPREC_TABLE_H
 #define SCALLOP_COMPARE_WORKPREC_TABLE_H
 
-#include "compare/answers/points.h"
+#include "compare/answers/request.h"
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 

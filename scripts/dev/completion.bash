@@ -1,7 +1,7 @@
 # Completion of scallop in bash. To use it: eval "$(scallop --completion bash)", in ~/.bashrc for every shell.
 # Commands and options are those that --help prints when they are completed; all else is completed as the name of a file.
 _scallop() { # PROGRAM WORD
-  local line names='' name='^  (-*[A-Za-z][-A-Za-z0-9]*)' program=${1/#\~/$HOME} command=${COMP_WORDS[1]}
+  local line names='' name='^  (-*[A-Za-z][-A-Za-z0-9_]*)' program=${1/#\~/$HOME} command=${COMP_WORDS[1]}
   COMPREPLY=()
   if [[ $COMP_CWORD -eq 1 || $command == help || $command == -* ]]; then
     [[ $COMP_CWORD -le 2 ]] || return 0

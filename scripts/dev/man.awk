@@ -11,7 +11,7 @@ function roff(s) { # quotes in `...` and options are bold
   gsub(/~/, "\\(ti", s)
   while (match(s, /`[^`]+`/))
     s = substr(s, 1, RSTART - 1) "\\fB" substr(s, RSTART + 1, RLENGTH - 2) "\\fR" substr(s, RSTART + RLENGTH)
-  gsub(/\\-\\-[A-Za-z][A-Za-z0-9]*(\\-[a-z]+)*/, "\\fB&\\fR", s)
+  gsub(/\\-\\-[A-Za-z][A-Za-z0-9_]*(\\-[a-z]+)*/, "\\fB&\\fR", s)
   return s ~ /^\./ ? "\\&" s : s
 }
 

@@ -19,22 +19,29 @@ static int split(char *text, size_t size, char **arguments)
   return count;
 }
 
-/* Lists and ranges: their first and their last point */
+static double no_value(void *context, const struct formula *formula) { return (void)context, (void)formula, 1; }
+
+/* Lists and ranges: the first and the last point of each product, where no end is a formula */
 static void judge_sweep(const struct request *r, const char *text)
 {
-  const struct sweep_product *product = r->sweep.product;
-  long first[SWEEP_GROUPS] = { 0 }, last[SWEEP_GROUPS] = { 0 };
   struct scallop_complaint wrong;
-  struct swept at = { .why = "" };
-  if (r->sweep.products == 0)
-    return;
-  for (int g = 0; g < product->groups; g++)
-    last[g] = product->group[g].count - 1;
-  for (int i = 0; i < 2; i++) {
-    struct point point = r->point;
-    sweep_move(&at, &point, product, i == 0 ? first : last, NULL, NULL);
-    if (at.why[0] != '\0' || scallop_crawler_check(&point.crawler, &wrong) != SCALLOP_OK || !isfinite(point.v0))
-      fuzz_fail("an end is no point (%s) in\n%s", at.why, text);
+  const struct sweep_variable *v;
+  for (int i = 0; (v = sweep_variable(&r->sweep, i)); i++)
+    if (v->from.is_formula || v->to.is_formula || v->target > TARGET_V0)
+      return;
+  for (int p = 0; p < r->sweep.products; p++) {
+    const struct sweep_product *product = &r->sweep.product[p];
+    struct sweep_cursor at = { .product = NULL };
+    struct sweep_place place = { .why = "" };
+    long index[2][SWEEP_GROUPS] = { { 0 } };
+    for (int g = 0; g < product->groups; g++)
+      index[1][g] = product->group[g].count - 1;
+    for (int i = 0; i < 2; i++) {
+      sweep_move(&at, &place, &r->point, product, index[i], no_value, NULL);
+      if (place.why[0] != '\0' || scallop_crawler_check(&place.point.crawler, &wrong) != SCALLOP_OK
+          || !isfinite(place.point.v0))
+        fuzz_fail("an end is no point (%s) in\n%s", place.why, text);
+    }
   }
 }
 

@@ -163,7 +163,7 @@ struct columns {
   enum scallop_status status[BATCH];
 };
 
-static bool same_modes(const struct scallop_modes *a, const struct scallop_modes *b)
+static bool equal_modes(const struct scallop_modes *a, const struct scallop_modes *b)
 {
   size_t kept = (size_t)(a->count < SCALLOP_MODES_KEPT ? a->count : SCALLOP_MODES_KEPT);
   return a->count == b->count && memcmp(a->kept, b->kept, kept * sizeof *a->kept) == 0;
@@ -183,7 +183,7 @@ static void judge_columns(const struct columns *b, int i, const struct scallop_s
     return;
   }
   REQUIRE(b->regime[i] == p->regime);
-  REQUIRE(same_modes(&b->modes[i][0], &p->modes[0]) && same_modes(&b->modes[i][1], &p->modes[1]));
+  REQUIRE(equal_modes(&b->modes[i][0], &p->modes[0]) && equal_modes(&b->modes[i][1], &p->modes[1]));
 }
 
 /* The crawler among others: itself with its bodies exchanged, and one that is always solved */

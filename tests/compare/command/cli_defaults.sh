@@ -7,7 +7,7 @@
 shown() { # COMMAND OPTION: what stands in the last brackets of its line, or nothing
   help_of "$1" | sed -n "s/^  --$2 .* (\([^()]*\))\$/\1/p"
 }
-options_of() { help_of "$1" | sed -n 's/^  --\([A-Za-z0-9-]*\) .*/\1/p'; }
+options_of() { help_of "$1" | sed -n 's/^  --\([A-Za-z0-9_-]*\) .*/\1/p'; }
 is() { # COMMAND OPTION TEXT
   [ "$(shown "$1" "$2")" = "$3" ] || note "$1 --$2: '$(shown "$1" "$2")' is shown, not '$3'"
 }

@@ -149,7 +149,7 @@ refused_at_once "order 0 of a bound" 2 "from 1 to 1000" series --bound --order 0
 refused_at_once "digits 0" 2 "from 1 to 17; with --certified to 10000" steady --certified --digits 0
 refused_at_once "10 million digits" 2 "from 1 to 17; with --certified to 10000" steady --certified --digits 10000000
 refused_at_once "10 million digits of a series" 2 "from 1 to 17; with --source derived or limit to 10000" series --source derived --digits 10000000
-refused_at_once "20 digits of a double" 2 "from 1 to 17; with --certified to 10000" steady --digits 20
+refused_at_once "20 digits of a double" 2 "more than a double has" steady --digits 20 --columns displacement
 refused_at_once "20 digits of a published value" 2 "with --source" series --digits 20
 refused_at_once "order 61 of a bound" 2 "from 1 to 60" series --bound --order 61
 refused_at_once "digits of a bound" 2 "exclude each other" series --bound --digits 6
@@ -158,7 +158,7 @@ refused_at_once "order of the published" 2 "needs --source derived" series --ord
 refused_at_once "order of the limit" 2 "the limit is one term" series --source limit --order 4
 refused_at_once "start velocity of the limit" 2 "steady state" series --source limit --v0 1
 refused_at_once "bound of the published" 2 "leave --source out" series --bound --source published
-refused_at_once "points of the derived" 2 "one point at a time" series --source derived --points kept
+refused_at_once "points of a closed form" 2 "of one motion" series --symbolic --source closed --points kept
 refused_at_once "bound where the limit is at rest" 3 "alpha = 1/2" series --bound --alpha 0.5
 refused_at_once "bound of equal forces" 3 "F1 = F2" series --bound --F2 4
 timeout 20 "$tool" series --source derived --order 1000 >out 2>err || note "$(cat err)"

@@ -17,7 +17,7 @@ refused() { # NAME PATTERN ARGUMENT...
   [ ! -s out ] || note "scallop $* prints to standard output: $(head -n 1 out)"
   finish "$name"
 }
-help_options() { sed -n 's/^  --\([A-Za-z0-9-]*\) .*/\1/p' "$1"; } # FILE: as --help prints it
+help_options() { sed -n 's/^  --\([A-Za-z0-9_-]*\) .*/\1/p' "$1"; } # FILE: as --help prints it
 
 # ---- the pages ----
 run 0 --help

@@ -87,14 +87,14 @@ refuse "--F1: '0' is not allowed here: it takes a finite number > 0" steady --F1
 refuse "--v0: .*log spacing is > 0" phase --v0 0:1:4:log
 refuse "--m2: 1e+16 points: more than 1e+15" steady --m1 1:2:100000000 --m2 1:2:100000000
 refuse "--F1: a list or a range and --points exclude each other" steady --F1 1,2 --points points.tsv
-for command in trajectory claims workprec stress breakdown 'figure 4' 'run scene.cfg'; do
+for command in claims workprec stress breakdown 'figure 4' 'run scene.cfg'; do
   # shellcheck disable=SC2086
-  refuse "--F1: this command takes one value: a list or a range is for steady, phase and series" $command --F1 1,2
+  refuse "--F1: this command takes one value: a list or a range is for steady, phase, series and trajectory" $command --F1 1,2
 done
-for source in derived limit; do
-  refuse "is for --source published: one point at a time" series --T 0.1,0.2 --source $source
-done
-refuse "is for --source published: one point at a time" series --T 0.1,0.2 --symbolic
+refuse "--T: this command takes one value" series --T 0.1,0.2 --symbolic
+refuse "nothing varies in front of it" steady --and
+refuse "orders need T to vary" series --orders --F1 1,2
+refuse "is about rows of points" series --accuracy 1e-20
 finish "what is no list and no range, and where none is taken"
 
 # ---- columns that are chosen ----

@@ -1,6 +1,6 @@
 /* Tables: what a cell looks like, and what is left of a table that fails. What a whole command writes has its tests in
  * tests/compare/command/cli_*.sh. */
-#include "compare/answers/points.h"
+#include "compare/answers/request.h"
 #include "model/version.h"
 #include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"

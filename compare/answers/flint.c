@@ -1,4 +1,4 @@
-#include "compare/command/flint.h"
+#include "compare/answers/flint.h"
 
 #include <dlfcn.h>
 #include <limits.h>

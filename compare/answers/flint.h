@@ -3,12 +3,13 @@
  * It is a shared object, scallop-flint.so, which lies beside the program or in ../lib/scallop and is loaded when a
  * command first asks for it, because loading FLINT takes longer than most commands do. It takes all else from the
  * program, and gives it this one table. A build with WITH_FLINT=0 has no such file. */
-#ifndef SCALLOP_COMPARE_COMMAND_FLINT_H
-#define SCALLOP_COMPARE_COMMAND_FLINT_H
+#ifndef SCALLOP_COMPARE_ANSWERS_FLINT_H
+#define SCALLOP_COMPARE_ANSWERS_FLINT_H
 
 #include "compare/text/message.h"
 
 struct request;
+struct rows;
 struct series_options;
 struct claims_options;
 struct workprec_options;
@@ -24,7 +25,7 @@ extern const struct flint_part {
   enum exit_code (*breakdown_map)(const struct breakdown_options *options);
   enum exit_code (*breakdown_boundaries)(const struct breakdown_options *options);
   enum exit_code (*summary_of_breakdown)(const struct request *request);
-  enum exit_code (*summary_table)(const struct request *request);
+  const char *(*summary_plan)(struct rows *rows);
   enum exit_code (*stress_table)(const struct stress_options *options);
   enum exit_code (*stress_point)(const struct stress_options *options);
   enum exit_code (*stress_stiff)(const struct stress_options *options);

@@ -1,0 +1,55 @@
+/* What every command is asked: of which points, and how its table is written; and what of these stands in the head of a
+ * table. The options of a command are a struct that begins with a request. */
+#ifndef SCALLOP_COMPARE_ANSWERS_REQUEST_H
+#define SCALLOP_COMPARE_ANSWERS_REQUEST_H
+
+#include "compare/points/gaits.h"
+#include "compare/points/sweep.h"
+#include "compare/text/message.h"
+#include "compare/text/table.h"
+#include "compare/text/values.h"
+
+enum { MOST_NOTES = 16 };
+struct asked; /* answers/at.h */
+struct scene_head { /* of the tables of a scene */
+  const char *scene, *title; /* title: or NULL */
+  int notes;
+  const char *note[MOST_NOTES];
+  bool is_about_phase; /* the scene says something of a phase or of its start */
+  const struct point *given; /* on the command line, in place of what the scene says */
+};
+
+struct request {
+  struct style style;
+  struct point point;
+  struct sweep sweep; /* what varies; no product: one point, else point is where nothing varies */
+  const char *points; /* file name, "-" for standard input, or NULL */
+  const char *book;   /* file name of a book of formulas, or NULL     */
+  bool stats;         /* prints afterwards what was computed */
+  struct given_number accuracy; /* errors of series below this part of the exact value are 0 */
+  struct given_word reference;  /* what they are errors against: exact, or certified */
+  struct asked *asked; /* by the tables with a row for each point; NULL: by none */
+  const struct scene_head *scene; /* or NULL */
+};
+
+/* Are there, or may there be, many points? */
+bool has_many_points(const struct request *request);
+/* Is the parameter the same in all rows? */
+bool is_held(const struct request *request, const char *parameter);
+
+/* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
+const char *name_among(const char *const *names, const char *name);
+
+/* " m1=1 ...": the parameters without those in not_held; as below */
+enum { PARAMETERS_TEXT = CRAWLER_NUMBERS * (NUMBER_LENGTH + 8) + GAIT_TEXT };
+void parameters_text(char text[PARAMETERS_TEXT], const struct point *point, const char *const *not_held,
+                     bool as_written);
+/* "# parameters: m1=1 ...": the parameters that hold in every row. Left out are those in not_held (NULL-terminated, or
+ * NULL: none), which vary or are not used. as_written: numbers with all the digits that were given; else doubles. No
+ * line where nothing holds. */
+void note_parameters(struct table *table, const struct point *point, const char *const *not_held, bool as_written);
+
+/* Prints a note where the gait is a noisy measurement: its spline goes through every point. */
+void point_tell_noise(const struct point *point, const struct style *style);
+
+#endif

@@ -1,0 +1,347 @@
+#include "compare/answers/rows.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/points/counts.h"
+#include "compare/points/defaults.h"
+#include "compare/points/point_file.h"
+#include "compare/text/memory.h"
+#include "compare/text/progress.h"
+
+_Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
+
+const char rows_no_memory[] = "out of memory";
+
+const char *rows_own(struct rows *r, const char *format, ...)
+{
+  char text[2 * QUANTITY_NAME + 16];
+  va_list arguments;
+  int count = 0;
+  va_start(arguments, format);
+  vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  while (r->own && r->own[count])
+    if (strcmp(r->own[count++], text) == 0)
+      return NULL;
+  char **grown = realloc(r->own, (size_t)(count + 2) * sizeof *grown), *copy = strdup(text);
+  r->own = grown ? grown : r->own;
+  if (!grown || !copy)
+    return free(copy), rows_no_memory;
+  grown[count] = copy;
+  grown[count + 1] = NULL;
+  return NULL;
+}
+
+void rows_free(struct rows *r)
+{
+  for (char **own = r->own; own && *own; own++)
+    free(*own);
+  free(r->own);
+  free(r->context);
+  sheet_free(&r->sheet);
+}
+
+static const char *add_all(struct sheet *s, const char *const *texts, int count)
+{
+  const char *wrong = NULL;
+  for (int i = 0; i < count && texts && texts[i] && !wrong; i++)
+    wrong = sheet_add(s, texts[i]);
+  return wrong;
+}
+
+static bool is_of_error(const struct quantities *all, const struct quantity *q) { return (void)all, q->of >= 0; }
+
+static bool is_certified(const struct quantities *all, const struct quantity *q)
+{
+  return (void)all, q->kind == QUANTITY_CERTIFIED;
+}
+
+/* How well errors, digits and series have to be known for the columns */
+static const char *settle(struct rows *r)
+{
+  const struct request *q = r->request;
+  struct asked *asked = r->sheet.asked;
+  if (sheet_takes(&r->sheet, is_of_error) || r->has_errors) {
+    bool fine = q->accuracy.given && q->accuracy.value < ACCURACY_OF_DOUBLES;
+    bool certified = q->reference.given && strcmp(q->reference.value, "certified") == 0;
+    if (fine && q->reference.given && !certified)
+      return "the exact solver works in doubles, whose errors are told down to 1e-10: a finer accuracy needs the "
+             "reference certified";
+    asked->certified_errors |= certified || fine;
+    asked->accuracy = q->accuracy.given && q->accuracy.value < asked->accuracy ? q->accuracy.value : asked->accuracy;
+  }
+  r->sheet.digits = q->style.digits > 0 ? q->style.digits : q->scene ? DIGITS_OF_DOUBLE : CERTIFIED_DIGITS;
+  if (q->style.digits > DIGITS_OF_DOUBLE && !sheet_takes(&r->sheet, is_certified))
+    return "so many digits are more than a double has, and no column is certified: certified.displacement is, for one";
+  asked->digits = r->sheet.digits > asked->digits ? r->sheet.digits : asked->digits;
+  return NULL;
+}
+
+static const char *add_columns(struct rows *r)
+{
+  const struct table_choice *choice = r->choice ? r->choice : r->request->style.choice;
+  if (r->behind)
+    choice = NULL; /* of all columns of the table */
+  const struct quantities *all = &r->sheet.asked->quantities;
+  r->sheet.own = (const char *const *)r->own;
+  const char *wrong = choice ? add_all(&r->sheet, choice->names, choice->count)
+                             : add_all(&r->sheet, all->label, all->labels);
+  if (choice)
+    return wrong;
+  const char *const *const lists[] = { crawler_parameters, r->extra, all->carried, (const char *const *)r->own };
+  for (size_t i = r->has_parameters ? 0 : 1; i < sizeof lists / sizeof *lists && !wrong; i++)
+    wrong = add_all(&r->sheet, lists[i], lists[i] == all->carried ? all->carries : TABLE_COLUMNS);
+  return wrong;
+}
+
+const char *rows_columns(struct rows *r)
+{
+  const char *wrong = add_columns(r);
+  return wrong ? wrong : settle(r);
+}
+
+/* Has the table a column of that name with something else in it, as "T = alpha*T"? */
+static bool is_renamed(const struct rows *r, const char *parameter)
+{
+  for (const struct sheet_column *c = r->sheet.column; c < r->sheet.column + r->sheet.count; c++)
+    if (strcmp(c->name, parameter) == 0
+        && (c->quantity < 0 || strcmp(r->sheet.asked->quantities.item[c->quantity].name, parameter) != 0))
+      return true;
+  return false;
+}
+
+/* What was given on the command line in place of the scene's; false: nothing was. */
+static bool note_given(struct rows *r)
+{
+  const struct point *p = r->request->scene->given;
+  char text[1024];
+  size_t used = 0;
+  for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
+    const char *given = i < CRAWLER_NUMBERS ? p->written[i] : p->has_gait ? p->crawler.gait->name : NULL;
+    const char *which = is_renamed(r, crawler_parameters[i]) ? " (of the crawler, not the column)" : "";
+    if (given)
+      used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given, which);
+  }
+  if (used > 0)
+    table_note(&r->table, "in place of what the scene says of them:%s", text);
+  return used > 0;
+}
+
+static void note_held(struct rows *r)
+{
+  const char *not_held[CRAWLER_NUMBERS + 2] = { NULL };
+  int count = 0;
+  for (const char *const *name = crawler_parameters; *name; name++)
+    if (!is_held(r->request, *name) || is_renamed(r, *name))
+      not_held[count++] = *name;
+  note_parameters(&r->table, &r->request->point, not_held, false);
+}
+
+static bool is_of_start(const struct quantities *all, const struct quantity *q)
+{
+  return quantity_is_of_phase(all, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+}
+
+/* What quantities of a phase are about, where a row has any */
+static void note_start(struct rows *r)
+{
+  const struct point *p = &r->request->point;
+  char start[NUMBER_TEXT] = "rest";
+  if (!r->sheet.of_samples && !sheet_takes(&r->sheet, is_of_start))
+    return;
+  if (p->v0 != 0)
+    number_text(start, p->v0, 0);
+  const char *text = !is_held(r->request, "v0") ? "v0" : r->sheet.asked->from_steady ? "steady" : start;
+  if (r->sheet.of_samples)
+    table_note(&r->table, "start: %s", text);
+  else
+    table_note(&r->table, "phase: %s, from %s", p->phase == SCALLOP_EXTENSION ? "extension" : "contraction", text);
+}
+
+static void write_head(struct rows *r)
+{
+  const struct scene_head *scene = r->request->scene;
+  if (!scene)
+    table_command(&r->table, "%s", r->style.command);
+  else {
+    table_command(&r->table, "run %s%s", scene->scene, strcmp(scene->scene, "-") == 0 ? "" : ".cfg");
+    if (scene->title)
+      table_note(&r->table, "%s", scene->title);
+    bool given = note_given(r);
+    for (int i = 0; i < scene->notes && !given; i++) /* with other parameters they may be wrong */
+      table_note(&r->table, "%s", scene->note[i]);
+  }
+  if (scene || r->notes_parameters)
+    note_held(r);
+  if (scene)
+    note_start(r);
+  if (r->head)
+    r->head(r);
+  sheet_head(&r->sheet, &r->table);
+  if (r->behind)
+    table_columns(&r->table, r->behind);
+  table_begin_rows(&r->table);
+}
+
+bool rows_open(struct rows *r)
+{
+  r->style = r->request->style;
+  if (!r->behind)
+    r->style.choice = NULL; /* the sheet has taken it */
+  r->is_open = table_open(&r->table, &r->style);
+  r->cannot_open = !r->is_open;
+  if (r->is_open) {
+    r->table.of = r->of ? r->of : r->table.of;
+    write_head(r);
+  }
+  return r->is_open;
+}
+
+static bool open_tables(struct rows_run *run)
+{
+  bool open = true;
+  for (int i = 0; i < run->count && open; i++)
+    open = run->rows[i].opens_late || rows_open(&run->rows[i]);
+  return open;
+}
+
+/* False: a table can no longer be written. */
+static bool at_point(struct rows_run *run, struct at *at)
+{
+  bool unsolved = false, fine = true;
+  run->points++;
+  for (struct rows *r = run->rows; r < run->rows + run->count; r++) {
+    at_begin_row(at);
+    if (r->visit)
+      r->visit(r, at);
+    else
+      sheet_row(&r->sheet, &r->table, at);
+    if (at->why[0] != '\0' && run->unsolved == 0 && !unsolved)
+      snprintf(run->why, sizeof run->why, "%s", at->why);
+    unsolved |= at->why[0] != '\0';
+    fine &= !r->is_open || !table_failed(&r->table);
+  }
+  run->unsolved += unsolved;
+  return fine;
+}
+
+static void visit_sweep(struct rows_run *run, struct at *at)
+{
+  const struct request *request = run->rows->request;
+  struct sweep_cursor cursor = { .product = NULL };
+  bool fine = true;
+  for (int p = 0; p < request->sweep.products && fine; p++) {
+    long index[SWEEP_GROUPS] = { 0 };
+    do {
+      at_sweep(at, &cursor, &request->point, &request->sweep.product[p], index);
+      progress_count(run->points + 1, sweep_points(&request->sweep));
+      fine = at_point(run, at);
+    } while (sweep_next(&request->sweep.product[p], index) && fine);
+  }
+}
+
+static void visit_file(struct rows_run *run, struct at *at, struct point_file *file)
+{
+  bool fine = true;
+  while (fine && point_file_next(file, &at->place, &run->rows->request->point)) {
+    progress_count(run->points + 1, point_file_rows(file, run->points + 1));
+    at_move(at);
+    fine = at_point(run, at);
+  }
+}
+
+static void visit_points(struct rows_run *run, struct at *at, struct point_file *file)
+{
+  const struct request *request = run->rows->request;
+  if (file)
+    visit_file(run, at, file);
+  else if (request->sweep.products > 0)
+    visit_sweep(run, at);
+  else {
+    sweep_place_set(&at->place, &request->point);
+    at_move(at);
+    at_point(run, at);
+  }
+}
+
+enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
+{
+  const struct style *style = &run->rows->request->style;
+  struct at *at = malloc(sizeof *at);
+  enum exit_code code = EXIT_FILE;
+  if (!at)
+    complain(style->command, "out of memory");
+  if (!at || !at_init(at, run->rows->sheet.asked))
+    code = EXIT_UNSOLVED;
+  else if (open_tables(run)) {
+    visit_points(run, at, file);
+    const char *error = file ? tsv_error(&file->tsv) : NULL;
+    code = error ? complain(style->command, "%s", error), EXIT_FILE : EXIT_DONE;
+    for (int i = 0; i < run->count; i++)
+      code = run->rows[i].cannot_open || (run->rows[i].is_open && !table_flush(&run->rows[i].table)) ? EXIT_FILE : code;
+  }
+  if (at)
+    at_clear(at);
+  free(at);
+  return code;
+}
+
+bool rows_close(struct rows_run *run, bool keep)
+{
+  bool whole = true;
+  for (struct rows *r = run->rows; r < run->rows + run->count; r++)
+    if (r->is_open && !keep && !table_failed(&r->table))
+      table_abandon(&r->table);
+    else if (r->is_open)
+      whole &= table_close(&r->table);
+  return whole;
+}
+
+static enum exit_code finish(struct rows_run *run, enum exit_code code)
+{
+  const struct request *request = run->rows->request;
+  const char *command = request->style.command;
+  bool incomplete = run->rows->opens_late && run->unsolved > 0;
+  if (!rows_close(run, code == EXIT_DONE && !incomplete))
+    return EXIT_FILE;
+  if (code != EXIT_DONE || run->unsolved == 0)
+    return code != EXIT_DONE ? code : run->rows->failed_checks > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
+  if (has_many_points(request))
+    complain(command, "%ld of %ld points could not be solved: the column 'status' says why", run->unsolved,
+             run->points);
+  else
+    complain(command, "this point could not be solved: %s", run->why);
+  return EXIT_UNSOLVED;
+}
+
+static enum exit_code make(struct rows *r, struct point_file *file)
+{
+  struct rows_run run = { .count = 1, .rows = r };
+  struct quantities *all = &r->sheet.asked->quantities;
+  all->carries = file ? file->carries : 0;
+  all->carried = file ? file->carried : NULL;
+  const char *wrong = rows_columns(r);
+  if (!wrong)
+    return finish(&run, rows_visit(&run, file));
+  complain(r->request->style.command, "--columns: %s", wrong);
+  return EXIT_USAGE;
+}
+
+enum exit_code rows_table(struct rows *r)
+{
+  const struct request *request = r->request;
+  struct point_file *file = request->points ? calloc(1, sizeof *file) : NULL;
+  if (!request->points)
+    return make(r, NULL);
+  if (!file)
+    return complain(request->style.command, "out of memory"), EXIT_UNSOLVED;
+  file->v0_may_be_nan = r->sheet.asked->from_steady;
+  enum exit_code code = point_file_open(file, request->points, request->style.command, request->style.quiet, r->extra,
+                                        (const char *const *)r->own);
+  code = code == EXIT_DONE ? make(r, file) : code;
+  point_file_close(file);
+  free(file);
+  return code;
+}

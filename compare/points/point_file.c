@@ -1,0 +1,206 @@
+#include "compare/points/point_file.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "compare/columns/columns.h"
+
+enum { COLUMN_NAME = 40, MESSAGE = 240 };
+
+static const char *among(const char *const *names, const char *name)
+{
+  while (*names && strcmp(*names, name) != 0)
+    names++;
+  return *names;
+}
+
+static const char *known_parameter(const char *name, const char *const *extra)
+{
+  const char *own = among(crawler_parameters, name);
+  return own ? own : among(extra, name);
+}
+
+/* The letters and digits of a name */
+static void squeeze(char plain[COLUMN_NAME], const char *name)
+{
+  size_t n = 0;
+  for (; *name && n + 1 < COLUMN_NAME; name++)
+    if (isalnum((unsigned char)*name))
+      plain[n++] = *name;
+  plain[n] = '\0';
+}
+
+/* A word like a longer one (alpha, phase): with the same first letter and few others */
+static bool resembles(const char *plain, const char *parameter)
+{
+  const char *const names[] = { parameter, NULL };
+  return strlen(plain) >= 4 && strlen(parameter) >= 5
+         && tolower((unsigned char)*plain) == tolower((unsigned char)*parameter) && nearest(plain, names);
+}
+
+/* The known parameter that this name, which is none, was probably meant to be, or NULL. Of one letter only what stands
+ * around it is judged: `t` is a time. */
+static const char *meant(const char *name, const char *const *extra)
+{
+  char plain[COLUMN_NAME];
+  squeeze(plain, name);
+  const char *known = known_parameter(plain, extra);
+  for (int list = 0; !known && list < 2; list++)
+    for (const char *const *p = list == 0 ? crawler_parameters : extra; !known && *p; p++)
+      if ((strlen(*p) > 1 && likely(plain, *p)) || resembles(plain, *p))
+        known = *p;
+  return known;
+}
+
+/* Names with commas between; of many the first ones */
+static void add_name(char names[MESSAGE], const char *name, int before)
+{
+  enum { SHOWN = 4 };
+  size_t used = strlen(names);
+  if (before < SHOWN)
+    snprintf(names + used, MESSAGE - used, "%s%.40s", before ? ", " : "", *name ? name : "''");
+  else if (before == SHOWN)
+    snprintf(names + used, MESSAGE - used, " and others");
+}
+
+/* NULL, or what is wrong with the column */
+static const char *read_column(struct point_file *r, int i, const char *const *extra)
+{
+  const char *name = r->tsv.column[i], *parameter = known_parameter(name, extra);
+  const char *near = parameter ? NULL : meant(name, extra);
+  for (int k = 0; k < i; k++)
+    if (parameter && r->parameter[k] == parameter)
+      return tsv_at(&r->tsv, "the column '%s' is there twice", parameter);
+  if (near)
+    return tsv_at(&r->tsv, "unknown column '%.80s'%s", name, did_you_mean(near));
+  r->parameter[i] = parameter;
+  r->place[i] = parameter ? crawler_place(parameter) : CRAWLER_NUMBERS;
+  return NULL;
+}
+
+/* Is the name of a column that is no parameter still free in the table? */
+static bool is_free(const struct point_file *r, const char *name, const char *const *columns)
+{
+  bool taken = *name == '\0';
+  for (const char *const *own = columns; *own && !taken; own++) {
+    int length;
+    column_formula(*own, &length);
+    taken = (int)strlen(name) == length && strncmp(*own, name, (size_t)length) == 0;
+  }
+  for (int i = 0; i < r->carries && !taken; i++)
+    taken = strcmp(r->carried[i], name) == 0;
+  return !taken;
+}
+
+/* NULL, or what is wrong with the header */
+static const char *read_columns(struct point_file *r, bool quiet, const char *const *extra,
+                                const char *const *columns)
+{
+  char unused[MESSAGE] = "";
+  if (r->tsv.fault)
+    return tsv_at(&r->tsv, "%s", r->tsv.fault);
+  if (!tsv_take_header(&r->tsv))
+    return "out of memory";
+  for (int i = 0; i < r->tsv.columns; i++) {
+    const char *wrong = read_column(r, i, extra);
+    if (wrong)
+      return wrong;
+    r->others += !r->parameter[i];
+    if (!r->parameter[i] && is_free(r, r->tsv.column[i], columns))
+      {
+      r->carried[r->carries] = r->tsv.column[i];
+      r->column[r->carries++] = i;
+    }
+    else if (!r->parameter[i])
+      add_name(unused, r->tsv.column[i], r->others - r->carries - 1);
+  }
+  if (r->others == r->tsv.columns)
+    return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs");
+  if (*unused && !quiet)
+    complain(r->command, "note: %s",
+             tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s", unused));
+  return NULL;
+}
+
+/* Returns NULL, or what is wrong with the cell. */
+static const char *set_cell(const struct point_file *r, struct point *point, int column, const char *cell)
+{
+  const char *name = column < r->tsv.columns ? r->parameter[column] : NULL;
+  bool unset = name && r->v0_may_be_nan && strcmp(name, "v0") == 0 && strcmp(cell, "nan") == 0;
+  if (!name || unset)
+    return NULL;
+  if (r->place[column] < CRAWLER_NUMBERS)
+    return point_set_number(point, r->place[column], cell);
+  return point_set(point, name, cell);
+}
+
+/* Reads the current row into point. Returns NULL, or in status what is wrong with it. */
+static const char *read_row(struct point_file *r, struct point *point, char *status)
+{
+  const struct tsv *t = &r->tsv;
+  const char *wrong = t->fault;
+  int i = 0;
+  for (; i < t->count && !wrong; i++)
+    wrong = set_cell(r, point, i, t->cell[i]);
+  if (!wrong)
+    point_complete(point);
+  if (!wrong && t->count == t->columns)
+    return NULL;
+  int used = snprintf(status, POINT_STATUS, "line %ld: ", t->number);
+  if (!wrong)
+    snprintf(status + used, POINT_STATUS - (size_t)used, "%d columns where the header has %d", t->count, t->columns);
+  else
+    snprintf(status + used, POINT_STATUS - (size_t)used, "%s%s%s", i > 0 ? r->parameter[i - 1] : "", i > 0 ? ": " : "",
+             wrong);
+  return status;
+}
+
+/* The bytes that are not read yet, of a regular file; else 0 */
+static double bytes_left(FILE *in)
+{
+  struct stat of;
+  const off_t read = ftello(in);
+  return read >= 0 && fstat(fileno(in), &of) == 0 && S_ISREG(of.st_mode) ? (double)(of.st_size - read) : 0;
+}
+
+enum exit_code point_file_open(struct point_file *r, const char *name, const char *command, bool quiet,
+                               const char *const *extra, const char *const *columns)
+{
+  r->command = command;
+  if (!tsv_open(&r->tsv, name, TSV_TABS)) {
+    complain(command, "%s", tsv_error(&r->tsv));
+    return EXIT_FILE;
+  }
+  bool found = tsv_next(&r->tsv);
+  const char *wrong = found ? read_columns(r, quiet, extra, columns) : tsv_error(&r->tsv);
+  if (wrong)
+    complain(command, "%s", wrong);
+  else if (!found)
+    complain(command, "%s: no header line: a TSV file with the names of its columns is wanted", r->tsv.name);
+  else
+    r->bytes = bytes_left(r->tsv.file);
+  return found && !wrong ? EXIT_DONE : r->tsv.error ? EXIT_FILE : EXIT_USAGE;
+}
+
+void point_file_close(struct point_file *r) { tsv_close(&r->tsv); }
+
+bool point_file_next(struct point_file *r, struct sweep_place *place, const struct point *base)
+{
+  const struct tsv *t = &r->tsv;
+  sweep_place_set(place, base);
+  if (!tsv_next(&r->tsv))
+    return false;
+  place->is_unread = read_row(r, &place->point, place->why) != NULL;
+  for (int i = 0; i < r->carries; i++)
+    r->cell[i] = r->column[i] < t->count ? t->cell[r->column[i]] : "";
+  place->carried = r->cell;
+  r->read += (double)(t->end - t->begin + 1);
+  return true;
+}
+
+long point_file_rows(const struct point_file *r, long read)
+{
+  return lround((double)read * r->bytes / r->read); /* no comments */
+}

@@ -1,0 +1,144 @@
+/* What varies, from the texts of options and of scenes. */
+#include "compare/answers/vary.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/answers/at.h"
+#include "tests/support/check.h"
+
+/* Texts of options: what stays of them, in which order they vary, and which are one value. */
+TEST(lists_and_ranges_of_options)
+{
+  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  static const struct {
+    const char *name, *text;
+    bool many;
+  } texts[] = { { "T", "0.5", false },
+                { "T", "0.5,0.6", true },
+                { "v0", "-1:1:3", true },
+                { "gait", "quadratic", false },
+                { "gait", "skewed:0.2", false },
+                { "gait", "trapezoidal:0.1,0.2", false },
+                { "phase", "extension", false },
+                { "gait", "trapezoidal:0.1,0.2,sinusoidal", true },
+                { "gait", "constant:0.1,skewed:0.2", true },
+                { "phase", "extension,contraction", true } };
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+    assert_int_equal(vary_is_many(texts[i].name, texts[i].text), texts[i].many);
+  assert_null(vary_text(&r, "T", "0.5,0.60"));
+  assert_true(r.point.crawler.T == 0.5 && r.point.written[5]);
+  assert_null(vary_text(&r, "gait", "trapezoidal:0.1,0.2,sinusoidal"));
+  assert_null(vary_text(&r, "v0", "-1:1:3"));
+  assert_true(r.point.has_gait && r.point.has_v0 && r.point.v0 == -1);
+  assert_int_equal(sweep_points(&r.sweep), 12);
+  assert_string_equal(sweep_variable(&r.sweep, 1)->texts[0], "trapezoidal:0.1,0.2");
+  assert_null(vary_text(&r, "T", "1e-3:10:5:log")); /* in place of the list, and last */
+  assert_string_equal(sweep_variable(&r.sweep, 2)->name, "T");
+  assert_int_equal(sweep_points(&r.sweep), 30);
+  assert_null(vary_text(&r, "gait", "constant:0.1,quadratic,skewed:0.2"));
+  assert_int_equal(sweep_points(&r.sweep), 45);
+  vary_hold(&r, "gait");
+  vary_hold(&r, "gait");
+  assert_int_equal(sweep_points(&r.sweep), 15);
+  struct sweep_cursor at = { .product = NULL };
+  struct sweep_place place = { .why = "" };
+  sweep_move(&at, &place, &r.point, r.sweep.product, (const long[]){ 1, 2 }, NULL, NULL);
+  assert_true(place.point.v0 == 0 && place.point.crawler.T == 0.1);
+  free(r.asked);
+  sweep_free(&r.sweep);
+  assert_int_equal(sweep_points(&r.sweep), 0);
+}
+
+TEST(no_lists_and_ranges)
+{
+  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  static const struct {
+    const char *name, *text, *message;
+  } texts[] = { { "F1", "1:10:0", "'1:10:0' is no range: FROM:TO:COUNT" },
+                { "F1", "1:10:1", "COUNT is from 2 to 1000000000" },
+                { "F1", "1:10:-3", "COUNT is" },
+                { "F1", "1:10:2.5", "COUNT is" },
+                { "F1", "1:10:1000000001", "COUNT is" },
+                { "F1", "1:10", "is no range" },
+                { "F1", "1:10:5:log:", "is no range" },
+                { "F1", "1:10:5:Log", "is no range" },
+                { "F1", "1:2:3,4", "is no range" },
+                { "F1", "0:1:5:log", "'0' is not allowed here: it takes a finite number > 0" },
+                { "v0", "0:1:5:log", "log spacing is > 0" },
+                { "v0", "-1:1:5:log", "log spacing is > 0" },
+                { "F1", "nan:1:5", "'nan' is no number, nor a formula" },
+                { "F1", "1:inf:5", "'inf' is no number, nor a formula" },
+                { "alpha", "0.5:1:5", "between 0 and 1" },
+                { "alpha", "0.5,", "'' is not allowed" },
+                { "alpha", ",", "'' is not allowed" },
+                { "T", "1, 2", "without blanks" },
+                { "gait", "foo,quadratic", "'foo' is not allowed" },
+                { "phase", "extension,phase", "extension or contraction" } };
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    const char *wrong = vary_text(&r, texts[i].name, texts[i].text);
+    assert_non_null(wrong);
+    if (!strstr(wrong, texts[i].message))
+      fail_msg("%s %s: %s", texts[i].name, texts[i].text, wrong);
+    assert_int_equal(r.sweep.product->groups, 0);
+  }
+  assert_null(vary_text(&r, "m1", "1:2:100000000"));
+  assert_non_null(strstr(vary_text(&r, "m2", "1:2:10000001"), "more than 1e+15"));
+  assert_null(vary_text(&r, "m2", "1:2:10000000"));
+  free(r.asked);
+  sweep_free(&r.sweep);
+}
+
+/* What a group that stays has set is kept: as if each point were the first. */
+TEST(steps_are_those_of_single_moves)
+{
+  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  long index[SWEEP_GROUPS] = { 0 };
+  struct sweep_cursor at = { .product = NULL };
+  struct sweep_place place = { .why = "" };
+  assert_null(vary_text(&r, "F2", "0.3:7:4"));
+  assert_null(vary_text(&r, "alpha", "0.2,0.7"));
+  assert_null(vary_text(&r, "T", "0.01:3:5:log"));
+  do {
+    struct sweep_cursor first = { .product = NULL };
+    struct sweep_place alone = { .why = "" }, copy;
+    sweep_move(&at, &place, &r.point, r.sweep.product, index, NULL, NULL);
+    sweep_move(&first, &alone, &r.point, r.sweep.product, index, NULL, NULL);
+    sweep_place_copy(&copy, &place);
+    assert_true(same_crawler(&copy.point.crawler, &alone.point.crawler));
+    for (int i = 0; i < CRAWLER_NUMBERS; i++) {
+      const char *written = copy.point.written[i], *other = alone.point.written[i];
+      assert_true(written == other || strcmp(written, other) == 0);
+      assert_true(written == place.point.written[i] ? written != place.written[i] : written == copy.written[i]);
+    }
+  } while (sweep_next(r.sweep.product, index));
+  free(r.asked);
+  sweep_free(&r.sweep);
+}
+
+/* Ratios, the Froude number and labels have values of their own; an end of a range may be a formula; a product follows
+ * another. */
+TEST(what_no_point_has_of_itself)
+{
+  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  struct sweep_variable label;
+  assert_null(vary_text(&r, "F1_over_F2", "2.5"));
+  assert_null(vary_text(&r, "label", "panel=A"));
+  assert_null(vary_text(&r, "T", "sticking_onset/4:2*L:3"));
+  assert_true(r.sweep.product->group[2].variable[0].from.is_formula);
+  assert_null(vary_product(&r));
+  assert_null(vary_text(&r, "label", "panel=B"));
+  assert_null(vary_text(&r, "froude", "0.5,2"));
+  assert_int_equal(sweep_points(&r.sweep), 5);
+  assert_int_equal(r.asked->quantities.labels, 1);
+  assert_non_null(strstr(vary_text(&r, "T", "v_start:2:3"), "not of v_start"));
+  assert_non_null(strstr(vary_text(&r, "label", "panel"), "NAME=TEXT"));
+  assert_non_null(strstr(vary_label(&r, "displacement", &label), "which is a quantity"));
+  assert_null(vary_group(&r));
+  assert_true(sweep_variable_of_name(&label, "m1"));
+  assert_null(vary_list(&r, label, (const char *const[]){ "1", "2" }, 2));
+  assert_true(sweep_variable_of_name(&label, "m2"));
+  assert_non_null(strstr(vary_list(&r, label, (const char *const[]){ "1", "2", "3" }, 3), "have 2: they go on together"));
+  free(r.asked);
+  sweep_free(&r.sweep);
+}
