@@ -127,10 +127,11 @@ enum {
   NOT_OF_CRAWLER = NOT_STEADY | SYMBOL_BIT(T)
 };
 
-/* What is wrong with a text of the formula, or NULL. in: "the steady state", which has none of the symbols `lacking` */
-static const char *wrong_with(const struct scallop_formula *formula, const char *text, unsigned lacking, const char *in,
+/* What is wrong with a text of the formula, which has none of the symbols `lacking`, or NULL */
+static const char *wrong_with(const struct scallop_formula *formula, const char *text, unsigned lacking,
                               char message[FORMULA_MESSAGE])
 {
+  const char *in = lacking == NOT_STEADY ? "the steady state" : "a condition is about the crawler, which";
   struct scallop_formula of = *formula;
   struct formula read;
   int places[FORMULA_STEPS];
@@ -148,26 +149,24 @@ static const char *wrong_with(const struct scallop_formula *formula, const char 
 static const char *wrong_with_condition(const struct scallop_formula *formula, const char *when,
                                         char message[FORMULA_MESSAGE])
 {
-  static const char in[] = "a condition is about the crawler, which";
   struct scallop_sides sides;
   if (!scallop_condition_split(&sides, when))
     return "a condition is LEFT < RIGHT, LEFT > RIGHT or LEFT = RIGHT, of 399 characters at most";
-  const char *wrong = wrong_with(formula, sides.left, NOT_OF_CRAWLER, in, message);
-  return wrong ? wrong : wrong_with(formula, sides.right, NOT_OF_CRAWLER, in, message);
+  const char *wrong = wrong_with(formula, sides.left, NOT_OF_CRAWLER, message);
+  return wrong ? wrong : wrong_with(formula, sides.right, NOT_OF_CRAWLER, message);
 }
 
 static bool check_texts(const struct book_entry *e)
 {
   const struct scallop_formula *f = &e->formula;
-  static const char in[] = "the steady state";
   char message[FORMULA_MESSAGE];
   const unsigned lacking = e->start == FROM_STEADY ? NOT_STEADY : 0;
   const bool of_file = config_setting_source_line(e->group) > 0; /* and not of an option */
-  const char *wrong = wrong_with(f, f->text, lacking, in, message);
+  const char *wrong = wrong_with(f, f->text, lacking, message);
   if (wrong)
     return refuse_at(e->config, member_of(e, "text"), "%s%s%s", of_file ? f->name : "", of_file ? ": " : "", wrong);
   for (const struct scallop_part *p = e->parts; p->name; p++) /* those that the text does not use, too */
-    if ((wrong = wrong_with(f, p->name, lacking, in, message)))
+    if ((wrong = wrong_with(f, p->name, lacking, message)))
       return refuse_at(e->config, config_setting_get_member(member_of(e, "where"), p->name), "%s: %s", f->name, wrong);
   for (int i = 0; i < e->conditions; i++)
     if ((wrong = wrong_with_condition(f, e->when[i], message)))
@@ -192,18 +191,22 @@ static bool read_parts(struct book_entry *e)
   return true;
 }
 
-/* A whole number, or "equality"; none: nothing is claimed */
-static bool read_claimed(struct book_entry *e)
+/* n, or "equality"; none: nothing is claimed */
+static bool is_claim(const char *text, long *n)
+{
+  *n = SCALLOP_EQUALITY;
+  return strcmp(text, "equality") == 0 || read_count(text, 1, MOST_CLAIMED, n);
+}
+
+static bool read_claimed(struct config *c, struct book_entry *e)
 {
   const config_setting_t *at = member_of(e, "claimed");
-  const char *text = at ? config_setting_get_string(at) : NULL;
-  int n = at ? config_setting_get_int(at) : 0;
-  e->formula.remainder = text ? SCALLOP_EQUALITY : n;
-  return !at
-         || (text ? strcmp(text, "equality") == 0
-                  : config_setting_type(at) == CONFIG_TYPE_INT && n >= 1 && n <= MOST_CLAIMED)
-         || refuse_at(e->config, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"",
-                      MOST_CLAIMED);
+  const char *text = at ? text_of(c, at) : NULL;
+  long n = 0;
+  bool good = !at || (text && is_claim(text, &n));
+  e->formula.remainder = (int)n;
+  return good
+         || refuse_at(c, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"", MOST_CLAIMED);
 }
 
 /* Takes the formula that a group is, if it has a meaning. */
@@ -217,7 +220,7 @@ static bool read_entry(struct config *c, const config_setting_t *group, name_is_
   *e = (struct book_entry){
     .formula = { .equation = "-", .parts = e->parts }, .of = NOTHING, .config = c, .group = group
   };
-  bool good = read_members(c, group, members, e, "a formula", NULL) && read_parts(e) && read_claimed(e)
+  bool good = read_members(c, group, members, e, "a formula") && read_parts(e) && read_claimed(c, e)
               && check_names(e, taken) && check_motion(e);
   if (good) {
     set_meaning(e);
@@ -247,7 +250,7 @@ static bool read_root(struct config *c, name_is_taken *taken)
   int first = 0, i;
   while (book_formula(first))
     first++;
-  if (!read_members(c, config_root(c), lists, NULL, "a book of formulas", NULL) || !read_list(c, "formulas", taken)
+  if (!read_members(c, config_root(c), lists, NULL, "a book of formulas") || !read_list(c, "formulas", taken)
       || !read_list(c, "corrected", taken))
     return false;
   for (i = first; book_formula(i); i++) {
@@ -314,14 +317,13 @@ void books_forget(void)
 enum exit_code book_add(const char *command, const struct formula_given *given)
 {
   bool is_steady = word_place(given->of, book_quantities) >= FIRST_OF_STEADY;
-  const char *const texts[][2] = { { "name", "formula" },
-                                   { "text", given->text },
-                                   { "of", given->of },
-                                   { "start", given->start || !is_steady ? given->start : "steady" },
-                                   { "phase", given->phase } };
-  const bool is_equality = strcmp(given->claimed, "equality") == 0;
-  long claimed = 0;
-  if (!is_equality && !read_count(given->claimed, 1, MOST_CLAIMED, &claimed)) {
+  const char *const texts[][2] = {
+    { "name", "formula" },     { "text", given->text },
+    { "of", given->of },       { "start", given->start || !is_steady ? given->start : "steady" },
+    { "phase", given->phase }, { "claimed", given->claimed }
+  };
+  long claimed;
+  if (!is_claim(given->claimed, &claimed)) {
     complain(command, "--claimed: %s",
              not_allowed(given->claimed, "n of the claim + O(T^n), from 1 to 999, or equality"));
     return EXIT_USAGE;
@@ -329,13 +331,8 @@ enum exit_code book_add(const char *command, const struct formula_given *given)
   struct config *c = new_file(command);
   if (!c || config_open(c, command, "--formula", "", NULL) != EXIT_DONE)
     return EXIT_UNSOLVED;
-  config_setting_t *group = c->file.root;
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
     if (texts[i][1])
-      config_setting_set_string(config_setting_add(group, texts[i][0], CONFIG_TYPE_STRING), texts[i][1]);
-  if (is_equality)
-    config_setting_set_string(config_setting_add(group, "claimed", CONFIG_TYPE_STRING), given->claimed);
-  else
-    config_setting_set_int(config_setting_add(group, "claimed", CONFIG_TYPE_INT), (int)claimed);
-  return read_entry(c, group, NULL) ? EXIT_DONE : EXIT_USAGE;
+      config_setting_set_string(config_setting_add(c->file.root, texts[i][0], CONFIG_TYPE_STRING), texts[i][1]);
+  return read_entry(c, config_root(c), NULL) ? EXIT_DONE : EXIT_USAGE;
 }

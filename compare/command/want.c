@@ -226,7 +226,7 @@ static bool read_plot(struct want *w, struct scene *s, const config_setting_t *a
   struct plot *p = &w->plot;
   if (!config_setting_is_group(at))
     return refuse_at(&s->config, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
-  if (!read_members(&s->config, at, members, p, "a plot", NULL))
+  if (!read_members(&s->config, at, members, p, "a plot"))
     return false;
   for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
     const config_setting_t *member = config_setting_get_member(at, options[i][0]);

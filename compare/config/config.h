@@ -30,13 +30,12 @@ bool refuse_at(const struct config *config, const config_setting_t *at, const ch
     __attribute__((format(printf, 3, 4)));
 
 enum member_kind {
-  MEMBER_OTHER,  /* known, and read elsewhere */
-  MEMBER_TEXT,   /* const char *: not empty */
-  MEMBER_TEXTS,  /* const char *[high]: one or more */
-  MEMBER_WORD,   /* int: the place of the text among words, NULL-terminated */
-  MEMBER_FLAG,   /* bool */
-  MEMBER_COUNT,  /* long: from low to high */
-  MEMBER_NUMBER, /* double: finite */
+  MEMBER_OTHER, /* known, and read elsewhere */
+  MEMBER_TEXT,  /* const char *: not empty */
+  MEMBER_TEXTS, /* const char *[high]: one or more */
+  MEMBER_WORD,  /* int: the place of the text among words, NULL-terminated */
+  MEMBER_FLAG,  /* bool */
+  MEMBER_COUNT, /* long: from low to high */
 };
 /* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group
  * has no such member. */
@@ -46,19 +45,15 @@ struct member {
   size_t field, count; /* count: of texts, the int that says how many */
   long low, high;
   const char *const *words;
-  const char *only; /* the kinds of wants that may have it; NULL: all */
 };
 #define MEMBER(KIND, NAME, STRUCT, FIELD, ...) \
   { \
     .name = NAME, .kind = MEMBER_##KIND, .field = offsetof(struct STRUCT, FIELD), __VA_ARGS__ \
   }
 #define OTHER(NAME) MEMBER(OTHER, NAME, member, name, )
-const struct member *find_member(const struct member *members, const char *name);
-bool read_member(struct config *config, const config_setting_t *at, const struct member *member, void *into);
-/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. want: the kind of the
- * want, where it is one. */
+/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. */
 bool read_members(struct config *config, const config_setting_t *group, const struct member *members, void *into,
-                  const char *what, const char *want);
+                  const char *what);
 
 bool is_ascii(const char *text);                                      /* printable */
 const config_setting_t *member_at(const config_setting_t *at, int i); /* of a group */

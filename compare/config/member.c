@@ -1,5 +1,4 @@
 /* Members of libconfig's groups, and messages about them. */
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,7 +6,6 @@
 
 #include "compare/config/config.h"
 #include "compare/text/table.h"
-#include "compare/text/values.h"
 
 bool refuse_at(const struct config *c, const config_setting_t *at, const char *format, ...)
 {
@@ -81,20 +79,11 @@ static bool read_texts(struct config *c, const config_setting_t *at, const struc
   return true;
 }
 
-static bool read_word(struct config *c, const config_setting_t *at, const struct member *m, int *word)
+static bool read_member(struct config *c, const config_setting_t *at, const struct member *m, void *into)
 {
+  void *field = (char *)into + m->field;
   const char *text = text_at(at);
   char allowed[200];
-  *word = text ? word_place(text, m->words) : -1;
-  return *word >= 0
-         || refuse_at(c, at, "%s is a text in quotes, one of %s", m->name,
-                      joined(allowed, sizeof allowed, m->words, ", "));
-}
-
-bool read_member(struct config *c, const config_setting_t *at, const struct member *m, void *into)
-{
-  void *field = m->kind == MEMBER_OTHER ? NULL : (char *)into + m->field;
-  const char *text = text_at(at);
   int type = config_setting_type(at);
   long long n = type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 ? config_setting_get_int64(at) : m->low - 1LL;
   switch (m->kind) {
@@ -103,7 +92,10 @@ bool read_member(struct config *c, const config_setting_t *at, const struct memb
     *(const char **)field = text;
     return text || refuse_at(c, at, "%s takes a text in quotes, which is not empty", m->name);
   case MEMBER_TEXTS: *(int *)(void *)((char *)into + m->count) = element_count(at); return read_texts(c, at, m, field);
-  case MEMBER_WORD: return read_word(c, at, m, field);
+  case MEMBER_WORD:
+    joined(allowed, sizeof allowed, m->words, ", ");
+    *(int *)field = text ? word_place(text, m->words) : -1;
+    return *(int *)field >= 0 || refuse_at(c, at, "%s is a text in quotes, one of %s", m->name, allowed);
   case MEMBER_FLAG:
     *(bool *)field = config_setting_get_bool(at) != 0;
     return type == CONFIG_TYPE_BOOL || refuse_at(c, at, "%s is true or false", m->name);
@@ -111,18 +103,8 @@ bool read_member(struct config *c, const config_setting_t *at, const struct memb
     *(long *)field = (long)n;
     return (m->low <= n && n <= m->high)
            || refuse_at(c, at, "%s is a whole number from %ld to %ld", m->name, m->low, m->high);
-  case MEMBER_NUMBER:
-    text = text_of(c, at);
-    return (text && read_number(text, field)) || refuse_at(c, at, "%s is a finite number", m->name);
   }
   return true;
-}
-
-const struct member *find_member(const struct member *members, const char *name)
-{
-  while (members->name && strcmp(members->name, name) != 0)
-    members++;
-  return members->name ? members : NULL;
 }
 
 static bool refuse_member(struct config *c, const config_setting_t *at, const struct member *members, const char *what)
@@ -138,19 +120,17 @@ static bool refuse_member(struct config *c, const config_setting_t *at, const st
 }
 
 bool read_members(struct config *c, const config_setting_t *group, const struct member *members, void *into,
-                  const char *what, const char *want)
+                  const char *what)
 {
-  for (int i = 0; i < config_setting_length(group); i++) {
+  bool good = true;
+  for (int i = 0; i < config_setting_length(group) && good; i++) {
     const config_setting_t *at = member_at(group, i);
-    const struct member *m = find_member(members, config_setting_name(at));
-    if (!m)
-      return refuse_member(c, at, members, what);
-    if (m->only && !strstr(m->only, want))
-      return refuse_at(c, at, "%s is not for what = \"%s\", but for: %s", m->name, want, m->only);
-    if (!read_member(c, at, m, into))
-      return false;
+    const struct member *m = members;
+    while (m->name && strcmp(m->name, config_setting_name(at)) != 0)
+      m++;
+    good = m->name ? read_member(c, at, m, into) : refuse_member(c, at, members, what);
   }
-  return true;
+  return good;
 }
 
 const char *keep(struct config *c, const char *format, ...)
