@@ -11,6 +11,7 @@
 static struct book_entry **entries;
 static int count;
 static void *by_name;
+struct book_file *book_files;
 
 static int compare(const void *a, const void *b)
 {
@@ -160,7 +161,7 @@ bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol sy
   return takes;
 }
 
-void book_entries_free(void)
+void books_forget(void)
 {
   for (struct read_once *first; (first = atomic_load(&all));) {
     atomic_store(&all, first->next);
@@ -172,4 +173,9 @@ void book_entries_free(void)
   }
   free(entries);
   entries = NULL;
+  for (struct book_file *first; (first = book_files);) {
+    book_files = first->next;
+    config_close(&first->config);
+    free(first);
+  }
 }

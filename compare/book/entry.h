@@ -16,9 +16,15 @@ struct book_entry {
   const config_setting_t *group;
 };
 
-/* Keeps an entry, until all are freed. False: out of memory. */
+/* Keeps an entry, which books_forget frees. False: out of memory. */
 bool book_keep(struct book_entry *entry);
-void book_entries_free(void);
 const struct book_entry *book_entry_named(const char *name); /* or NULL */
+
+/* The files that were read, whose texts the entries have */
+struct book_file {
+  struct book_file *next;
+  struct config config;
+};
+extern struct book_file *book_files;
 
 #endif

@@ -262,30 +262,17 @@ static bool read_root(struct config *c, name_is_taken *taken)
   return i > first || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
 }
 
-/* The files that were read, whose texts the formulas have */
-static struct file_of_book {
-  struct file_of_book *next;
-  struct config config;
-} * files;
-
-/* NULL: out of memory, which is said. */
+/* Of a file, from here on among those that were read. NULL: out of memory, which is said. */
 static struct config *new_file(const char *command)
 {
-  struct file_of_book *file = calloc(1, sizeof *file);
+  struct book_file *file = calloc(1, sizeof *file);
   if (!file) {
     complain(command, "out of memory");
     return NULL;
   }
-  file->next = files;
-  files = file;
+  file->next = book_files;
+  book_files = file;
   return &file->config;
-}
-
-enum exit_code book_read_text(const char *command, const char *path, const char *text, name_is_taken *taken)
-{
-  struct config *c = new_file(command);
-  enum exit_code code = c ? config_open(c, command, path, text, NULL) : EXIT_UNSOLVED;
-  return code == EXIT_DONE && !read_root(c, taken) ? EXIT_USAGE : code;
 }
 
 /* Paths of one file may differ. */
@@ -296,22 +283,14 @@ static bool is_same_file(const char *a, const char *b)
          || (stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino);
 }
 
-enum exit_code book_read(const char *command, const char *path, name_is_taken *taken)
+enum exit_code book_read(const char *command, const char *path, const char *text, name_is_taken *taken)
 {
-  for (const struct file_of_book *f = files; f; f = f->next)
-    if (is_same_file(f->config.path, path))
+  for (const struct book_file *f = book_files; f; f = f->next)
+    if (!text && is_same_file(f->config.path, path))
       return EXIT_DONE;
-  return book_read_text(command, path, NULL, taken);
-}
-
-void books_forget(void)
-{
-  book_entries_free();
-  for (struct file_of_book *first; (first = files);) {
-    files = first->next;
-    config_close(&first->config);
-    free(first);
-  }
+  struct config *c = new_file(command);
+  enum exit_code code = c ? config_open(c, command, path, text, NULL) : EXIT_UNSOLVED;
+  return code == EXIT_DONE && !read_root(c, taken) ? EXIT_USAGE : code;
 }
 
 enum exit_code book_add(const char *command, const struct formula_given *given)

@@ -468,7 +468,7 @@ enum exit_code options_judge(const struct arguments *a, enum exit_code code)
 enum exit_code options_book(const struct arguments *a)
 {
   const char *book = a->options.request.book;
-  return book ? book_read(a->command->name, book, quantity_is_other) : EXIT_DONE;
+  return book ? book_read(a->command->name, book, NULL, quantity_is_other) : EXIT_DONE;
 }
 
 void options_free(struct arguments *a)

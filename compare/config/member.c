@@ -9,17 +9,14 @@
 
 bool refuse_at(const struct config *c, const config_setting_t *at, const char *format, ...)
 {
-  char text[600];
+  char text[600], line[24] = "";
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  unsigned line = at ? (unsigned)config_setting_source_line(at) : 0;
-  if (line > 0)
-    complain(c->command, "%s:%u: %s", c->path, line, text);
-  else
-    complain(c->command, "%s: %s", c->path, text);
-  return false;
+  if (at && config_setting_source_line(at) > 0)
+    snprintf(line, sizeof line, ":%u", (unsigned)config_setting_source_line(at));
+  return complain(c->command, "%s%s: %s", c->path, line, text);
 }
 
 bool is_ascii(const char *text)
@@ -31,8 +28,7 @@ bool is_ascii(const char *text)
 
 static bool is_sequence(const config_setting_t *at)
 {
-  int type = config_setting_type(at);
-  return type == CONFIG_TYPE_ARRAY || type == CONFIG_TYPE_LIST;
+  return config_setting_is_array(at) || config_setting_is_list(at);
 }
 
 int element_count(const config_setting_t *at) { return is_sequence(at) ? config_setting_length(at) : 1; }
@@ -50,13 +46,10 @@ const config_setting_t *member_at(const config_setting_t *at, int i)
 const char *text_of(struct config *c, const config_setting_t *at)
 {
   char text[NUMBER_TEXT];
-  switch (config_setting_type(at)) {
-  case CONFIG_TYPE_STRING: return config_setting_get_string(at);
-  case CONFIG_TYPE_INT:
-  case CONFIG_TYPE_INT64: number_text(text, (double)config_setting_get_int64(at), 0); break;
-  case CONFIG_TYPE_FLOAT: number_text(text, config_setting_get_float(at), 0); break;
-  default: return NULL;
-  }
+  if (!config_setting_is_number(at))
+    return config_setting_get_string(at);
+  bool is_whole = config_setting_type(at) != CONFIG_TYPE_FLOAT;
+  number_text(text, is_whole ? (double)config_setting_get_int64(at) : config_setting_get_float(at), 0);
   return keep(c, "%s", text);
 }
 

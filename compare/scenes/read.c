@@ -87,7 +87,7 @@ static bool read_root(struct scene *s, const config_setting_t *root)
     return false;
   s->head.is_about_phase = start || config_setting_get_member(root, "phase");
   const char *book = s->book ? path_beside(&s->config, s->book) : NULL;
-  if (s->book && (!book || book_read(s->config.command, book, quantity_is_other) != EXIT_DONE))
+  if (s->book && (!book || book_read(s->config.command, book, NULL, quantity_is_other) != EXIT_DONE))
     return false;
   return read_crawler(s, config_setting_get_member(root, "crawler")) && read_start(s, start)
          && scene_read_vary(s, config_setting_get_member(root, "vary"))
