@@ -65,7 +65,7 @@ static bool check_names(const struct book_entry *e, name_is_taken *taken)
 {
   static const char meaning[] = "it has a meaning in formulas", quantity[] = "there is a quantity of this name";
   const char *name = e->formula.name;
-  if (!name || !e->formula.text || e->of == NOTHING)
+  if (!name || !e->formula.text || e->of < 0)
     return refuse_at(e->config, e->group, "a formula has no %s",
                      !name              ? "name"
                      : !e->formula.text ? "text"
