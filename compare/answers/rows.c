@@ -105,9 +105,10 @@ const char *rows_columns(struct rows *r)
 /* Has the table a column of that name with something else in it, as "T = alpha*T"? */
 static bool is_renamed(const struct rows *r, const char *parameter)
 {
-  for (const struct sheet_column *c = r->sheet.column; c < r->sheet.column + r->sheet.count; c++)
+  const struct column_list *all = &r->sheet.columns;
+  for (const struct column *c = all->item; c < all->item + all->count; c++)
     if (strcmp(c->name, parameter) == 0
-        && (c->quantity < 0 || strcmp(r->sheet.asked->quantities.item[c->quantity].name, parameter) != 0))
+        && (c->place < 0 || strcmp(r->sheet.asked->quantities.item[c->place].name, parameter) != 0))
       return true;
   return false;
 }

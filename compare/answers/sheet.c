@@ -5,36 +5,35 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/points/counts.h"
 #include "compare/book/book.h"
-#include "compare/columns/columns.h"
+#include "compare/points/counts.h"
 #include "compare/text/message.h"
-#include "compare/text/values.h"
 
 enum { WRONG = 640 };
 static char message[WRONG];
 
-/* What one of the sheet's own names stands for, or NULL; *text: the whole text that gives it */
-static const char *own_meaning(const struct sheet *s, const char *name, const char **text)
+/* The text that gives the sheet's own name, or NULL; *meaning: what it stands for */
+static const char *own_text(const struct sheet *s, const char *name, const char **meaning)
 {
   for (const char *const *own = s->own; own && *own; own++) {
     int length;
-    const char *meaning = column_formula(*own, &length);
-    if ((int)strlen(name) == length && strncmp(*own, name, (size_t)length) == 0) {
-      *text = *own;
-      return meaning;
-    }
+    *meaning = column_formula(*own, &length);
+    if ((int)strlen(name) == length && strncmp(*own, name, (size_t)length) == 0)
+      return *own;
   }
   return NULL;
 }
 
-static int quantity_place(void *quantities, const char *name) { return quantity_named(quantities, name); }
+static int quantity_place(void *sheet, const char *name)
+{
+  return quantity_named(&((struct sheet *)sheet)->asked->quantities, name);
+}
 
 /* An own name that is a formula of quantities becomes a quantity too, so that other formulas can take it. */
 static int place_of_meaning(struct sheet *s, const char *text, const char *meaning)
 {
   struct quantities *all = &s->asked->quantities;
-  const struct formula_names names = { .place = quantity_place, .context = all };
+  const struct formula_names names = { .place = quantity_place, .context = s };
   char wrong[FORMULA_MESSAGE];
   int own = 0;
   while (own < SHEET_OWN - 1 && s->own[own] != text)
@@ -52,9 +51,9 @@ static int place_of_meaning(struct sheet *s, const char *text, const char *meani
 static int place_of(void *sheet, const char *name)
 {
   struct sheet *s = sheet;
-  const char *text, *meaning = own_meaning(s, name, &text);
-  int place = quantity_named(&s->asked->quantities, meaning ? meaning : name);
-  return place < 0 && meaning ? place_of_meaning(s, text, meaning) : place;
+  const char *meaning, *text = own_text(s, name, &meaning);
+  int place = quantity_named(&s->asked->quantities, text ? meaning : name);
+  return place < 0 && text ? place_of_meaning(s, text, meaning) : place;
 }
 
 static const char *near_to(void *sheet, const char *name, const char *const *functions)
@@ -62,16 +61,9 @@ static const char *near_to(void *sheet, const char *name, const char *const *fun
   return functions ? nearest(name, functions) : quantity_near(&((struct sheet *)sheet)->asked->quantities, name);
 }
 
-const char *sheet_formula(struct sheet *s, struct formula *formula, const char *text)
+const char *sheet_no_quantity(const struct asked *asked, const char *name)
 {
-  static char wrong[FORMULA_MESSAGE];
-  const struct formula_names names = { .place = place_of, .nearest = near_to, .context = s };
-  return formula_read(formula, text, &names, wrong);
-}
-
-const char *sheet_no_quantity(const struct sheet *s, const char *name)
-{
-  const char *near = quantity_near(&s->asked->quantities, name);
+  const char *near = quantity_near(&asked->quantities, name);
   snprintf(message, WRONG, "there is no quantity '%.80s'%s", name,
            *name == '(' ? formula_instead(name)
            : near       ? did_you_mean(near)
@@ -79,30 +71,27 @@ const char *sheet_no_quantity(const struct sheet *s, const char *name)
   return message;
 }
 
-bool sheet_has(const struct sheet *s, const char *name)
+static const char *missing(void *sheet, const char *name)
 {
-  int i = 0;
-  while (i < s->count && strcmp(s->column[i].name, name) != 0)
-    i++;
-  return i < s->count;
+  return sheet_no_quantity(((struct sheet *)sheet)->asked, name);
+}
+
+const char *sheet_formula(struct asked *asked, struct formula *formula, const char *text)
+{
+  static char wrong[FORMULA_MESSAGE];
+  struct sheet plain = { .asked = asked };
+  const struct formula_names names = { .place = quantity_place, .nearest = near_to, .context = &plain };
+  return formula_read(formula, text, &names, wrong);
 }
 
 bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantities *, const struct quantity *))
 {
-  for (int i = 0; i < s->count; i++) {
-    int places[FORMULA_STEPS] = { s->column[i].quantity };
-    int count = s->column[i].formula ? formula_places(s->column[i].formula, places) : 1;
-    while (count-- > 0)
-      if (holds(&s->asked->quantities, &s->asked->quantities.item[places[count]]))
+  int places[FORMULA_STEPS];
+  for (int i = 0; i < s->columns.count; i++)
+    for (int k = column_places(&s->columns.item[i], places); k-- > 0;)
+      if (holds(&s->asked->quantities, &s->asked->quantities.item[places[k]]))
         return true;
-  }
   return false;
-}
-
-static const char *wrong(const char *text, const char *what)
-{
-  snprintf(message, WRONG, "'%.100s': %s", text, what);
-  return message;
 }
 
 /* NULL, or why rows of this sheet have no such quantity */
@@ -119,94 +108,56 @@ static const char *refusal(const struct sheet *s, const struct quantity *q)
   return NULL;
 }
 
-/* Finds what the column shows. */
-static const char *find(struct sheet *s, struct sheet_column *column, const char *text, const char *formula,
-                        bool is_own)
+/* The same of each quantity that the column takes */
+static const char *refused(const struct sheet *s, const struct column *column, const char *text)
 {
-  struct quantities *all = &s->asked->quantities;
-  int places[FORMULA_STEPS], count = 1;
-  column->quantity = places[0] = quantity_named(all, formula);
-  if (column->quantity < 0) {
-    const char *why = column->quantity == -2 ? "there are too many quantities" : NULL;
-    column->formula = why ? NULL : malloc(sizeof *column->formula);
-    struct sheet plain = { .asked = s->asked }; /* in the meaning of an own name there are no own names */
-    if (column->formula)
-      why = sheet_formula(is_own ? &plain : s, column->formula, formula);
-    if (why && column->formula && formula[strcspn(formula, "+-*/^() ")] == '\0')
-      return sheet_no_quantity(s, formula);
-    if (why || !column->formula)
-      return wrong(text, why ? why : "out of memory");
-    count = formula_places(column->formula, places);
-  }
-  for (int i = 0; i < count; i++) {
-    const struct quantity *q = &all->item[places[i]];
+  int places[FORMULA_STEPS];
+  for (int i = column_places(column, places); i-- > 0;) {
+    const struct quantity *q = &s->asked->quantities.item[places[i]];
     const char *why = refusal(s, q);
     if (column->formula && quantity_is_text(q) && q->kind != QUANTITY_CERTIFIED && q->kind != QUANTITY_CARRIED)
       why = "is a text, which stands alone in a column";
-    if (why) {
-      bool is_other = strcmp(text, q->name) != 0;
-      snprintf(message, WRONG, "%s%.100s%s%s %s", is_other ? "'" : "", is_other ? text : "", is_other ? "': " : "",
-               q->name, why);
+    if (why && strcmp(text, q->name) == 0)
+      snprintf(message, WRONG, "%s %s", q->name, why);
+    else if (why)
+      snprintf(message, WRONG, "'%.100s': %s %s", text, q->name, why);
+    if (why)
       return message;
-    }
   }
   return NULL;
 }
 
-/* A new column of that name, or NULL: out of memory */
-static struct sheet_column *append(struct sheet *s, const char *text, int length)
+static bool is_status(const struct quantities *all, const struct quantity *q)
 {
-  char *name = strndup(text, (size_t)length);
-  struct sheet_column *grown = name ? realloc(s->column, (size_t)(s->count + 1) * sizeof *grown) : NULL;
-  if (!grown) {
-    free(name);
-    return NULL;
-  }
-  s->column = grown;
-  s->column[s->count] = (struct sheet_column){ .name = name, .quantity = -1 };
-  return &s->column[s->count++];
+  return (void)all, q->kind == QUANTITY_STATUS;
 }
 
 const char *sheet_add(struct sheet *s, const char *text)
 {
-  int length;
-  const char *meaning = own_meaning(s, text, &text), *formula = column_formula(text, &length);
-  struct sheet_column *column = append(s, text, length);
-  if (!column)
-    return "out of memory";
-  if (length == 0 || *formula == '\0')
-    return wrong(text, "a column is QUANTITY or NAME = FORMULA");
-  if (!meaning && formula > text && !column_may_be_called(column->name))
-    return wrong(text, "the name of a column is of printable ASCII, without tabs, quotes and backslashes");
-  const char *why = find(s, column, text, formula, meaning != NULL);
-  for (int i = 0; i < s->count - 1 && !why; i++)
-    if (strcmp(s->column[i].name, column->name) == 0)
-      snprintf(message, WRONG, "the column %.100s is there twice", column->name), why = message;
-  for (int i = 0; i < s->count - 1; i++)
-    s->early_status |= s->column[i].quantity >= 0
-                       && s->asked->quantities.item[s->column[i].quantity].kind == QUANTITY_STATUS;
-  return why;
+  const char *meaning, *own = own_text(s, text, &meaning);
+  /* in the meaning of an own name there are no own names */
+  const struct column_names names = {
+    { .place = own ? quantity_place : place_of, .nearest = near_to, .context = s }, missing
+  };
+  text = own ? own : text;
+  s->early_status |= sheet_takes(s, is_status);
+  const char *wrong = column_add(&s->columns, text, &names);
+  return wrong ? wrong : refused(s, &s->columns.item[s->columns.count - 1], text);
 }
 
 void sheet_free(struct sheet *s)
 {
-  for (int i = 0; i < s->count; i++) {
-    free(s->column[i].name);
-    free(s->column[i].formula);
-  }
-  free(s->column);
+  column_list_free(&s->columns);
   for (int i = 0; i < SHEET_OWN; i++) {
     free(s->meaning[i]);
     s->meaning[i] = NULL;
   }
-  s->column = NULL;
-  s->count = 0;
 }
 
 void sheet_head(const struct sheet *s, struct table *t)
 {
-  for (int i = 0; i < s->count; i++)
-    table_columns(t, (const char *const[]){ s->column[i].name, NULL });
+  for (int i = 0; i < s->columns.count; i++)
+    table_columns(t, (const char *const[]){ s->columns.item[i].name, NULL });
 }
 
 /* A parameter with all the digits that were given */
@@ -218,11 +169,11 @@ static void put_as_written(struct table *t, const struct at *at, const struct qu
   table_carried(t, written && !at->place.is_unread ? written : text);
 }
 
-static void put(const struct sheet *s, struct table *t, struct at *at, const struct sheet_column *c)
+static void put(const struct sheet *s, struct table *t, struct at *at, const struct column *c)
 {
-  const struct quantity *q = c->quantity >= 0 ? &s->asked->quantities.item[c->quantity] : NULL;
+  const struct quantity *q = c->place >= 0 ? &s->asked->quantities.item[c->place] : NULL;
   if (!q || !quantity_is_text(q)) {
-    double x = q ? at_number(at, c->quantity) : at_formula(at, c->formula);
+    double x = q ? at_number(at, c->place) : at_formula(at, c->formula);
     if (q && s->as_written && (q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_V0))
       put_as_written(t, at, q, x);
     else if (q && q->kind == QUANTITY_ESTIMATE)
@@ -231,7 +182,7 @@ static void put(const struct sheet *s, struct table *t, struct at *at, const str
       table_number(t, x);
     return;
   }
-  const char *text = at_text(at, c->quantity, s->digits);
+  const char *text = at_text(at, c->place, s->digits);
   if (q->kind == QUANTITY_CARRIED)
     table_carried(t, text);
   else if (q->kind != QUANTITY_CERTIFIED)
@@ -242,17 +193,22 @@ static void put(const struct sheet *s, struct table *t, struct at *at, const str
     table_digits(t, text);
 }
 
+static void compute(const struct sheet *s, struct at *at, const struct column *c)
+{
+  if (c->formula)
+    at_formula(at, c->formula);
+  else if (quantity_is_text(&s->asked->quantities.item[c->place]))
+    at_text(at, c->place, s->digits);
+  else
+    at_number(at, c->place);
+}
+
 void sheet_row(const struct sheet *s, struct table *t, struct at *at)
 {
   at->as_written = s->as_written;
-  for (int i = 0; s->early_status && i < s->count; i++)
-    if (s->column[i].formula)
-      at_formula(at, s->column[i].formula);
-    else if (quantity_is_text(&s->asked->quantities.item[s->column[i].quantity]))
-      at_text(at, s->column[i].quantity, s->digits);
-    else
-      at_number(at, s->column[i].quantity);
-  for (int i = 0; i < s->count; i++)
-    put(s, t, at, &s->column[i]);
+  for (int i = 0; s->early_status && i < s->columns.count; i++)
+    compute(s, at, &s->columns.item[i]);
+  for (int i = 0; i < s->columns.count; i++)
+    put(s, t, at, &s->columns.item[i]);
   count_add(COUNT_ROWS, 1);
 }

@@ -6,41 +6,34 @@
 #define SCALLOP_COMPARE_ANSWERS_SHEET_H
 
 #include "compare/answers/at.h"
-#include "compare/text/table.h"
-
-struct sheet_column {
-  char *name;              /* in the table */
-  int quantity;            /* one as it is, a text perhaps; -1: the formula */
-  struct formula *formula; /* or NULL */
-};
+#include "compare/columns/columns.h"
 
 enum { SHEET_OWN = 64 };
 
 struct sheet {
-  struct asked *asked;    /* grows with each column */
-  const char *const *own; /* texts that give the sheet's own names, NULL-terminated, or NULL */
+  struct asked *asked;                /* grows with each column */
+  struct column_list columns;         /* their places: of quantities */
+  const char *const *own;             /* texts that give the sheet's own names, NULL-terminated, or NULL */
   struct formula *meaning[SHEET_OWN]; /* of own names that are formulas, as far as other columns take them */
-  bool of_samples;        /* the rows are those of a trajectory */
-  bool as_written;        /* --certified: parameters with all their digits, regime and modes as they are proven */
-  long digits;            /* of certified values */
-  int count;
-  struct sheet_column *column;
+  bool of_samples;                    /* the rows are those of a trajectory */
+  bool as_written;   /* --certified: parameters with all their digits, regime and modes as they are proven */
+  long digits;       /* of certified values */
   bool early_status; /* a status stands before other columns: these are asked for first */
 };
 
 /* Adds a column. NULL, or what is wrong with the text: that lives until the next call. */
 const char *sheet_add(struct sheet *sheet, const char *text);
-/* NULL, or what is wrong with a formula of quantities */
-const char *sheet_formula(struct sheet *sheet, struct formula *formula, const char *text);
-/* What is said where there is no such quantity */
-const char *sheet_no_quantity(const struct sheet *sheet, const char *name);
 /* Does any column take a quantity of which that holds? */
 bool sheet_takes(const struct sheet *sheet, bool (*holds)(const struct quantities *, const struct quantity *));
-bool sheet_has(const struct sheet *sheet, const char *column);
 void sheet_free(struct sheet *sheet);
 
 /* The names of the columns go into the head of the table, and the values at the point into a row of it. */
 void sheet_head(const struct sheet *sheet, struct table *table);
 void sheet_row(const struct sheet *sheet, struct table *table, struct at *at);
+
+/* NULL, or what is wrong with a formula of quantities */
+const char *sheet_formula(struct asked *asked, struct formula *formula, const char *text);
+/* What is said where there is no such quantity */
+const char *sheet_no_quantity(const struct asked *asked, const char *name);
 
 #endif

@@ -96,8 +96,7 @@ const char *vary_end(const struct request *r, const char *text, struct sweep_end
   int places[FORMULA_STEPS];
   if (read_number(text, &end->number))
     return NULL;
-  struct sheet sheet = { .asked = r->asked };
-  const char *wrong = r->asked ? sheet_formula(&sheet, &end->formula, text) : "a finite number";
+  const char *wrong = r->asked ? sheet_formula(r->asked, &end->formula, text) : "a finite number";
   if (wrong) {
     snprintf(message, WRONG, "'%.100s' is no number, nor a formula: %s", text, wrong);
     return message;

@@ -4,32 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "asymptotics/formula.h"
-#include "compare/text/memory.h"
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 
 enum { WRONG = 640, MOST_COLUMNS = 256 };
 static char message[WRONG];
-
-struct item {
-  char *name;              /* of the column that is shown                          */
-  const char *text;        /* of its formula                                       */
-  int place;               /* of the column of the table, or -1: a formula       */
-  struct formula *formula; /* its own, NULL: none                                 */
-};
-
-struct columns {
-  struct table_choice choice; /* first: the writer knows this alone */
-  struct item item[MOST_COLUMNS];
-  const char *names[MOST_COLUMNS + 1];
-  /* the table as it is without the choice, and a row of it */
-  const char *const *column;
-  int columns;
-  bool used[TABLE_COLUMNS];
-  bool in_formula[TABLE_COLUMNS];
-  double value[TABLE_COLUMNS]; /* of those in a formula */
-};
+static const char no_memory[] = "out of memory";
 
 const char *column_formula(const char *text, int *length)
 {
@@ -40,7 +20,7 @@ const char *column_formula(const char *text, int *length)
   return formula + strspn(formula, " ");
 }
 
-bool column_may_be_called(const char *name)
+static bool may_be_called(const char *name)
 {
   bool may = *name != '\0';
   for (; *name; name++)
@@ -48,118 +28,74 @@ bool column_may_be_called(const char *name)
   return may;
 }
 
-/* The comma that ends the item, or the end of the text */
-static const char *end_of_item(const char *text)
+static const char *read_formula(struct column *c, const char *text, const struct column_names *names, bool is_named)
 {
-  int nested = 0;
-  for (; *text && (*text != ',' || nested > 0); text++)
-    nested += *text == '(' ? 1 : *text == ')' && nested > 0 ? -1 : 0;
-  return text;
-}
-
-static const char *add_item(struct columns *c, const char *text, const char *end)
-{
-  static const char allowed[] = "names of columns and NAME = FORMULA, with commas between";
-  int length;
-  text += strspn(text, " ");
-  while (end > text && end[-1] == ' ')
-    end--;
-  if (end == text)
-    return not_allowed("", allowed);
-  if (c->choice.count == MOST_COLUMNS)
-    return "more than 256 columns";
-  struct item *item = &c->item[c->choice.count];
-  char *copy = item->name = strndup(text, (size_t)(end - text));
-  if (!copy)
-    return "out of memory";
-  c->names[c->choice.count++] = copy;
-  item->text = column_formula(copy, &length);
-  return length > 0 && *item->text ? NULL : not_allowed(copy, allowed);
-}
-
-/* A column of the table by its name */
-static int place_of(void *context, const char *name)
-{
-  const struct columns *c = context;
-  for (int i = 0; i < c->columns; i++)
-    if (strcmp(c->column[i], name) == 0)
-      return i;
-  return -1;
-}
-
-struct names {
-  const char *of[TABLE_COLUMNS + 1]; /* then NULL */
-};
-
-static struct names names_of(const struct columns *c)
-{
-  struct names names = { { NULL } };
-  memcpy(names.of, c->column, (size_t)c->columns * sizeof *names.of);
-  return names;
-}
-
-static const char *near_to(void *context, const char *name, const char *const *functions)
-{
-  return nearest(name, functions ? functions : names_of(context).of);
-}
-
-static const char *no_column(const struct columns *c, const char *name)
-{
-  snprintf(message, WRONG, "there is no column '%.80s'%s", name, instead_of(name, names_of(c).of));
-  return message;
-}
-
-/* A formula of columns. Its column has the name before '='. */
-static const char *find_formula(struct columns *c, struct item *item)
-{
-  const struct formula_names names = { .place = place_of, .nearest = near_to, .context = c };
   char wrong[FORMULA_MESSAGE];
-  int length, places[FORMULA_STEPS];
-  struct formula *formula = item->formula = realloc(item->formula, sizeof *formula);
-  if (!formula)
-    return "out of memory";
-  const char *why = formula_read(formula, item->text, &names, wrong);
-  if (why && item->text[strcspn(item->text, "+-*/^() ")] == '\0')
-    return no_column(c, item->text);
+  int places[FORMULA_STEPS];
+  c->formula = malloc(sizeof *c->formula);
+  if (!c->formula)
+    return no_memory;
+  const char *why = formula_read(c->formula, text, &names->names, wrong);
+  if (why && text[strcspn(text, "+-*/^() ")] == '\0')
+    return names->missing(names->names.context, text);
   if (why) {
-    snprintf(message, WRONG, "'%.100s': %s", item->text, why);
+    snprintf(message, WRONG, "'%.100s': %s", text, why);
     return message;
   }
-  int used = formula_places(formula, places);
-  if (used == 0 && item->text == item->name) /* such as "(28)", an equation */
-    return not_allowed(item->text, "names of columns; NAME = FORMULA may be a number alone");
-  while (used-- > 0)
-    c->used[places[used]] = c->in_formula[places[used]] = true;
-  column_formula(item->name, &length);
-  if (item->text > item->name)
-    item->name[length] = '\0';
-  return column_may_be_called(item->name)
-             ? NULL
-             : "a column is called something of printable ASCII, without quotes and backslashes";
+  if (!is_named && formula_places(c->formula, places) == 0) /* such as "(28)", an equation */
+    return not_allowed(text, "names of columns; NAME = FORMULA may be a number alone");
+  return may_be_called(c->name) ? NULL
+                                : "a column is called something of printable ASCII, without quotes and backslashes";
 }
 
-static const char *begin(struct table_choice *choice, const char *const *column, int columns)
+const char *column_add(struct column_list *list, const char *text, const struct column_names *names)
 {
-  struct columns *c = (struct columns *)choice;
-  c->column = column;
-  c->columns = columns;
-  for (int i = 0; i < choice->count; i++) {
-    struct item *item = &c->item[i];
-    const char *wrong = NULL;
-    item->place = place_of(c, item->name);
-    if (item->place >= 0)
-      c->used[item->place] = true;
-    else
-      wrong = find_formula(c, item);
-    for (int k = 0; k < i && !wrong; k++)
-      if (strcmp(c->item[k].name, item->name) == 0) {
-        snprintf(message, WRONG, "the column '%.80s' is there twice", item->name);
-        wrong = message;
-      }
-    if (wrong)
-      return wrong;
+  int length;
+  const char *formula = column_formula(text, &length);
+  struct column *grown = realloc(list->item, (size_t)(list->count + 1) * sizeof *grown);
+  list->item = grown ? grown : list->item;
+  char *name = grown ? strndup(text, (size_t)length) : NULL;
+  if (!name)
+    return no_memory;
+  struct column *c = &grown[list->count++];
+  *c = (struct column){ .name = name, .place = names->names.place(names->names.context, formula) };
+  if (length == 0 || *formula == '\0')
+    return not_allowed(text, "NAME or NAME = FORMULA");
+  if (c->place < -1)
+    return "there are too many quantities";
+  const char *wrong = c->place >= 0 ? NULL : read_formula(c, formula, names, formula > text);
+  if (!wrong && formula > text && !may_be_called(name))
+    return "a column is called something of printable ASCII, without quotes and backslashes";
+  for (int i = 0; i < list->count - 1 && !wrong; i++)
+    if (strcmp(list->item[i].name, name) == 0) {
+      snprintf(message, WRONG, "the column '%.80s' is there twice", name);
+      wrong = message;
+    }
+  return wrong;
+}
+
+int column_places(const struct column *c, int places[FORMULA_STEPS])
+{
+  places[0] = c->place;
+  return c->formula ? formula_places(c->formula, places) : 1;
+}
+
+bool column_list_has(const struct column_list *list, const char *name)
+{
+  int i = 0;
+  while (i < list->count && strcmp(list->item[i].name, name) != 0)
+    i++;
+  return i < list->count;
+}
+
+void column_list_free(struct column_list *list)
+{
+  for (int i = 0; i < list->count; i++) {
+    free(list->item[i].name);
+    free(list->item[i].formula);
   }
-  return NULL;
+  free(list->item);
+  *list = (struct column_list){ .count = 0 };
 }
 
 double text_number(const char *text)
@@ -176,30 +112,109 @@ double text_number(const char *text)
   return read_number(whole, &x) && read_number(text + length + 1, &over) && over != 0 ? x / over : NAN;
 }
 
+/* A choice of columns of a table */
+struct chosen {
+  struct table_choice choice; /* first: the writer knows this alone */
+  const char *text[MOST_COLUMNS];
+  struct column_list list;
+  const char *names[MOST_COLUMNS];
+  const char *column[TABLE_COLUMNS + 1]; /* of the table, NULL-terminated, and a row of it */
+  bool used[TABLE_COLUMNS], in_formula[TABLE_COLUMNS];
+  double value[TABLE_COLUMNS]; /* of those in a formula */
+};
+
+static int place_of(void *context, const char *name)
+{
+  const struct chosen *c = context;
+  int i = 0;
+  while (c->column[i] && strcmp(c->column[i], name) != 0)
+    i++;
+  return c->column[i] ? i : -1;
+}
+
+static const char *near_to(void *context, const char *name, const char *const *functions)
+{
+  return nearest(name, functions ? functions : ((const struct chosen *)context)->column);
+}
+
+static const char *no_column(void *context, const char *name)
+{
+  snprintf(message, WRONG, "there is no column '%.80s'%s", name,
+           instead_of(name, ((const struct chosen *)context)->column));
+  return message;
+}
+
+static const char *begin(struct table_choice *choice, const char *const *columns, int count)
+{
+  struct chosen *c = (struct chosen *)choice;
+  const struct column_names names = { { .place = place_of, .nearest = near_to, .context = c }, no_column };
+  int places[FORMULA_STEPS];
+  const char *wrong = NULL;
+  memcpy(c->column, columns, (size_t)count * sizeof *columns);
+  for (int i = 0; i < choice->count && !wrong; i++) {
+    wrong = column_add(&c->list, c->text[i], &names);
+    for (int k = wrong ? 0 : column_places(&c->list.item[i], places); k-- > 0;) {
+      c->used[places[k]] = true;
+      c->in_formula[places[k]] |= c->list.item[i].formula != NULL;
+    }
+    c->names[i] = wrong ? "" : c->list.item[i].name;
+  }
+  choice->names = c->names;
+  return wrong;
+}
+
 static void show(struct table_choice *choice, const struct table_cell *row, struct table_cell *shown)
 {
-  struct columns *c = (struct columns *)choice;
-  for (int i = 0; i < c->columns; i++)
+  struct chosen *c = (struct chosen *)choice;
+  for (int i = 0; c->column[i]; i++)
     if (c->in_formula[i]) {
       bool is_number = row[i].kind == CELL_NUMBER || row[i].kind == CELL_ROUNDED;
       c->value[i] = is_number ? row[i].value : text_number(row[i].text);
     }
-  for (int i = 0; i < choice->count; i++)
-    if (c->item[i].place >= 0)
-      shown[i] = row[c->item[i].place];
+  for (const struct column *item = c->list.item; item < c->list.item + c->list.count; item++, shown++)
+    if (item->place >= 0)
+      *shown = row[item->place];
     else
-      shown[i] = (struct table_cell){ .kind = CELL_NUMBER, .value = formula_double(c->item[i].formula, c->value) };
+      *shown = (struct table_cell){ .kind = CELL_NUMBER, .value = formula_double(item->formula, c->value) };
+}
+
+/* The comma that ends the item, or the end of the text */
+static const char *end_of_item(const char *text)
+{
+  int nested = 0;
+  for (; *text && (*text != ',' || nested > 0); text++)
+    nested += *text == '(' ? 1 : *text == ')' && nested > 0 ? -1 : 0;
+  return text;
+}
+
+static const char *add_text(struct chosen *c, const char *text, const char *end)
+{
+  static const char allowed[] = "names of columns and NAME = FORMULA, with commas between";
+  int length;
+  text += strspn(text, " ");
+  while (end > text && end[-1] == ' ')
+    end--;
+  if (end == text)
+    return not_allowed("", allowed);
+  if (c->choice.count == MOST_COLUMNS)
+    return "more than 256 columns";
+  char *copy = strndup(text, (size_t)(end - text));
+  if (!copy)
+    return no_memory;
+  c->text[c->choice.count++] = copy;
+  const char *formula = column_formula(copy, &length);
+  return length > 0 && *formula ? NULL : not_allowed(copy, allowed);
 }
 
 const char *columns_read(struct table_choice **choice, const char *text)
 {
-  struct columns *c = calloc(1, sizeof *c);
-  const char *wrong = c ? NULL : "out of memory", *end;
+  struct chosen *c = calloc(1, sizeof *c);
+  const char *wrong = c ? NULL : no_memory, *end;
   if (c)
-    c->choice = (struct table_choice){ .begin = begin, .show = show, .names = c->names, .used = c->used };
-  for (; c && !wrong; text = end + 1) {
+    c->choice = (struct table_choice){ .begin = begin, .show = show, .names = c->text, .used = c->used };
+  for (; !wrong; text = end + 1) {
     end = end_of_item(text);
-    wrong = add_item(c, text, end);
+    wrong = add_text(c, text, end);
     if (*end == '\0')
       break;
   }
@@ -211,10 +226,10 @@ const char *columns_read(struct table_choice **choice, const char *text)
 
 void columns_free(struct table_choice *choice)
 {
-  struct columns *c = (struct columns *)choice;
-  for (int i = 0; c && i < choice->count; i++) {
-    free(c->item[i].name);
-    free(c->item[i].formula);
-  }
+  struct chosen *c = (struct chosen *)choice;
+  for (int i = 0; c && i < choice->count; i++)
+    free((char *)c->text[i]);
+  if (c)
+    column_list_free(&c->list);
   free(c);
 }

@@ -1,5 +1,5 @@
 /* The arguments of the command line. A command's options are a struct of its own that begins with struct request
- * (answers/points.h), and a row for each: its name, what it takes, what --help says of it, what holds where it is not
+ * (answers/request.h), and a row for each: its name, what it takes, what --help says of it, what holds where it is not
  * given, how it is read, and which field it sets. A new option is a field and a row. One that leaves is a row of
  * removed[] in options.c for a version: {"NAME" or "NAME VALUE", its command or NULL for all, what to use instead}. An
  * option or a value that a command still has is found before that row. */

@@ -3,8 +3,7 @@
 #include <string.h>
 
 #include "compare/command/commands.h"
-#include "compare/order/report.h"
-#include "compare/order/series.h"
+#include "compare/order/order.h"
 
 struct order_options {
   struct request request;
@@ -96,29 +95,26 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   struct series_list list = { 0 };
   enum exit_code read = EXIT_DONE;
   for (int i = 0; i < arguments->operand_count; i++) {
-    enum exit_code code = series_read(&list, "order", arguments->operands[i], &o->columns);
+    enum exit_code code = series_read(&list, arguments->operands[i], &o->columns);
     read = code > read ? code : read;
   }
-  struct scallop_order_wanted wanted = { .order = o->expect.given     ? o->expect.value
-                                                  : o->at_least.given ? o->at_least.value
-                                                                      : NAN,
-                                         .tolerance = o->tolerance.value,
-                                         .at_least = o->at_least.given };
-  for (struct series *s = list.series; s < list.series + list.count; s++) {
-    wanted.values = s->values;
-    if (!s->unread)
-      scallop_order(s->points, &s->count, &wanted, &s->result);
-  }
-  struct style style = o->request.style;
-  const struct report report = { &list, &wanted, format_of(o), &style };
-  style.format = report.format < FORMATS ? (enum format)report.format : FORMAT_TSV;
+  series_judge(&list, &(struct scallop_order_wanted){ .order = o->expect.given     ? o->expect.value
+                                                               : o->at_least.given ? o->at_least.value
+                                                                                   : NAN,
+                                                      .tolerance = o->tolerance.value,
+                                                      .at_least = o->at_least.given });
+  const int format = format_of(o);
+  const bool draws = !o->rows && o->request.style.plot.file && list.rows > 0;
+  struct style style = o->request.style, to_draw = style;
+  style.format = format < FORMATS ? (enum format)format : FORMAT_TSV;
   style.has_format = o->format.given;
   style.plot.file = o->rows ? style.plot.file : NULL; /* the rows are drawn, not the verdicts */
-  enum exit_code code = (o->rows ? report_write_rows : report_write)(&report);
-  if (code == EXIT_DONE && !o->rows && o->request.style.plot.file && list.rows > 0)
-    code = report_draw(&(struct report){ &list, &wanted, FORMAT_TSV, &o->request.style });
+  to_draw.output = "/dev/null";
+  enum exit_code code = o->rows ? report_rows(&list, &style) : report_write(&list, &style, format);
+  if (code == EXIT_DONE && draws)
+    code = report_rows(&list, &to_draw);
   if (code == EXIT_DONE)
-    code = report_exit(&report);
+    code = report_exit(&list, style.output != NULL);
   series_free(&list);
   return read > code ? read : code;
 }

@@ -6,7 +6,7 @@
 #include "compare/answers/flint.h"
 #include "compare/command/series_options.h"
 #include "compare/maps/maps.h"
-#include "compare/stress/table.h"
+#include "compare/stress/stress.h"
 #include "compare/summary/summary.h"
 #include "compare/workprec/table.h"
 

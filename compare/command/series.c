@@ -224,12 +224,11 @@ static const char *no_series(const struct series_options *o, const char *name)
 {
   static char message[320];
   struct quantities *all = &o->request.asked->quantities;
-  const struct sheet sheet = { .asked = o->request.asked };
   int place = name ? quantity_named(all, name) : -1;
   if (!name)
     return rows_no_memory;
   if (place < 0)
-    return sheet_no_quantity(&sheet, name);
+    return sheet_no_quantity(o->request.asked, name);
   snprintf(message, sizeof message,
            "%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is meant", name);
   return quantity_is_series(&all->item[place]) ? NULL : message;

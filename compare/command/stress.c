@@ -1,7 +1,7 @@
 #include <stddef.h>
 
 #include "compare/command/commands.h"
-#include "compare/stress/table.h"
+#include "compare/stress/stress.h"
 #include "compare/points/defaults.h"
 #include "compare/answers/flint.h"
 

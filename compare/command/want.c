@@ -245,7 +245,7 @@ static bool read_plot(struct want *w, struct scene *s, const config_setting_t *a
     return refuse_at(&s->config, at, "a plot without a script of its own needs x and y, columns of the table");
   for (int i = -1; (i < 0 || p->y[i]) && w->has_rows; i++) { /* else they are a command's own: it will show */
     const char *name = i < 0 ? p->x : p->y[i];
-    if (!sheet_has(&w->rows.sheet, name) && !name_among(w->rows.behind, name))
+    if (!column_list_has(&w->rows.sheet.columns, name) && !name_among(w->rows.behind, name))
       return refuse_at(&s->config, at, "the table has no column %s", name);
   }
   return true;

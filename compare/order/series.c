@@ -1,56 +1,173 @@
-#include "compare/order/series.h"
-
+/* Tables of h and err as files hold them: which columns are which, and the rows with the same texts left of h. */
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/order/order.h"
 #include "compare/text/memory.h"
+#include "compare/text/tsv.h"
 
-enum { NAME = 1024 };
+enum { MOST_Y = 64 };
 static const char out_of_memory[] = "out of memory";
+static char message[640]; /* what is wrong, until something else is */
 
 struct reader {
   struct series_list *list;
-  const char *file;
-  int first; /* series of this file                                      */
-  long rows; /* of this file                                             */
-  struct layout layout;
+  const struct columns_wanted *wanted;
+  struct tsv t;
+  int first;                   /* series of this file                         */
+  long rows;                   /* of this file                                */
+  int columns;                 /* of a row; 0: the first one is still to come */
+  int x, noise, ys, y[MOST_Y]; /* places, -1: there is none; how many y       */
+  bool values[MOST_Y];
+  char name[MOST_Y][COLUMN_NAME]; /* of y; without a header its number          */
 };
 
-static void series_clear(struct series *s)
+/* A number as in C; unlike an option's it may be nan or inf. */
+static bool read_cell(const char *text, double *value)
 {
-  free(s->name);
-  free(s->y);
-  free(s->points);
+  char *end;
+  *value = strtod(text, &end);
+  return end != text && *end == '\0';
+}
+
+/* The place of a column, -1: there is none. Returns NULL, or that there are two; option is the one that names it. */
+static const char *find(int *place, const struct tsv *t, const char *option, const char *name)
+{
+  *place = tsv_column(t, name);
+  for (int i = *place + 1; i < t->columns && *place >= 0; i++)
+    if (strcmp(name, t->column[i]) == 0) {
+      snprintf(message, sizeof message, "%sthe column '%.100s' is there twice", option, name);
+      return message;
+    }
+  return NULL;
+}
+
+/* The same for one that has to be there, by its name or by its number from 1 */
+static const char *chosen(int *place, const struct tsv *t, const char *option, const char *name)
+{
+  char *end;
+  long number = strtol(name, &end, 10);
+  const char *all[TSV_CELLS + 1] = { NULL }, *wrong = find(place, t, option, name);
+  if (wrong || *place >= 0)
+    return wrong;
+  if (end != name && *end == '\0' && number >= 1 && number <= t->count) {
+    *place = (int)number - 1;
+    return NULL;
+  }
+  memcpy(all, t->column, (size_t)t->columns * sizeof *all);
+  snprintf(message, sizeof message, "%sthere is no column '%.100s'%s", option, name,
+           t->columns > 0 ? instead_of(name, all) : "");
+  return message;
+}
+
+static const char *add_y(struct reader *r, int place, bool values)
+{
+  for (int i = 0; i < r->ys; i++)
+    if (r->y[i] == place)
+      return NULL;
+  if (r->ys == MOST_Y)
+    return "more than 64 columns of errors: choose some with --y";
+  r->values[r->ys] = values || r->wanted->values;
+  if (r->t.columns > 0)
+    snprintf(r->name[r->ys], COLUMN_NAME, "%s", r->t.column[place]);
+  else
+    snprintf(r->name[r->ys], COLUMN_NAME, "column %d", place + 1);
+  r->y[r->ys++] = place;
+  return NULL;
+}
+
+static const char *add_list(struct reader *r, const char *list)
+{
+  const char *wrong = NULL;
+  for (const char *at = list; at && !wrong; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
+    char name[COLUMN_NAME];
+    int place, length = (int)strcspn(at, ",");
+    snprintf(name, sizeof name, "%.*s", length, at);
+    wrong = chosen(&place, &r->t, "--y: ", name);
+    if (!wrong)
+      wrong = place == r->x ? "--y: this column is x" : add_y(r, place, strcmp(name, "value") == 0);
+  }
+  return wrong;
+}
+
+/* Each column right of x that holds a number and is neither noise nor an order that the table brings along */
+static const char *add_others(struct reader *r)
+{
+  static const char *const orders[] = {
+    "noise", "order", "orders", "rate", "rates", "eoc", "EOC", "pairwise", "ratio"
+  };
+  const struct tsv *t = &r->t;
+  const char *wrong = NULL;
+  double number;
+  for (int i = r->x + 1; i < t->count && !wrong; i++) {
+    bool is_order = !read_cell(t->cell[i], &number);
+    for (size_t k = 0; k < sizeof orders / sizeof *orders && i < t->columns; k++)
+      is_order |= strcmp(t->column[i], orders[k]) == 0;
+    wrong = is_order ? NULL : add_y(r, i, false);
+  }
+  if (wrong || r->ys > 0)
+    return wrong;
+  return t->count == 1 && strchr(t->cell[0], ';') ? "';' separates no columns: blanks, tabs and commas do"
+                                                  : "right of h there is no column of numbers: name it with --y";
+}
+
+/* err, error or value; there may be one of them. */
+static const char *add_named(struct reader *r)
+{
+  static const char *const names[] = { "err", "error", "value" };
+  int named = -1, place;
+  for (int i = 0; i < 3; i++) {
+    bool twice = find(&place, &r->t, "", names[i]) || (place >= 0 && named >= 0);
+    if (twice)
+      return "one column 'err', 'error' or 'value' is wanted, not two: choose with --y";
+    named = place >= 0 ? place : named;
+  }
+  return named >= 0 && named != r->x ? add_y(r, named, r->t.column[named][0] == 'v') : add_others(r);
+}
+
+/* The columns, from the header of the table or, where it has none, from the number of columns; the current row is the
+ * first one with data. */
+static const char *find_columns(struct reader *r)
+{
+  const struct columns_wanted *wanted = r->wanted;
+  const struct tsv *t = &r->t;
+  const char *wrong = wanted->x ? chosen(&r->x, t, "--x: ", wanted->x) : find(&r->x, t, "", "h");
+  if (r->x < 0) /* the first one, but for the index without a name that pandas writes */
+    r->x = t->columns > 1 && *t->column[0] == '\0';
+  wrong = wrong ? wrong : find(&r->noise, t, "", "noise");
+  for (int i = 0; i < wanted->ys && !wrong; i++)
+    wrong = add_list(r, wanted->y[i]);
+  if (wanted->ys == 0 && !wrong)
+    wrong = add_named(r);
+  r->noise = r->ys == 1 ? r->noise : -1;
+  return wrong;
 }
 
 void series_free(struct series_list *list)
 {
   for (int i = 0; i < list->count; i++)
-    series_clear(&list->series[i]);
+    free(list->series[i].points);
   free(list->series);
   *list = (struct series_list){ 0 };
 }
 
-/* The series of that name and column, a new one if there is none; NULL: out of memory, or too many */
-static struct series *series_named(struct reader *r, const char *name, const char *y, bool values)
+/* The series of that name and the i-th y, a new one if there is none; NULL: out of memory, or too many */
+static struct series *series_named(struct reader *r, const char *name, int i)
 {
   struct series_list *list = r->list;
-  for (int i = list->count - 1; i >= r->first; i--)
-    if (strcmp(list->series[i].name, name) == 0 && strcmp(list->series[i].y, y) == 0)
-      return &list->series[i];
+  for (struct series *s = list->series + list->count; s-- > list->series + r->first;)
+    if (strcmp(s->name, name) == 0 && strcmp(s->y, r->name[i]) == 0)
+      return s;
   struct series *all = list->count < MOST_SERIES ? with_room(list->series, list->count, sizeof *all) : NULL;
   if (!all)
     return NULL;
   list->series = all;
-  struct series s = { .file = r->file, .name = strdup(name), .y = strdup(y), .values = values };
-  if (!s.name || !s.y) {
-    series_clear(&s);
-    return NULL;
-  }
-  all[list->count] = s;
-  return &all[list->count++];
+  struct series *s = &all[list->count++];
+  *s = (struct series){ .file = r->t.name, .wanted.values = r->values[i] };
+  snprintf(s->name, sizeof s->name, "%s", name);
+  snprintf(s->y, sizeof s->y, "%s", r->name[i]);
+  return s;
 }
 
 static bool append(struct series *s, struct scallop_order_point point)
@@ -64,125 +181,143 @@ static bool append(struct series *s, struct scallop_order_point point)
 }
 
 /* The cells left of x that are no numbers, joined */
-static void read_name(char name[NAME], char *const *cells, const struct layout *l)
+static void read_name(char name[SERIES_NAME], const struct reader *r)
 {
   size_t used = 0;
   double number;
   *name = '\0';
-  for (int i = 0; i < l->x && used < NAME; i++) {
-    bool is_other = i != l->noise;
-    for (int k = 0; k < l->ys; k++)
-      is_other = is_other && i != l->y[k];
-    if (is_other && !read_cell(cells[i], &number))
-      used += (size_t)snprintf(name + used, NAME - used, "%s%s", used ? "; " : "", cells[i]);
-  }
+  for (int i = 0; i < r->x && used < SERIES_NAME; i++)
+    if (!read_cell(r->t.cell[i], &number))
+      used += (size_t)snprintf(name + used, SERIES_NAME - used, "%s%s", used ? "; " : "", r->t.cell[i]);
 }
 
 /* Returns NULL, or that a cell is no number. */
-static const char *read_at(struct tsv *t, int place, double *number)
+static const char *read_at(const struct reader *r, int place, double *number)
 {
-  static char message[160];
-  if (place < 0 || read_cell(t->cell[place], number))
+  if (place < 0 || read_cell(r->t.cell[place], number))
     return NULL;
-  snprintf(message, sizeof message, "column %d: '%.60s' is not a number%s", place + 1, t->cell[place],
-           strpbrk(t->cell[place], "dD") ? ": an exponent begins with e" : "");
+  snprintf(message, sizeof message, "column %d: '%.60s' is not a number%s", place + 1, r->t.cell[place],
+           strpbrk(r->t.cell[place], "dD") ? ": an exponent begins with e" : "");
   return message;
 }
 
 /* Takes a row in. Returns NULL, or what is wrong with it. */
-static const char *read_row(struct tsv *t, struct reader *r)
+static const char *read_row(struct reader *r)
 {
-  const struct layout *l = &r->layout;
-  if (t->count != l->columns)
-    return columns_differ(t, l->columns);
   struct scallop_order_point point = { .row = ++r->rows };
-  const char *wrong = read_at(t, l->x, &point.h);
-  char name[NAME], y[COLUMN_NAME];
-  read_name(name, t->cell, l);
-  wrong = wrong ? wrong : read_at(t, l->noise, &point.noise);
-  for (int i = 0; i < l->ys && !wrong; i++) {
-    wrong = read_at(t, l->y[i], &point.err);
+  char name[SERIES_NAME];
+  const char *wrong = read_at(r, r->x, &point.h);
+  read_name(name, r);
+  wrong = wrong ? wrong : read_at(r, r->noise, &point.noise);
+  for (int i = 0; i < r->ys && !wrong; i++) {
+    wrong = read_at(r, r->y[i], &point.err);
     if (wrong)
       return wrong;
     if (r->list->rows++ == MOST_ROWS)
       return "more than a million rows";
-    column_name(y, t, l->y[i]);
-    struct series *s = series_named(r, name, y, l->values[i]);
-    if (!s)
-      return r->list->count == MOST_SERIES ? "more than 4096 series: rows with the same text left of h are one"
-                                           : out_of_memory;
-    wrong = append(s, point) ? NULL : out_of_memory;
+    struct series *s = series_named(r, name, i);
+    if (!s && r->list->count == MOST_SERIES)
+      return "more than 4096 series: rows with the same text left of h are one";
+    wrong = s && append(s, point) ? NULL : out_of_memory;
   }
   return wrong;
+}
+
+/* The first row that is not the header settles which columns are read. */
+static const char *take_row(struct reader *r)
+{
+  struct tsv *t = &r->t;
+  bool is_first = r->columns == 0;
+  double number;
+  if (t->fault || t->count == 0)
+    return t->fault ? t->fault : "this line has commas and no cells";
+  if (is_first && t->columns == 0 && !read_cell(t->cell[0], &number))
+    return tsv_take_header(t) ? NULL : out_of_memory;
+  if (is_first)
+    r->columns = t->columns > 0 ? t->columns : t->count;
+  if (t->count != r->columns) {
+    snprintf(message, sizeof message,
+             "%d columns, and %d above: blanks, tabs and commas separate columns, so numbers have decimal points",
+             t->count, r->columns);
+    return message;
+  }
+  const char *wrong = is_first ? find_columns(r) : NULL;
+  return wrong ? wrong : read_row(r);
 }
 
 /* Texts that are different in each row name no series: all rows of a column are one. False: out of memory */
 static bool join_single_points(struct reader *r)
 {
   struct series *first = r->list->series + r->first;
-  int count = r->list->count - r->first, columns = r->layout.ys;
+  int count = r->list->count - r->first;
   for (int i = 0; i < count; i++)
     if (first[i].count > 1)
       return true;
   bool joined = true;
-  for (int i = columns; i < count; i++) {
-    joined = joined && append(&first[i % columns], first[i].points[0]);
-    series_clear(&first[i]);
+  for (int i = r->ys; i < count; i++) {
+    joined = joined && append(&first[i % r->ys], first[i].points[0]);
+    free(first[i].points);
   }
-  r->list->count = r->first + (count < columns ? count : columns);
-  for (int i = 0; i < columns && i < count; i++)
-    if (count > columns)
-      *first[i].name = '\0';
+  for (int i = 0; i < r->ys && count > r->ys; i++)
+    *first[i].name = '\0';
+  r->list->count = r->first + (count < r->ys ? count : r->ys);
   return joined;
-}
-
-/* The first row that is not the header settles which columns are read. */
-static const char *take_row(struct tsv *t, struct reader *r, const struct columns_wanted *wanted, bool *is_first)
-{
-  double number;
-  if (t->fault || t->count == 0)
-    return t->fault ? t->fault : "this line has commas and no cells";
-  if (*is_first && t->columns == 0 && !read_cell(t->cell[0], &number))
-    return tsv_take_header(t) ? NULL : out_of_memory;
-  const char *wrong = *is_first ? columns_find(&r->layout, t, wanted) : NULL;
-  *is_first = false;
-  return wrong ? wrong : read_row(t, r);
 }
 
 /* In place of the series of a file: one that says why there are none */
 static void add_unread(struct reader *r, const char *why)
 {
   while (r->list->count > r->first)
-    series_clear(&r->list->series[--r->list->count]);
-  struct series *s = series_named(r, "", "", false);
+    free(r->list->series[--r->list->count].points);
+  *r->name[0] = '\0';
+  r->values[0] = false;
+  struct series *s = series_named(r, "", 0);
   if (!s)
     return;
-  s->unread = true;
+  s->outcome = UNREAD;
   scallop_order(NULL, &s->count, &(struct scallop_order_wanted){ .order = NAN, .tolerance = 1 }, &s->result);
   snprintf(s->result.reason, sizeof s->result.reason, "%s", why);
 }
 
-enum exit_code series_read(struct series_list *list, const char *command, const char *file,
-                           const struct columns_wanted *wanted)
+enum exit_code series_read(struct series_list *list, const char *file, const struct columns_wanted *columns)
 {
-  struct tsv t;
-  struct reader r = { .list = list, .first = list->count };
+  struct reader r = { .list = list, .wanted = columns, .first = list->count };
   const char *wrong = NULL;
-  bool is_first = true;
-  bool open = tsv_open(&t, file, TSV_ANY);
-  r.file = t.name;
-  while (open && !wrong && tsv_next(&t))
-    wrong = take_row(&t, &r, wanted, &is_first);
+  bool open = tsv_open(&r.t, file, TSV_ANY);
+  while (open && !wrong && tsv_next(&r.t))
+    wrong = take_row(&r);
   if (!wrong && list->count > r.first && !join_single_points(&r))
     wrong = out_of_memory;
-  const char *failure = tsv_error(&t);
+  const char *failure = tsv_error(&r.t);
   enum exit_code code = failure ? EXIT_FILE : wrong || list->count == r.first ? EXIT_USAGE : EXIT_DONE;
   if (code == EXIT_USAGE)
-    failure = wrong ? tsv_at(&t, "%s", wrong) : tsv_at_line(&t, 0, "no data: lines of 'h err' are wanted");
+    failure = wrong ? tsv_at(&r.t, "%s", wrong) : tsv_at_line(&r.t, 0, "no data: lines of 'h err' are wanted");
   if (code != EXIT_DONE) {
-    complain(command, "%s", failure);
+    complain("order", "%s", failure);
     add_unread(&r, failure);
   }
-  tsv_close(&t);
+  tsv_close(&r.t);
   return code;
+}
+
+void series_judge(struct series_list *list, const struct scallop_order_wanted *wanted)
+{
+  list->expects = !isnan(wanted->order);
+  for (struct series *s = list->series; s < list->series + list->count; s++) {
+    bool values = s->wanted.values;
+    s->wanted = *wanted;
+    s->wanted.values = values;
+    if (s->outcome != UNREAD) {
+      scallop_order(s->points, &s->count, &s->wanted, &s->result);
+      s->outcome = s->result.verdict == (list->expects ? SCALLOP_ORDER_PASS : SCALLOP_ORDER_MEASURED) ? WELL : FAILED;
+    }
+    s->names[0] = s->name;
+    s->names[1] = s->y;
+    s->interval = scallop_order_interval_text(s->result.interval);
+    s->test = !list->expects ? "none" : wanted->at_least ? "at-least" : "equal";
+    s->verdict = s->outcome == UNREAD ? "error" : scallop_order_verdict_text(s->result.verdict);
+    s->reason = s->result.reason;
+    list->outcomes[s->outcome]++;
+    list->values |= values;
+  }
 }

@@ -32,16 +32,14 @@ static const char *read_row(struct gait_file *g, struct tsv *tsv)
   if (g->last + 1 == MOST_ROWS)
     return tsv_at(tsv, "more than %d rows", MOST_ROWS);
   if (before && !(row.t > before->t))
-    return tsv_at(tsv, "t = %.80s does not come after %.80s of line %ld: t must increase", tsv->cell[0],
-                  before->written[0], before->line);
+    return tsv_at(tsv, "t = %.80s does not come after %g of line %ld: t must increase", tsv->cell[0], before->t,
+                  before->line);
   struct gait_row *rows = with_room(g->rows, g->last + 1, sizeof *rows);
   if (!rows)
     return no_memory;
-  for (int i = 0; i < 2; i++)
-    row.written[i] = strdup(tsv->cell[i]);
   g->rows = rows;
   rows[++g->last] = row;
-  return row.written[0] && row.written[1] ? NULL : no_memory;
+  return NULL;
 }
 
 static const char *read_rows(struct gait_file *g, struct tsv *tsv)
@@ -86,9 +84,9 @@ static const char *look(struct gait_file *g, struct tsv *tsv)
   if (!(fabs(last->l - first->l) <= closes * g->L))
     return tsv_at_line(
         tsv, last->line,
-        "not periodic: l = %.80s in the last row, %.80s in the first one, on line %ld: they must be equal to "
+        "not periodic: l = %.15g in the last row, %.15g in the first one, on line %ld: they must be equal to "
         "1e-9 of the range",
-        last->written[1], first->written[1], first->line);
+        last->l, first->l, first->line);
   if (!isfinite(g->L) || !isfinite(g->T))
     return tsv_at_line(tsv, last->line, "the range of t and that of l must not overflow");
   if (!(g->alpha > 0 && g->alpha < 1))
@@ -198,9 +196,6 @@ void gait_file_free(struct gait_file *gait)
 {
   free(gait->spline.pieces);
   free(gait->spline.laws);
-  for (long i = 0; gait->rows && i <= gait->last; i++)
-    for (int k = 0; k < 2; k++)
-      free(gait->rows[i].written[k]);
   free(gait->rows);
   *gait = (struct gait_file){ .last = -1 };
 }

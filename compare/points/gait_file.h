@@ -8,7 +8,6 @@
 
 struct gait_row {
   double t, l;
-  char *written[2]; /* the same as they are written */
   long line;
 };
 struct gait_file {

@@ -1,23 +1,22 @@
+#define _GNU_SOURCE /* tdestroy */
 #include "compare/points/gaits.h"
 
-#include <math.h>
+#include <search.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/text/memory.h"
 #include "compare/points/counts.h"
 #include "compare/points/gait_file.h"
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 #include "model/gaits.h"
 
-enum { MOST_GAITS = 65536, BUCKETS = 4096, MESSAGE = 480 };
+enum { MOST_GAITS = 65536, MESSAGE = 480 };
 
 static char message[MESSAGE];
 
 struct made {
-  struct made *next;
   char *text, *parameters;
   const struct scallop_gait_family *family;
   const char *number[SCALLOP_GAIT_NUMBERS]; /* in parameters */
@@ -50,7 +49,7 @@ const struct scallop_gait_family *gait_family(int i)
   return i == count ? &measured : scallop_gait_family(i);
 }
 
-static struct made *buckets[BUCKETS];
+static void *all_made; /* a tree (tsearch) by text */
 static int made_count;
 
 static struct gait_file *file_of(struct made *made) { return made->family == &measured ? &made->file : NULL; }
@@ -68,37 +67,28 @@ static void discard(struct made *made)
   free(made);
 }
 
-static void free_all(void)
-{
-  for (int i = 0; i < BUCKETS; i++)
-    while (buckets[i]) {
-      struct made *first = buckets[i];
-      buckets[i] = first->next;
-      discard(first);
-    }
-}
+static void discard_node(void *made) { discard(made); }
+static void free_all(void) { tdestroy(all_made, discard_node); }
 
-static unsigned bucket_of(const char *text)
+static int by_text(const void *a, const void *b)
 {
-  return checksum_after(CHECKSUM_OF_NOTHING, text, strlen(text)) % BUCKETS;
+  return strcmp(((const struct made *)a)->text, ((const struct made *)b)->text);
 }
 
 static struct made *find(const char *text)
 {
-  struct made *m = buckets[bucket_of(text)];
-  while (m && strcmp(m->text, text) != 0)
-    m = m->next;
-  return m;
+  const struct made wanted = { .text = (char *)text };
+  struct made **found = tfind(&wanted, &all_made, by_text);
+  return found ? *found : NULL;
 }
 
-static void keep(struct made *made)
+/* False: no memory. */
+static bool keep(struct made *made)
 {
   count_add(COUNT_GAITS, 1);
   if (made_count++ == 0)
     atexit(free_all);
-  struct made **bucket = &buckets[bucket_of(made->text)];
-  made->next = *bucket;
-  *bucket = made;
+  return tsearch(made, &all_made, by_text) != NULL;
 }
 
 /* Reads numbers between commas. NULL, or what is wrong; "": there are too many. */
@@ -196,10 +186,9 @@ static struct gait_answer make(const struct scallop_gait_family *family, const c
     return refused(GAIT_UNKNOWN);
   }
   const char *why = file_of(m) ? make_measured(m) : make_of_numbers(m);
-  if (!why) {
-    keep(m);
+  if (!why && keep(m))
     return (struct gait_answer){ m->gait, GAIT_FINE, NULL };
-  }
+  why = why ? why : "out of memory";
   enum gait_fault fault = m->is_unreadable ? GAIT_UNREADABLE : GAIT_UNKNOWN;
   if (*why && file_of(m))
     snprintf(message, sizeof message, "%s", why);
@@ -251,11 +240,11 @@ static struct made *made_of(const struct scallop_gait *gait)
 bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
 {
   struct made *made = made_of(gait);
+  made = made && !file_of(made) ? made : NULL;
   if (made)
     *source = (struct gait_source){ .family = made->family,
                                     .number = made->number,
                                     .count = made->count,
-                                    .file = file_of(made),
                                     .kept = &made->kept,
                                     .discard = &made->discard };
   return made != NULL;

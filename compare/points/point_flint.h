@@ -7,17 +7,15 @@
 #include "model/exact/ball.h"
 #include "model/exact/flint.h"
 
-/* The gait with the decimals of its text, or of its table, as fractions: 0.2 is 1/5. It lives as long as the gait. The
- * gait itself where it has no numbers (quadratic, sinusoidal), and where its doubles stand for it: polynomials whose l'
- * is not exactly 0 at the ends, or changes its sign within a phase, and tables with two lengths that differ and are the
- * same double. */
+/* The gait with the decimals of its text as fractions: 0.2 is 1/5. It lives as long as the gait. The gait itself where
+ * it has no numbers (quadratic, sinusoidal), and where its doubles stand for it: measured gaits, and polynomials whose
+ * l' is not exactly 0 at the ends, or changes its sign within a phase. */
 const struct scallop_gait *written_gait(const struct scallop_gait *gait);
 
 /* Every parameter becomes the shortest decimal number that reads back as the double: what a person means by 0.7. The
  * gait is the written one. */
 void rational_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *crawler);
-/* The crawler of the point as it was written: every digit that was given counts. v0 likewise (may be NULL). L, T and
- * alpha that come of the table of a measured gait are those of its decimals. */
+/* The crawler of the point as it was written: every digit that was given counts. v0 likewise (may be NULL). */
 void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const struct point *point);
 
 /* The middle of a ball with so many digits, or as many as it has, wrong by less than one unit of the last one; "0" for

@@ -1,12 +1,20 @@
-#include "compare/stress/families.h"
+/* The cases of `stress`: families of crawlers, phases and trajectories for which digits are in danger. */
+#include "compare/stress/stress.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include <gsl/gsl_qrng.h>
 #include <gsl/gsl_rng.h>
 
-#include "compare/text/table.h"
+#include "compare/text/digits.h"
+
+enum { DIMENSIONS = 10 };
+
+enum { NOTHING, SHORT_PHASE, UNEQUAL_PHASES, ANY_PHASES, SHORT_PERIOD, ANY_PERIOD }; /* change   */
+enum { FROM_REST, ORDINARY, MOVING, ANYWHERE, WILD, STEADY };                        /* start    */
+enum { NO_BOUNDARY, START_VELOCITY, STICKING, OTHER_MODES };                         /* boundary */
 
 static double decades(double x, double lo, double hi) { return pow(10, lo + (hi - lo) * x); }
 static double between(double x, double lo, double hi) { return lo + (hi - lo) * x; }
@@ -24,27 +32,12 @@ static double period_for(const struct scallop_crawler *c, double eps)
   return sqrt(eps) * sqrt(c->m1 + c->m2) * sqrt(c->L) / sqrt(c->F1 + c->F2);
 }
 
-/* Sets T for an eps of so many decades. */
-static void set_eps(struct scallop_crawler *c, double x, double lo, double hi)
-{
-  c->T = period_for(c, decades(x, lo, hi));
-}
-
-/* m1, m2, F1, F2 and L, each from 10^-most to 10^most */
-static void set_five(struct scallop_crawler *c, const double *x, double most)
+/* Each of m1, m2, F1, F2 and L times 10^-most to 10^most, by an x for so many of them. */
+static void scale(struct scallop_crawler *c, const double *x, int each, double most)
 {
   double *const five[] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L };
   for (int i = 0; i < 5; i++)
-    *five[i] = decades(x[i], -most, most);
-}
-
-/* What every family begins with, nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of
- * sticking */
-static void calm(struct scallop_crawler *c, const double *x)
-{
-  set_five(c, x, 1);
-  c->alpha = between(x[5], 0.02, 0.98);
-  set_eps(c, x[6], -6, 2.5);
+    *five[i] *= decades(x[i / each], -most, most);
 }
 
 /* Moves the ratio of two parameters by up to 12 decades either way. */
@@ -55,109 +48,126 @@ static void spread(double *a, double *b, double x)
   *b /= half;
 }
 
-/* Units of any size: the same crawler, far from 1 */
-static void scale(struct scallop_crawler *c, const double *x, double most)
+static double phase_velocity(const struct motion *m)
 {
-  double *const five[] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L };
-  for (int i = 0; i < 5; i++)
-    *five[i] *= decades(x[7 + i / 2], -most, most);
+  return m->crawler.L / scallop_phase_duration(&m->crawler, m->phase);
 }
 
-static bool short_phase(struct stress_case *s, const double *x)
+static void change(struct scallop_crawler *c, const double *x, int what)
 {
-  s->crawler.alpha = x[7] < 0.5 ? decades(x[8], -18, -9) : 1 - decades(x[8], -15, -9);
-  return true;
+  switch (what) {
+  case NOTHING: break;
+  case SHORT_PHASE: c->alpha = x[7] < 0.5 ? decades(x[8], -18, -9) : 1 - decades(x[8], -15, -9); break;
+  case UNEQUAL_PHASES: c->alpha = x[8] < 0.5 ? decades(x[5], -4, -0.3) : 1 - decades(x[5], -4, -0.3); break;
+  case ANY_PHASES:
+    c->alpha = x[7] < 0.3   ? decades(x[5], -12, -0.3)
+               : x[7] < 0.6 ? 1 - decades(x[5], -12, -0.3)
+                            : between(x[5], 0.01, 0.99);
+    break;
+  case SHORT_PERIOD: c->T = decades(x[6], -100, log10(period_for(c, 4 * fmin(c->alpha, 1 - c->alpha)))); break;
+  case ANY_PERIOD: /* nearly all of these crawlers over- or underflow somewhere, and must be refused or right */
+    c->T = period_for(c, x[6] < 0.5 ? decades(2 * x[6], -300, 300) : decades(2 * x[6] - 1, -6, 2.5));
+    break;
+  }
 }
 
-static bool is_in(const struct stress_case *s, enum scallop_regime regime)
+/* The phase and v0; a trajectory starts from the steady state or, where l' is made of ramps, from 1 % beside it. */
+static void start(struct motion *m, const double *x, int how)
 {
-  struct scallop_steady_result r;
-  return scallop_steady(&s->crawler, &r) == SCALLOP_OK && r.period.regime == regime;
+  struct scallop_steady_result r = { .froude = NAN };
+  bool beside = m->crawler.gait->phase[0].ramps && x[7] < 0.5;
+  double half = how == ANYWHERE || how == WILD ? 2 * fmod(x[7], 0.5) : x[7];
+  m->phase = half < 0.5 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+  switch (how) {
+  case FROM_REST: break;
+  case ORDINARY: m->v0 = x[8] < 0.2 ? 0 : between(x[8], -3, 3) * phase_velocity(m); break;
+  case MOVING: m->v0 = (x[8] < 0.5 ? -1 : 1) * decades(x[9], -100, 100); break;
+  case ANYWHERE: m->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -300, 300); break;
+  case WILD: m->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -6, 1) * phase_velocity(m); break;
+  case STEADY: m->v0 = scallop_steady(&m->crawler, &r) == SCALLOP_OK ? r.period.v_start * (beside ? 1.01 : 1) : NAN;
+  }
 }
 
-static bool small_period(struct stress_case *s, const double *x)
-{
-  double onset = period_for(&s->crawler, 4 * fmin(s->crawler.alpha, 1 - s->crawler.alpha));
-  s->crawler.T = decades(x[6], -100, log10(onset));
-  return is_in(s, SCALLOP_SLIDING);
-}
-
-static bool deep_stick_slip(struct stress_case *s, const double *x)
-{
-  s->crawler.alpha = x[8] < 0.5 ? decades(x[5], -4, -0.3) : 1 - decades(x[5], -4, -0.3);
-  return is_in(s, SCALLOP_STICK_SLIP);
-}
-
-static bool at_rest(struct stress_case *s, const double *x)
-{
-  (void)x;
-  return is_in(s, SCALLOP_AT_REST);
-}
-
-/* Nearly all of these crawlers over- or underflow somewhere, and must be refused or right. */
-static bool any_period(struct stress_case *s, const double *x)
-{
-  if (x[6] < 0.5)
-    set_eps(&s->crawler, 2 * x[6], -300, 300);
-  else
-    set_eps(&s->crawler, 2 * x[6] - 1, -6, 2.5);
-  return true;
-}
-
-static bool wild(struct stress_case *s, const double *x)
-{
-  struct scallop_crawler *c = &s->crawler;
-  set_five(c, x, 8);
-  c->T = decades(x[6], -12, 12);
-  c->alpha = x[7] < 0.3   ? decades(x[5], -12, -0.3)
-             : x[7] < 0.6 ? 1 - decades(x[5], -12, -0.3)
-                          : between(x[5], 0.01, 0.99);
-  return true;
-}
-
-/* What differs on the two sides of a boundary */
-struct side {
-  bool forward; /* the velocity as the motion starts */
-  struct answer answer;
+const struct stress_family stress_families[] = {
+  { "ordinary", "ratios up to 100, T^2 (F1 + F2)/(M L) from 1e-6 to 300", .scale = 0 },
+  { "masses", "m1/m2 from 1e-12 to 1e12", .masses = 7, .eps = { -6, 6 } },
+  { "forces", "F1/F2 from 1e-12 to 1e12", .forces = 7, .eps = { -6, 6 } },
+  { "masses-and-forces", "both, T^2 (F1 + F2)/(M L) from 1e-12 to 1e12", .masses = 7, .forces = 8, .eps = { -12, 12 } },
+  { "equal-forces", "F1/F2 - 1 down to 1e-15, and 0", .equal_forces = 7 },
+  { "equal-phases", "2 alpha - 1 down to 1e-15, and 0", .equal_phases = 7 },
+  { "equal-both", "both", .equal_forces = 7, .equal_phases = 8 },
+  { "short-phase", "alpha within 1e-9 of 0 or 1", .eps = { -6, 20 }, .change = SHORT_PHASE },
+  { "small-period", "T from 1e-100 to the onset of sticking", .change = SHORT_PERIOD, .regime = "sliding" },
+  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", .eps = { -1.5, 2.5 },
+    .boundary = START_VELOCITY },
+  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", .eps = { -1.5, 2.5 },
+    .boundary = STICKING },
+  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", .eps = { -1.5, 2.5 },
+    .boundary = OTHER_MODES },
+  { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", .forces = 7, .eps = { 0.5, 9 },
+    .change = UNEQUAL_PHASES, .regime = "stick-slip" },
+  { "at-rest", "one body never moves", .eps = { 0.5, 30 }, .regime = "at-rest" },
+  { "units", "m, F and L each times 1e-150 to 1e150", .scale = 150, .eps = { -6, 2.5 } },
+  { "range", "each times 1e-306 to 1e306: refused where something over- or underflows", .scale = 306,
+    .change = ANY_PERIOD },
+  { "wild", "every parameter anywhere in 16 decades or more", .sizes = 8, .T = { -12, 12 }, .change = ANY_PHASES },
+  { "phase-ordinary", "a phase from rest or up to 3 L/tau", STRESS_PHASE, .start = ORDINARY },
+  { "phase-small-period", "the same, T from 1e-100 to 1", STRESS_PHASE, .T = { -100, 0 }, .start = ORDINARY },
+  { "phase-velocities", "v0 from 1e-100 to 1e100", STRESS_PHASE, .start = MOVING },
+  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, .scale = 306,
+    .change = ANY_PERIOD, .start = ANYWHERE },
+  { "phase-wild", "every parameter anywhere in 16 decades or more", STRESS_PHASE, .sizes = 8, .T = { -12, 12 },
+    .change = ANY_PHASES, .start = WILD },
+  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE,
+    .boundary = OTHER_MODES },
+  { "high-degree", "every parameter anywhere in 16 decades or more, l as s^15 at first", .sizes = 8, .T = { -12, 12 },
+    .change = ANY_PHASES, .gait = "polynomial:0,0,0,0,0,0,0,0,0,0,0,0,0,0,16,-15" },
+  { "high-degree-short-phase", "alpha within 1e-9 of 0 or 1, l as s^8 at first", .eps = { -6, 20 },
+    .change = SHORT_PHASE, .gait = "polynomial:0,0,0,0,0,0,0,6435,-40040,108108,-163800,150150,-83160,25740,-3432" },
+  { "short-ramps", "F1/F2 - 1 and 2 alpha - 1 down to 1e-15, and 0; l' rises and falls within 1e-30 of a phase",
+    .equal_forces = 7, .equal_phases = 8, .gait = "constant:1e-30" },
+  { "phase-high-degree", "a phase from rest, T from 1e-100 to 1, l as s^7 at first", STRESS_PHASE, .T = { -100, 0 },
+    .gait = "polynomial:0,0,0,0,0,0,8,-7" },
+  { "trajectory", "x and v at the end of very many periods, from the steady state or 1 % beside it", STRESS_TRAJECTORY,
+    .eps = { -6, 0 }, .start = STEADY, .regime = "sliding" },
+  { .name = NULL },
 };
-enum boundary { START_VELOCITY, STICKING, OTHER_MODES };
 
-static bool solve_side(const struct stress_case *s, struct side *side)
+static bool solve(const struct motion *m, struct answer *a)
 {
-  const struct motion m = stress_motion(s);
-  bool solved = answer_in_double(&side->answer, &m) && side->answer.status == SCALLOP_OK;
-  side->forward = (s->kind == STRESS_PHASE ? s->v0 : side->answer.value[Q_V_START].high) > 0;
+  bool solved = answer_in_double(a, m) && a->status == SCALLOP_OK;
+  if (m->of == OF_PHASE)
+    a->value[Q_V_START].high = m->v0;
   return solved;
 }
 
 /* Modes differ beyond boundaries of the first two kinds too. */
-static bool lies_between(enum boundary kind, const struct side *a, const struct side *b)
+static bool lies_between(int kind, const struct answer *a, const struct answer *b)
 {
   switch (kind) {
-  case START_VELOCITY: return a->forward != b->forward;
-  case STICKING: return a->answer.regime != b->answer.regime;
-  default: return !same_modes(a->answer.modes, b->answer.modes);
+  case START_VELOCITY: return (a->value[Q_V_START].high > 0) != (b->value[Q_V_START].high > 0);
+  case STICKING: return a->regime != b->regime;
+  default: return !same_modes(a->modes, b->modes);
   }
 }
 
-/* One parameter, or the start velocity, is moved from what it is in *s to `other`; at the first boundary of that kind
- * that halving the interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or
- * another boundary is in the same place. */
-static bool approach(struct stress_case *s, double *moved, double other, enum boundary kind, double x)
+/* One parameter, or the start velocity, is moved from what it is to `other`; at the first boundary of that kind that
+ * halving the interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or another
+ * boundary is in the same place. */
+static bool approach(const struct motion *m, double *moved, double other, int kind, double x)
 {
   enum { HALVINGS = 200 };
   double here = *moved, there = other;
-  struct side first, second, at;
-  if (!solve_side(s, &first))
-    return false;
+  struct answer first, second, at;
+  bool solved = solve(m, &first);
   *moved = there;
-  if (!solve_side(s, &second) || !lies_between(kind, &first, &second))
+  if (!solved || !solve(m, &second) || !lies_between(kind, &first, &second))
     return false;
   for (int i = 0; i < HALVINGS; i++) {
     *moved = here + (there - here) / 2;
     if (*moved == here || *moved == there)
       break;
-    if (!solve_side(s, &at))
+    if (!solve(m, &at))
       return false;
     bool beyond = lies_between(kind, &first, &at);
     *(beyond ? &there : &here) = *moved;
@@ -169,148 +179,33 @@ static bool approach(struct stress_case *s, double *moved, double other, enum bo
          || !(lies_between(START_VELOCITY, &first, &second) || lies_between(STICKING, &first, &second));
 }
 
-static bool at_boundary(struct stress_case *s, const double *x, enum boundary kind)
+/* A phase from rest is moved by its duration, up to where another body sticks. */
+static bool near_boundary(struct motion *m, const double *x, int kind)
 {
-  struct scallop_crawler *c = &s->crawler;
-  switch ((int)(4 * x[7])) {
-  case 0: return approach(s, &c->T, c->T * decades(x[8], -1, 1), kind, x[9]);
-  case 1: return approach(s, &c->F1, c->F1 * decades(x[8], -1, 1), kind, x[9]);
-  case 2: return approach(s, &c->m2, c->m2 * decades(x[8], -1, 1), kind, x[9]);
-  default: return approach(s, &c->alpha, between(x[8], 0.02, 0.98), kind, x[9]);
+  struct scallop_crawler *c = &m->crawler;
+  double *const moved[] = { &c->T, &c->F1, &c->m2, &c->alpha }, *one = moved[m->of == OF_PHASE ? 0 : (int)(4 * x[7])];
+  double other = one == &c->alpha ? between(x[8], 0.02, 0.98) : *one * decades(x[8], -1, 1);
+  if (m->of == OF_PHASE) {
+    m->phase = fmod(x[7], 0.5) < 0.25 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+    m->v0 = x[7] < 0.25 ? 0 : between(x[8], -2, 2) * phase_velocity(m);
+    kind = x[7] < 0.5 ? STICKING : kind;
   }
+  if (m->v0 != 0) {
+    one = &m->v0;
+    other = m->v0 + between(fmod(16 * x[8], 1), -1, 1) * phase_velocity(m);
+  }
+  return approach(m, one, other, kind, x[9]);
 }
 
-static bool near_start_velocity(struct stress_case *s, const double *x) { return at_boundary(s, x, START_VELOCITY); }
-static bool near_sticking(struct stress_case *s, const double *x) { return at_boundary(s, x, STICKING); }
-static bool near_grazing(struct stress_case *s, const double *x) { return at_boundary(s, x, OTHER_MODES); }
-
-static double phase_velocity(const struct stress_case *s)
+/* First nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking. False: x gives
+ * no case. */
+static bool make(const struct stress_family *f, struct motion *m, const double *x)
 {
-  return s->crawler.L / scallop_phase_duration(&s->crawler, s->phase);
-}
-
-static void choose_phase(struct stress_case *s, double x)
-{
-  s->phase = x < 0.5 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-}
-
-/* From rest, or with velocities up to twice the largest |l'| */
-static bool phase_ordinary(struct stress_case *s, const double *x)
-{
-  choose_phase(s, x[7]);
-  s->v0 = x[8] < 0.2 ? 0 : between(x[8], -3, 3) * phase_velocity(s);
-  return true;
-}
-
-static bool phase_small_period(struct stress_case *s, const double *x)
-{
-  s->crawler.T = decades(x[6], -100, 0);
-  return phase_ordinary(s, x);
-}
-
-static bool phase_from_rest(struct stress_case *s, const double *x)
-{
-  s->crawler.T = decades(x[6], -100, 0);
-  choose_phase(s, x[7]);
-  return true;
-}
-
-/* From rest, or of a size from 10^lo to 10^hi */
-static bool start(struct stress_case *s, const double *x, double lo, double hi)
-{
-  choose_phase(s, 2 * fmod(x[7], 0.5));
-  s->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], lo, hi);
-  return true;
-}
-
-static bool phase_range(struct stress_case *s, const double *x) { return any_period(s, x) && start(s, x, -300, 300); }
-
-static bool phase_wild(struct stress_case *s, const double *x)
-{
-  wild(s, x);
-  start(s, x, -6, 1);
-  s->v0 *= phase_velocity(s);
-  return true;
-}
-
-static bool phase_velocities(struct stress_case *s, const double *x)
-{
-  choose_phase(s, x[7]);
-  s->v0 = (x[8] < 0.5 ? -1 : 1) * decades(x[9], -100, 100);
-  return true;
-}
-
-static bool phase_boundaries(struct stress_case *s, const double *x)
-{
-  choose_phase(s, 2 * fmod(x[7], 0.5));
-  s->v0 = x[7] < 0.25 ? 0 : between(x[8], -2, 2) * phase_velocity(s);
-  enum boundary kind = x[7] < 0.5 ? STICKING : OTHER_MODES;
-  if (s->v0 == 0)
-    return approach(s, &s->crawler.T, s->crawler.T * decades(x[8], -1, 1), kind, x[9]);
-  return approach(s, &s->v0, s->v0 + between(fmod(16 * x[8], 1), -1, 1) * phase_velocity(s), kind, x[9]);
-}
-
-/* Sliding, from the steady state as a double or, where l' is made of ramps, from 1 % beside it. */
-static bool trajectory(struct stress_case *s, const double *x)
-{
+  struct scallop_crawler *c = &m->crawler;
   struct scallop_steady_result r;
-  if (scallop_steady(&s->crawler, &r) != SCALLOP_OK || r.period.regime != SCALLOP_SLIDING)
-    return false;
-  bool beside = s->crawler.gait->phase[0].ramps && x[7] < 0.5;
-  s->v0 = r.period.v_start * (beside ? 1.01 : 1);
-  return true;
-}
-
-const struct stress_family stress_families[] = {
-  { "ordinary", "ratios up to 100, T^2 (F1 + F2)/(M L) from 1e-6 to 300", .make = NULL },
-  { "masses", "m1/m2 from 1e-12 to 1e12", STRESS_STEADY, .masses = 7, .eps = { -6, 6 } },
-  { "forces", "F1/F2 from 1e-12 to 1e12", STRESS_STEADY, .forces = 7, .eps = { -6, 6 } },
-  { "masses-and-forces", "both, T^2 (F1 + F2)/(M L) from 1e-12 to 1e12", STRESS_STEADY, .masses = 7, .forces = 8,
-    .eps = { -12, 12 } },
-  { "equal-forces", "F1/F2 - 1 down to 1e-15, and 0", STRESS_STEADY, .equal_forces = 7 },
-  { "equal-phases", "2 alpha - 1 down to 1e-15, and 0", STRESS_STEADY, .equal_phases = 7 },
-  { "equal-both", "both", STRESS_STEADY, .equal_forces = 7, .equal_phases = 8 },
-  { "short-phase", "alpha within 1e-9 of 0 or 1", STRESS_STEADY, .eps = { -6, 20 }, .make = short_phase },
-  { "small-period", "T from 1e-100 to the onset of sticking", STRESS_STEADY, .make = small_period },
-  { "near-start-velocity-zero", "1e-3 to 1e-14 from where v_start changes its sign", STRESS_STEADY,
-    .eps = { -1.5, 2.5 }, .make = near_start_velocity },
-  { "near-sticking", "1e-3 to 1e-14 from where another body begins or ceases to stick", STRESS_STEADY,
-    .eps = { -1.5, 2.5 }, .make = near_sticking },
-  { "near-grazing", "1e-3 to 1e-14 from any other boundary between sequences of modes", STRESS_STEADY,
-    .eps = { -1.5, 2.5 }, .make = near_grazing },
-  { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", STRESS_STEADY, .forces = 7,
-    .eps = { 0.5, 9 }, .make = deep_stick_slip },
-  { "at-rest", "one body never moves", STRESS_STEADY, .eps = { 0.5, 30 }, .make = at_rest },
-  { "units", "m, F and L each times 1e-150 to 1e150", STRESS_STEADY, .scale = 150, .eps = { -6, 2.5 } },
-  { "range", "each times 1e-306 to 1e306: refused where something over- or underflows", STRESS_STEADY, .scale = 306,
-    .make = any_period },
-  { "wild", "every parameter anywhere in 16 decades or more", STRESS_STEADY, .make = wild },
-  { "phase-ordinary", "a phase from rest or up to 3 L/tau", STRESS_PHASE, .make = phase_ordinary },
-  { "phase-small-period", "the same, T from 1e-100 to 1", STRESS_PHASE, .make = phase_small_period },
-  { "phase-velocities", "v0 from 1e-100 to 1e100", STRESS_PHASE, .make = phase_velocities },
-  { "phase-range", "m, F, L, T and v0 anywhere in the range of doubles", STRESS_PHASE, .scale = 306,
-    .make = phase_range },
-  { "phase-wild", "every parameter anywhere in 16 decades or more", STRESS_PHASE, .make = phase_wild },
-  { "phase-boundaries", "1e-3 to 1e-14 from a boundary between sequences of modes", STRESS_PHASE,
-    .make = phase_boundaries },
-  { "high-degree", "every parameter anywhere in 16 decades or more, l as s^15 at first", STRESS_STEADY,
-    .gait = "polynomial:0,0,0,0,0,0,0,0,0,0,0,0,0,0,16,-15", .make = wild },
-  { "high-degree-short-phase", "alpha within 1e-9 of 0 or 1, l as s^8 at first", STRESS_STEADY, .eps = { -6, 20 },
-    .gait = "polynomial:0,0,0,0,0,0,0,6435,-40040,108108,-163800,150150,-83160,25740,-3432", .make = short_phase },
-  { "short-ramps", "F1/F2 - 1 and 2 alpha - 1 down to 1e-15, and 0; l' rises and falls within 1e-30 of a phase",
-    STRESS_STEADY, .equal_forces = 7, .equal_phases = 8, .gait = "constant:1e-30" },
-  { "phase-high-degree", "a phase from rest, T from 1e-100 to 1, l as s^7 at first", STRESS_PHASE,
-    .gait = "polynomial:0,0,0,0,0,0,8,-7", .make = phase_from_rest },
-  { "trajectory", "x and v at the end of very many periods, from the steady state or 1 % beside it", STRESS_TRAJECTORY,
-    .eps = { -6, 0 }, .make = trajectory },
-  { .name = NULL },
-};
-
-/* False: x gives none. */
-static bool make(const struct stress_family *f, struct stress_case *s, const double *x)
-{
-  struct scallop_crawler *c = &s->crawler;
-  calm(c, x);
+  scale(c, x, 1, f->sizes > 0 ? f->sizes : 1);
+  c->alpha = between(x[5], 0.02, 0.98);
+  c->T = period_for(c, decades(x[6], -6, 2.5));
   if (f->masses > 0)
     spread(&c->m1, &c->m2, x[f->masses]);
   if (f->forces > 0)
@@ -320,70 +215,67 @@ static bool make(const struct stress_family *f, struct stress_case *s, const dou
   if (f->equal_phases > 0)
     c->alpha = 0.5 + 0.5 * small(x[f->equal_phases]);
   if (f->scale > 0)
-    scale(c, x, f->scale);
+    scale(c, x + 7, 2, f->scale);
   if (f->eps[0] < f->eps[1])
-    set_eps(c, x[6], f->eps[0], f->eps[1]);
-  return (!f->make || f->make(s, x)) && scallop_crawler_check(c, NULL) == SCALLOP_OK;
-}
-
-/* A shift of the whole sequence, another one for each seed, family and gait (Cranley & Patterson 1976) */
-static bool draw_shift(unsigned long seed, const struct stress_family *family, const struct scallop_gait *gait,
-                       double shift[STRESS_DIMENSIONS])
-{
-  gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-  unsigned long mixed = seed;
-  if (!random)
+    c->T = period_for(c, decades(x[6], f->eps[0], f->eps[1]));
+  if (f->T[0] < f->T[1])
+    c->T = decades(x[6], f->T[0], f->T[1]);
+  change(c, x, f->change);
+  start(m, x, f->start);
+  if (f->regime
+      && (scallop_steady(c, &r) != SCALLOP_OK || strcmp(scallop_regime_text(r.period.regime), f->regime) != 0))
     return false;
-  const char *const names[] = { family->name, gait->name };
-  for (int i = 0; i < 2; i++)
-    for (const char *c = names[i]; *c; c++)
-      mixed = (mixed * 31 + (unsigned char)*c) & 0xffffffff;
-  gsl_rng_set(random, mixed);
-  for (int i = 0; i < STRESS_DIMENSIONS; i++)
-    shift[i] = gsl_rng_uniform(random);
-  gsl_rng_free(random);
-  return true;
+  return (f->boundary == NO_BOUNDARY || near_boundary(m, x, f->boundary))
+         && scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
-struct motion stress_motion(const struct stress_case *s)
-{
-  return (struct motion){ s->kind == STRESS_PHASE ? OF_PHASE : OF_STEADY, s->crawler, s->phase, s->v0 };
-}
-
+/* The whole sequence is shifted, otherwise for each seed, family and gait (Cranley & Patterson 1976). */
 int stress_make(const struct stress_family *family, const struct scallop_gait *gait, unsigned long seed, int count,
                 struct stress_case *cases)
 {
   enum { TRIES = 300 }; /* for each case, on average */
-  double x[STRESS_DIMENSIONS], shift[STRESS_DIMENSIONS];
+  const struct scallop_crawler ones = { 1, 1, 1, 1, 1, 1, 1, gait };
+  const struct stress_case first = { { family->kind == STRESS_STEADY ? OF_STEADY : OF_PHASE, ones, SCALLOP_EXTENSION,
+                                       0 },
+                                     family->kind == STRESS_TRAJECTORY };
+  const char *const names[] = { family->name, gait->name };
+  double x[DIMENSIONS], shift[DIMENSIONS];
+  gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, DIMENSIONS);
   int made = 0;
-  gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, STRESS_DIMENSIONS);
-  if (sequence && draw_shift(seed, family, gait, shift))
-    for (long tries = 0; made < count && tries < (long)count * TRIES; tries++) {
-      struct stress_case *c = &cases[made];
-      gsl_qrng_get(sequence, x);
-      for (int i = 0; i < STRESS_DIMENSIONS; i++)
-        x[i] = fmod(x[i] + shift[i], 1);
-      *c = (struct stress_case){ .kind = family->kind };
-      c->crawler.gait = gait;
-      made += make(family, c, x);
-    }
+  for (int i = 0; i < 2; i++)
+    for (const char *c = names[i]; *c; c++)
+      seed = (seed * 31 + (unsigned char)*c) & 0xffffffff;
+  if (random)
+    gsl_rng_set(random, seed);
+  for (int i = 0; i < DIMENSIONS && random; i++)
+    shift[i] = gsl_rng_uniform(random);
+  for (long tries = 0; random && sequence && made < count && tries < (long)count * TRIES; tries++) {
+    gsl_qrng_get(sequence, x);
+    for (int i = 0; i < DIMENSIONS; i++)
+      x[i] = fmod(x[i] + shift[i], 1);
+    cases[made] = first;
+    made += make(family, &cases[made].motion, x);
+  }
+  gsl_rng_free(random);
   gsl_qrng_free(sequence);
   return made;
 }
 
 void stress_arguments(const struct stress_case *s, char *text)
 {
+  const struct motion *m = &s->motion;
   double numbers[CRAWLER_NUMBERS];
   char number[NUMBER_TEXT];
-  crawler_numbers(&s->crawler, numbers);
+  crawler_numbers(&m->crawler, numbers);
   for (int i = 0; i < CRAWLER_NUMBERS; i++) {
     number_text(number, numbers[i], 0);
     text += snprintf(text, 64, "--%s %s ", crawler_parameters[i], number);
   }
-  text += snprintf(text, GAIT_TEXT, "--gait %s", s->crawler.gait->name);
-  number_text(number, s->v0, 0);
-  if (s->kind == STRESS_TRAJECTORY)
+  text += snprintf(text, GAIT_TEXT, "--gait %s", m->crawler.gait->name);
+  number_text(number, m->v0, 0);
+  if (s->periods > 0)
     snprintf(text, 80, " --start %s --periods %ld", number, s->periods);
-  if (s->kind == STRESS_PHASE)
-    snprintf(text, 80, " --phase %s --v0 %s", s->phase == SCALLOP_EXTENSION ? "extension" : "contraction", number);
+  else if (m->of == OF_PHASE)
+    snprintf(text, 80, " --phase %s --v0 %s", m->phase == SCALLOP_EXTENSION ? "extension" : "contraction", number);
 }

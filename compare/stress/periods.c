@@ -4,26 +4,6 @@
 
 enum { DIGITS = 60, BITS = 220 };
 
-bool ball_period_solve(struct ball_period *p, const struct scallop_rational_crawler *c, const fmpq_t v_start,
-                       long digits, const char **why)
-{
-  SCOPED(ball_answer, phase);
-  arb_zero(p->displacement);
-  for (int kind = SCALLOP_EXTENSION; kind <= SCALLOP_CONTRACTION; kind++) {
-    bool first = kind == SCALLOP_EXTENSION;
-    if (!answer_in_balls(&phase, c, OF_PHASE, (enum scallop_phase_kind)kind, first ? v_start : p->v_mid, digits)) {
-      *why = phase.why ? phase.why : scallop_status_text(phase.status);
-      return false;
-    }
-    arb_add(p->displacement, p->displacement, phase.value[Q_DXC], 4 * digits);
-    arb_set(p->v_end, phase.value[Q_V_END]);
-    p->modes[kind] = phase.modes[0];
-    if (first)
-      ball_middle_exact(p->v_mid, p->v_end);
-  }
-  return true;
-}
-
 struct scallop_wide ball_middle(const arb_t x)
 {
   struct scallop_wide w = { 0, 0 };
@@ -38,12 +18,13 @@ struct scallop_wide ball_middle(const arb_t x)
   return w;
 }
 
-void ball_middle_exact(fmpq_t middle, const arb_t x)
+static void set_end(struct answer *a, struct scallop_wide x, struct scallop_wide v)
 {
-  if (arb_contains_zero(x))
-    fmpq_zero(middle);
-  else
-    arf_get_fmpq(middle, arb_midref(x));
+  *a = (struct answer){ .status = SCALLOP_OK };
+  for (int q = 0; q < ALL_QUANTITIES; q++)
+    a->value[q].high = NAN;
+  a->value[Q_DXC] = x;
+  a->value[Q_V_END] = v;
 }
 
 static bool keep_last(void *context, const struct scallop_sample *sample)
@@ -52,85 +33,80 @@ static bool keep_last(void *context, const struct scallop_sample *sample)
   return true;
 }
 
-bool trajectory_in_double(const struct stress_case *s, struct scallop_wide end[TRAJECTORY_ENDS])
+bool trajectory_in_double(const struct stress_case *s, struct answer *end)
 {
   struct scallop_sample last = { .t = 0 };
-  bool solved = scallop_trajectory(&s->crawler, s->v0, s->periods, 1, keep_last, &last) >= 0;
-  end[END_X] = (struct scallop_wide){ last.xC, 0 };
-  end[END_V] = (struct scallop_wide){ last.v1, 0 };
+  bool solved = scallop_trajectory(&s->motion.crawler, s->motion.v0, s->periods, 1, keep_last, &last) >= 0;
+  set_end(end, (struct scallop_wide){ last.xC, 0 }, (struct scallop_wide){ last.v1, 0 });
   return solved;
 }
 
-/* (1 - lambda^m)/(1 - lambda), and lambda^m */
-static void geometric(arb_t sum, arb_t power, const arb_t lambda, ulong m)
+static void middle_exact(fmpq_t middle, const arb_t x)
 {
-  SCOPED(arb, below);
-  arb_pow_ui(power, lambda, m, BITS);
-  arb_sub_ui(sum, power, 1, BITS);
-  arb_sub_ui(below, lambda, 1, BITS);
-  arb_div(sum, sum, below, BITS);
+  if (arb_contains_zero(x))
+    fmpq_zero(middle);
+  else
+    arf_get_fmpq(middle, arb_midref(x));
 }
 
-/* Periods from v* - d, v*, v* + d */
-enum { BEFORE, STEADY, AFTER, STARTS };
-
-/* x_n and v_n; d = v0 - v* */
-static void sum_periods(struct scallop_wide *end, const struct ball_period *p, const arb_t v, const arb_t d,
-                        const arb_t lambda, long n)
+bool period_in_balls(struct ball_answer *first, struct ball_answer *second, arb_t displacement,
+                     const struct scallop_rational_crawler *c, const fmpq_t v_start)
 {
-  SCOPED(arb, linear, bent, sum, power, square);
-  arb_sub(linear, p[AFTER].displacement, p[BEFORE].displacement, BITS); /* 2 B d */
-  arb_mul_2exp_si(linear, linear, -1);
-  arb_add(bent, p[AFTER].displacement, p[BEFORE].displacement, BITS); /* 2 D + 2 C d^2 */
-  arb_mul_2exp_si(bent, bent, -1);
-  arb_sub(bent, bent, p[STEADY].displacement, BITS);
-  arb_mul(square, lambda, lambda, BITS);
-  geometric(sum, power, square, (ulong)n);
-  arb_mul(bent, bent, sum, BITS);
-  geometric(sum, power, lambda, (ulong)n);
-  arb_addmul(bent, linear, sum, BITS);
-  arb_addmul_si(bent, p[STEADY].displacement, n, BITS);
-  arb_set(sum, v);
-  arb_addmul(sum, power, d, BITS);
-  end[END_X] = ball_middle(bent);
-  end[END_V] = ball_middle(sum);
-}
-
-/* v0 lies a distance d beyond v*, and as far before it is 2 v* - v0. */
-static bool solve_periods(struct ball_period p[STARTS], const struct scallop_rational_crawler *c, const arb_t v_start,
-                          const fmpq_t v0)
-{
-  const char *why;
-  SCOPED(fmpq, v);
-  ball_middle_exact(v, v_start);
-  if (!ball_period_solve(&p[AFTER], c, v0, DIGITS, &why) || !ball_period_solve(&p[STEADY], c, v, DIGITS, &why))
+  SCOPED(fmpq, v_mid);
+  if (!answer_in_balls(first, c, OF_PHASE, SCALLOP_EXTENSION, v_start, DIGITS))
     return false;
-  fmpq_mul_2exp(v, v, 1);
-  fmpq_sub(v, v, v0);
-  return ball_period_solve(&p[BEFORE], c, v, DIGITS, &why) && same_modes(p[AFTER].modes, p[BEFORE].modes);
+  middle_exact(v_mid, first->value[Q_V_END]);
+  if (!answer_in_balls(second, c, OF_PHASE, SCALLOP_CONTRACTION, v_mid, DIGITS))
+    return false;
+  arb_add(displacement, first->value[Q_DXC], second->value[Q_DXC], BITS);
+  first->modes[1] = second->modes[0];
+  return true;
 }
 
-struct periods {
-  struct ball_period from[STARTS];
-};
-#define PERIODS_PARTS(of) \
-  of(ball_period, &s->from[BEFORE]) of(ball_period, &s->from[STEADY]) of(ball_period, &s->from[AFTER])
-SCOPED_PARTS(periods, struct periods, PERIODS_PARTS)
+/* x_n, from D(v* - d), D(v*), D(v* + d), lambda and its power lambda^n */
+static void sum_periods(arb_t x, const arb_t before, const arb_t steady, const arb_t after, const arb_t lambda,
+                        const arb_t power, long n)
+{
+  SCOPED(arb, linear, bent, sum, ratio);
+  arb_sub(linear, after, before, BITS); /* 2 B d */
+  arb_add(bent, after, before, BITS);
+  arb_submul_si(bent, steady, 2, BITS); /* 2 C d^2 */
+  arb_sub_ui(sum, power, 1, BITS);
+  arb_sub_ui(ratio, lambda, 1, BITS);
+  arb_div(sum, sum, ratio, BITS);
+  arb_mul_si(x, steady, 2 * n, BITS);
+  arb_addmul(x, linear, sum, BITS);
+  arb_add_ui(ratio, power, 1, BITS);
+  arb_mul(sum, sum, ratio, BITS);
+  arb_add_ui(ratio, lambda, 1, BITS);
+  arb_div(sum, sum, ratio, BITS);
+  arb_addmul(x, bent, sum, BITS);
+  arb_mul_2exp_si(x, x, -1);
+}
 
-bool trajectory_in_balls(const struct stress_case *s, struct scallop_wide end[TRAJECTORY_ENDS])
+bool trajectory_in_balls(const struct stress_case *s, struct answer *end)
 {
   SCOPED(scallop_rational, c);
-  SCOPED(ball_answer, steady);
-  SCOPED(periods, period);
-  SCOPED(fmpq, v0);
-  SCOPED(arb, d);
-  scallop_rational_of(&c, &s->crawler);
-  scallop_rational_set_double(v0, s->v0);
-  if (!answer_in_balls(&steady, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, DIGITS)
-      || !solve_periods(period.from, &c, steady.value[Q_V_START], v0))
+  SCOPED(ball_answer, steady, plus, minus, rest);
+  SCOPED(fmpq, v0, mirrored);
+  SCOPED(arb, before, after, x, v, power);
+  scallop_rational_of(&c, &s->motion.crawler);
+  scallop_rational_set_double(v0, s->motion.v0);
+  if (!answer_in_balls(&steady, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, DIGITS))
     return false;
-  arb_set_d(d, s->v0);
-  arb_sub(d, d, steady.value[Q_V_START], BITS);
-  sum_periods(end, period.from, steady.value[Q_V_START], d, steady.value[Q_MULTIPLIER], s->periods);
+  const arb_struct *v_start = steady.value[Q_V_START], *lambda = steady.value[Q_MULTIPLIER];
+  middle_exact(mirrored, v_start);
+  fmpq_mul_2exp(mirrored, mirrored, 1);
+  fmpq_sub(mirrored, mirrored, v0);
+  if (!period_in_balls(&plus, &rest, after, &c, v0) || !period_in_balls(&minus, &rest, before, &c, mirrored)
+      || !same_modes(plus.modes, minus.modes))
+    return false;
+  arb_pow_ui(power, lambda, (ulong)s->periods, BITS);
+  sum_periods(x, before, steady.value[Q_DISPLACEMENT], after, lambda, power, s->periods);
+  arb_set_fmpq(v, v0, BITS);
+  arb_sub(v, v, v_start, BITS);
+  arb_mul(v, v, power, BITS);
+  arb_add(v, v, v_start, BITS);
+  set_end(end, ball_middle(x), ball_middle(v));
   return true;
 }

@@ -12,31 +12,22 @@
 #define SCALLOP_COMPARE_STRESS_PERIODS_H
 
 #include "compare/answers/answer_flint.h"
-#include "compare/stress/families.h"
+#include "compare/stress/stress.h"
 #include "model/exact/scoped.h"
 
-/* Two certified phases, the second from the middle of the ball that the first ends in. */
-struct ball_period {
-  fmpq_t v_mid; /* the start velocity of the contraction */
-  arb_t v_end, displacement;
-  struct scallop_modes modes[2];
-};
-#define BALL_PERIOD_PARTS(of) of(fmpq, s->v_mid) of(arb, s->v_end) of(arb, s->displacement)
-SCOPED_PARTS(ball_period, struct ball_period, BALL_PERIOD_PARTS)
 SCOPED_KIND(ball_answer, struct ball_answer)
-
-/* False: not certified to so many digits; *why is the reason. */
-bool ball_period_solve(struct ball_period *period, const struct scallop_rational_crawler *crawler, const fmpq_t v_start,
-                       long digits, const char **why);
 
 /* The middle of a ball; 0 where the ball holds 0. */
 struct scallop_wide ball_middle(const arb_t x);
-void ball_middle_exact(fmpq_t middle, const arb_t x);
 
-enum { END_X, END_V, TRAJECTORY_ENDS };
+/* Two certified phases, the second from the middle of the ball that the first ends in; first has the modes of both.
+ * False: one of them is not certified. */
+bool period_in_balls(struct ball_answer *first, struct ball_answer *second, arb_t displacement,
+                     const struct scallop_rational_crawler *crawler, const fmpq_t v_start);
 
-bool trajectory_in_double(const struct stress_case *stressed, struct scallop_wide end[TRAJECTORY_ENDS]);
-/* False: not certified, or the modes are not the same for all velocities of the trajectory. */
-bool trajectory_in_balls(const struct stress_case *stressed, struct scallop_wide end[TRAJECTORY_ENDS]);
+/* The end of a trajectory: x as Q_DXC, v as Q_V_END; there are no other numbers. False: no answer; in balls where it is
+ * not certified, or the modes are not the same for all velocities of the trajectory. */
+bool trajectory_in_double(const struct stress_case *stressed, struct answer *end);
+bool trajectory_in_balls(const struct stress_case *stressed, struct answer *end);
 
 #endif

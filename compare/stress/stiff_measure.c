@@ -1,43 +1,39 @@
-#include "compare/stress/stiff_measure.h"
+#include "compare/stress/stiff.h"
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 
 #include <gsl/gsl_integration.h>
 
 #include "compare/stress/periods.h"
 
-/* Digits that the reference is proven to: errors down to the last bit of a double need twice as many */
-enum { REFERENCE_DIGITS = 40 };
+enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */
 
-/* How many times the tolerance is taken to see what a stepper's own error is */
-static const double LOOSER = 10;
-
-const char *const stiff_quantities[] = { "v_end", "displacement", "creep", NULL };
-
+/* A body that is stuck, in a scene */
 struct stretch {
-  struct scallop_scaled scaled;
-  struct stiff_held now, *longest;
+  const struct stiff_scene *scene;
+  struct stiff_held now, longest;
 };
 
-/* The friction that holds the body still over the most that there is, at a time in units of the phase, along the body's
+/* The friction that holds the body still over the most that there is, at a time since the phase began, along the body's
  * own axis: it accelerates the centre of mass, which moves with +-l' times a share of the masses, together with that of
  * the body that moves. */
-static double force_over_friction(const struct stretch *s, double time)
+static double force_over_friction(double time, const struct stretch *s)
 {
-  const struct scallop_scaled *a = &s->scaled;
-  double l2, eps = a->eps * a->fraction[s->now.phase] * a->fraction[s->now.phase];
-  scallop_gait_at(a->gait, s->now.phase, time, NULL, NULL, &l2);
-  double sign = s->now.phase == SCALLOP_EXTENSION ? 1 : -1;
+  const struct scallop_scaled *a = &s->scene->scaled;
+  const enum scallop_phase_kind phase = s->now.phase;
+  double l2, eps = a->eps * a->fraction[phase] * a->fraction[phase], sign = phase == SCALLOP_EXTENSION ? 1 : -1;
+  scallop_gait_at(a->gait, phase, time / scallop_phase_duration(&s->scene->crawler, phase), NULL, NULL, &l2);
   return s->now.body == 1 ? -(a->mu2 * l2 / eps + a->f2 * sign) / a->f1 : (a->mu1 * l2 / eps + a->f1 * sign) / a->f2;
 }
 
 /* The velocity at which smoothed friction is that force, over v_delta; kept finite where rounding takes the force to
  * the limit. */
-static double creep_velocity(double time, void *context)
+static double creep_velocity(double time, void *stretch)
 {
   const double most = 1 - DBL_EPSILON / 2;
-  return atanh(fmax(-most, fmin(most, force_over_friction(context, time))));
+  return atanh(fmax(-most, fmin(most, force_over_friction(time, stretch))));
 }
 
 static double integral(struct stretch *s, double begin, double end)
@@ -52,87 +48,69 @@ static double integral(struct stretch *s, double begin, double end)
   return value;
 }
 
-static double period_share(const struct stretch *s, const struct stiff_held *held)
-{
-  return s->scaled.fraction[held->phase] * (held->end - held->begin);
-}
-
-/* Grows the stretch by an interval of the exact motion, or ends it. Times are in units of the phase, distances in delta
- * L. */
+/* Grows the stretch by an interval of the exact motion, or ends it. */
 static void visit(void *context, const struct scallop_interval *interval)
 {
   struct stretch *s = context;
   struct stiff_held *now = &s->now;
-  bool from_start = interval->piece->anchor == SCALLOP_FROM_START;
-  double begin = from_start ? interval->u_begin : 1 - interval->u_begin;
-  double end = from_start ? interval->u_end : 1 - interval->u_end;
-  int body = interval->mode.s1 == 0 ? 1 : interval->mode.s2 == 0 ? 2 : 0;
+  const struct scallop_span span = scallop_interval_span(interval, &s->scene->crawler, now->phase);
+  int body = span.mode.s1 == 0 ? 1 : span.mode.s2 == 0 ? 2 : 0;
   if (body != now->body)
-    *now = (struct stiff_held){ .body = body, .phase = now->phase, .v0 = now->v0, .begin = begin };
+    *now = (struct stiff_held){ .body = body, .phase = now->phase, .v0 = now->v0, .begin = span.t_begin };
   if (body == 0)
     return;
-  now->end = end;
-  now->creep += s->scaled.fraction[now->phase] * integral(s, begin, end);
-  if (period_share(s, now) > period_share(s, s->longest))
-    *s->longest = *now;
+  now->end = span.t_end;
+  now->creep += integral(s, span.t_begin, span.t_end) / s->scene->crawler.T;
+  if (now->end - now->begin > s->longest.end - s->longest.begin)
+    s->longest = *now;
 }
 
-static void find_held(struct stiff_scene *scene, double v_mid)
+static struct stiff_held find_held(const struct stiff_scene *scene, double v_mid)
 {
-  struct stretch s = { .longest = &scene->held };
+  struct stretch s = { .scene = scene };
   const double v0[2] = { scene->v_start, v_mid };
-  double duration[2] = { 0, 0 };
-  scene->held = (struct stiff_held){ .body = 0 };
-  scallop_scale(&scene->crawler, &s.scaled);
   for (int phase = SCALLOP_EXTENSION; phase <= SCALLOP_CONTRACTION; phase++) {
     s.now = (struct stiff_held){ .phase = (enum scallop_phase_kind)phase, .v0 = v0[phase] };
     scallop_phase_intervals(&scene->crawler, s.now.phase, s.now.v0, visit, &s);
-    duration[phase] = scallop_phase_duration(&scene->crawler, s.now.phase);
   }
-  if (scene->held.body == 0)
-    return;
-  s.now = scene->held;
+  s.now = s.longest;
+  if (s.now.body == 0)
+    return s.now;
   double middle = (s.now.begin + s.now.end) / 2;
-  scene->held.force = fabs(force_over_friction(&s, middle));
-  scene->held.velocity = creep_velocity(middle, &s);
-  scene->held.begin *= duration[s.now.phase];
-  scene->held.end *= duration[s.now.phase];
+  s.now.force = fabs(force_over_friction(middle, &s));
+  s.now.velocity = creep_velocity(middle, &s);
+  return s.now;
 }
+
+static const char *why(const struct ball_answer *a) { return a->why ? a->why : scallop_status_text(a->status); }
 
 /* The certified steady start velocity, rounded, and the period from it: its own certified values, not those of the
  * steady state. */
-static const char *certify(struct stiff_scene *scene)
-{
-  const struct motion steady = { .of = OF_STEADY, .crawler = scene->crawler };
-  const char *why;
-  SCOPED(scallop_rational, exact);
-  SCOPED(ball_answer, proven);
-  SCOPED(ball_period, period);
-  SCOPED(fmpq, v);
-  scallop_rational_of(&exact, &scene->crawler);
-  if (!answer_of_doubles(&proven, &steady, REFERENCE_DIGITS))
-    return proven.why ? proven.why : scallop_status_text(proven.status);
-  scene->v_start = ball_middle(proven.value[Q_V_START]).high;
-  scene->regime = proven.regime;
-  scallop_rational_set_double(v, scene->v_start);
-  if (!ball_period_solve(&period, &exact, v, REFERENCE_DIGITS, &why))
-    return why;
-  scene->v_end = ball_middle(period.v_end);
-  scene->displacement = ball_middle(period.displacement);
-  motion_modes_text(scene->modes, OF_STEADY, period.modes);
-  find_held(scene, fmpq_get_d(period.v_mid));
-  return NULL;
-}
-
 const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler)
 {
-  struct scallop_scaled scaled;
-  enum scallop_status status = scallop_scale(crawler, &scaled);
-  *scene = (struct stiff_scene){ .name = name, .crawler = *crawler };
+  SCOPED(scallop_rational, exact);
+  SCOPED(ball_answer, steady, first, second);
+  SCOPED(arb, displacement);
+  SCOPED(fmpq, v_start);
+  *scene = (struct stiff_scene){ .names = { name, crawler->gait->name }, .crawler = *crawler };
+  enum scallop_status status = scallop_scale(crawler, &scene->scaled);
   if (status != SCALLOP_OK)
     return scallop_status_text(status);
-  scene->eps = scaled.eps;
-  return certify(scene);
+  scallop_rational_of(&exact, crawler);
+  if (!answer_in_balls(&steady, &exact, OF_STEADY, SCALLOP_EXTENSION, NULL, DIGITS))
+    return why(&steady);
+  scene->v_start = ball_middle(steady.value[Q_V_START]).high;
+  scallop_rational_set_double(v_start, scene->v_start);
+  if (!period_in_balls(&first, &second, displacement, &exact, v_start))
+    return why(first.status == SCALLOP_OK ? &second : &first);
+  scene->regime = steady.regime;
+  scene->names[2] = scallop_regime_text(steady.regime);
+  scene->names[3] = "msbdf";
+  scene->v_end = ball_middle(second.value[Q_V_END]);
+  scene->displacement = ball_middle(displacement);
+  motion_modes_text(scene->modes, OF_STEADY, first.modes);
+  scene->held = find_held(scene, ball_middle(first.value[Q_V_END]).high);
+  return NULL;
 }
 
 struct ration {
@@ -145,12 +123,6 @@ static bool ration_lasts(void *context)
   return r->taken++ < r->most;
 }
 
-static double difference(double answer, const struct scallop_wide *value)
-{
-  return (answer - value->high) - value->low;
-}
-
-/* Samples at the beginning, in the middle and at the end of the stretch. */
 static bool keep(void *context, const struct scallop_sample *sample)
 {
   struct scallop_sample **next = context;
@@ -158,6 +130,7 @@ static bool keep(void *context, const struct scallop_sample *sample)
   return true;
 }
 
+/* Follows the stuck body from the beginning over the middle to the end of the stretch. */
 static enum scallop_status look_inside(const struct stiff_scene *scene, struct scallop_rival *rival,
                                        const struct scallop_patience *patience, struct stiff_run *run)
 {
@@ -176,64 +149,53 @@ static enum scallop_status look_inside(const struct stiff_scene *scene, struct s
   return SCALLOP_OK;
 }
 
-static enum scallop_status solve_period_smoothed(const struct stiff_scene *scene, struct scallop_rival *rival,
-                                                 const struct scallop_patience *patience, struct stiff_run *run)
+static double difference(double answer, struct scallop_wide value) { return (answer - value.high) - value.low; }
+
+static void solve_with(struct scallop_rival *rival, const struct stiff_scene *scene, long most, struct stiff_run *run)
 {
   const struct scallop_crawler *c = &scene->crawler;
+  struct ration ration = { .most = most };
+  const struct scallop_patience patience = { ration_lasts, &ration };
   struct scallop_rival_period period;
-  enum scallop_status status = rival->period(rival, c, scene->v_start, patience, &period);
-  if (status != SCALLOP_OK)
-    return status;
-  run->error[STIFF_V_END] = difference(period.v_end, &scene->v_end) * c->T / c->L;
-  run->error[STIFF_DISPLACEMENT] = difference(period.displacement, &scene->displacement) / c->L;
-  run->steps = (double)period.steps;
-  run->evaluations = (double)period.evaluations;
-  return SCALLOP_OK;
-}
-
-static void describe(struct stiff_run *run, enum scallop_status status, const struct ration *ration)
-{
+  enum scallop_status status = rival->period(rival, c, scene->v_start, &patience, &period);
+  if (status == SCALLOP_OK) {
+    run->error[STIFF_V_END] = difference(period.v_end, scene->v_end) * c->T / c->L;
+    run->error[STIFF_DISPLACEMENT] = difference(period.displacement, scene->displacement) / c->L;
+    run->steps = (double)period.steps;
+    run->evaluations = (double)period.evaluations;
+  }
+  if (status == SCALLOP_OK && scene->held.body != 0) {
+    ration.taken = 0;
+    status = look_inside(scene, rival, &patience, run);
+  }
   run->solved = status == SCALLOP_OK;
   if (run->solved)
-    snprintf(run->status, sizeof run->status, "ok");
+    snprintf(run->status, STIFF_STATUS, "ok");
   else if (status == SCALLOP_ESTOPPED)
-    snprintf(run->status, sizeof run->status, "cut off after %ld accepted steps", ration->most);
+    snprintf(run->status, STIFF_STATUS, "cut off after %ld accepted steps", most);
   else
-    snprintf(run->status, sizeof run->status, "%s, after %ld accepted steps", scallop_status_text(status),
-             ration->taken);
+    snprintf(run->status, STIFF_STATUS, "%s, after %ld accepted steps", scallop_status_text(status), ration.taken);
 }
 
-double stiff_tolerance(double delta)
-{
-  const double least = 1e-15;
-  return fmax(least, 1e-9 * delta);
-}
+double stiff_tolerance(double delta) { return fmax(1e-15, 1e-9 * delta); }
+
+static const struct stiff_run unknown = {
+  NAN, NAN, { NAN, NAN, NAN }, { NAN, NAN, NAN }, NAN, NAN, NAN, NAN, NAN, NAN, NAN, false, "out of memory"
+};
 
 static void solve_once(const struct stiff_scene *scene, double delta, double tolerance, long most,
                        struct stiff_run *run)
 {
-  static const struct stiff_run unknown = {
-    NAN, NAN, { NAN, NAN, NAN }, { NAN, NAN, NAN }, NAN, NAN, NAN, NAN, NAN, NAN, NAN, false, ""
-  };
-  bool held = scene->held.body != 0;
+  struct scallop_rival *rival = scallop_smoothed_rival(delta, tolerance);
   *run = unknown;
   run->delta = delta;
   run->tolerance = tolerance;
-  run->predicted_creep = held ? scene->held.creep : NAN;
-  run->predicted_velocity = held ? scene->held.velocity : NAN;
-  struct scallop_rival *rival = scallop_smoothed_rival(delta, tolerance);
-  if (!rival) {
-    snprintf(run->status, sizeof run->status, "out of memory");
-    return;
+  if (scene->held.body != 0) {
+    run->predicted_creep = scene->held.creep;
+    run->predicted_velocity = scene->held.velocity;
   }
-  struct ration ration = { .most = most };
-  const struct scallop_patience patience = { ration_lasts, &ration };
-  enum scallop_status status = solve_period_smoothed(scene, rival, &patience, run);
-  if (status == SCALLOP_OK && held) {
-    ration.taken = 0;
-    status = look_inside(scene, rival, &patience, run);
-  }
-  describe(run, status, &ration);
+  if (rival)
+    solve_with(rival, scene, most, run);
   scallop_rival_destroy(rival);
 }
 
@@ -243,7 +205,7 @@ void stiff_solve(const struct stiff_scene *scene, double delta, double tolerance
   solve_once(scene, delta, tolerance, most, run);
   if (!run->solved)
     return;
-  solve_once(scene, delta, LOOSER * tolerance, most, &looser);
+  solve_once(scene, delta, 10 * tolerance, most, &looser);
   for (int i = 0; i < STIFF_QUANTITIES; i++)
     run->own[i] = fabs(run->error[i] - looser.error[i]);
 }
@@ -257,16 +219,22 @@ static bool is_good(const struct stiff_run *runs, int i, int quantity)
 
 struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quantity)
 {
+  static const char *const names[STIFF_QUANTITIES] = { "v_end", "displacement", "creep" };
+  const struct scallop_order_wanted wanted = { .order = 1, .tolerance = 0.1 };
   struct scallop_order_point points[STIFF_MOST_RUNS];
-  struct stiff_trend trend = { .worst_beyond = NAN };
-  for (; trend.good < count && is_good(runs, trend.good, quantity); trend.good++)
-    points[trend.good] = (struct scallop_order_point){ .h = runs[trend.good].delta,
-                                                       .err = runs[trend.good].error[quantity] };
-  for (int i = trend.good; i < count; i++)
+  struct stiff_trend t = {
+    .quantity = names[quantity], .best = unknown, .last = runs[count - 1], .error_there = NAN, .worst_beyond = NAN
+  };
+  for (; t.good < count && is_good(runs, t.good, quantity); t.good++) {
+    t.best = runs[t.good];
+    t.error_there = t.best.error[quantity];
+    points[t.good] = (struct scallop_order_point){ .h = t.best.delta, .err = t.error_there };
+  }
+  for (int i = t.good; i < count; i++)
     if (runs[i].solved)
-      trend.worst_beyond = fmax(trend.worst_beyond, fabs(runs[i].error[quantity]));
-  struct scallop_order_wanted wanted = { .order = 1, .tolerance = 0.1 };
-  int good = trend.good;
-  scallop_order(points, &good, &wanted, &trend.fit);
-  return trend;
+      t.worst_beyond = fmax(t.worst_beyond, fabs(runs[i].error[quantity]));
+  t.gives_up_at = t.last.solved ? NAN : t.last.delta;
+  scallop_order(points, &(int){ t.good }, &wanted, &t.fit);
+  t.verdict = scallop_order_verdict_text(t.fit.verdict);
+  return t;
 }

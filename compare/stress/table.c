@@ -1,6 +1,7 @@
 /* The tables of `stress`: a row for each family of cases, or for each number of a single point. */
-#include "compare/stress/table.h"
-
+#include <assert.h>
+#include <float.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,199 +10,138 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include "compare/points/defaults.h"
-#include "compare/stress/judge.h"
+#include "compare/stress/stress.h"
 #include "compare/text/progress.h"
 #include "model/exact/flint.h"
 #include "numerics/threads.h"
 
-/* The numbers of both tables, in the order of their columns: of a family where error/unit is largest, and from rounding
- * on the largest of all; of a point those of each number, without the three that are of many. */
-enum { UNITS, ULP, CONDITION, DIGITS, MEDIAN, ROUNDING, PERTURBED, LOST, LEAST = LOST + 3, MOST, MEASURES };
+/* What is said of a number; nan: of an exact value of 0, or of a trajectory. In estimates over errors an error below the
+ * 128th part of an ulp counts as that. A digit is lost where the error is ten ulps of a type, 2^(53 - bits) of a
+ * double's. */
+enum { UNITS, ULPS, CONDITION, DIGITS, MEDIAN, ROUNDING, PERTURBED, LOST, LEAST = LOST + 3, MOST, MEASURES };
+static double measure(const struct stress_number *n, int m)
+{
+  const int type = m - LOST, bits = type > 0 ? scallop_width_bits((enum scallop_width)(type - 1)) : DBL_MANT_DIG;
+  double least = 0x1p-7 * n->ulp, ulps;
+  switch (m) {
+  case UNITS: return n->error / n->unit;
+  case ULPS:
+  case MEDIAN: return n->error / n->ulp;
+  case CONDITION: return n->unit / n->ulp;
+  case DIGITS: return n->ulp > 0 ? fmin(DBL_MANT_DIG * log10(2), fmax(0, -log10(n->error / fabs(n->exact)))) : NAN;
+  case ROUNDING: return n->rounding / n->unit;
+  case PERTURBED: return n->perturbed / n->unit;
+  case LEAST: return n->error >= least ? measure(n, MOST) : NAN;
+  case MOST: return n->ulp > 0 ? n->estimate / fmax(n->error, least) : NAN;
+  default: ulps = ldexp(n->wide_error[type] / n->ulp, bits - DBL_MANT_DIG);
+  }
+  return ulps > 1 ? log10(ulps) : 0 * ulps; /* nan stays nan */
+}
+
+/* Which of all numbers of a family its row has: the worst one, that is of the largest error/unit; the median; or the
+ * least or the largest. */
+enum choice { OF_WORST, OF_MEDIAN, OF_LEAST, OF_LARGEST };
 static const struct {
   const char *name, *format;
-  bool of_many;
+  enum choice choice;
+  bool of_many; /* the row of a number does not have it */
 } measures[MEASURES] = {
-  { "units", "%.3g", false },          { "ulp", "%.3g", false },           { "condition", "%.3g", false },
-  { "digits", "%.1f", false },         { "ulp_median", "%.3g", true },     { "rounding", "%.3g", false },
-  { "perturbed", "%.3g", false },      { "lost_double", "%.1f", false },   { "lost_long_double", "%.1f", false },
-  { "lost_binary128", "%.1f", false }, { "estimate_least", "%.4f", true }, { "estimate_most", "%.4f", true },
+  [UNITS] = { "units", "%.3g", OF_WORST, false },
+  [ULPS] = { "ulp", "%.3g", OF_WORST, false },
+  [CONDITION] = { "condition", "%.3g", OF_WORST, false },
+  [DIGITS] = { "digits", "%.1f", OF_WORST, false },
+  [MEDIAN] = { "ulp_median", "%.3g", OF_MEDIAN, true },
+  [ROUNDING] = { "rounding", "%.3g", OF_LARGEST, false },
+  [PERTURBED] = { "perturbed", "%.3g", OF_LARGEST, false },
+  [LOST] = { "lost_double", "%.1f", OF_LARGEST, false },
+  [LOST + 1] = { "lost_long_double", "%.1f", OF_LARGEST, false },
+  [LOST + 2] = { "lost_binary128", "%.1f", OF_LARGEST, false },
+  [LEAST] = { "estimate_least", "%.4f", OF_LEAST, true },
+  [MOST] = { "estimate_most", "%.4f", OF_LARGEST, true },
 };
+enum { VERDICT = 200 };
 
-static void begin_rows(struct table *t, const char *const *before, bool of_point, const char *const *after)
+static void begin_rows(struct table *t, const char *const *before, bool of_many, const char *const *after)
 {
   table_columns(t, before);
   for (int m = 0; m < MEASURES; m++)
-    if (!of_point || !measures[m].of_many)
+    if (of_many || !measures[m].of_many)
       table_columns(t, (const char *const[]){ measures[m].name, NULL });
   table_columns(t, after);
   table_begin_rows(t);
 }
 
-static void write_measures(struct table *t, const double value[MEASURES], bool of_point)
+static const char *verdict(char text[VERDICT], const char *broken, bool more)
 {
-  for (int m = 0; m < MEASURES; m++)
-    if (!of_point || !measures[m].of_many)
-      table_rounded(t, value[m], measures[m].format);
+  snprintf(text, VERDICT, "broken: %s%s", broken ? broken : "", more ? ", and more" : "");
+  return broken ? text : "holds";
 }
 
-/* Of a trajectory: a case takes as long as so many periods do. */
-enum { TRAJECTORIES = 4, PERIODS = 1000000, CHECK_PERIODS = 10000, FULL_PERIODS = 10000000 };
+/* How many cases of each kind, and how long a trajectory is: it takes as long as so many periods do. A check of all
+ * gaits takes a few seconds: a phase is judged in less time than a steady state. */
+enum { TRAJECTORIES = 4 };
+static const struct effort {
+  int cases[3];
+  long periods;
+} usual = { { STRESS_CASES, STRESS_CASES, TRAJECTORIES }, 1000000 },
+  quick = { { STRESS_CHECK_STEADY, STRESS_CHECK_PHASES, 2 }, 10000 },
+  full = { { STRESS_FULL_CASES, STRESS_FULL_CASES, TRAJECTORIES }, 10000000 };
 
-/* Of each family of a kind. A check of all gaits takes a few seconds: a phase is judged in less time than a steady
- * state. */
-static int cases_of(const struct stress_options *o, enum stress_kind kind)
+/* The gait that is given; else that of the family, or those of the paper or, for a check, one of each kind. NULL after
+ * the last. */
+static const struct scallop_gait *gait_of_row(const struct stress_options *o, const struct stress_family *f, int i)
 {
-  static const int check[] = {
-    [STRESS_STEADY] = STRESS_CHECK_STEADY, [STRESS_PHASE] = STRESS_CHECK_PHASES, [STRESS_TRAJECTORY] = 2
-  };
-  int cases = o->cases.value > 0 ? (int)o->cases.value
-              : o->full          ? STRESS_FULL_CASES
-              : o->check         ? check[kind]
-                                 : STRESS_CASES;
-  return kind == STRESS_TRAJECTORY && cases > TRAJECTORIES ? TRAJECTORIES : cases;
+  const struct point *p = &o->request.point;
+  if (p->has_gait || f->gait)
+    return i > 0 ? NULL : p->has_gait ? p->crawler.gait : gait_of_text(f->gait).gait;
+  const char *name = o->check ? gait_sample(i) : scallop_gait_name(i);
+  return name ? gait_of_text(name).gait : NULL;
 }
 
-static double over(double error, double unit) { return error == 0 ? 0 : error / unit; }
-
-static double digits_kept(double error, double value)
-{
-  double most = 53 * log10(2);
-  if (value == 0 || isnan(value))
-    return NAN;
-  return error == 0 ? most : fmin(most, fmax(0, -log10(error / fabs(value))));
-}
-
-/* Decimal digits of a type that the error takes away: its ulp is 2^(53 - bits) of a double's */
-static double digits_lost(double error, double ulp, int bits)
-{
-  double ulps = ldexp(over(error, ulp), bits - 53);
-  if (ulp == 0 || bits == 0)
-    return NAN;
-  return ulps > 1 ? log10(ulps) : 0;
-}
-
-/* nan: not judged. In estimates over errors an error below the 128th part of an ulp counts as that. */
-static void find_measures(const struct stress_judgement *j, int q, double value[MEASURES])
-{
-  const struct stress_number *n = &j->number[q];
-  const bool judged = stress_is_judged(j, q), has_ulp = judged && n->ulp > 0, all = !j->only_error;
-  const double least = 0x1p-7 * n->ulp, estimate = has_ulp && all ? over(n->estimate, fmax(n->error, least)) : NAN;
-  value[UNITS] = judged ? over(n->error, n->unit) : NAN;
-  value[ULP] = has_ulp ? over(n->error, n->ulp) : NAN;
-  value[CONDITION] = has_ulp ? n->unit / n->ulp : NAN;
-  value[DIGITS] = has_ulp ? digits_kept(n->error, n->exact) : NAN;
-  value[MEDIAN] = NAN;
-  value[ROUNDING] = judged && all ? over(n->rounding, n->unit) : NAN;
-  value[PERTURBED] = judged && all ? over(n->perturbed, n->unit) : NAN;
-  value[LOST] = digits_lost(n->error, has_ulp && all ? n->ulp : 0, 53);
-  for (int w = 0; w < 2; w++)
-    value[LOST + 1 + w] = digits_lost(n->wide_error[w], has_ulp && all ? n->ulp : 0,
-                                      scallop_width_bits((enum scallop_width)w));
-  value[LEAST] = n->error > 0 && n->error >= least ? estimate : NAN;
-  value[MOST] = estimate;
-}
-
-/* A row of the table of families */
+/* A row: a family with a gait. Once its cases are judged: */
 struct row {
   const struct stress_family *family;
   const struct scallop_gait *gait;
   int cases, refused, undecided, other_modes, broken;
-  int worst, quantity; /* where error/unit is largest: the case, or -1, and which of its numbers */
-  double value[MEASURES];
-  const char *what; /* is broken, first of all; NULL: nothing */
+  const char *what;                  /* is broken first, or NULL */
+  const struct stress_number *worst; /* or NULL                  */
+  const struct stress_case *worst_at;
+  const char *quantity;
 };
 
-static void add_number(struct row *r, const struct stress_judgement *j, int i, int q)
-{
-  double value[MEASURES];
-  find_measures(j, q, value);
-  if (r->worst < 0 || value[UNITS] > r->value[UNITS]) {
-    memcpy(r->value, value, MEDIAN * sizeof *value);
-    r->worst = i;
-    r->quantity = q;
-  }
-  for (int m = ROUNDING; m < MEASURES; m++)
-    r->value[m] = m == LEAST ? fmin(r->value[m], value[m]) : fmax(r->value[m], value[m]);
-}
-
-/* errors: room for STRESS_QUANTITIES * r->cases numbers */
-static void sum_up(struct row *r, const struct stress_judgement *judgements, double *errors)
-{
-  size_t count = 0;
-  r->worst = -1;
-  for (int m = 0; m < MEASURES; m++)
-    r->value[m] = NAN;
-  for (int i = 0; i < r->cases; i++) {
-    const struct stress_judgement *j = &judgements[i];
-    r->refused += j->outcome == STRESS_REFUSED;
-    r->undecided += j->outcome == STRESS_UNDECIDED;
-    r->other_modes += j->other_modes;
-    for (int q = 0; q < STRESS_QUANTITIES; q++) {
-      const char *what = stress_broken(j, q);
-      r->broken += what != NULL;
-      r->what = r->what ? r->what : what;
-      if (!stress_is_judged(j, q))
-        continue;
-      add_number(r, j, i, q);
-      if (j->number[q].ulp > 0)
-        errors[count++] = over(j->number[q].error, j->number[q].ulp);
-    }
-  }
-  gsl_sort(errors, 1, count);
-  r->value[MEDIAN] = count > 0 ? gsl_stats_median_from_sorted_data(errors, 1, count) : NAN;
-}
-
-static void write_verdict(struct table *t, const char *what, int broken)
-{
-  char text[200];
-  snprintf(text, sizeof text, "broken: %s%s", what ? what : "", broken > 1 ? ", and more" : "");
-  table_text(t, what ? text : "holds");
-}
-
-static void write_row(struct table *t, const struct row *r, const struct stress_case *cases)
-{
-  char arguments[STRESS_ARGUMENTS] = "-";
-  const int counts[] = { r->cases, r->refused, r->undecided, r->other_modes };
-  table_text(t, r->family->name);
-  table_text(t, r->gait->name);
-  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
-    table_number(t, counts[i]);
-  table_text(t, r->worst >= 0 ? stress_quantity_name(r->family->kind, r->quantity) : "-");
-  write_measures(t, r->value, false);
-  write_verdict(t, r->what, r->broken);
-  if (r->worst >= 0)
-    stress_arguments(&cases[r->worst], arguments);
-  table_text(t, arguments);
-}
-
+enum { MOST_ROWS = 512 };
 struct run {
   const struct stress_options *options;
-  struct table table;
+  const struct effort *effort;
+  struct row row[MOST_ROWS];
+  int rows;
+  long judged, to_judge; /* cases */
   struct stress_case *stressed;
   struct stress_judgement *judgements;
-  double *errors;
+  double *values; /* room for one measure of all numbers */
+  struct table table;
   struct progress progress;
-  int broken;            /* rows  */
-  long judged, to_judge; /* cases */
 };
 
-/* Prints the first few broken promises of a family, each as one command. */
-static void report(const struct row *r, const struct run *run)
+/* False: there is no such family; the message is on stderr. */
+static bool plan(struct run *run)
 {
-  enum { REPORTED = 3 };
-  char arguments[STRESS_ARGUMENTS];
-  int reported = 0;
-  for (int i = 0; i < r->cases && reported < REPORTED; i++)
-    for (int q = 0; q < STRESS_QUANTITIES && reported < REPORTED; q++) {
-      const char *what = stress_broken(&run->judgements[i], q);
-      if (!what)
-        continue;
-      stress_arguments(&run->stressed[i], arguments);
-      complain("stress", "%s, %s gait: %s of %s; to see it: scallop %s %s", r->family->name, r->gait->name, what,
-               stress_quantity_name(r->family->kind, q), r->family->kind == STRESS_TRAJECTORY ? "trajectory" : "stress",
-               arguments);
-      reported++;
+  const struct stress_options *o = run->options;
+  const char *names[MOST_ROWS] = { NULL };
+  const struct scallop_gait *gait;
+  for (const struct stress_family *f = stress_families; f->name; f++) {
+    int most = f->kind == STRESS_TRAJECTORY ? TRAJECTORIES : INT_MAX, given = (int)o->cases.value;
+    int cases = given > most ? most : given > 0 ? given : run->effort->cases[f->kind];
+    names[f - stress_families] = f->name;
+    for (int g = 0; (!o->family || strcmp(f->name, o->family) == 0) && (gait = gait_of_row(o, f, g)); g++) {
+      assert(run->rows < MOST_ROWS);
+      run->row[run->rows++] = (struct row){ .family = f, .gait = gait, .cases = cases };
+      run->to_judge += cases;
     }
+  }
+  return run->rows > 0
+         || complain("stress", "--family: there is no family '%s'%s", o->family,
+                     did_you_mean(nearest(o->family, names)));
 }
 
 static void judge_all(struct run *run, int count)
@@ -220,140 +160,172 @@ static void judge_all(struct run *run, int count)
   }
 }
 
-static void run_family(struct run *run, const struct stress_family *family, const struct scallop_gait *gait)
+/* The first few broken promises of a family are printed, each as one command. */
+static void add_broken(struct row *r, const struct stress_case *s, const char *what, int q)
 {
-  const struct stress_options *o = run->options;
-  struct row r = { .family = family, .gait = gait };
-  progress_show(&run->progress, "%s, %s gait", family->name, gait->name);
-  r.cases = stress_make(family, gait, (unsigned long)o->seed.value, cases_of(o, family->kind), run->stressed);
-  for (int i = 0; i < r.cases; i++)
-    run->stressed[i].periods = o->full ? FULL_PERIODS : o->check ? CHECK_PERIODS : PERIODS;
-  judge_all(run, r.cases);
-  sum_up(&r, run->judgements, run->errors);
-  progress_end(&run->progress);
-  write_row(&run->table, &r, run->stressed);
-  table_flush(&run->table);
-  report(&r, run);
-  run->broken += r.broken > 0;
+  enum { REPORTED = 3 };
+  char arguments[STRESS_ARGUMENTS];
+  r->what = r->what ? r->what : what;
+  if (r->broken++ >= REPORTED)
+    return;
+  stress_arguments(s, arguments);
+  complain("stress", "%s, %s gait: %s of %s; to see it: scallop %s %s", r->family->name, r->gait->name, what,
+           stress_quantity_name(s, q), s->periods > 0 ? "trajectory" : "stress", arguments);
 }
 
-static bool is_wanted(const struct stress_options *o, const struct stress_family *f)
+static void sum_up(const struct run *run, struct row *r)
 {
-  return !o->family || strcmp(f->name, o->family) == 0;
+  for (int i = 0; i < r->cases; i++) {
+    const struct stress_judgement *j = &run->judgements[i];
+    const struct stress_case *s = &run->stressed[i];
+    r->refused += j->outcome == STRESS_REFUSED;
+    r->undecided += j->outcome == STRESS_UNDECIDED;
+    r->other_modes += j->other_modes;
+    for (int q = (int)quantity_first(s->motion.of); q < (int)quantity_end(s->motion.of); q++) {
+      const struct stress_number *n = &j->number[q];
+      if (n->broken)
+        add_broken(r, s, n->broken, q);
+      if (n->judged && (!r->worst || measure(n, UNITS) > measure(r->worst, UNITS))) {
+        r->worst = n;
+        r->worst_at = s;
+        r->quantity = stress_quantity_name(s, q);
+      }
+    }
+  }
 }
 
-/* The gait that is given; else that of the family, or those of the paper or, for a check, one of each kind. NULL after
- * the last. */
-static const struct scallop_gait *gait_of_run(const struct stress_options *o, const struct stress_family *f, int i)
+static double choose(const struct run *run, const struct row *r, int m)
 {
-  if (o->request.point.has_gait)
-    return i == 0 ? o->request.point.crawler.gait : NULL;
-  const char *name = f->gait ? (i == 0 ? f->gait : NULL) : o->check ? gait_sample(i) : scallop_gait_name(i);
-  return name ? gait_of_text(name).gait : NULL;
+  const enum choice choice = measures[m].choice;
+  size_t count = 0;
+  if (choice == OF_WORST)
+    return r->worst ? measure(r->worst, m) : NAN;
+  for (int i = 0; i < r->cases; i++)
+    for (int q = 0; q < QUANTITIES; q++) {
+      const struct stress_number *n = &run->judgements[i].number[q];
+      if (n->judged && !isnan(measure(n, m)))
+        run->values[count++] = measure(n, m);
+    }
+  gsl_sort(run->values, 1, count);
+  return count == 0             ? NAN
+         : choice == OF_LEAST   ? run->values[0]
+         : choice == OF_LARGEST ? run->values[count - 1]
+                                : gsl_stats_median_from_sorted_data(run->values, 1, count);
 }
 
-/* First the cases are counted, for the progress. */
-static void run_families(struct run *run)
+static void write_row(struct run *run, const struct row *r)
 {
-  const struct stress_options *o = run->options;
-  const struct scallop_gait *gait;
-  for (int counted = 0; counted < 2; counted++)
-    for (const struct stress_family *f = stress_families; f->name; f++)
-      for (int g = 0; is_wanted(o, f) && (gait = gait_of_run(o, f, g)) && !table_failed(&run->table); g++)
-        if (counted)
-          run_family(run, f, gait);
-        else
-          run->to_judge += cases_of(o, f->kind);
+  struct table *t = &run->table;
+  char arguments[STRESS_ARGUMENTS] = "-", text[VERDICT];
+  const int counts[] = { r->cases, r->refused, r->undecided, r->other_modes };
+  table_text(t, r->family->name);
+  table_text(t, r->gait->name);
+  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++)
+    table_count(t, counts[i]);
+  table_text(t, r->worst ? r->quantity : "-");
+  for (int m = 0; m < MEASURES; m++)
+    table_rounded(t, choose(run, r, m), measures[m].format);
+  table_text(t, verdict(text, r->what, r->broken > 1));
+  if (r->worst)
+    stress_arguments(r->worst_at, arguments);
+  table_text(t, arguments);
+  table_flush(t);
 }
 
-static void begin(struct run *run)
+/* False: out of memory */
+static bool run_row(struct run *run, struct row *r)
+{
+  const size_t count = (size_t)r->cases;
+  progress_show(&run->progress, "%s, %s gait", r->family->name, r->gait->name);
+  run->stressed = calloc(count, sizeof *run->stressed);
+  run->judgements = calloc(count, sizeof *run->judgements);
+  run->values = calloc(count * QUANTITIES, sizeof *run->values);
+  bool room = run->stressed && run->judgements && run->values;
+  if (room) {
+    r->cases = stress_make(r->family, r->gait, (unsigned long)run->options->seed.value, r->cases, run->stressed);
+    for (int i = 0; i < r->cases; i++)
+      run->stressed[i].periods *= run->effort->periods;
+    judge_all(run, r->cases);
+    sum_up(run, r);
+    progress_end(&run->progress);
+    write_row(run, r);
+  }
+  free(run->stressed);
+  free(run->judgements);
+  free(run->values);
+  return room;
+}
+
+static bool begin(struct run *run)
 {
   static const char *const before[] = { "family",    "gait",        "cases",    "refused",
                                         "undecided", "other_modes", "quantity", NULL };
   static const char *const after[] = { "verdict", "worst_at", NULL };
   const struct stress_options *o = run->options;
+  const struct point *p = &o->request.point;
   struct table *t = &run->table;
-  char number[40] = "";
+  char cases[40] = "";
   if (o->cases.value > 0)
-    snprintf(number, sizeof number, " --cases %ld", o->cases.value);
-  table_command(t, "stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "", o->family ? o->family : "",
-                o->request.point.has_gait ? " --gait " : "",
-                o->request.point.has_gait ? o->request.point.crawler.gait->name : "", o->full ? " --full" : "",
-                o->check ? " --check" : "", number, o->seed.value);
+    snprintf(cases, sizeof cases, " --cases %ld", o->cases.value);
+  if (!table_head(t, &o->request.style, "stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "",
+                  o->family ? o->family : "", p->has_gait ? " --gait " : "", p->has_gait ? p->crawler.gait->name : "",
+                  o->full ? " --full" : "", o->check ? " --check" : "", cases, o->seed.value))
+    return false;
   table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
   table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
              STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);
-  for (const struct stress_family *f = stress_families; f->name; f++)
-    if (is_wanted(o, f))
-      table_note(t, "%s: %s", f->name, f->about);
-  begin_rows(t, before, false, after);
+  for (const struct row *r = run->row; r < run->row + run->rows; r++)
+    if (r == run->row || r->family != r[-1].family)
+      table_note(t, "%s: %s", r->family->name, r->family->about);
+  begin_rows(t, before, true, after);
+  return true;
 }
 
 enum exit_code stress_table(const struct stress_options *o)
 {
-  struct run run = { .options = o, .progress = progress_begin(o->request.style.quiet) };
-  enum exit_code code = EXIT_UNSOLVED;
-  const size_t most = (size_t)cases_of(o, STRESS_PHASE);
-  const char *names[64] = { NULL };
-  int wanted = 0;
-  for (int i = 0; stress_families[i].name; i++) {
-    names[i] = stress_families[i].name;
-    wanted += is_wanted(o, &stress_families[i]);
-  }
-  if (wanted == 0) {
-    complain("stress", "--family: there is no family '%s'%s", o->family, did_you_mean(nearest(o->family, names)));
+  struct run run = { .options = o,
+                     .effort = o->full    ? &full
+                               : o->check ? &quick
+                                          : &usual,
+                     .progress = progress_begin(o->request.style.quiet) };
+  bool room = true, broken = false;
+  if (!plan(&run))
     return EXIT_USAGE;
+  if (!begin(&run))
+    return EXIT_FILE;
+  for (struct row *r = run.row; r < run.row + run.rows && room && !table_failed(&run.table); r++) {
+    room = run_row(&run, r) || complain("stress", "out of memory");
+    broken |= r->broken > 0;
   }
-  run.stressed = calloc(most, sizeof *run.stressed);
-  run.judgements = calloc(most, sizeof *run.judgements);
-  run.errors = calloc(most * STRESS_QUANTITIES, sizeof *run.errors);
-  if (!run.stressed || !run.judgements || !run.errors)
-    complain("stress", "out of memory");
-  else if (!table_open(&run.table, &o->request.style))
-    code = EXIT_FILE;
-  else {
-    begin(&run);
-    run_families(&run);
-    code = !table_close(&run.table) ? EXIT_FILE : o->check && run.broken > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
-  }
-  free(run.stressed);
-  free(run.judgements);
-  free(run.errors);
-  return code;
+  enum exit_code code = !room ? EXIT_UNSOLVED : o->check && broken ? EXIT_CHECK_FAILED : EXIT_DONE;
+  return table_close(&run.table) ? code : EXIT_FILE;
 }
 
-static void write_number(struct table *t, enum stress_kind kind, const struct stress_judgement *j, int q)
+static void write_number(struct table *t, const struct stress_judgement *j, int q)
 {
-  const char *broken = stress_broken(j, q);
-  bool judged = stress_is_judged(j, q);
   const struct stress_number *n = &j->number[q];
-  double value[MEASURES];
-  find_measures(j, q, value);
-  table_text(t, stress_quantity_name(kind, q));
-  table_number(t, judged ? n->got : NAN);
-  table_number(t, judged ? n->exact : NAN);
-  write_measures(t, value, true);
-  table_rounded(t, judged ? 1.0005 * n->estimate : NAN, "%.4g"); /* up */
-  if (j->outcome == STRESS_REFUSED)
-    table_text(t, j->why);
-  else if (!judged && !broken)
-    table_text(t, "-");
-  else
-    write_verdict(t, broken, 0);
+  char text[VERDICT];
+  table_text(t, quantity_rows[q].name);
+  table_number(t, n->judged ? n->got : NAN);
+  table_number(t, n->judged ? n->exact : NAN);
+  for (int m = 0; m < MEASURES; m++)
+    if (!measures[m].of_many)
+      table_rounded(t, n->judged ? measure(n, m) : NAN, measures[m].format);
+  table_rounded(t, n->judged ? 1.0005 * n->estimate : NAN, "%.4g"); /* up */
+  table_text(t, j->outcome == STRESS_REFUSED ? j->why
+                : !n->judged && !n->broken   ? "-"
+                                             : verdict(text, n->broken, false));
 }
 
 enum exit_code stress_point(const struct stress_options *o)
 {
-  static const char *const before[] = { "quantity", "value", "certified", NULL }, *const after[] = { "estimate",
-                                                                                                     "verdict", NULL };
+  static const char *const before[] = { "quantity", "value", "certified", NULL };
+  static const char *const after[] = { "estimate", "verdict", NULL };
+  const struct point *p = &o->request.point;
+  const struct stress_case s = { .motion = motion_of(p, p->has_phase || p->has_v0 ? OF_PHASE : OF_STEADY) };
   struct table t;
   struct stress_judgement j;
   char arguments[STRESS_ARGUMENTS];
-  const struct stress_case s = { .kind = o->request.point.has_phase || o->request.point.has_v0 ? STRESS_PHASE
-                                                                                               : STRESS_STEADY,
-                                 .crawler = o->request.point.crawler,
-                                 .phase = o->request.point.phase,
-                                 .v0 = o->request.point.v0 };
   bool broken = false;
   stress_judge(&s, &j);
   flint_cleanup();
@@ -363,10 +335,10 @@ enum exit_code stress_point(const struct stress_options *o)
   t.of = "stress of a point";
   if (j.outcome == STRESS_UNDECIDED)
     table_note(&t, "certified: not decided (%s); binary128 in its place", j.why ? j.why : "no reason");
-  begin_rows(&t, before, true, after);
-  for (int q = 0; q < STRESS_QUANTITIES; q++) {
-    write_number(&t, s.kind, &j, q);
-    broken |= stress_broken(&j, q) != NULL;
+  begin_rows(&t, before, false, after);
+  for (int q = (int)quantity_first(s.motion.of); q < (int)quantity_end(s.motion.of); q++) {
+    write_number(&t, &j, q);
+    broken |= j.number[q].broken != NULL;
   }
   if (broken)
     complain("stress", "a promise is broken here: see the column 'verdict'");

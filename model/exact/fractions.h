@@ -40,11 +40,6 @@ void scallop_exact_of(struct scallop_exact_gait *exact, const struct scallop_gai
  * say, as where l' of a polynomial is not exactly 0 at both ends, or changes its sign within a phase. */
 bool scallop_exact_made(struct scallop_exact_gait *exact, const struct scallop_gait_family *family,
                         const struct scallop_gait *gait, const fmpq *x, int count);
-/* The spline through count[kind] points of each phase, in the units of a scallop_knot, with slopes 0 at its ends and
- * elsewhere Steffen's (Astron. Astrophys. 239, 1990). False where two lengths are equal as doubles and are not. */
-bool scallop_exact_spline(struct scallop_exact_gait *exact, const struct scallop_gait *gait, const fmpq *const times[2],
-                          const fmpq *const lengths[2], const int count[2]);
-
 /* Where a piece begins and ends, as offsets */
 void scallop_rational_begin(fmpq_t u, const struct scallop_piece *piece);
 void scallop_rational_end(fmpq_t u, const struct scallop_piece *piece);

@@ -11,10 +11,10 @@ static void judge(const struct scene *scene, struct want *wants)
   if (scene->wants < 1 || (scene->request.sweep.products > 0 && !(sweep_points(&scene->request.sweep) >= 1)))
     fuzz_fail("a scene of %d wants and %ld points was taken", scene->wants, sweep_points(&scene->request.sweep));
   for (int w = 0; w < scene->wants; w++)
-    for (int i = 0; wants[w].has_rows && i < wants[w].rows.sheet.count; i++) {
-      const struct sheet_column *c = &wants[w].rows.sheet.column[i];
-      if (!c->name || (c->quantity >= 0) == (c->formula != NULL) || c->quantity >= asked->quantities.count)
-        fuzz_fail("column %d of want %d: quantity %d", i, w, c->quantity);
+    for (int i = 0; wants[w].has_rows && i < wants[w].rows.sheet.columns.count; i++) {
+      const struct column *c = &wants[w].rows.sheet.columns.item[i];
+      if (!c->name || (c->place >= 0) == (c->formula != NULL) || c->place >= asked->quantities.count)
+        fuzz_fail("column %d of want %d: quantity %d", i, w, c->place);
     }
 }
 

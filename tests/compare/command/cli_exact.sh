@@ -18,19 +18,6 @@ run 0 run gait.cfg
 run 0 series --source derived --order 4 --gait trapezoidal:0.2,0.3,0.7,0.1 # from rest: (F1 - F2)/(L V/DOWN), V = 5/3
 [ "$(awk -F '\t' '$1 == "contraction" && $3 == "dT" && $4 == 3 { print $5 }' out)" = 9/500 ] || note "$(cat out)"
 finish "the numbers of a gait are those that are written, on the command line, of points and in scenes"
-printf '0 0\n0.1 0\n0.100000001 1\n0.2 1\n0.200000001 2\n0.3 2\n0.300000001 3\n0.5 0\n' >steps.txt
-printf '0 1\n1 1\n1.00000001 3\n2 3\n2.00000001 5\n3 5\n3.00000001 7\n5 1\n' >scaled.txt
-same="--m1 0.14 --m2 2 --F1 2.9 --F2 1.48 --T 1.7 --L 1 --certified --digits 40"
-for command in "steady" "phase --v0 0.3"; do
-    # shellcheck disable=SC2086
-    for name in steps scaled; do
-        run 0 $command $same --gait measured:$name.txt
-        grep -v '^#' out | sed "s/$name/table/" >$name
-    done
-    cmp steps scaled >&2 || note "$command: other digits in other units"
-done
-finish "a table counts as its decimals are written"
-
 # ---- derived series ----
 run 0 series --source derived --order 9
 cp out derived

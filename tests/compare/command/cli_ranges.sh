@@ -134,7 +134,7 @@ for command in steady phase trajectory series 'series --source derived' 'breakdo
 done
 refuse "there is no quantity 'statu': did you mean 'status'" steady --columns statu -o none.tsv
 [ ! -e none.tsv ] || note "none.tsv is there"
-refuse "'r=F1/': character" steady --columns 'r=F1/'
+refuse "'F1/': character" steady --columns 'r=F1/'
 refuse "'' is not allowed here: it takes names of columns" steady --columns F1,,F2
 refuse "is there twice" steady --columns F1,F1
 refuse "columns is for tables" series --source derived --emit python --columns power

@@ -69,7 +69,7 @@ E2
 refused "1: 'x = 2\\*modes': modes is a text" <<'E2'
 want = ( { what = "steady"; columns = [ "x = 2*modes" ]; file = "kept.tsv"; } );
 E2
-refused "1: the column T is there twice" <<'E2'
+refused "1: the column 'T' is there twice" <<'E2'
 want = ( { what = "steady"; columns = [ "T", "T" ]; file = "kept.tsv"; } );
 E2
 refused "1: x1 is a quantity of a trajectory" <<'E2'

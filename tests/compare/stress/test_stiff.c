@@ -4,7 +4,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "compare/stress/stiff_measure.h"
+#include "compare/stress/stiff.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -23,7 +23,7 @@ static struct stiff_scene scene_of(const struct scallop_crawler *c)
 {
   struct stiff_scene scene;
   assert_null(stiff_scene_init(&scene, "made up", c));
-  assert_string_equal(scene.name, "made up");
+  assert_string_equal(scene.names[0], "made up");
   return scene;
 }
 
@@ -43,7 +43,7 @@ TEST(certified_values)
       assert_true(values[k]->low != 0);
       CHECK_AT_MOST(fabs(values[k]->low), 0.5 * DBL_EPSILON * fabs(values[k]->high));
     }
-    CHECK_RELATIVE(scene.eps, 5 * c.T * c.T / 20, 4 * DBL_EPSILON);
+    CHECK_RELATIVE(scene.scaled.eps, 5 * c.T * c.T / 20, 4 * DBL_EPSILON);
     assert_int_equal(scene.regime, i < 2 ? SCALLOP_SLIDING : SCALLOP_STICK_SLIP);
     assert_int_equal(scene.held.body, i < 2 ? 0 : 1);
   }
@@ -242,8 +242,8 @@ TEST(order_of_the_model)
     }
     for (int quantity = 0; quantity < (i < 2 ? STIFF_CREEP : STIFF_QUANTITIES); quantity++) {
       struct stiff_trend trend = stiff_trend(runs, DECADES, quantity);
-      print_message("%s, T = %g, %s: order %.4f (%.4f to %.4f)\n", c.gait->name, c.T, stiff_quantities[quantity],
-                    trend.fit.order, trend.fit.low, trend.fit.high);
+      print_message("%s, T = %g, %s: order %.4f (%.4f to %.4f)\n", c.gait->name, c.T, trend.quantity, trend.fit.order,
+                    trend.fit.low, trend.fit.high);
       CHECK_NEAR(trend.fit.order, 1, i == 3 ? 0.09 : 0.01); /* a logarithm in the last of them */
       assert_int_equal(trend.fit.verdict, SCALLOP_ORDER_PASS);
       assert_int_equal(trend.good, DECADES);

@@ -1,7 +1,7 @@
 /* The judge of `stress`: cases that once broke a promise hold it now, and it sees what is wrong. */
 #include <float.h>
 
-#include "compare/stress/judge.h"
+#include "compare/stress/stress.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -16,12 +16,15 @@
   { \
     gait, \
     { \
-      .kind = STRESS_STEADY, .crawler = { __VA_ARGS__, NULL } \
+      .motion = { OF_STEADY, { __VA_ARGS__, NULL } } \
     } \
   }
 #define PHASE(gait, of, start, ...) \
   { \
-    gait, { .kind = STRESS_PHASE, .crawler = { __VA_ARGS__, NULL }, .phase = of, .v0 = (start) } \
+    gait, \
+    { \
+      .motion = { OF_PHASE, { __VA_ARGS__, NULL }, of, (start) } \
+    } \
   }
 #define EXTENSION(gait, ...) PHASE(gait, SCALLOP_EXTENSION, __VA_ARGS__)
 #define CONTRACTION(gait, ...) PHASE(gait, SCALLOP_CONTRACTION, __VA_ARGS__)
@@ -208,12 +211,10 @@ static void check_promises(const struct stress_case *c)
   char arguments[STRESS_ARGUMENTS];
   stress_judge(c, &j);
   stress_arguments(c, arguments);
-  for (int q = 0; q < STRESS_QUANTITIES; q++) {
-    const char *broken = stress_broken(&j, q);
-    if (broken)
-      fail_msg("%s of %s: %.3g units: scallop stress %s", broken, stress_quantity_name(c->kind, q),
+  for (int q = 0; q < QUANTITIES; q++)
+    if (j.number[q].broken)
+      fail_msg("%s of %s: %.3g units: scallop stress %s", j.number[q].broken, stress_quantity_name(c, q),
                j.number[q].error / j.number[q].unit, arguments);
-  }
   assert_true(j.outcome == STRESS_SOLVED || j.outcome == STRESS_UNDECIDED);
 }
 
@@ -222,7 +223,7 @@ TEST(past_failures)
   const long count = sizeof past / sizeof *past, step = count / check_cases(count);
   for (long i = 0; i < count; i += step) {
     struct stress_case c = past[i].stressed;
-    c.crawler.gait = gait_of_text(past[i].gait).gait;
+    c.motion.crawler.gait = gait_of_text(past[i].gait).gait;
     check_promises(&c);
   }
 }
@@ -236,21 +237,21 @@ TEST(on_a_plateau)
   struct random r = { 20261122 };
   int held = 0, turned = 0;
   for (int i = 0; i < 60; i++) {
-    struct stress_case s = { .crawler = { .m1 = random_decades(&r, 0.03, 30),
-                                          .m2 = 1,
-                                          .F1 = random_decades(&r, 0.1, 10),
-                                          .F2 = 1,
-                                          .L = random_decades(&r, 0.1, 10),
-                                          .alpha = random_between(&r, 0.05, 0.95),
-                                          .gait = gait_of_text(gaits[i % 4]).gait } };
+    struct stress_case s = { .motion.crawler = { .m1 = random_decades(&r, 0.03, 30),
+                                                 .m2 = 1,
+                                                 .F1 = random_decades(&r, 0.1, 10),
+                                                 .F2 = 1,
+                                                 .L = random_decades(&r, 0.1, 10),
+                                                 .alpha = random_between(&r, 0.05, 0.95),
+                                                 .gait = gait_of_text(gaits[i % 4]).gait } };
     if (i % 3 == 0) {
-      s.crawler.m1 = 1 + random_below(&r, 15);
-      s.crawler.m2 = 16 - s.crawler.m1;
-      s.crawler.alpha = s.crawler.m2 / 16;
+      s.motion.crawler.m1 = 1 + random_below(&r, 15);
+      s.motion.crawler.m2 = 16 - s.motion.crawler.m1;
+      s.motion.crawler.alpha = s.motion.crawler.m2 / 16;
     }
-    s.crawler.T = random_decades(&r, 1e-90, 1e-4);
+    s.motion.crawler.T = random_decades(&r, 1e-90, 1e-4);
     check_promises(&s);
-    struct scallop_steady_result result = steady_of(&s.crawler);
+    struct scallop_steady_result result = steady_of(&s.motion.crawler);
     held += result.period.regime == SCALLOP_STICK_SLIP;
     turned += result.period.multiplier > 0 && result.period.multiplier < 0.99;
   }
@@ -260,31 +261,32 @@ TEST(on_a_plateau)
 /* Below 1e-289 of L/tau of the shorter phase, the extension here, digits of v_mid may be lost; above they may not. */
 TEST(units_far_below_the_natural_one)
 {
-  const struct stress_case lost = { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-152, SINUSOIDAL } };
-  const struct stress_case kept = { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-130, SINUSOIDAL } };
+  const struct stress_case lost = { .motion.crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-152, SINUSOIDAL } };
+  const struct stress_case kept = { .motion.crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-130, SINUSOIDAL } };
   struct stress_judgement j;
   check_promises(&lost);
   check_promises(&kept);
   stress_judge(&lost, &j);
-  assert_true(j.number[2].ulp == 0 && j.number[2].error > 0);
+  assert_true(isnan(j.number[Q_V_MID].ulp) && j.number[Q_V_MID].error > 0);
   stress_judge(&kept, &j);
-  assert_true(j.number[2].ulp > 0);
+  assert_true(j.number[Q_V_MID].ulp > 0);
 }
 
 /* What over- or underflows is refused, and nothing else is. */
 TEST(refusals)
 {
   static const struct stress_case refused[] = {
-    { .crawler = { 1, 1, 4, 1, 1e-300, 1e10, 0.75, QUADRATIC } },                       /* L/T underflows */
-    { .crawler = { 1, 1, 4e300, 1e300, 1e-5, 1e3, 0.75, QUADRATIC } },                  /* eps overflows */
-    { .crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-156, SINUSOIDAL } },                   /* alpha^2 underflows */
-    { .kind = STRESS_PHASE, .crawler = { 1, 1, 4, 1, 1e300, 1e-10, 0.75, QUADRATIC } }, /* L/tau overflows */
+    { .motion.crawler = { 1, 1, 4, 1, 1e-300, 1e10, 0.75, QUADRATIC } },                        /* L/T underflows */
+    { .motion.crawler = { 1, 1, 4e300, 1e300, 1e-5, 1e3, 0.75, QUADRATIC } },                   /* eps overflows */
+    { .motion.crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-156, SINUSOIDAL } },                    /* alpha^2 underflows */
+    { .motion = { .of = OF_PHASE, .crawler = { 1, 1, 4, 1, 1e300, 1e-10, 0.75, QUADRATIC } } }, /* L/tau overflows */
   };
   for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
     struct stress_judgement j;
     stress_judge(&refused[i], &j);
     assert_int_equal(j.outcome, STRESS_REFUSED);
-    assert_null(stress_broken(&j, 0));
+    for (int q = 0; q < QUANTITIES; q++)
+      assert_true(!j.number[q].judged && !j.number[q].broken);
   }
 }
 
@@ -292,48 +294,58 @@ TEST(refusals)
  * 5, and v_end = v0 - eps L/tau of a phase that is all braking is known. */
 TEST(condition_numbers)
 {
-  struct stress_case c = { .crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, SINUSOIDAL } };
+  struct stress_case c = { .motion.crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, SINUSOIDAL } };
   struct stress_judgement j;
   stress_judge(&c, &j);
   assert_int_equal(j.outcome, STRESS_SOLVED);
-  double condition = j.number[0].unit
-                     / j.number[0].ulp; /* ulps of parameters and of the result are 1 to 2 roundings each */
+  double condition = j.number[Q_FROUDE].unit
+                     / j.number[Q_FROUDE].ulp; /* ulps of parameters and of the result are 1 to 2 roundings each */
   assert_true(condition > 2.5 && condition < 10);
-  CHECK_AT_MOST(j.number[0].error, 2 * j.number[0].ulp);
+  CHECK_AT_MOST(j.number[Q_FROUDE].error, 2 * j.number[Q_FROUDE].ulp);
 }
 
 /* Each broken promise is reported. */
 TEST(sees_what_is_wrong)
 {
-  struct stress_case c = { .crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, QUADRATIC } };
+  struct stress_case c = { .motion.crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, QUADRATIC } };
   struct stress_judgement right, j;
   stress_judge(&c, &right);
-  for (int q = 0; q < STRESS_QUANTITIES; q++)
-    assert_null(stress_broken(&right, q));
+  for (int q = Q_FROUDE; q <= Q_MULTIPLIER; q++)
+    assert_true(right.number[q].judged && !right.number[q].broken && !stress_broken(&right.number[q]));
   j = right;
-  j.number[1].error = 8.01 * j.number[1].unit;
-  j.number[1].estimate = j.number[1].error;
-  assert_string_equal(stress_broken(&j, 1), "error");
+  j.number[Q_V_START].error = 8.01 * j.number[Q_V_START].unit;
+  j.number[Q_V_START].estimate = j.number[Q_V_START].error;
+  assert_string_equal(stress_broken(&j.number[Q_V_START]), "error");
   const struct {
     int number;
     double *changed, value;
     const char *says;
   } broken[] = {
-    { 2, &j.number[2].error, NAN, "error" },
-    { 3, &j.number[3].rounding, 32.1 * right.number[3].unit, "spread over the rounding modes" },
-    { 3, &j.number[3].perturbed, 17.1 * right.number[3].unit, "spread over parameters an ulp apart" },
-    { 4, &j.number[4].estimate, 0.99 * right.number[4].error, "estimate of the error too small" },
-    { 4, &j.number[4].estimate, 200 * right.number[4].ulp, "estimate of the error too large" },
+    { Q_V_MID, &j.number[Q_V_MID].error, NAN, "error" },
+    { Q_DISPLACEMENT, &j.number[Q_DISPLACEMENT].rounding, 32.1 * right.number[Q_DISPLACEMENT].unit,
+      "spread over the rounding modes" },
+    { Q_DISPLACEMENT, &j.number[Q_DISPLACEMENT].perturbed, 17.1 * right.number[Q_DISPLACEMENT].unit,
+      "spread over parameters an ulp apart" },
+    { Q_MEAN_VELOCITY, &j.number[Q_MEAN_VELOCITY].estimate, 0.99 * right.number[Q_MEAN_VELOCITY].error,
+      "estimate of the error too small" },
+    { Q_MEAN_VELOCITY, &j.number[Q_MEAN_VELOCITY].estimate, 200 * right.number[Q_MEAN_VELOCITY].ulp,
+      "estimate of the error too large" },
   };
   for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
     j = right;
     *broken[i].changed = broken[i].value;
-    assert_string_equal(stress_broken(&j, broken[i].number), broken[i].says);
+    assert_string_equal(stress_broken(&j.number[broken[i].number]), broken[i].says);
   }
-  j = right;
-  j.outcome = STRESS_BROKEN;
-  j.why = "reason";
-  assert_string_equal(stress_broken(&j, 5), "reason");
+  j.number[Q_FROUDE] = right.number[Q_FROUDE];
+  j.number[Q_FROUDE].rounding = NAN; /* of a trajectory there is but the error */
+  assert_null(stress_broken(&j.number[Q_FROUDE]));
+  c.motion.crawler.T = -1; /* and a case may be broken as a whole */
+  stress_judge(&c, &j);
+  assert_int_equal(j.outcome, STRESS_BROKEN);
+  for (int q = 0; q < QUANTITIES; q++) {
+    assert_string_equal(j.number[q].broken, scallop_status_text(SCALLOP_EDOMAIN));
+    assert_false(j.number[q].judged);
+  }
 }
 
 static bool same_cases(const struct stress_case *a, const struct stress_case *b, int count)
@@ -343,7 +355,7 @@ static bool same_cases(const struct stress_case *a, const struct stress_case *b,
   for (int i = 0; same && i < count; i++) {
     stress_arguments(&a[i], text[0]);
     stress_arguments(&b[i], text[1]);
-    same = a[i].kind == b[i].kind && strcmp(text[0], text[1]) == 0;
+    same = a[i].motion.of == b[i].motion.of && strcmp(text[0], text[1]) == 0;
   }
   return same;
 }
@@ -362,8 +374,9 @@ TEST(families)
     assert_true(same_cases(a, b, COUNT));
     assert_false(same_cases(a, other, COUNT));
     for (int i = 0; i < COUNT; i++) {
-      assert_int_equal(a[i].kind, f->kind);
-      assert_int_equal(scallop_crawler_check(&a[i].crawler, NULL), SCALLOP_OK);
+      assert_int_equal(a[i].motion.of, f->kind == STRESS_STEADY ? OF_STEADY : OF_PHASE);
+      assert_int_equal(a[i].periods > 0, f->kind == STRESS_TRAJECTORY);
+      assert_int_equal(scallop_crawler_check(&a[i].motion.crawler, NULL), SCALLOP_OK);
     }
   }
   assert_int_equal(n, 28);
@@ -384,9 +397,9 @@ TEST(boundaries_are_near)
     for (int i = 0; i < COUNT; i++) {
       struct scallop_steady_result here, there;
       bool differs = false;
-      assert_true(scallop_steady(&cases[i].crawler, &here) >= 0);
+      assert_true(scallop_steady(&cases[i].motion.crawler, &here) >= 0);
       for (int p = 0; p < 8 && !differs; p++) {
-        struct scallop_crawler c = cases[i].crawler;
+        struct scallop_crawler c = cases[i].motion.crawler;
         double *const moved[] = { &c.T, &c.F1, &c.m2, &c.alpha };
         *moved[p / 2] *= p % 2 ? 1.002 : 0.998;
         if (scallop_steady(&c, &there) < 0)
@@ -403,20 +416,20 @@ TEST(boundaries_are_near)
 /* A trajectory against its closed form, and one whose start is a little off against the wrong one. */
 TEST(trajectories)
 {
-  struct stress_case c = { .kind = STRESS_TRAJECTORY,
-                           .crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.31, 0.63, QUADRATIC },
-                           .periods = 500 };
+  struct stress_case c = {
+    .motion = { .of = OF_PHASE, .crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.31, 0.63, QUADRATIC } }, .periods = 500
+  };
   struct stress_judgement j;
-  struct scallop_steady_result s = steady_of(&c.crawler);
+  struct scallop_steady_result s = steady_of(&c.motion.crawler);
   for (int k = 0; k < 3; k++) {
-    c.v0 = s.period.v_start * (1 + 0.02 * k);
+    c.motion.v0 = s.period.v_start * (1 + 0.02 * k);
     stress_judge(&c, &j);
     assert_int_equal(j.outcome, STRESS_SOLVED);
-    for (int q = 0; q < 2; q++)
-      CHECK_AT_MOST(j.number[q].error, 8 * j.number[q].unit);
-    CHECK_RELATIVE(j.number[0].exact, 500 * s.period.displacement, 0.01);
+    CHECK_AT_MOST(j.number[Q_DXC].error, 8 * j.number[Q_DXC].unit);
+    CHECK_AT_MOST(j.number[Q_V_END].error, 8 * j.number[Q_V_END].unit);
+    CHECK_RELATIVE(j.number[Q_DXC].exact, 500 * s.period.displacement, 0.01);
   }
-  c.v0 = 0; /* starts from rest: other modes at first */
+  c.motion.v0 = 0; /* starts from rest: other modes at first */
   stress_judge(&c, &j);
   assert_int_equal(j.outcome, STRESS_REFUSED);
 }

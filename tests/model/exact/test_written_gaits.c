@@ -125,62 +125,6 @@ TEST(polynomials)
   }
 }
 
-/* A table in other units and from another origin, in decimals. */
-TEST(tables)
-{
-  struct random r = { 20261514 };
-  for (int i = 0; i < TRIES; i++) {
-    char text[2][4 * WORD] = { "", "" }, name[2][40];
-    int t = 0, l = 0, rows = 4 + random_below(&r, 8), top = rows / 2;
-    for (int k = 0; k <= rows; k++) {
-      snprintf(text[0] + strlen(text[0]), WORD, "%d %d\n", t, k == rows ? 0 : l);
-      snprintf(text[1] + strlen(text[1]), WORD, "%.4f %.4f\n", 0.1003 + 0.0007 * t, 0.3 + 0.0013 * (k == rows ? 0 : l));
-      t += 1 + (random_below(&r, 3) ? random_below(&r, 900) : 0);
-      l += k < top ? random_below(&r, 3) * random_below(&r, 300) + (k + 1 == top ? 100 : 0)
-                   : -random_below(&r, l / (rows - k + 1) + 1);
-    }
-    for (int j = 0; j < 2; j++) {
-      snprintf(name[j], sizeof name[j], "measured:table%d-%d.txt", i, j);
-      write_text(name[j] + strlen("measured:"), text[j]);
-    }
-    const struct scallop_gait *whole = written_gait(gait_of(name[0])), *scaled = written_gait(gait_of(name[1]));
-    assert_true(whole != gait_of(name[0]));
-    compare(&r, whole, scaled, true);
-  }
-}
-
-/* Knots and slopes that are doubles: an own way to Steffen's slopes, and to the spline. */
-TEST(a_table_of_doubles)
-{
-  struct random r = { 20261515 };
-  write_text("doubles.txt", "0 0\n1 0.25\n2 0.5\n3 0.5\n4 1\n5 0.75\n6 0.75\n7 0.5\n8 0\n");
-  const struct scallop_gait *gait = gait_of("measured:doubles.txt");
-  for (int i = 0; i < 6; i++)
-    compare(&r, gait, written_gait(gait), true);
-}
-
-/* What a table has of its own: 1/3 of the period, of 0.3. */
-TEST(own_numbers)
-{
-  struct point p = point_initial(NULL);
-  SCOPED(scallop_rational, exact);
-  SCOPED(fmpq, wanted);
-  write_text("own.txt", "0.1 0.5\n0.15 1\n0.2 1.2\n0.3 1\n0.4 0.5\n");
-  p.crawler.gait = gait_of("measured:own.txt");
-  point_complete(&p);
-  rational_point(&exact, NULL, &p);
-  const fmpq *const own[3] = { exact.L, exact.T, exact.alpha };
-  const long numbers[3][2] = { { 7, 10 }, { 3, 10 }, { 1, 3 } };
-  for (int i = 0; i < 3; i++) {
-    fmpq_set_si(wanted, numbers[i][0], (ulong)numbers[i][1]);
-    assert_true(fmpq_equal(own[i], wanted));
-  }
-  p.crawler.alpha = 0.375;
-  rational_point(&exact, NULL, &p);
-  fmpq_set_si(wanted, 3, 8);
-  assert_true(fmpq_equal(exact.alpha, wanted));
-}
-
 /* Whose doubles stand for them */
 TEST(as_doubles)
 {

@@ -4,7 +4,7 @@
 
 #include "asymptotics/derived/derived.h"
 #include "compare/points/gaits.h"
-#include "compare/stress/judge.h"
+#include "compare/stress/stress.h"
 #include "model/exact/ball.h"
 #include "tests/support/certified_balls.h"
 #include "tests/support/random_gait.h"
@@ -112,17 +112,16 @@ static void judge(const struct stress_case *s, int pieces)
 {
   struct stress_judgement j;
   stress_judge(s, &j);
-  for (int q = 0; q < STRESS_QUANTITIES; q++) {
-    const char *broken = stress_broken(&j, q);
+  for (int q = 0; q < QUANTITIES; q++) {
+    const struct stress_number *n = &j.number[q];
+    const char *broken = n->broken;
     if (pieces > 0 && j.outcome != STRESS_BROKEN)
-      broken = !j.number[q].exists || j.number[q].error <= (STRESS_PROMISE + pieces) * j.number[q].unit ? NULL
-                                                                                                        : "error";
+      broken = !n->judged || n->error <= (STRESS_PROMISE + pieces) * n->unit ? NULL : "error";
     if (!broken)
       continue;
-    print_crawler(&s->crawler);
+    print_crawler(&s->motion.crawler);
     fail_msg("%s of %s: %.3g units, %.3g over the rounding modes; phase %d, v0 = %.17g", broken,
-             stress_quantity_name(s->kind, q), j.number[q].error / j.number[q].unit,
-             j.number[q].rounding / j.number[q].unit, (int)s->phase, s->v0);
+             stress_quantity_name(s, q), n->error / n->unit, n->rounding / n->unit, (int)s->motion.phase, s->motion.v0);
   }
 }
 
@@ -137,12 +136,12 @@ TEST(promise)
   for (int i = 0; i < check_cases(36 * WITHOUT_TURN); i++) {
     const struct scallop_gait *gait = random_gait(&r, (enum random_gait_kind)(i % WITHOUT_TURN), &made);
     int pieces = i % WITHOUT_TURN == SPLINE ? gait->phase[0].count + gait->phase[1].count : 0;
-    struct stress_case s = { .kind = STRESS_STEADY,
-                             .crawler = random_crawler(&r, families[i / WITHOUT_TURN % 6], gait) };
+    struct stress_case s = { .motion = { .of = OF_STEADY,
+                                         .crawler = random_crawler(&r, families[i / WITHOUT_TURN % 6], gait) } };
     judge(&s, pieces);
-    s.kind = STRESS_PHASE;
-    s.phase = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-    s.v0 = random_start(&r, &s.crawler, s.phase);
+    s.motion.of = OF_PHASE;
+    s.motion.phase = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+    s.motion.v0 = random_start(&r, &s.motion.crawler, s.motion.phase);
     judge(&s, pieces);
   }
 }

@@ -1,10 +1,10 @@
 /* Friction smoothed over delta (scallop_smoothed_rival): one period from the exact steady start, as delta -> 0:
  * certified scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
-#ifndef SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
-#define SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
+#ifndef SCALLOP_COMPARE_STRESS_STIFF_H
+#define SCALLOP_COMPARE_STRESS_STIFF_H
 
-#include "compare/answers/answer.h"
 #include "asymptotics/observed/order.h"
+#include "compare/answers/answer.h"
 #include "numerics/rivals/rival.h"
 
 /* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of
@@ -20,9 +20,9 @@ struct stiff_held {
 };
 
 struct stiff_scene {
-  const char *name;
+  const char *names[4]; /* its own, that of the gait, of the regime and of the stepper */
   struct scallop_crawler crawler;
-  double eps; /* T^2 (F1 + F2)/(M L) */
+  struct scallop_scaled scaled;
   enum scallop_regime regime;
   double v_start;                          /* the certified steady one, rounded */
   struct scallop_wide v_end, displacement; /* certified, of the period from this very v_start */
@@ -33,18 +33,15 @@ struct stiff_scene {
 const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler);
 
 enum { STIFF_V_END, STIFF_DISPLACEMENT, STIFF_CREEP, STIFF_QUANTITIES, STIFF_STATUS = 80 };
-extern const char *const stiff_quantities[]; /* their names */
 
+/* nan: not known */
 struct stiff_run {
   double delta, tolerance;
-  /* smoothed - certified, over L/T and L; all of creep, which ought to be 0; nan: none */
-  double error[STIFF_QUANTITIES];
-  double own
-      [STIFF_QUANTITIES]; /* of the stepper: how much the answer changes with ten times the tolerance; nan: unknown */
-  double creep_over_delta, velocity,
-      last; /* of the held body; velocities in the middle and at the end of the stretch, over v_delta */
-  double predicted_creep, predicted_velocity; /* those of struct stiff_held, nan without a held body */
-  double steps, evaluations;                  /* of the period; nan without an answer */
+  double error[STIFF_QUANTITIES]; /* smoothed - certified, over L/T and L; all of creep, which ought to be 0 */
+  double own[STIFF_QUANTITIES];   /* of the stepper: how much the answer changes with ten times the tolerance */
+  double creep_over_delta, velocity, last; /* of the held body; velocities in the middle and at the end, over v_delta */
+  double predicted_creep, predicted_velocity; /* those of struct stiff_held */
+  double steps, evaluations;                  /* of the period              */
   bool solved;
   char status[STIFF_STATUS]; /* "ok", or why it gave up, and after how many steps */
 };
@@ -55,15 +52,20 @@ double stiff_tolerance(double delta);
  * the stretch, may take. */
 void stiff_solve(const struct stiff_scene *scene, double delta, double tolerance, long most, struct stiff_run *run);
 
+/* The order in delta of a series of runs */
 struct stiff_trend {
-  struct scallop_order_result fit; /* in delta, over the good runs, against order 1 */
-  /* the first so many runs are: solved, the stepper's own error at most a tenth of the error, and that at most half
-   * of * the one before */
+  const char *quantity, *verdict;  /* in words */
+  struct scallop_order_result fit; /* over the good runs, against order 1 */
+  /* the first so many runs are: solved, the stepper's own error at most a tenth of the error, and that at most half of
+   * the one before */
   int good;
-  double worst_beyond; /* largest |error| that a later run came back with, content; nan if there is none */
+  struct stiff_run best, last; /* the last good one; the last one                             */
+  double error_there;          /* of the best                                                 */
+  double worst_beyond;         /* largest |error| that a later run came back with, content    */
+  double gives_up_at;          /* delta of the last one                                       */
 };
 enum { STIFF_MOST_RUNS = 16 };
-/* runs: at most STIFF_MOST_RUNS, delta falling. */
+/* runs: from 1 to STIFF_MOST_RUNS, delta falling. */
 struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quantity);
 
 #endif
