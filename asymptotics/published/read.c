@@ -17,7 +17,7 @@ const struct scallop_formula *scallop_formula_named(const char *name)
 
 struct asked {
   const struct scallop_formula *formula;
-  near_name *near_to;
+  nearest_name *nearest;
 };
 
 static int place_of(void *context, const char *name)
@@ -40,22 +40,27 @@ static const char *part_of(void *context, const char *name)
 
 static const char *nearest_to(void *context, const char *name, const char *const *functions)
 {
+  enum { MOST_PARTS = 32 };
   const struct asked *asked = context;
-  return asked->near_to ? asked->near_to(asked->formula, name, functions) : NULL;
+  const char *names[SCALLOP_SYMBOLS + MOST_PARTS + 1] = { NULL };
+  memcpy(names, scallop_symbol_names, sizeof scallop_symbol_names);
+  for (int i = 0; asked->formula->parts && asked->formula->parts[i].name && i < MOST_PARTS; i++)
+    names[SCALLOP_SYMBOLS + i] = asked->formula->parts[i].name;
+  return asked->nearest ? asked->nearest(name, functions ? functions : names) : NULL;
 }
 
 static const char *read_text(struct formula *read, const char *text, const struct scallop_formula *formula,
-                             near_name *near_to, char message[FORMULA_MESSAGE])
+                             nearest_name *nearest, char message[FORMULA_MESSAGE])
 {
-  struct asked asked = { formula, near_to };
+  struct asked asked = { formula, nearest };
   const struct formula_names names = { place_of, nearest_to, part_of, &asked };
   return formula_read(read, text, &names, message);
 }
 
-const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, near_name *near_to,
+const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, nearest_name *nearest,
                                  char message[FORMULA_MESSAGE])
 {
-  return read_text(read, formula->text, formula, near_to, message);
+  return read_text(read, formula->text, formula, nearest, message);
 }
 
 bool scallop_formula_is_exchanged(const struct scallop_formula *formula, enum scallop_phase_kind kind)

@@ -5,11 +5,11 @@
 #include "asymptotics/asymptotics.h"
 #include "asymptotics/formula.h"
 
-/* Reads the text of a formula, which may use its parts; the place of a name is that in enum scallop_symbol. near_to,
- * which may be NULL: the name that an unknown one resembles, as formula_names has it. Returns NULL, or `message`
- * (formula_read). */
-typedef const char *near_name(const struct scallop_formula *formula, const char *name, const char *const *functions);
-const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, near_name *near_to,
+/* Reads the text of a formula, which may use its parts; the place of a name is that in enum scallop_symbol. nearest,
+ * which may be NULL: the one of names (NULL-terminated) that an unknown one resembles, or NULL. Returns NULL, or
+ * `message` (formula_read). */
+typedef const char *nearest_name(const char *name, const char *const *names);
+const char *scallop_formula_text(struct formula *read, const struct scallop_formula *formula, nearest_name *nearest,
                                  char message[FORMULA_MESSAGE]);
 
 /* Is the formula, for a phase of this kind, that of the other kind, with the bodies exchanged? */

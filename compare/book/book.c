@@ -1,3 +1,5 @@
+/* Formulas by name and by place, whichever list they are of. */
+#include <search.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
@@ -5,112 +7,81 @@
 #include "compare/book/entry.h"
 #include "compare/text/memory.h"
 
-/* The formulas of the books that were read, in the order of reading, and the files, which have their texts */
-static struct entry **entries;
+/* The formulas of the books that were read: in the order of reading, and as a tree by their names */
+static struct book_entry **entries;
 static int count;
-enum { BUCKETS = 16384 };
-static struct entry *buckets[BUCKETS]; /* the entries by their names */
-static struct config **files;
-static int file_count;
+static void *by_name;
+struct book_file *book_files;
 
-static struct entry **bucket_of(const char *name)
+static int compare(const void *a, const void *b)
 {
-  return &buckets[checksum_after(CHECKSUM_OF_NOTHING, name, strlen(name)) % BUCKETS];
+  return strcmp(((const struct book_entry *)a)->formula.name, ((const struct book_entry *)b)->formula.name);
 }
 
-const struct entry *book_entry_named(const char *name)
+const struct book_entry *book_entry_named(const char *name)
 {
-  const struct entry *e = *bucket_of(name);
-  while (e && strcmp(e->formula.name, name) != 0)
-    e = e->next;
-  return e;
+  const struct book_entry wanted = { .formula.name = name };
+  struct book_entry *const *found = tfind(&wanted, &by_name, compare);
+  return found ? *found : NULL;
 }
 
-bool book_keep(struct entry *e)
+bool book_keep(struct book_entry *e)
 {
-  struct entry **more = with_room(entries, count, sizeof(struct entry *));
-  if (!more)
+  struct book_entry **more = with_room(entries, count, sizeof(struct book_entry *));
+  entries = more ? more : entries;
+  if (!more || !tsearch(e, &by_name, compare))
     return false;
-  entries = more;
   entries[count++] = e;
-  struct entry **bucket = bucket_of(e->formula.name);
-  e->next = *bucket;
-  *bucket = e;
   return true;
 }
 
-struct config *book_config(void)
-{
-  struct config **more = with_room(files, file_count, sizeof(struct config *)), *c = more ? calloc(1, sizeof *c) : NULL;
-  files = more ? more : files;
-  if (c)
-    files[file_count++] = c;
-  return c;
-}
-
-int book_count(void) { return count; }
-const struct entry *book_entry(int i) { return entries[i]; }
 const struct scallop_formula *book_formula(int i) { return i < count ? &entries[i]->formula : NULL; }
-
-/* The formula at place i of a list, or NULL; of the list behind it the place is then *i */
-static const struct scallop_formula *in_list(const struct scallop_formula *list, int *i)
-{
-  for (; list->name; list++)
-    if ((*i)-- == 0)
-      return list;
-  return NULL;
-}
-
-static const struct scallop_formula *in_books(int *i)
-{
-  const struct scallop_formula *f = book_formula(*i);
-  *i -= f ? 0 : count;
-  return f;
-}
 
 const struct scallop_formula *listed_formula(int i)
 {
-  const struct scallop_formula *f = in_books(&i), *list = scallop_published;
-  for (; !f && list->name; list++)
-    if (!list->when && i-- == 0)
-      f = list;
+  const struct scallop_formula *f = book_formula(i);
+  i -= count;
+  for (const struct scallop_formula *of_paper = scallop_published; !f && of_paper->name; of_paper++)
+    if (!of_paper->when && i-- == 0)
+      f = of_paper;
   return f;
 }
 
 const struct scallop_formula *formula_at(int i)
 {
-  const struct scallop_formula *f = in_books(&i);
-  f = f ? f : in_list(scallop_published, &i);
-  return f ? f : in_list(scallop_corrected, &i);
+  const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected }, *f = book_formula(i);
+  i -= count;
+  for (int k = 0; k < 2; k++)
+    for (const struct scallop_formula *of_list = lists[k]; !f && of_list->name; of_list++)
+      if (i-- == 0)
+        f = of_list;
+  return f;
 }
 
 const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula *formula)
 {
+  const struct book_entry *e = book_entry_named(formula->name);
+  const int line = e && &e->formula == formula ? config_setting_source_line(e->group) : 0;
   *text = '\0';
-  for (int i = 0; i < count; i++)
-    if (&entries[i]->formula == formula && entries[i]->group)
-      snprintf(text, FORMULA_PLACE, "%s:%d: ", entries[i]->path, config_setting_source_line(entries[i]->group));
+  if (line > 0) /* not of an option */
+    snprintf(text, FORMULA_PLACE, "%s:%d: ", e->config->path, line);
   return text;
 }
 
 /* The formula of the books and of the paper at place i that has the equation, alone or beside others, or NULL */
 static const struct scallop_formula *of_equation(const char *equation, int i)
 {
-  const struct scallop_formula *f;
+  const struct scallop_formula *f = NULL;
   bool is_equation = *equation == '(' && equation[strcspn(equation, ")")] == ')';
-  for (int k = 0, place; is_equation; k++) {
-    place = k;
-    f = in_books(&place);
-    f = f ? f : in_list(scallop_published, &place);
-    if (!f || (strstr(f->equation, equation) && i-- == 0))
+  for (int k = 0; is_equation && (f = formula_at(k)) && f != scallop_corrected; k++)
+    if (strstr(f->equation, equation) && i-- == 0)
       return f;
-  }
   return NULL;
 }
 
 const struct scallop_formula *formula_named(const char *name)
 {
-  const struct entry *e = book_entry_named(name);
+  const struct book_entry *e = book_entry_named(name);
   const struct scallop_formula *f = e ? &e->formula : scallop_formula_named(name);
   return f || of_equation(name, 1) ? f : of_equation(name, 0);
 }
@@ -138,21 +109,20 @@ const char *formula_instead(const char *name)
   for (int i = 0; (f = of_equation(name, i)) && used < sizeof text; i++)
     used += (size_t)snprintf(text + used, sizeof text - used, "%s %s", i == 0 ? ": of this equation there are" : ",",
                              f->name);
-  for (int i = 0; i < MOST && formula_at(i); i++)
-    names[i] = formula_at(i)->name;
+  for (int i = 0; i < MOST && (f = formula_at(i)); i++)
+    names[i] = f->name;
   return used > 0 ? text : did_you_mean(nearest(name, names));
 }
 
 bool book_serves(const char *command, const char *file, formula_is_for *is_for, const void *context, const char *what)
 {
   int found = 0;
-  for (int i = 0; file && book_formula(i); i++)
+  for (int i = 0; file && i < count; i++)
     found += is_for(context, book_formula(i));
   if (file && found == 0)
-    complain(command, "--book: no formula of %s is about %s", file, what);
-  else if (found > BOOK_MOST)
-    complain(command, "--book: more than %d formulas of %s are about %s", BOOK_MOST, file, what);
-  return !file || (found > 0 && found <= BOOK_MOST);
+    return complain(command, "--book: no formula of %s is about %s", file, what);
+  return found <= BOOK_MOST
+         || complain(command, "--book: more than %d formulas of %s are about %s", BOOK_MOST, file, what);
 }
 
 struct read_once {
@@ -197,15 +167,15 @@ void books_forget(void)
     atomic_store(&all, first->next);
     free(first);
   }
-  while (count > 0)
-    free(entries[--count]);
-  memset(buckets, 0, sizeof buckets);
-  while (file_count > 0) {
-    config_close(files[--file_count]);
-    free(files[file_count]);
+  while (count > 0) {
+    tdelete(entries[--count], &by_name, compare);
+    free(entries[count]);
   }
   free(entries);
-  free(files);
   entries = NULL;
-  files = NULL;
+  for (struct book_file *first; (first = book_files);) {
+    book_files = first->next;
+    config_close(&first->config);
+    free(first);
+  }
 }

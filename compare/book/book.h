@@ -12,12 +12,9 @@
 /* Is the name that of something else, in whose place the formula would stand? */
 typedef bool name_is_taken(const char *name);
 
-/* Reads a book, once; the message of what is wrong with it is on stderr: FILE:LINE: and the place in the formula.
- * taken: may be NULL. */
-enum exit_code book_read(const char *command, const char *path, name_is_taken *taken);
-
-/* Likewise of a text, which is called path in messages. */
-enum exit_code book_read_text(const char *command, const char *path, const char *text, name_is_taken *taken);
+/* Reads the book at path, once, or, where it is not NULL, a text, which is called path in messages. The message of what
+ * is wrong is on stderr: FILE:LINE: and the place in the formula. taken: may be NULL. */
+enum exit_code book_read(const char *command, const char *path, const char *text, name_is_taken *taken);
 /* Forgets all books: for tests. No formula of theirs may be in use. */
 void books_forget(void);
 

@@ -1,117 +1,237 @@
-/* A book of formulas, from its file. */
+/* A book of formulas, from its file; what has no meaning is refused. */
+#include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
 #include "compare/book/entry.h"
 #include "compare/text/progress.h"
-#include "compare/text/memory.h"
 #include "compare/text/values.h"
 
-static const struct member members[] = { MEMBER(TEXT, "name", entry, formula.name, ),
-                                         MEMBER(TEXT, "equation", entry, formula.equation, ),
-                                         MEMBER(WORD, "start", entry, start, .words = book_starts),
-                                         MEMBER(WORD, "phase", entry, phase, .words = book_phases),
-                                         MEMBER(WORD, "of", entry, of, .words = book_quantities),
+/* dx1 and dx2 are of the body that turns and of the other one */
+const char *const book_quantities[] = {
+  "dx1",           "dx2",           "t1",         "dT",        "dxC",     "v_end", "v_change",
+  "rear_at_first", "rear_at_last",  "v_at_first", "v_at_last", "v_start", "v_mid", "displacement",
+  "mean_velocity", "friction_work", NULL
+};
+const char *const book_starts[] = { "rest", "v0", "steady", NULL };
+const char *const book_phases[] = { "extension", "contraction", NULL };
+static const char *const turns[] = { "in both phases", "not in the contraction", "not in the extension", NULL };
+enum { DX1, DX2, FIRST_OF_STEADY = 11, NOTHING = -1 };
+enum { FROM_REST, FROM_V0, FROM_STEADY };
+enum { MOST_CLAIMED = 999 };
+
+static const struct member members[] = { MEMBER(TEXT, "name", book_entry, formula.name, ),
+                                         MEMBER(TEXT, "equation", book_entry, formula.equation, ),
+                                         MEMBER(WORD, "start", book_entry, start, .words = book_starts),
+                                         MEMBER(WORD, "phase", book_entry, phase, .words = book_phases),
+                                         MEMBER(WORD, "of", book_entry, of, .words = book_quantities),
                                          OTHER("claimed"),
-                                         MEMBER(TEXT, "text", entry, formula.text, ),
+                                         MEMBER(TEXT, "text", book_entry, formula.text, ),
                                          OTHER("where"),
-                                         MEMBER(TEXTS, "when", entry, when, .high = MOST_CONDITIONS,
-                                                .count = offsetof(struct entry, conditions)),
-                                         MEMBER(TEXT, "corrected", entry, formula.corrected, ),
-                                         OTHER("turns"),
+                                         MEMBER(TEXTS, "when", book_entry, when, .high = MOST_CONDITIONS,
+                                                .count = offsetof(struct book_entry, conditions)),
+                                         MEMBER(TEXT, "corrected", book_entry, formula.corrected, ),
+                                         MEMBER(WORD, "turns", book_entry, formula.turns, .words = turns),
                                          { .name = NULL } };
 
-static bool read_parts(struct config *c, const config_setting_t *where, struct entry *e)
+static const config_setting_t *member_of(const struct book_entry *e, const char *name)
 {
+  return config_setting_get_member(e->group, name);
+}
+
+static bool is_symbol(const char *name)
+{
+  int i = 0;
+  while (i < SCALLOP_SYMBOLS && strcmp(scallop_symbol_names[i], name) != 0)
+    i++;
+  return i < SCALLOP_SYMBOLS;
+}
+
+/* of: what is called so; other: what else the name says, or NULL. */
+static bool check_name(const struct book_entry *e, const config_setting_t *at, const char *name, const char *of,
+                       const char *other)
+{
+  size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_");
+  if (!isalpha((unsigned char)*name) || name[length] != '\0' || length >= FORMULA_NAME)
+    return refuse_at(
+        e->config, at,
+        "'%s' cannot be the name of a %s: a name begins with a letter, has letters, digits and _, %d at most", name, of,
+        FORMULA_NAME - 1);
+  return !other || refuse_at(e->config, at, "'%s' cannot be the name of a %s: %s", name, of, other);
+}
+
+static bool check_names(const struct book_entry *e, name_is_taken *taken)
+{
+  static const char meaning[] = "it has a meaning in formulas", quantity[] = "there is a quantity of this name";
+  const char *name = e->formula.name;
+  if (!name || !e->formula.text || e->of < 0)
+    return refuse_at(e->config, e->group, "a formula has no %s",
+                     !name              ? "name"
+                     : !e->formula.text ? "text"
+                                        : "'of', the quantity that it gives");
+  const config_setting_t *at = member_of(e, "name"), *where = member_of(e, "where");
+  const struct book_entry *other = book_entry_named(name);
+  bool good = check_name(e, at, name, "formula",
+                         taken && taken(name)    ? quantity
+                         : formula_is_word(name) ? meaning
+                                                 : NULL);
+  if (good && other && other->config == e->config)
+    good = refuse_at(e->config, at, "there is a formula '%s' already", name);
+  else if (good && other)
+    good = refuse_at(e->config, at, "there is a formula '%s' already, in %s", name, other->config->path);
+  for (const struct scallop_part *p = e->parts; good && p->name; p++)
+    good = check_name(e, config_setting_get_member(where, p->name), p->name, "part",
+                      is_symbol(p->name) || formula_is_word(p->name) ? meaning : NULL);
+  return good;
+}
+
+static bool check_motion(const struct book_entry *e)
+{
+  const char *what = book_quantities[e->of];
+  bool is_steady = e->start == FROM_STEADY;
+  if (!is_steady && e->of >= FIRST_OF_STEADY)
+    return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of the steady state: give it start = \"steady\"",
+                     what);
+  if (is_steady && e->of < FIRST_OF_STEADY)
+    return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of one phase: give it start = \"rest\" or \"v0\"",
+                     what);
+  if (e->phase == SCALLOP_CONTRACTION && e->start != FROM_V0)
+    return refuse_at(e->config, member_of(e, "phase"), "%s",
+                     is_steady
+                         ? "the steady state has both phases: leave phase out"
+                         : "from rest a formula is for an extension: a contraction is one with the bodies exchanged");
+  return e->formula.turns == SCALLOP_TURNS_IN_BOTH || is_steady
+         || refuse_at(e->config, member_of(e, "turns"), "turns is about the steady state: start = \"steady\"");
+}
+
+static void set_meaning(struct book_entry *e)
+{
+  static const enum scallop_setting moving[] = { SCALLOP_MOVING_EXTENSION, SCALLOP_MOVING_CONTRACTION };
+  const char *word = book_quantities[e->of];
+  if (e->of == DX1 || e->of == DX2)
+    word = (e->of == DX1) == (e->phase == SCALLOP_EXTENSION) ? "rear_at_end" : "front_at_end";
+  for (int q = 0; q < SCALLOP_QUANTITIES; q++)
+    if (strcmp(scallop_quantity_words[q], word) == 0)
+      e->formula.quantity = (enum scallop_quantity)q;
+  e->formula.setting = e->start == FROM_STEADY ? SCALLOP_STEADY
+                       : e->start == FROM_V0   ? moving[e->phase]
+                                               : SCALLOP_AT_REST_START;
+  e->formula.when = e->conditions > 0 ? e->when : NULL;
+}
+
+/* Symbols that have no value there */
+#define SYMBOL_BIT(symbol) (1U << SCALLOP_SYMBOL_##symbol)
+enum {
+  NOT_STEADY = SYMBOL_BIT(v0) | SYMBOL_BIT(t1) | SYMBOL_BIT(dT) | SYMBOL_BIT(x_switch),
+  NOT_OF_CRAWLER = NOT_STEADY | SYMBOL_BIT(T)
+};
+
+/* What is wrong with a text of the formula, which has none of the symbols `lacking`, or NULL */
+static const char *wrong_with(const struct scallop_formula *formula, const char *text, unsigned lacking,
+                              char message[FORMULA_MESSAGE])
+{
+  const char *in = lacking == NOT_STEADY ? "the steady state" : "a condition is about the crawler, which";
+  struct scallop_formula of = *formula;
+  struct formula read;
+  int places[FORMULA_STEPS];
+  of.text = text;
+  const char *wrong = scallop_formula_text(&read, &of, nearest, message);
+  for (int i = wrong ? 0 : formula_places(&read, places); i-- > 0;)
+    if (lacking >> places[i] & 1) {
+      snprintf(message, FORMULA_MESSAGE, "%s has no %s", in, scallop_symbol_names[places[i]]);
+      wrong = message;
+    }
+  return wrong;
+}
+
+/* A condition is about the crawler: T goes to 0, and v0 is not looked at. */
+static const char *wrong_with_condition(const struct scallop_formula *formula, const char *when,
+                                        char message[FORMULA_MESSAGE])
+{
+  struct scallop_sides sides;
+  if (!scallop_condition_split(&sides, when))
+    return "a condition is LEFT < RIGHT, LEFT > RIGHT or LEFT = RIGHT, of 399 characters at most";
+  const char *wrong = wrong_with(formula, sides.left, NOT_OF_CRAWLER, message);
+  return wrong ? wrong : wrong_with(formula, sides.right, NOT_OF_CRAWLER, message);
+}
+
+static bool check_texts(const struct book_entry *e)
+{
+  const struct scallop_formula *f = &e->formula;
+  char message[FORMULA_MESSAGE];
+  const unsigned lacking = e->start == FROM_STEADY ? NOT_STEADY : 0;
+  const bool of_file = config_setting_source_line(e->group) > 0; /* and not of an option */
+  const char *wrong = wrong_with(f, f->text, lacking, message);
+  if (wrong)
+    return refuse_at(e->config, member_of(e, "text"), "%s%s%s", of_file ? f->name : "", of_file ? ": " : "", wrong);
+  for (const struct scallop_part *p = e->parts; p->name; p++) /* those that the text does not use, too */
+    if ((wrong = wrong_with(f, p->name, lacking, message)))
+      return refuse_at(e->config, config_setting_get_member(member_of(e, "where"), p->name), "%s: %s", f->name, wrong);
+  for (int i = 0; i < e->conditions; i++)
+    if ((wrong = wrong_with_condition(f, e->when[i], message)))
+      return refuse_at(e->config, member_of(e, "when"), "%s: \"%s\": %s", f->name, e->when[i], wrong);
+  return true;
+}
+
+static bool read_parts(struct book_entry *e)
+{
+  const config_setting_t *where = member_of(e, "where");
   if (where && !config_setting_is_group(where))
-    return refuse_at(c, where, "where is a group of names and texts: { mstar = \"m1*m2/M\"; }");
+    return refuse_at(e->config, where, "where is a group of names and texts: { mstar = \"m1*m2/M\"; }");
   for (int i = 0; where && i < config_setting_length(where); i++) {
     const config_setting_t *at = member_at(where, i);
     const char *name = config_setting_name(at), *text = config_setting_get_string(at);
     if (i == MOST_PARTS)
-      return refuse_at(c, at, "where has more than %d parts", MOST_PARTS);
+      return refuse_at(e->config, at, "where has more than %d parts", MOST_PARTS);
     if (!text)
-      return refuse_at(c, at, "%s takes a formula in quotes", name);
+      return refuse_at(e->config, at, "%s takes a formula in quotes", name);
     e->parts[i] = (struct scallop_part){ name, text };
   }
   return true;
 }
 
-/* A whole number, or "equality"; none: nothing is claimed */
-static bool read_claimed(struct config *c, const config_setting_t *at, struct entry *e)
+/* n, or "equality"; none: nothing is claimed */
+static bool is_claim(const char *text, long *n)
 {
-  const char *text = at ? config_setting_get_string(at) : NULL;
-  int type = at ? config_setting_type(at) : CONFIG_TYPE_NONE, n = at ? config_setting_get_int(at) : 0;
-  e->formula.remainder = text ? SCALLOP_EQUALITY : n;
-  return !at || (text ? strcmp(text, "equality") == 0 : type == CONFIG_TYPE_INT && n >= 1 && n <= MOST_CLAIMED)
+  *n = SCALLOP_EQUALITY;
+  return strcmp(text, "equality") == 0 || read_count(text, 1, MOST_CLAIMED, n);
+}
+
+static bool read_claimed(struct config *c, struct book_entry *e)
+{
+  const config_setting_t *at = member_of(e, "claimed");
+  const char *text = at ? text_of(c, at) : NULL;
+  long n = 0;
+  bool good = !at || (text && is_claim(text, &n));
+  e->formula.remainder = (int)n;
+  return good
          || refuse_at(c, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"", MOST_CLAIMED);
 }
 
-static bool read_turns(struct config *c, const config_setting_t *at, struct entry *e)
-{
-  static const char *const turns[] = { "in both phases", "not in the contraction", "not in the extension", NULL };
-  static const struct member member = { .name = "turns", .kind = MEMBER_WORD, .words = turns };
-  int word = 0;
-  bool read = !at || read_member(c, at, &member, &word);
-  e->formula.turns = (enum scallop_turns)word;
-  return read;
-}
-
-static void set_meaning(struct entry *e)
-{
-  static const enum scallop_setting moving[] = { SCALLOP_MOVING_EXTENSION, SCALLOP_MOVING_CONTRACTION };
-  const char *word = book_quantities[e->of];
-  bool of_1 = strcmp(word, "dx1") == 0, of_2 = strcmp(word, "dx2") == 0;
-  e->formula.setting = e->start == FROM_STEADY ? SCALLOP_STEADY
-                       : e->start == FROM_V0   ? moving[e->phase]
-                                               : SCALLOP_AT_REST_START;
-  if (of_1 || of_2)
-    word = of_1 == (e->phase == SCALLOP_EXTENSION) ? "rear_at_end" : "front_at_end";
-  for (int q = 0; q < SCALLOP_QUANTITIES; q++)
-    if (strcmp(scallop_quantity_words[q], word) == 0)
-      e->formula.quantity = (enum scallop_quantity)q;
-  e->formula.when = e->conditions > 0 ? e->when : NULL;
-}
-
-static bool take_entry(struct config *c, struct entry *e, name_is_taken *taken)
-{
-  if (!check_entry(c, e, taken))
-    return false;
-  set_meaning(e);
-  return check_texts(c, e) && (book_keep(e) || refuse_at(c, NULL, "out of memory"));
-}
-
-static struct entry *new_entry(const struct config *c, const config_setting_t *group)
-{
-  struct entry *e = calloc(1, sizeof *e);
-  if (!e) {
-    refuse_at(c, group, "out of memory");
-    return NULL;
-  }
-  e->of = -1;
-  e->path = c->path;
-  e->group = group;
-  e->formula.equation = "-";
-  e->formula.parts = e->parts;
-  return e;
-}
-
+/* Takes the formula that a group is, if it has a meaning. */
 static bool read_entry(struct config *c, const config_setting_t *group, name_is_taken *taken)
 {
-  struct entry *e = new_entry(c, group);
-  bool good = e
-              && (config_setting_is_group(group)
-                      ? read_members(c, group, members, e, "a formula", NULL)
-                      : refuse_at(c, group, "a formula is a group: { name = \"...\"; text = \"...\"; }"))
-              && read_parts(c, config_setting_get_member(group, "where"), e)
-              && read_claimed(c, config_setting_get_member(group, "claimed"), e)
-              && read_turns(c, config_setting_get_member(group, "turns"), e) && take_entry(c, e, taken);
+  if (!config_setting_is_group(group))
+    return refuse_at(c, group, "a formula is a group: { name = \"...\"; text = \"...\"; }");
+  struct book_entry *e = calloc(1, sizeof *e);
+  if (!e)
+    return refuse_at(c, group, "out of memory");
+  *e = (struct book_entry){
+    .formula = { .equation = "-", .parts = e->parts }, .of = NOTHING, .config = c, .group = group
+  };
+  bool good = read_members(c, group, members, e, "a formula") && read_parts(e) && read_claimed(c, e)
+              && check_names(e, taken) && check_motion(e);
+  if (good) {
+    set_meaning(e);
+    good = check_texts(e) && (book_keep(e) || refuse_at(c, NULL, "out of memory"));
+  }
   if (!good)
     free(e);
   return good;
 }
 
+/* Reads a list of formulas, if there is one. */
 static bool read_list(struct config *c, const char *name, name_is_taken *taken)
 {
   const config_setting_t *list = config_setting_get_member(config_root(c), name);
@@ -127,25 +247,32 @@ static bool read_list(struct config *c, const char *name, name_is_taken *taken)
 static bool read_root(struct config *c, name_is_taken *taken)
 {
   static const struct member lists[] = { OTHER("formulas"), OTHER("corrected"), { .name = NULL } };
-  int before = book_count();
-  if (!read_members(c, config_root(c), lists, NULL, "a book of formulas", NULL) || !read_list(c, "formulas", taken)
+  int first = 0, i;
+  while (book_formula(first))
+    first++;
+  if (!read_members(c, config_root(c), lists, NULL, "a book of formulas") || !read_list(c, "formulas", taken)
       || !read_list(c, "corrected", taken))
     return false;
-  for (int i = before; i < book_count(); i++)
-    if (!check_corrected(c, book_entry(i)))
-      return false;
-  return book_count() > before || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
+  for (i = first; book_formula(i); i++) {
+    const char *name = book_formula(i)->name, *corrected = book_formula(i)->corrected;
+    if (corrected && !formula_named(corrected))
+      return refuse_at(c, member_of(book_entry_named(name), "corrected"), "%s: there is no formula '%s'%s", name,
+                       corrected, formula_instead(corrected));
+  }
+  return i > first || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
 }
 
-enum exit_code book_read_text(const char *command, const char *path, const char *text, name_is_taken *taken)
+/* Of a file, from here on among those that were read. NULL: out of memory, which is said. */
+static struct config *new_file(const char *command)
 {
-  struct config *c = book_config();
-  if (!c) {
+  struct book_file *file = calloc(1, sizeof *file);
+  if (!file) {
     complain(command, "out of memory");
-    return EXIT_UNSOLVED;
+    return NULL;
   }
-  enum exit_code code = config_open(c, command, path, text, NULL);
-  return code == EXIT_DONE && !read_root(c, taken) ? EXIT_USAGE : code;
+  file->next = book_files;
+  book_files = file;
+  return &file->config;
 }
 
 /* Paths of one file may differ. */
@@ -156,44 +283,35 @@ static bool is_same_file(const char *a, const char *b)
          || (stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino);
 }
 
-enum exit_code book_read(const char *command, const char *path, name_is_taken *taken)
+enum exit_code book_read(const char *command, const char *path, const char *text, name_is_taken *taken)
 {
-  for (int i = 0; i < book_count(); i++)
-    if (is_same_file(book_entry(i)->path, path))
+  for (const struct book_file *f = book_files; f; f = f->next)
+    if (!text && is_same_file(f->config.path, path))
       return EXIT_DONE;
-  return book_read_text(command, path, NULL, taken);
-}
-
-/* -1: none of them */
-static int place_of(const char *word, const char *const *words)
-{
-  for (int i = 0; word && words[i]; i++)
-    if (strcmp(words[i], word) == 0)
-      return i;
-  return -1;
+  struct config *c = new_file(command);
+  enum exit_code code = c ? config_open(c, command, path, text, NULL) : EXIT_UNSOLVED;
+  return code == EXIT_DONE && !read_root(c, taken) ? EXIT_USAGE : code;
 }
 
 enum exit_code book_add(const char *command, const struct formula_given *given)
 {
-  static struct config option; /* of an option there is no file */
-  long claimed = SCALLOP_EQUALITY;
-  option = (struct config){ .command = command, .path = "--formula" };
-  if (strcmp(given->claimed, "equality") != 0 && !read_count(given->claimed, 1, MOST_CLAIMED, &claimed)) {
+  bool is_steady = word_place(given->of, book_quantities) >= FIRST_OF_STEADY;
+  const char *const texts[][2] = {
+    { "name", "formula" },     { "text", given->text },
+    { "of", given->of },       { "start", given->start || !is_steady ? given->start : "steady" },
+    { "phase", given->phase }, { "claimed", given->claimed }
+  };
+  long claimed;
+  if (!is_claim(given->claimed, &claimed)) {
     complain(command, "--claimed: %s",
              not_allowed(given->claimed, "n of the claim + O(T^n), from 1 to 999, or equality"));
     return EXIT_USAGE;
   }
-  struct entry *e = new_entry(&option, NULL);
-  if (!e)
+  struct config *c = new_file(command);
+  if (!c || config_open(c, command, "--formula", "", NULL) != EXIT_DONE)
     return EXIT_UNSOLVED;
-  e->formula.name = "formula";
-  e->formula.text = given->text;
-  e->formula.remainder = (int)claimed;
-  e->of = place_of(given->of, book_quantities);
-  e->start = given->start ? place_of(given->start, book_starts) : is_steady_word(given->of) ? FROM_STEADY : FROM_REST;
-  e->phase = given->phase ? place_of(given->phase, book_phases) : SCALLOP_EXTENSION;
-  if (take_entry(&option, e, NULL))
-    return EXIT_DONE;
-  free(e);
-  return EXIT_USAGE;
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+    if (texts[i][1])
+      config_setting_set_string(config_setting_add(c->file.root, texts[i][0], CONFIG_TYPE_STRING), texts[i][1]);
+  return read_entry(c, config_root(c), NULL) ? EXIT_DONE : EXIT_USAGE;
 }

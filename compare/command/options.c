@@ -80,23 +80,19 @@ static void show_whole(const void *options, const struct option *o, char text[OP
 
 static const char *none_of(const char *text, const char *const *words)
 {
-  char allowed[400];
-  size_t used = 0;
-  for (const char *const *w = words; *w && used < sizeof allowed; w++)
-    used += (size_t)snprintf(allowed + used, sizeof allowed - used, "%s%s", w == words ? "" : w[1] ? ", " : " or ", *w);
-  if (used < sizeof allowed)
-    snprintf(allowed + used, sizeof allowed - used, "%s", did_you_mean(nearest(text, words)));
+  char list[400], allowed[600];
+  snprintf(allowed, sizeof allowed, "%s%s", joined(list, sizeof list, words, " or "),
+           did_you_mean(nearest(text, words)));
   return not_allowed(text, allowed);
 }
 
 static const char *read_word(void *options, const struct option *o, const char *text)
 {
-  for (const char *const *w = o->words; *w; w++)
-    if (strcmp(text, *w) == 0) {
-      *(struct given_word *)field_of(options, o) = (struct given_word){ *w, true };
-      return NULL;
-    }
-  return none_of(text, o->words);
+  int place = word_place(text, o->words);
+  if (place < 0)
+    return none_of(text, o->words);
+  *(struct given_word *)field_of(options, o) = (struct given_word){ o->words[place], true };
+  return NULL;
 }
 
 static void show_word(const void *options, const struct option *o, char text[OPTION_VALUE])
@@ -117,14 +113,13 @@ static const char *read_text(void *options, const struct option *o, const char *
 static const char *read_format(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
+  int place = word_place(text, format_names);
   (void)o;
-  for (int f = 0; format_names[f]; f++)
-    if (strcmp(text, format_names[f]) == 0) {
-      r->style.format = (enum format)f;
-      r->style.has_format = true;
-      return NULL;
-    }
-  return none_of(text, format_names);
+  if (place < 0)
+    return none_of(text, format_names);
+  r->style.format = (enum format)place;
+  r->style.has_format = true;
+  return NULL;
 }
 
 static const char *no_digits(const char *text, const char *range)
@@ -473,7 +468,7 @@ enum exit_code options_judge(const struct arguments *a, enum exit_code code)
 enum exit_code options_book(const struct arguments *a)
 {
   const char *book = a->options.request.book;
-  return book ? book_read(a->command->name, book, quantity_is_other) : EXIT_DONE;
+  return book ? book_read(a->command->name, book, NULL, quantity_is_other) : EXIT_DONE;
 }
 
 void options_free(struct arguments *a)

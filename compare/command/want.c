@@ -39,7 +39,7 @@ static const struct kind *find_kind(struct scene *s, const config_setting_t *at)
       return &kinds[i];
   }
   if (text)
-    refuse_at(&s->config, at, "'%.80s' cannot be wanted, but one of %s%s", text, joined(list, sizeof list, names),
+    refuse_at(&s->config, at, "'%.80s' cannot be wanted, but one of %s%s", text, joined(list, sizeof list, names, ", "),
               did_you_mean(nearest(text, names)));
   return NULL;
 }
@@ -206,16 +206,27 @@ static bool read_plot(struct want *w, struct scene *s, const config_setting_t *a
   static const struct member members[] = { MEMBER(TEXT, "script", plot, script, ),
                                            MEMBER(FLAG, "log_x", plot, log_x, ),
                                            MEMBER(FLAG, "log_y", plot, log_y, ),
-                                           OTHER("file"), OTHER("x"), OTHER("y"), OTHER("by"), OTHER("title"),
-                                           OTHER("size"), OTHER("x_range"), OTHER("y_range"), { .name = NULL } };
-  static const char *const options[][2] = { { "file", "plot" },      { "x", "plot-x" },
-                                            { "y", "plot-y" },       { "by", "plot-by" },
-                                            { "title", "plot-title" }, { "size", "plot-size" },
-                                            { "x_range", "plot-x-range" }, { "y_range", "plot-y-range" } };
+                                           OTHER("file"),
+                                           OTHER("x"),
+                                           OTHER("y"),
+                                           OTHER("by"),
+                                           OTHER("title"),
+                                           OTHER("size"),
+                                           OTHER("x_range"),
+                                           OTHER("y_range"),
+                                           { .name = NULL } };
+  static const char *const options[][2] = { { "file", "plot" },
+                                            { "x", "plot-x" },
+                                            { "y", "plot-y" },
+                                            { "by", "plot-by" },
+                                            { "title", "plot-title" },
+                                            { "size", "plot-size" },
+                                            { "x_range", "plot-x-range" },
+                                            { "y_range", "plot-y-range" } };
   struct plot *p = &w->plot;
   if (!config_setting_is_group(at))
     return refuse_at(&s->config, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
-  if (!read_members(&s->config, at, members, p, "a plot", NULL))
+  if (!read_members(&s->config, at, members, p, "a plot"))
     return false;
   for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
     const config_setting_t *member = config_setting_get_member(at, options[i][0]);
@@ -305,7 +316,8 @@ bool want_read(struct want *w, struct scene *s, const config_setting_t *at, cons
   if (!what)
     return refuse_at(&s->config, at, "what is wanted? what = \"steady\", for one");
   const struct kind *kind = find_kind(s, what);
-  if (!kind || !read_options(w, s, at, kind, o) || (w->has_rows && !plan_rows(w, s, at, o->request.style.choice)) || !read_files(w, s, at, o))
+  if (!kind || !read_options(w, s, at, kind, o) || (w->has_rows && !plan_rows(w, s, at, o->request.style.choice))
+      || !read_files(w, s, at, o))
     return false;
   if (o->request.style.plot.file)
     w->arguments.options.request.style.plot = o->request.style.plot; /* of figure */

@@ -1,9 +1,12 @@
 /* A configuration as a whole. */
 #include "compare/config/config.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "compare/text/file.h"
 
 /* What to look for where libconfig says no more than that */
 static const char *meaning(const char *said)
@@ -26,33 +29,49 @@ static enum exit_code parse(struct config *c, const char *text)
 {
   if (!config_check_text(c, text))
     return EXIT_USAGE;
-  if (config_read_string(c->file, text))
+  if (config_read_string(&c->file, text))
     return EXIT_DONE;
-  const char *at = config_error_file(c->file), *said = config_error_text(c->file);
-  complain(c->command, "%s:%d: %s%s", at ? at : c->path, config_error_line(c->file), said, meaning(said));
+  const char *said = config_error_text(&c->file);
+  complain(c->command, "%s:%d: %s%s", c->path, config_error_line(&c->file), said, meaning(said));
   return EXIT_USAGE;
+}
+
+static void complain_of_file(const struct config *c, const struct shipped *shipped, int error)
+{
+  const char *near = strpbrk(c->path, "/.") || !shipped ? NULL : shipped_near(shipped, c->path);
+  complain(c->command, "cannot read %s: %s%s", strcmp(c->path, "-") == 0 ? "standard input" : c->path, strerror(error),
+           did_you_mean(near));
+}
+
+/* The whole file, as far as a NUL byte, which no text has; a byte order mark is no text. */
+static enum exit_code parse_file(struct config *c, const struct shipped *shipped)
+{
+  char *text = NULL;
+  size_t room = 0;
+  enum exit_code code = EXIT_FILE;
+  FILE *file = file_read(c->path);
+  ssize_t length = file ? getdelim(&text, &room, '\0', file) : -1;
+  bool is_empty = length < 0 && file && feof(file);
+  if (length < 0 && !is_empty) {
+    complain_of_file(c, shipped, errno);
+  } else if (!is_empty && strlen(text) != (size_t)length) {
+    complain(c->command, "%s: this is not a text file", c->path);
+    code = EXIT_USAGE;
+  } else {
+    code = parse(c, is_empty ? "" : strncmp(text, "\xef\xbb\xbf", 3) == 0 ? text + 3 : text);
+  }
+  if (file && file != stdin)
+    fclose(file);
+  free(text);
+  return code;
 }
 
 enum exit_code config_open(struct config *c, const char *command, const char *path, const char *text,
                            const struct shipped *shipped)
 {
-  const char *slash = strrchr(path, '/');
-  char folder[4096], *read = NULL;
-  *c = (struct config){ .command = command, .path = path, .file = malloc(sizeof *c->file) };
-  if (!c->file) {
-    refuse_at(c, NULL, "out of memory");
-    return EXIT_UNSOLVED;
-  }
-  config_init(c->file);
-  if (slash && !text) {
-    snprintf(folder, sizeof folder, "%.*s", (int)(slash - path), path);
-    config_set_include_dir(c->file, folder);
-  }
-  enum exit_code code = text ? EXIT_DONE : config_text(command, path, shipped, &read);
-  if (code == EXIT_DONE)
-    code = parse(c, text ? text : read);
-  free(read);
-  return code;
+  *c = (struct config){ .command = command, .path = path };
+  config_init(&c->file);
+  return text ? parse(c, text) : parse_file(c, shipped);
 }
 
 void config_close(struct config *c)
@@ -62,10 +81,9 @@ void config_close(struct config *c)
     c->kept = first->next;
     free(first);
   }
-  if (c->file)
-    config_destroy(c->file);
-  free(c->file);
+  if (c->file.root)
+    config_destroy(&c->file);
   *c = (struct config){ .path = NULL };
 }
 
-const config_setting_t *config_root(const struct config *c) { return config_root_setting(c->file); }
+const config_setting_t *config_root(const struct config *c) { return config_root_setting(&c->file); }

@@ -14,7 +14,7 @@
 struct config {
   const char *command; /* for messages */
   const char *path;    /* likewise; "-" is standard input */
-  config_t *file;      /* libconfig's, to whose texts members point */
+  config_t file;       /* libconfig's, to whose texts members point: it stays where it is */
   struct kept *kept;   /* and other texts */
 };
 
@@ -30,13 +30,12 @@ bool refuse_at(const struct config *config, const config_setting_t *at, const ch
     __attribute__((format(printf, 3, 4)));
 
 enum member_kind {
-  MEMBER_OTHER,  /* known, and read elsewhere */
-  MEMBER_TEXT,   /* const char *: not empty */
-  MEMBER_TEXTS,  /* const char *[high]: one or more */
-  MEMBER_WORD,   /* int: the place of the text among words, NULL-terminated */
-  MEMBER_FLAG,   /* bool */
-  MEMBER_COUNT,  /* long: from low to high */
-  MEMBER_NUMBER, /* double: finite */
+  MEMBER_OTHER, /* known, and read elsewhere */
+  MEMBER_TEXT,  /* const char *: not empty */
+  MEMBER_TEXTS, /* const char *[high]: one or more */
+  MEMBER_WORD,  /* int: the place of the text among words, NULL-terminated */
+  MEMBER_FLAG,  /* bool */
+  MEMBER_COUNT, /* long: from low to high */
 };
 /* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group
  * has no such member. */
@@ -46,24 +45,18 @@ struct member {
   size_t field, count; /* count: of texts, the int that says how many */
   long low, high;
   const char *const *words;
-  const char *only; /* the kinds of wants that may have it; NULL: all */
 };
 #define MEMBER(KIND, NAME, STRUCT, FIELD, ...) \
   { \
     .name = NAME, .kind = MEMBER_##KIND, .field = offsetof(struct STRUCT, FIELD), __VA_ARGS__ \
   }
 #define OTHER(NAME) MEMBER(OTHER, NAME, member, name, )
-const struct member *find_member(const struct member *members, const char *name);
-bool read_member(struct config *config, const config_setting_t *at, const struct member *member, void *into);
-/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. want: the kind of the
- * want, where it is one. */
+/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. */
 bool read_members(struct config *config, const config_setting_t *group, const struct member *members, void *into,
-                  const char *what, const char *want);
+                  const char *what);
 
-/* "a, b, c". Returns text. */
-const char *joined(char *text, size_t size, const char *const *names);
-bool is_ascii(const char *text); /* printable */
-const config_setting_t *member_at(const config_setting_t *group, int i);
+bool is_ascii(const char *text);                                      /* printable */
+const config_setting_t *member_at(const config_setting_t *at, int i); /* of a group */
 /* The elements of a list or an array; anything else is one. */
 int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
@@ -81,9 +74,7 @@ const char *keep(struct config *config, const char *format, ...) __attribute__((
 const char *path_beside(struct config *config, const char *path);
 const char *gait_beside(struct config *config, const char *gait);
 
-/* text.c: the whole file, to be freed. Not EXIT_DONE: the message is on stderr, and *text is NULL. */
-enum exit_code config_text(const char *command, const char *path, const struct shipped *shipped, char **text);
-/* Refuses what libconfig would misread, or end the program for, in the text of a file and in those that it includes. */
-bool config_check_text(struct config *config, const char *text);
+/* text.c: refuses what libconfig would misread. */
+bool config_check_text(const struct config *config, const char *text);
 
 #endif

@@ -1,5 +1,4 @@
 /* Members of libconfig's groups, and messages about them. */
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -7,22 +6,17 @@
 
 #include "compare/config/config.h"
 #include "compare/text/table.h"
-#include "compare/text/values.h"
 
 bool refuse_at(const struct config *c, const config_setting_t *at, const char *format, ...)
 {
-  char text[600];
+  char text[600], line[24] = "";
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  const char *file = at ? config_setting_source_file(at) : NULL;
-  unsigned line = at ? (unsigned)config_setting_source_line(at) : 0;
-  if (line > 0)
-    complain(c->command, "%s:%u: %s", file ? file : c->path, line, text);
-  else
-    complain(c->command, "%s: %s", c->path, text);
-  return false;
+  if (at && config_setting_source_line(at) > 0)
+    snprintf(line, sizeof line, ":%u", (unsigned)config_setting_source_line(at));
+  return complain(c->command, "%s%s: %s", c->path, line, text);
 }
 
 bool is_ascii(const char *text)
@@ -34,8 +28,7 @@ bool is_ascii(const char *text)
 
 static bool is_sequence(const config_setting_t *at)
 {
-  int type = config_setting_type(at);
-  return type == CONFIG_TYPE_ARRAY || type == CONFIG_TYPE_LIST;
+  return config_setting_is_array(at) || config_setting_is_list(at);
 }
 
 int element_count(const config_setting_t *at) { return is_sequence(at) ? config_setting_length(at) : 1; }
@@ -45,31 +38,19 @@ const config_setting_t *element_at(const config_setting_t *at, int i)
   return is_sequence(at) ? config_setting_get_elem(at, (unsigned)i) : at;
 }
 
-const config_setting_t *member_at(const config_setting_t *group, int i)
+const config_setting_t *member_at(const config_setting_t *at, int i)
 {
-  return config_setting_get_elem(group, (unsigned)i);
+  return config_setting_get_elem(at, (unsigned)i);
 }
 
 const char *text_of(struct config *c, const config_setting_t *at)
 {
   char text[NUMBER_TEXT];
-  switch (config_setting_type(at)) {
-  case CONFIG_TYPE_STRING: return config_setting_get_string(at);
-  case CONFIG_TYPE_INT:
-  case CONFIG_TYPE_INT64: number_text(text, (double)config_setting_get_int64(at), 0); break;
-  case CONFIG_TYPE_FLOAT: number_text(text, config_setting_get_float(at), 0); break;
-  default: return NULL;
-  }
+  if (!config_setting_is_number(at))
+    return config_setting_get_string(at);
+  bool is_whole = config_setting_type(at) != CONFIG_TYPE_FLOAT;
+  number_text(text, is_whole ? (double)config_setting_get_int64(at) : config_setting_get_float(at), 0);
   return keep(c, "%s", text);
-}
-
-const char *joined(char *text, size_t size, const char *const *names)
-{
-  size_t used = 0;
-  *text = '\0';
-  for (int i = 0; names[i] && used < size; i++)
-    used += (size_t)snprintf(text + used, size - used, "%s%s", i > 0 ? ", " : "", names[i]);
-  return text;
 }
 
 static const char *text_at(const config_setting_t *at)
@@ -91,20 +72,11 @@ static bool read_texts(struct config *c, const config_setting_t *at, const struc
   return true;
 }
 
-static bool read_word(struct config *c, const config_setting_t *at, const struct member *m, int *word)
+static bool read_member(struct config *c, const config_setting_t *at, const struct member *m, void *into)
 {
+  void *field = (char *)into + m->field;
   const char *text = text_at(at);
   char allowed[200];
-  for (*word = 0; text && m->words[*word]; ++*word)
-    if (strcmp(text, m->words[*word]) == 0)
-      return true;
-  return refuse_at(c, at, "%s is a text in quotes, one of %s", m->name, joined(allowed, sizeof allowed, m->words));
-}
-
-bool read_member(struct config *c, const config_setting_t *at, const struct member *m, void *into)
-{
-  void *field = m->kind == MEMBER_OTHER ? NULL : (char *)into + m->field;
-  const char *text = text_at(at);
   int type = config_setting_type(at);
   long long n = type == CONFIG_TYPE_INT || type == CONFIG_TYPE_INT64 ? config_setting_get_int64(at) : m->low - 1LL;
   switch (m->kind) {
@@ -113,7 +85,10 @@ bool read_member(struct config *c, const config_setting_t *at, const struct memb
     *(const char **)field = text;
     return text || refuse_at(c, at, "%s takes a text in quotes, which is not empty", m->name);
   case MEMBER_TEXTS: *(int *)(void *)((char *)into + m->count) = element_count(at); return read_texts(c, at, m, field);
-  case MEMBER_WORD: return read_word(c, at, m, field);
+  case MEMBER_WORD:
+    joined(allowed, sizeof allowed, m->words, ", ");
+    *(int *)field = text ? word_place(text, m->words) : -1;
+    return *(int *)field >= 0 || refuse_at(c, at, "%s is a text in quotes, one of %s", m->name, allowed);
   case MEMBER_FLAG:
     *(bool *)field = config_setting_get_bool(at) != 0;
     return type == CONFIG_TYPE_BOOL || refuse_at(c, at, "%s is true or false", m->name);
@@ -121,18 +96,8 @@ bool read_member(struct config *c, const config_setting_t *at, const struct memb
     *(long *)field = (long)n;
     return (m->low <= n && n <= m->high)
            || refuse_at(c, at, "%s is a whole number from %ld to %ld", m->name, m->low, m->high);
-  case MEMBER_NUMBER:
-    text = text_of(c, at);
-    return (text && read_number(text, field)) || refuse_at(c, at, "%s is a finite number", m->name);
   }
   return true;
-}
-
-const struct member *find_member(const struct member *members, const char *name)
-{
-  while (members->name && strcmp(members->name, name) != 0)
-    members++;
-  return members->name ? members : NULL;
 }
 
 static bool refuse_member(struct config *c, const config_setting_t *at, const struct member *members, const char *what)
@@ -144,23 +109,21 @@ static bool refuse_member(struct config *c, const config_setting_t *at, const st
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
   return refuse_at(c, at, "there is no '%s' in %s%s%s", config_setting_name(at), what,
-                   near ? did_you_mean(near) : ": it can have ", near ? "" : joined(known, sizeof known, names));
+                   near ? did_you_mean(near) : ": it can have ", near ? "" : joined(known, sizeof known, names, ", "));
 }
 
 bool read_members(struct config *c, const config_setting_t *group, const struct member *members, void *into,
-                  const char *what, const char *want)
+                  const char *what)
 {
-  for (int i = 0; i < config_setting_length(group); i++) {
+  bool good = true;
+  for (int i = 0; i < config_setting_length(group) && good; i++) {
     const config_setting_t *at = member_at(group, i);
-    const struct member *m = find_member(members, config_setting_name(at));
-    if (!m)
-      return refuse_member(c, at, members, what);
-    if (m->only && !strstr(m->only, want))
-      return refuse_at(c, at, "%s is not for what = \"%s\", but for: %s", m->name, want, m->only);
-    if (!read_member(c, at, m, into))
-      return false;
+    const struct member *m = members;
+    while (m->name && strcmp(m->name, config_setting_name(at)) != 0)
+      m++;
+    good = m->name ? read_member(c, at, m, into) : refuse_member(c, at, members, what);
   }
-  return true;
+  return good;
 }
 
 const char *keep(struct config *c, const char *format, ...)

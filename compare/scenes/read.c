@@ -83,11 +83,11 @@ static bool read_root(struct scene *s, const config_setting_t *root)
                                            OTHER("want"),
                                            { .name = NULL } };
   const config_setting_t *start = config_setting_get_member(root, "start");
-  if (!read_members(&s->config, root, members, s, "a scene", NULL) || !are_lines(s, root))
+  if (!read_members(&s->config, root, members, s, "a scene") || !are_lines(s, root))
     return false;
   s->head.is_about_phase = start || config_setting_get_member(root, "phase");
   const char *book = s->book ? path_beside(&s->config, s->book) : NULL;
-  if (s->book && (!book || book_read(s->config.command, book, quantity_is_other) != EXIT_DONE))
+  if (s->book && (!book || book_read(s->config.command, book, NULL, quantity_is_other) != EXIT_DONE))
     return false;
   return read_crawler(s, config_setting_get_member(root, "crawler")) && read_start(s, start)
          && scene_read_vary(s, config_setting_get_member(root, "vary"))
@@ -114,9 +114,11 @@ void scene_free(struct scene *s)
 
 enum exit_code scene_read(struct scene *s, const struct scene_source *source, const struct request *given)
 {
-  *s = (struct scene){ .name = name_of(source->path),
-                       .head.given = &given->point,
-                       .request = { .style = given->style, .point = given->point, .asked = asked_nothing(given->style.command) } };
+  *s = (struct scene){
+    .name = name_of(source->path),
+    .head.given = &given->point,
+    .request = { .style = given->style, .point = given->point, .asked = asked_nothing(given->style.command) }
+  };
   s->head.scene = s->name;
   s->request.scene = &s->head;
   enum exit_code code = config_open(&s->config, given->style.command, source->path, source->text, shipped_scenes);

@@ -48,7 +48,7 @@ static const char *read_range(struct scene *s, const config_setting_t *at, const
                                            MEMBER(COUNT, "count", values, count, .low = 1, .high = SWEEP_RANGE),
                                            MEMBER(WORD, "spacing", values, spacing, .words = spacings),
                                            { .name = NULL } };
-  if (!read_members(&s->config, at, members, &values, "a range", NULL))
+  if (!read_members(&s->config, at, members, &values, "a range"))
     return "";
   if (v->target == TARGET_GAIT || v->target == TARGET_LABEL)
     return "it takes texts in quotes, no range";
@@ -92,7 +92,7 @@ static bool read_group(struct scene *s, const config_setting_t *group)
                                            OTHER("label"), { .name = NULL } };
   if (!config_setting_is_group(group))
     return refuse_at(&s->config, group, "vary is a list of groups: ( { F1 = [2.0, 4.0]; }, { T = [0.1, 1.0]; } )");
-  if (!read_members(&s->config, group, members, s, "a group of what varies", NULL))
+  if (!read_members(&s->config, group, members, s, "a group of what varies"))
     return false;
   const char *wrong = vary_group(&s->request);
   if (wrong)

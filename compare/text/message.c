@@ -53,6 +53,23 @@ static int distance(const char *a, const char *b)
 
 bool likely(const char *word, const char *name) { return distance(word, name) == 0; }
 
+int word_place(const char *word, const char *const *words)
+{
+  int i = 0;
+  while (words[i] && strcmp(words[i], word) != 0)
+    i++;
+  return words[i] ? i : -1;
+}
+
+const char *joined(char *text, size_t size, const char *const *words, const char *last)
+{
+  size_t used = 0;
+  *text = '\0';
+  for (int i = 0; words[i] && used < size; i++)
+    used += (size_t)snprintf(text + used, size - used, "%s%s", i == 0 ? "" : words[i + 1] ? ", " : last, words[i]);
+  return text;
+}
+
 const char *nearest(const char *word, const char *const *names)
 {
   const char *best = NULL;

@@ -14,6 +14,11 @@ bool complain(const char *command, const char *format, ...) __attribute__((forma
 /* Is word name but for upper and lower case? */
 bool likely(const char *word, const char *name);
 
+/* The place of a word in a list of words (NULL-terminated), or -1. */
+int word_place(const char *word, const char *const *words);
+/* "a, b or c", where last is " or ". Returns text. */
+const char *joined(char *text, size_t size, const char *const *words, const char *last);
+
 /* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */
 const char *nearest(const char *word, const char *const *names);
 

@@ -37,8 +37,8 @@ TEST(the_papers_book_in_both_readers)
 {
   const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
   int n = 0;
-  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg", quantity_is_other), EXIT_DONE);
-  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg", quantity_is_other), EXIT_DONE); /* once */
+  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg", NULL, quantity_is_other), EXIT_DONE);
+  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg", NULL, quantity_is_other), EXIT_DONE); /* once */
   for (int i = 0; i < 2; i++)
     for (const struct scallop_formula *f = lists[i]; f->name; f++, n++) {
       assert_non_null(book_formula(n));
@@ -60,7 +60,7 @@ TEST(places_of_formulas)
     conditional += f->when != NULL;
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     corrected++;
-  assert_int_equal(book_read_text("test", "a text", book, quantity_is_other), EXIT_DONE);
+  assert_int_equal(book_read("test", "a text", book, quantity_is_other), EXIT_DONE);
   while (listed_formula(listed))
     listed++;
   while (formula_at(all))
@@ -101,11 +101,11 @@ TEST(books_forgotten_and_read_again)
   struct said said;
   books_forget();
   for (int i = 0; i < 3; i++) {
-    assert_int_equal(book_read_text("test", "x.cfg", good, NULL), EXIT_DONE);
+    assert_int_equal(book_read("test", "x.cfg", good, NULL), EXIT_DONE);
     assert_int_equal(formula_read_once(formula_named("a"))->count, 1);
     books_forget();
     said_begin(&said);
-    enum exit_code code = book_read_text("test", "x.cfg", taken, is_dT);
+    enum exit_code code = book_read("test", "x.cfg", taken, is_dT);
     said_end(&said);
     assert_int_equal(code, EXIT_USAGE);
     assert_non_null(

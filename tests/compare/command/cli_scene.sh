@@ -125,28 +125,9 @@ refused "1: '0x100000003': a whole number beyond" <<'E2'
 crawler = { F1 = 0x100000003; };
 want = ( { what = "steady"; file = "kept.tsv"; } );
 E2
-refused "2: '.*gone.cfg.*there is no such file to include\\|2: 'gone.cfg': there is no such file to include" <<'E2'
+refused "2: '@include \"gone.cfg\"': @include is no longer there: write what the file has in its place" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; } );
 @include "gone.cfg"
-E2
-printf 'm = 1;\n' >'in\cluded.cfg'
-refused "1: '@include \"in.cluded.cfg\"': @include takes the name of a file in quotes, without a backslash" <<'E2'
-@include "in\cluded.cfg"
-E2
-refused "1: '@include .*': @include takes the name of a file in quotes, without a backslash" <<'E2'
-@include "no\"name.cfg"
-E2
-refused "1: '/': there is no such file to include" <<'E2'
-@include "/"
-E2
-printf 'm = 1;\nn = 4294967297;\n' >inner.cfg
-scene bad.cfg <<'E2'
-@include "inner.cfg"
-E2
-run 2 run bad.cfg
-grep -q "^scallop run: ./*inner.cfg:2: '4294967297': a whole number beyond\|^scallop run: inner.cfg:2: '4294967297': a whole number beyond" err || note "an included number: $(cat err)"
-refused "1: 'bad.cfg': files include each other more than 10 deep" <<'E2'
-@include "bad.cfg"
 E2
 refused "1: this command does not take the option 'expect'" <<'E2'
 want = ( { what = "steady"; expect = 4; file = "kept.tsv"; } );
@@ -236,10 +217,6 @@ run 4 run own.cfg
 grep -q 'it is a file that this command reads' err || note "a table in place of the scene: $(cat err)"
 printf 'want = ( { what = "steady"; file = "p.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; }, { what = "phase"; file = "q.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_end"; }; } );\n' >picture.cfg
 run 2 run picture.cfg
-echo 'title = "included";' >inc.cfg
-printf '@include "inc.cfg"\nwant = ( { what = "steady"; file = "inc.cfg"; } );\n' >including.cfg
-run 4 run including.cfg
-grep -q 'inc.cfg: it is a file that this command reads' err || note "a table in place of what is included: $(cat err)"
 "$tool" run - <own.cfg >out 2>err
 grep -q 'own.cfg: it is a file that this command reads' err || note "a table in place of standard input: $(cat err)"
 printf 'want = ( { what = "steady"; columns = [ "v_start" ]; } );\n' | "$tool" run - >out 2>err
@@ -487,8 +464,6 @@ grep -q '^# parameters: .* L=4 T=10 alpha=0.7 gait=measured:deep/gait.txt' out |
 printf 'crawler = { gait = "measured:gait.txt"; };\nvary = ( { froude = [ 1.0, 2.0 ]; } );\nwant = ( { what = "steady"; columns = [ "L", "fr = (m1+m2)*L/(F1+F2)/T^2" ]; } );\n' >deep/froude.cfg
 run 0 run deep/froude.cfg --digits 12
 [ "$(cells out L fr | tr '\n' ';')" = "4 1;4 2;" ] || note "a Froude number of a measured gait: $(cat out)"
-printf '@include "measured.cfg"\nphase = "extension";\n' >deep/including.cfg
-run 0 run deep/including.cfg
 printf 'vary = ( { F1 = [1, 2.5]; } );\nwant = ( { what = "steady"; } );\n' >bad.cfg
 run 2 run bad.cfg
 grep -q 'within \[ \]' err || note "a mixed array: $(cat err)"
