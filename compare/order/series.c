@@ -156,9 +156,9 @@ void series_free(struct series_list *list)
 static struct series *series_named(struct reader *r, const char *name, int i)
 {
   struct series_list *list = r->list;
-  for (struct series *s = list->series + list->count; s-- > list->series + r->first;)
-    if (strcmp(s->name, name) == 0 && strcmp(s->y, r->name[i]) == 0)
-      return s;
+  for (int k = list->count - 1; k >= r->first; k--)
+    if (strcmp(list->series[k].name, name) == 0 && strcmp(list->series[k].y, r->name[i]) == 0)
+      return &list->series[k];
   struct series *all = list->count < MOST_SERIES ? with_room(list->series, list->count, sizeof *all) : NULL;
   if (!all)
     return NULL;
