@@ -8,6 +8,7 @@
 #include "compare/claims/evidence.h"
 #include "compare/answers/points.h"
 #include "compare/book/book.h"
+#include "model/exact/scoped.h"
 
 static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
                                        "order",         "order_lo",    "order_hi",  "points",     "verdict",
@@ -194,29 +195,28 @@ static enum exit_code code_of_book(const struct ledger *ledger)
 
 static bool is_of_book(const struct claims_options *o) { return o->request.book || o->formula; }
 
-/* Is a number of the crawler given on the command line? */
-static bool has_crawler(const struct point *p)
-{
-  bool has = false;
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    has = has || p->written[i];
-  return has;
-}
-
-/* All rows, or those about the requested errors */
+/* All rows, or those about the requested errors, for the gait given or those of the paper: first the formulas of all
+ * gaits, then the statements */
 static void fill(struct ledger *ledger, const struct claims_options *o)
 {
   const struct point *p = &o->request.point;
-  struct scallop_rational_crawler exact;
-  scallop_rational_init(&exact);
+  struct scallop_crawler c = p->crawler;
+  bool has_crawler = false; /* given on the command line */
+  SCOPED(scallop_rational, exact);
   rational_point(&exact, NULL, p);
-  if (is_of_book(o))
-    ledger_add_book(ledger, &exact, has_crawler(p), p->has_gait ? exact.gait : NULL, o->errors);
-  else
-    ledger_add_orders(ledger, &exact, p->has_gait ? exact.gait : NULL, o->errors);
-  scallop_rational_clear(&exact);
-  if (!o->errors && !is_of_book(o))
-    ledger_add_words(ledger, &p->crawler, p->has_gait ? p->crawler.gait : NULL);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    has_crawler = has_crawler || p->written[i];
+  for (int words = 0; words < (o->errors || is_of_book(o) ? 1 : 2); words++)
+    for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+      if (!p->has_gait)
+        c.gait = exact.gait = scallop_gait_named(scallop_gait_name(g));
+      if (words)
+        ledger_add_words(ledger, &c);
+      else if (is_of_book(o))
+        ledger_add_book(ledger, &exact, has_crawler, o->errors);
+      else
+        ledger_add_orders(ledger, &exact, o->errors);
+    }
 }
 
 static void begin(struct table *table, const struct claims_options *o, const char *const *names)

@@ -159,15 +159,13 @@ static void add_rows(struct ledger *ledger, const struct claim *claims, const st
       add_row(ledger, claim, crawler, of_the_paper);
 }
 
-void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler, const struct scallop_gait *gait)
+void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler)
 {
   struct scallop_crawler paper = scallop_crawler_default(), own = *crawler;
+  paper.gait = crawler->gait;
   own.T = 0.5 * natural_time(crawler);
-  for (int g = 0; gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-    paper.gait = own.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
-    add_rows(ledger, claims_at_random, &paper, true);
-    add_rows(ledger, claims_by_example, &paper, true);
-    add_rows(ledger, claims_of_families, &paper, true);
-    add_rows(ledger, claims_of_families, &own, false);
-  }
+  add_rows(ledger, claims_at_random, &paper, true);
+  add_rows(ledger, claims_by_example, &paper, true);
+  add_rows(ledger, claims_of_families, &paper, true);
+  add_rows(ledger, claims_of_families, &own, false);
 }
