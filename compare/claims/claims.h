@@ -5,9 +5,8 @@
  *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours),
  *     or in a book. order.c and book.c go through these under their conditions, trial.c expands and samples the motion,
  *     proof.c finds what the formula leaves out, ledger.c holds one against the other (orders.h);
- *   - in words: one row of texts (decide.h) in random.c (every crawler), examples.c or words.c (families): which
- *     motions, what is said of them, and the sentence. motions.c solves and evaluates, say.c words the row; steady.c,
- *     boundary.c with family.[ch] and figures.c find the numbers that some rows need, evidence.[ch] helps them.
+ *   - in words: one row and one function in random.c (every crawler), examples.c, families.c (crawlers that differ in
+ *     one number) or figures.c. statement.[ch] has what these are made of, words.c adds the rows.
  *
  * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not
  * hold 0; for all parameters where the coefficients are known in names, else for the crawler of the row. A claim in

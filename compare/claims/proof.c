@@ -7,7 +7,7 @@
 #include "asymptotics/symbolic/left_out.h"
 #include "compare/book/book.h"
 #include "compare/claims/orders.h"
-#include "compare/claims/evidence.h"
+#include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
 
 enum { MANY_TERMS = 48, PRECISION = 1400, MOST_OF_EQUALITY = 11, DIGITS = 12 };

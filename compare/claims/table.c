@@ -5,7 +5,7 @@
 
 #include "compare/points/point_flint.h"
 #include "compare/claims/claims.h"
-#include "compare/claims/evidence.h"
+#include "compare/claims/statement.h"
 #include "compare/answers/points.h"
 #include "compare/book/book.h"
 #include "model/exact/scoped.h"
