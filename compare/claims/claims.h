@@ -49,7 +49,7 @@ enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
 struct claim_row {
   char claim[CLAIM_NAME];
   const char *equation, *quantity, *gait;
-  char conditions[160]; /* under which it was tested                                            */
+  char conditions[240]; /* under which it was tested                                            */
   bool inside;          /* these are the conditions that the paper assumes                  */
   enum claim_source source;
   bool any_crawler;     /* that it is tested for stands for all: what holds for it by coincidence is refuted */
