@@ -14,7 +14,7 @@ static void equal_forces_centre(struct question *q, struct scallop_crawler c)
   conclude(q, is_zero(by_8.error),
            "certified: dx_1/L = %.6f, dx_C/L = %.6f, and (8) gives %.6f; (1 - m1/m2)/2 dx_1 is right",
            extension(q, c, 0).dx1 / c.L, by_8.exact / c.L, by_8.value / c.L);
-  show(q, "scallop phase --certified%s | cut -f 14,16", options(q, c));
+  show(q, "scallop phase --certified%s --columns dx1,dxC", options(q, c));
 }
 
 static void keeps_the_centre(struct question *q, struct scallop_crawler c)
@@ -29,7 +29,7 @@ static void velocity_rises(struct question *q, struct scallop_crawler c)
 {
   const double v0 = 20, v_end = extension(q, c, v0).v_end;
   conclude(q, compare(v_end, v0), "certified: v_end = %.6f", v_end);
-  show(q, "scallop phase --certified --v0 20%s | cut -f 10,13", options(q, c));
+  show(q, "scallop phase --certified --v0 20%s --columns v0,v_end", options(q, c));
 }
 
 static void moves_forward(struct question *q, struct scallop_crawler c)
@@ -37,7 +37,7 @@ static void moves_forward(struct question *q, struct scallop_crawler c)
   const struct solved p = extension(q, c, 0);
   conclude(q, compare(p.dxC, 0), "certified: dx_C/L = %.6f, dx_1/L = %.6f, dx_2/L = %.6f", p.dxC / c.L, p.dx1 / c.L,
            p.dx2 / c.L);
-  show(q, "scallop phase --certified%s | cut -f 14,15,16", options(q, c));
+  show(q, "scallop phase --certified%s --columns dx1,dx2,dxC", options(q, c));
 }
 
 static void moves_backward(struct question *q, struct scallop_crawler c)
@@ -45,7 +45,7 @@ static void moves_backward(struct question *q, struct scallop_crawler c)
   const double v_mid = steady(q, c).v_mid, dxC = contraction(q, c, v_mid).dxC;
   conclude(q, compare(0, dxC), "certified: from v_mid T/L = %.6f the centre moves by dx_C/L = %.6f in the contraction",
            v_mid * c.T / c.L, dxC / c.L);
-  show(q, "scallop phase --phase contraction%s --v0 %.7g | cut -f 10,16", options(q, c), v_mid);
+  show(q, "scallop phase --phase contraction%s --v0 %.7g --columns v0,dxC", options(q, c), v_mid);
 }
 
 static void longer_extension_is_faster(struct question *q, struct scallop_crawler c)
@@ -54,7 +54,7 @@ static void longer_extension_is_faster(struct question *q, struct scallop_crawle
   const double back = c.L / scallop_phase_duration(&c, SCALLOP_CONTRACTION);
   conclude(q, compare(forth, back),
            "mean |l'| is L over the duration: %.6g in the longer extension, %.6g in the contraction", forth, back);
-  show(q, "scallop trajectory --start rest --periods 1 --samples 4%s | cut -f 1,7", options(q, c));
+  show(q, "scallop trajectory --start rest --periods 1 --samples 4%s --columns t,l", options(q, c));
 }
 
 static void first_interval_accelerates(struct question *q, struct scallop_crawler c)
@@ -67,7 +67,7 @@ static void first_interval_accelerates(struct question *q, struct scallop_crawle
            before, rate);
   show(q,
        "the steps of l, the last column, shrink while v1 < 0: scallop trajectory --start rest --periods 1 --samples "
-       "8%s | cut -f 1,5,7",
+       "8%s --columns t,v1,l",
        options(q, c));
 }
 
@@ -84,7 +84,8 @@ static void body_1_is_slower(struct question *q, struct scallop_crawler c)
            "v1 + v2 = [2 (F1-F2) t - (m2-m1) l']/M; certified at a quarter of the duration: v1 T/L = %.6f, v2 T/L = "
            "%.6f",
            v1 * c.T / c.L, v2 * c.T / c.L);
-  show(q, "scallop trajectory --start rest --periods 1 --samples 16%s | grep '^0.1875' | cut -f 5,6", options(q, c));
+  show(q, "scallop trajectory --start rest --periods 1 --samples 16%s --columns t,v1,v2 | grep '^0.1875'",
+       options(q, c));
 }
 
 /* Without the last interval, the friction of the first one acting to the end, the centre would come as far as (21) has
@@ -96,7 +97,7 @@ static void last_interval_carries(struct question *q, struct scallop_crawler c)
   conclude(q, compare(dxC, by_21),
            "certified: dx_C/L = %.9f; with the friction of the first interval to the end it would be %.9f", dxC / c.L,
            by_21 / c.L);
-  show(q, "dxC is below (F1-F2) 0.75^2/(2M) = 0.421875: scallop phase --certified%s | cut -f 16", options(q, c));
+  show(q, "dxC is below (F1-F2) 0.75^2/(2M) = 0.421875: scallop phase --certified%s --columns dxC", options(q, c));
 }
 
 static void contraction_is_opposite(struct question *q, struct scallop_crawler c)
@@ -104,7 +105,7 @@ static void contraction_is_opposite(struct question *q, struct scallop_crawler c
   const double forth = extension(q, c, 1).v_end - 1, back = contraction(q, c, 1).v_end - 1;
   conclude(q, -(compare(forth, -back) != 0),
            "certified: the velocity changes by %.6f in the extension and by %.6f in the contraction", forth, back);
-  show(q, "for p in extension contraction; do scallop phase --v0 1%s --phase $p | tail -n 1 | cut -f 10,13; done",
+  show(q, "for p in extension contraction; do scallop phase --v0 1%s --phase $p --columns v0,v_end | tail -n 1; done",
        options(q, c));
 }
 
@@ -114,7 +115,7 @@ static void conclude_steady(struct question *q, struct scallop_crawler c, const 
 {
   conclude(q, verdict, "certified: Froude %.6g, v_start T/L = %.6f, displacement/L = %.6f, modes %s", s->froude,
            s->v_start * c.T / c.L, s->displacement / c.L, s->modes);
-  show(q, "scallop steady --certified%s | cut -f 9,10,12,15,16", options(q, c));
+  show(q, "scallop steady --certified%s --columns froude,v_start,displacement,regime,modes", options(q, c));
 }
 
 /* Body 2 sticks at some time, and body 1 never */
@@ -161,9 +162,8 @@ static void two_asymmetries_suffice(struct question *q, struct scallop_crawler c
   conclude(q, -changes, "certified: displacement/L %.2e at F1 = %.12g, %.2e at %.12g%s%s", s.displacement / c.L, c.F1,
            t.displacement / c.L, d.F1, changes ? ": 0 between; sliding at both, " : "", changes ? s.modes : "");
   show(q,
-       "displacement changes its sign: printf 'F1\\n%.12g\\n%.12g\\n' | scallop steady --points - --certified%s | cut "
-       "-f "
-       "3,12,15",
+       "displacement changes its sign: printf 'F1\\n%.12g\\n%.12g\\n' | scallop steady --points - --certified%s "
+       "--columns F1,displacement,regime",
        c.F1, d.F1, others);
 }
 
@@ -186,7 +186,7 @@ static void where_dv_C_changes(struct question *q, struct scallop_crawler c)
   conclude(q, changes && s.displacement > 0 ? claimed * compare(s.v_start, 0) : 0,
            "certified: from duration %g to %g dv_C changes by %.6f; v_start T/L = %.6f, displacement/L = %.6f",
            duration[0], duration[1], dv[1] - dv[0], s.v_start * c.T / c.L, s.displacement / c.L);
-  show(q, "scallop steady --certified%s | cut -f 9,10,12,15,16", options(q, c));
+  show(q, "scallop steady --certified%s --columns froude,v_start,displacement,regime,modes", options(q, c));
 }
 
 static void two_regimes(struct question *q, struct scallop_crawler c)
@@ -224,7 +224,7 @@ static void t1_is_small(struct question *q, struct scallop_crawler c)
   }
   conclude(q, compare(1e-6 * part[0], part[1]),
            "certified: t1 is %.4g of the duration at T = 1e-10 and %.4g at T = 1e-20", part[0], part[1]);
-  show(q, "scallop phase%s --v0 %.7g | cut -f 6,11", options(q, c), start);
+  show(q, "scallop phase%s --v0 %.7g --columns T,t1", options(q, c), start);
 }
 
 static void exceeds_its_remainder(struct question *q, struct scallop_crawler c)
@@ -243,7 +243,7 @@ static void exceeds_its_remainder(struct question *q, struct scallop_crawler c)
            term[0], term[1]);
   show(q,
        "it is x0' t1/2, and t1 goes as T^2: printf 'T\\n1e-10\\n1e-20\\n' | scallop phase --points - --phase "
-       "contraction --v0 1%s | cut -f 6,11",
+       "contraction --v0 1%s --columns T,t1",
        others);
 }
 
@@ -254,9 +254,9 @@ static void without_remainder(struct question *q, struct scallop_crawler c)
   const struct printed p = printed(c, f->name);
   conclude(q, is_zero(p.error), "certified: %s = %.12f; the formula gives %.12f%s", q->claim->quantity, p.exact,
            p.value, p.error == 0 ? ", the same to 30 digits" : "");
-  show(q, "scallop phase --certified%s --v0 %d --phase %s | cut -f %d", options(q, c),
+  show(q, "scallop phase --certified%s --v0 %d --phase %s --columns %s", options(q, c),
        f->setting != SCALLOP_AT_REST_START, f->setting == SCALLOP_MOVING_CONTRACTION ? "contraction" : "extension",
-       *q->claim->quantity == 't' ? 11 : 12);
+       q->claim->quantity);
 }
 
 static const char froude[] = "moving_needs_a_high_Froude_number", suffice[] = "two_asymmetries_suffice_to_move";

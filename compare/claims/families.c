@@ -30,13 +30,13 @@ struct family {
   struct place maximum[PEAKS_MOST];
 };
 
-/* x, speed, and the names of the parameters that vary, as printf(1) takes them */
+/* x, speed, and the parameters that vary, as columns and as printf(1) takes them */
 static const struct {
-  const char *x, *speed, *names, *columns;
+  const char *x, *speed, *columns, *names;
 } texts[] = {
-  [VARY_RATIO] = { "F1/F2", "<U> T/L", "F1\\n", "3,13" },
-  [VARY_FORCES] = { "F2", "<U> T/L", "F1\\tF2\\n", "3,4,13" },
-  [VARY_PERIOD] = { "T", "<U> T0/L", "T\\n", "6,12,13" },
+  [VARY_RATIO] = { "F1/F2", "<U> T/L", "F1", "F1\\n" },
+  [VARY_FORCES] = { "F2", "<U> T/L", "F1,F2", "F1\\tF2\\n" },
+  [VARY_PERIOD] = { "T", "<U> T0/L", "T", "T\\n" },
 };
 
 static struct scallop_crawler member(const struct family *f, double x)
@@ -179,7 +179,7 @@ static const char *unit_of_speed(const struct family *f)
 
 /* A command that prints the members at x */
 static void show_members(struct question *q, const struct family *f, const double *x, int count, const char *what,
-                         const char *columns)
+                         const char *quantities)
 {
   const struct scallop_crawler usual = scallop_crawler_default();
   struct scallop_crawler others = f->crawler;
@@ -197,8 +197,8 @@ static void show_members(struct question *q, const struct family *f, const doubl
     others.F1 = usual.F1;
   if (f->varied == VARY_FORCES)
     others.F2 = usual.F2;
-  show(q, "%s: printf '%s%s' | scallop steady --points -%s | cut -f %s", what, texts[f->varied].names, rows,
-       options(q, others), columns);
+  show(q, "%s: printf '%s%s' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
+       options(q, others), texts[f->varied].columns, quantities);
 }
 
 /* Statements */
@@ -229,7 +229,7 @@ static void peaks_at_boundary(struct question *q, struct scallop_crawler c)
            "%.4g%s",
            texts[f->varied].x, f->boundary, speed, f->before, f->after, speed, f->speed, top.speed, top.x,
            unit_of_speed(f));
-  show_members(q, f, x, 2, "mean_velocity is lower at the boundary, the first row", texts[f->varied].columns);
+  show_members(q, f, x, 2, "mean_velocity is lower at the boundary, the first row", "mean_velocity");
 }
 
 /* Not if there are several: the last two are shown, with the lowest place between them. */
@@ -248,7 +248,7 @@ static void has_one_maximum(struct question *q, struct scallop_crawler c)
     if (f->scan[i].x > first && f->scan[i].x < second && f->scan[i].speed < low.speed)
       low = f->scan[i];
   const double x[] = { short_number(first, SHORT), short_number(low.x, SHORT), short_number(second, SHORT) };
-  show_members(q, f, x, 3, "mean_velocity falls and rises again", texts[f->varied].columns);
+  show_members(q, f, x, 3, "mean_velocity falls and rises again", "mean_velocity");
 }
 
 /* The two places behind the onset of sticking between which the mean velocity rises most; false: it never rises. */
@@ -282,7 +282,7 @@ static void decays_once_sticking(struct question *q, struct scallop_crawler c)
   const double low = velocity(q, f, x[0]), high = velocity(q, f, x[1]);
   conclude(q, -(compare(high, low) > 0), "certified: %s rises from %.6f at %s = %.6g to %.6f at %.6g%s",
            texts[f->varied].speed, low / unit, texts[f->varied].x, x[0], high / unit, x[1], unit_of_speed(f));
-  show_members(q, f, x, 2, "mean_velocity rises, in stick-slip", texts[f->varied].columns);
+  show_members(q, f, x, 2, "mean_velocity rises, in stick-slip", "mean_velocity");
 }
 
 /* Solves members before the boundary, at it and behind it, 1 % apart. Does v_start change its sign? */
@@ -306,7 +306,7 @@ void v_mid_peaks(struct question *q, struct scallop_crawler c)
   conclude(q, crosses ? compare(v[1], fmax(v[0], v[2])) : 0,
            "certified: v_start changes its sign; v_mid T/L = %.6f, %.6f, %.6f at %s = %.6g, %.6g, %.6g", v[0], v[1],
            v[2], texts[f->varied].x, x[0], x[1], x[2]);
-  show_members(q, f, x, 3, "v_mid, the last column, is not highest in the second row", "6,10,11");
+  show_members(q, f, x, 3, "v_mid, the last column, is not highest in the second row", "v_start,v_mid");
 }
 
 void contraction_loses_least(struct question *q, struct scallop_crawler c)
@@ -322,7 +322,7 @@ void contraction_loses_least(struct question *q, struct scallop_crawler c)
   conclude(q, crosses ? compare(back[1], fmax(back[0], back[2])) : 0,
            "certified: dx_C/L of the contraction is %.6f, %.6f, %.6f there; of the extension %.6f, %.6f, %.6f", back[0],
            back[1], back[2], forth[0], forth[1], forth[2]);
-  show(q, "dx_C of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g | cut -f 16",
+  show(q, "dx_C of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
        options(q, member(f, x[1])), s[1].v_mid);
 }
 

@@ -110,7 +110,7 @@ static void never_falls(struct question *q, struct scallop_crawler c)
            fall.v0, fall.F1, dxC[0], fall.T[0], dxC[1], fall.T[1], duration[0], duration[1]);
   show(q,
        "dxC falls from the first row to the second: printf 'T\\n%.4g\\n%.4g\\n' | scallop phase --points - --F1 %.6g "
-       "--v0 %.6g%s | cut -f 6,16",
+       "--v0 %.6g%s --columns T,dxC",
        fall.T[0], fall.T[1], fall.F1, fall.v0, options(q, q->crawler));
 }
 
@@ -239,7 +239,7 @@ static void is_reached(struct question *q, struct scallop_crawler c)
              "certified multiplier %.10f > 0: the distance shrinks by that and is never 0; within 1e-6 L/T after %d "
              "periods",
              multiplier, periods_until(&c, 1e-6));
-  show(q, "the multiplier is not 0: scallop steady --certified%s | cut -f 14", options(q, c));
+  show(q, "the multiplier is not 0: scallop steady --certified%s --columns multiplier", options(q, c));
 }
 
 static const char grows[] = "displacement_grows_with_duration", reached[] = "steady_state_is_reached";
