@@ -15,8 +15,9 @@ const struct at_flint_functions *at_flint;
 
 struct asked *asked_nothing(const char *command)
 {
-  struct asked *asked = calloc(1, sizeof *asked);
+  struct asked *asked = malloc(sizeof *asked);
   if (asked) {
+    memset(asked, 0, offsetof(struct asked, quantities.item));
     asked->command = command;
     asked->accuracy = ACCURACY_OF_DOUBLES;
     asked->digits = DIGITS_OF_DOUBLE;
@@ -53,7 +54,10 @@ const char *asked_needs_flint(const struct asked *asked)
 bool at_init(struct at *s, const struct asked *asked)
 {
   const char *needs_flint = asked_needs_flint(asked);
-  *s = (struct at){ .asked = asked, .onset = 1, .certified_errors = certifies_errors(asked) };
+  memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
+  s->asked = asked;
+  s->onset = 1;
+  s->certified_errors = certifies_errors(asked);
   if (needs_flint && !flint_for(asked->command, needs_flint))
     return false;
   s->flint = needs_flint ? at_flint->create(asked) : NULL;
@@ -122,8 +126,8 @@ static double formula_so_far(void *at, const struct formula *formula)
   return at_formula(s, formula);
 }
 
-void at_sweep(struct at *s, struct sweep_cursor *cursor, const struct point *base,
-              const struct sweep_product *product, const long *index)
+void at_sweep(struct at *s, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
+              const long *index)
 {
   forget(s);
   sweep_move(cursor, &s->place, base, product, index, formula_so_far, s);
@@ -181,9 +185,8 @@ static const struct answer *solve(struct at *s, enum motion_of_point m)
   if (isnan(v0))
     return NULL;
   if (is_first(&a->in_double, m == STEADY_STATE ? COUNT_STEADY : COUNT_PHASES)) {
-    a->motion = m == STEADY_STATE
-                    ? (struct motion){ .of = OF_STEADY, .crawler = s->place.point.crawler }
-                    : (struct motion){ OF_PHASE, s->place.point.crawler, phase_of(m), v0 };
+    a->motion = m == STEADY_STATE ? (struct motion){ .of = OF_STEADY, .crawler = s->place.point.crawler }
+                                  : (struct motion){ OF_PHASE, s->place.point.crawler, phase_of(m), v0 };
     if (answer_in_double(&a->answer, &a->motion))
       count_work(&a->answer.work);
   }
@@ -258,9 +261,8 @@ static double published(struct at *s, const struct quantity *q)
   const struct scallop_formula *f = q->formula;
   const struct scallop_crawler *c = &s->place.point.crawler;
   enum motion_of_point m = motion_of_quantity(s, q);
-  const struct motion motion = m == STEADY_STATE
-                                   ? (struct motion){ .of = OF_STEADY, .crawler = *c, .v0 = NAN }
-                                   : (struct motion){ OF_PHASE, *c, phase_of(m), start_of(s, m) };
+  const struct motion motion = m == STEADY_STATE ? (struct motion){ .of = OF_STEADY, .crawler = *c, .v0 = NAN }
+                                                 : (struct motion){ OF_PHASE, *c, phase_of(m), start_of(s, m) };
   const struct answer *given = NULL;
   if (formula_takes_given(f)) {
     given = solve_for(s, m, formula_takes(f, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT);
@@ -338,8 +340,7 @@ static double compute(struct at *s, const struct quantity *q)
   case QUANTITY_ESTIMATE: return estimate(s, q);
   case QUANTITY_PUBLISHED: return published(s, q);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT:
-    return expand(s, motion_of_quantity(s, q)) ? at_flint->sum(s, q, motion_of_quantity(s, q)) : NAN;
+  case QUANTITY_LIMIT: return expand(s, motion_of_quantity(s, q)) ? at_flint->sum(s, q, motion_of_quantity(s, q)) : NAN;
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
   case QUANTITY_FORMULA: return at_formula(s, q->own);

@@ -12,13 +12,13 @@ enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
 
 /* What is known before the first point */
 struct asked {
-  const char *command; /* for messages */
-  struct quantities quantities;
+  const char *command;   /* for messages */
   bool from_steady;      /* a phase without a v0 starts with the velocity of the steady state; else from rest */
   bool tells_no_start;   /* the column v0 is nan where no v0 is given */
   bool certified_errors; /* else errors are those against the double solver */
-  double accuracy;       /* of errors: below this part of the exact value they are 0; 0: they are as doubles have them */
-  long digits;           /* of certified values: the most that are wanted */
+  double accuracy; /* of errors: below this part of the exact value they are 0; 0: they are as doubles have them */
+  long digits;     /* of certified values: the most that are wanted */
+  struct quantities quantities;
 };
 /* Errors against doubles are told down to this part of the exact value. */
 #define ACCURACY_OF_DOUBLES 1e-10
@@ -47,12 +47,12 @@ struct at {
   const struct asked *asked;
   bool certified_errors;
   struct sweep_place place;
-  char why[POINT_STATUS];  /* the first thing that could not be done, or "" */
-  long failures;           /* so far */
-  struct at_flint *flint;  /* NULL: nothing needs it */
-  bool is_outside;         /* the parameters are no point: nothing but they can be told */
-  bool as_written;         /* regime, modes and status are those of certified answers: set for each row */
-  bool tells_steady;       /* the row has something of the steady state in doubles */
+  char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
+  long failures;          /* so far */
+  struct at_flint *flint; /* NULL: nothing needs it */
+  bool is_outside;        /* the parameters are no point: nothing but they can be told */
+  bool as_written;        /* regime, modes and status are those of certified answers: set for each row */
+  bool tells_steady;      /* the row has something of the steady state in doubles */
   struct solved solved[POINT_MOTIONS];
   enum scallop_status friction; /* of the walk that gives the work of friction */
   double onset;
@@ -73,8 +73,8 @@ void at_clear(struct at *at);
 /* Goes to the point in at->place. */
 void at_move(struct at *at);
 /* Goes to a point of a sweep, whose ends may be formulas of what is set further out. */
-void at_sweep(struct at *at, struct sweep_cursor *cursor, const struct point *base,
-              const struct sweep_product *product, const long *index);
+void at_sweep(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
+              const long *index);
 /* Before each row of another table: what failed for one table is no matter of the next. */
 void at_begin_row(struct at *at);
 

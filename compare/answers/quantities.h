@@ -132,12 +132,11 @@ struct quantity {
 
 /* The quantities that a scene uses, each once. */
 struct quantities {
-  int count;
-  struct quantity item[MOST_QUANTITIES];
-  int labels;
+  int count, labels;
   const char *label[QUANTITY_LABELS];
   int carries; /* columns of a file of points that are no parameters, before all other names */
   const char *const *carried;
+  struct quantity item[MOST_QUANTITIES]; /* last, and of those that are not used not even the memory */
 };
 
 /* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for
