@@ -35,7 +35,7 @@ static bool is_finite(const struct setting_answer *answer)
 /* The first time, with the limit. */
 static void try_once(struct setting *s, double seconds)
 {
-  struct stopwatch_limit limit = stopwatch_limit(seconds);
+  struct stopwatch_limit limit = { .end = stopwatch_now() + seconds };
   const struct scallop_patience patience = { stopwatch_lasts, &limit };
   s->first = NAN;
   if (!s->solve)
