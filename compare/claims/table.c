@@ -3,14 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-<<<<<<< HEAD
-#include "compare/points/point_flint.h"
-#include "compare/claims/claims.h"
-#include "compare/claims/evidence.h"
 #include "compare/answers/request.h"
-=======
-#include "compare/answers/points.h"
->>>>>>> 7de3a83a8091cc07bf49692548c2efbdffebef53
 #include "compare/book/book.h"
 #include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
