@@ -6,7 +6,7 @@
 
 #include "compare/points/counts.h"
 #include "compare/points/gaits.h"
-#include "compare/answers/mode_change.h"
+#include "compare/answers/stretches.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/text/values.h"
