@@ -7,7 +7,7 @@
 #include "compare/points/defaults.h"
 #include "compare/points/gaits.h"
 #include "compare/book/book.h"
-#include "compare/breakdown/reach.h"
+#include "compare/breakdown/motion.h"
 #include "compare/maps/maps.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"
@@ -261,9 +261,10 @@ static enum exit_code run(struct grid *g)
 enum exit_code breakdown_map(const struct breakdown_options *o)
 {
   static const double usual[MOST_TOLERANCES] = { BREAKDOWN_MAP_TOLERANCES };
-  struct grid g = { .options = o, .quantity = Q_DISPLACEMENT, .progress = progress_begin(o->request.style.quiet) };
-  if (!axes_read(g.axes, o->map, o->range, &o->request.point) || !breakdown_quantity(&g.quantity, o, OF_STEADY)
-      || !breakdown_is_sound(o) || !serves(&g))
+  struct grid g = { .options = o,
+                    .quantity = quantity_of_name(o->quantity.value),
+                    .progress = progress_begin(o->request.style.quiet) };
+  if (!axes_read(g.axes, o->map, o->range, &o->request.point) || !serves(&g))
     return EXIT_USAGE;
   if (rows_of(&g) > MOST_ROWS) {
     complain("breakdown", "--map: %ld x %ld values are more than 10000000 rows", g.axes[0].count, g.axes[1].count);
