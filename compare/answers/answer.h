@@ -38,13 +38,6 @@ bool answer_in_wide(struct answer *answer, const struct motion *motion, enum sca
  * none. */
 bool answer_with_errors(struct answer *answer, const struct motion *motion, double errors[QUANTITIES]);
 
-/* In balls, of the point exactly as it is written: each number as a decimal text of so many digits, the last one right
- * to a unit; NULL where the motion has no such quantity. answer has status, regime and modes; *why more about a
- * failure, or NULL. The texts are freed by decimals_free. Needs FLINT. */
-bool answer_in_decimals(struct answer *answer, char *texts[QUANTITIES], const struct point *point, enum quantity_of of,
-                        long digits, const char **why);
-void decimals_free(char *texts[QUANTITIES]);
-
 /* The longest period at which an extension from rest does not stick, to the last bit; nan: no body ever sticks. The
  * crawler's T is not used. */
 double sticking_onset(const struct scallop_crawler *crawler);

@@ -6,25 +6,29 @@
 #include "asymptotics/derived/evaluate.h"
 #include "asymptotics/published/read.h"
 #include "compare/points/point_flint.h"
+#include "model/exact/scoped.h"
 
-void ball_answer_init(struct ball_answer *a)
+#define BALL_PARTS(of) \
+  of(scallop_certified_steady, &s->steady) of(scallop_certified_phase, &s->phase) of(arb, s->change) \
+      of(arb, s->turning) of(arb, s->cost)
+#define SERIES_PARTS(of) \
+  of(scallop_steady_expansion, &s->steady) of(scallop_phase_expansion, &s->phase) of(series, &s->cost)
+
+void ball_answer_init(struct ball_answer *s)
 {
-  memset(a, 0, sizeof *a);
-  scallop_certified_steady_init(&a->steady);
-  scallop_certified_phase_init(&a->phase);
-  arb_init(a->change);
-  arb_init(a->turning);
-  arb_init(a->cost);
+  memset(s, 0, sizeof *s);
+  BALL_PARTS(SCOPED_INIT)
 }
 
-void ball_answer_clear(struct ball_answer *a)
+void ball_answer_clear(struct ball_answer *s) { BALL_PARTS(SCOPED_CLEAR) }
+
+void series_answer_init(struct series_answer *s)
 {
-  scallop_certified_steady_clear(&a->steady);
-  scallop_certified_phase_clear(&a->phase);
-  arb_clear(a->change);
-  arb_clear(a->turning);
-  arb_clear(a->cost);
+  memset(s, 0, sizeof *s);
+  SERIES_PARTS(SCOPED_INIT)
 }
+
+void series_answer_clear(struct series_answer *s) { SERIES_PARTS(SCOPED_CLEAR) }
 
 /* More than the digits take, so that the subtraction rounds nothing that is known */
 static slong bits_of(long digits) { return (slong)(3.33 * (double)digits) + 256; }
@@ -32,14 +36,12 @@ static slong bits_of(long digits) { return (slong)(3.33 * (double)digits) + 256;
 /* Over (F1 + F2) |displacement|, unless that is 0. */
 static const arb_struct *cost_of_transport(struct ball_answer *a, const struct scallop_rational_crawler *c, slong bits)
 {
-  fmpq_t forces;
-  fmpq_init(forces);
+  SCOPED(fmpq, forces);
   fmpq_add(forces, c->F1, c->F2);
   arb_set_fmpq(a->cost, forces, bits);
   arb_mul(a->cost, a->cost, a->steady.displacement, bits);
   arb_abs(a->cost, a->cost);
   arb_div(a->cost, a->steady.friction_work, a->cost, bits);
-  fmpq_clear(forces);
   return arb_contains_zero(a->steady.displacement) ? NULL : a->cost;
 }
 
@@ -104,50 +106,11 @@ bool answer_in_balls(struct ball_answer *a, const struct scallop_rational_crawle
 
 bool answer_of_doubles(struct ball_answer *a, const struct motion *m, long digits)
 {
-  struct scallop_rational_crawler exact;
-  fmpq_t v0;
-  scallop_rational_init(&exact);
+  SCOPED(scallop_rational, exact);
+  SCOPED(fmpq, v0);
   scallop_rational_of(&exact, &m->crawler);
-  fmpq_init(v0);
   scallop_rational_set_double(v0, m->v0);
-  bool done = answer_in_balls(a, &exact, m->of, m->phase, v0, digits);
-  fmpq_clear(v0);
-  scallop_rational_clear(&exact);
-  return done;
-}
-
-/* A few digits more than are printed, so that the last one is right to a unit. */
-static long digits_to_solve(long digits)
-{
-  enum { SPARE = 3 };
-  return digits + SPARE < SCALLOP_MOST_DIGITS ? digits + SPARE : SCALLOP_MOST_DIGITS;
-}
-
-bool answer_in_decimals(struct answer *a, char *texts[QUANTITIES], const struct point *point, enum quantity_of of,
-                        long digits, const char **why)
-{
-  struct scallop_rational_crawler crawler;
-  struct ball_answer b;
-  fmpq_t v0;
-  scallop_rational_init(&crawler);
-  fmpq_init(v0);
-  ball_answer_init(&b);
-  rational_point(&crawler, v0, point);
-  bool done = answer_in_balls(&b, &crawler, of, point->phase, v0, digits_to_solve(digits));
-  *a = (struct answer){ .status = b.status, .regime = b.regime, .modes = { b.modes[0], b.modes[1] } };
-  *why = b.why;
-  for (int q = 0; q < QUANTITIES; q++)
-    texts[q] = done && b.value[q] ? decimal_text(b.value[q], digits) : NULL;
-  ball_answer_clear(&b);
-  fmpq_clear(v0);
-  scallop_rational_clear(&crawler);
-  return done;
-}
-
-void decimals_free(char *texts[QUANTITIES])
-{
-  for (int q = 0; q < QUANTITIES; q++)
-    flint_free(texts[q]);
+  return answer_in_balls(a, &exact, m->of, m->phase, v0, digits);
 }
 
 bool published_in_balls(arb_t value, const struct scallop_formula *f, const struct scallop_rational_crawler *crawler,
@@ -169,21 +132,6 @@ bool published_in_balls(arb_t value, const struct scallop_formula *f, const stru
   return arb_is_finite(value);
 }
 
-void series_answer_init(struct series_answer *a)
-{
-  memset(a, 0, sizeof *a);
-  scallop_steady_expansion_init(&a->steady);
-  scallop_phase_expansion_init(&a->phase);
-  series_init(&a->cost);
-}
-
-void series_answer_clear(struct series_answer *a)
-{
-  scallop_steady_expansion_clear(&a->steady);
-  scallop_phase_expansion_clear(&a->phase);
-  series_clear(&a->cost);
-}
-
 /* Where the displacement begins with T^2 four terms are lost, which the expansion to an even order has to spare. NULL:
  * it is 0, or begins later. */
 static const struct series *cost_series(struct series_answer *a, const struct scallop_rational_crawler *c, slong order,
@@ -192,22 +140,18 @@ static const struct series *cost_series(struct series_answer *a, const struct sc
   const struct ring ring = { order + 4, precision };
   const struct series *way = &a->steady.displacement;
   slong first = way->first;
-  fmpq_t factor;
-  arb_t x;
   while (first < order && series_coefficient_is_zero(way, first))
     first++;
   if (first >= order || !series_div(&a->cost, &a->steady.friction_work, way, &ring))
     return NULL;
-  fmpq_init(factor);
-  arb_init(x);
+  SCOPED(fmpq, factor);
+  SCOPED(arb, x);
   series_coefficient(x, way, first, precision);
   fmpq_add(factor, c->F1, c->F2);
   fmpq_inv(factor, factor);
   if (arb_is_negative(x))
     fmpq_neg(factor, factor);
   series_scale(&a->cost, &a->cost, factor, &ring);
-  fmpq_clear(factor);
-  arb_clear(x);
   return a->cost.known >= order ? &a->cost : NULL;
 }
 

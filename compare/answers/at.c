@@ -12,6 +12,7 @@
 #include "compare/points/gaits.h"
 
 const struct at_flint_functions *at_flint;
+const struct at_study_functions *at_study;
 
 struct asked *asked_nothing(const char *command)
 {
@@ -23,6 +24,13 @@ struct asked *asked_nothing(const char *command)
     asked->digits = DIGITS_OF_DOUBLE;
   }
   return asked;
+}
+
+void asked_free(struct asked *asked)
+{
+  if (asked)
+    quantities_free(&asked->quantities);
+  free(asked);
 }
 
 /* Are errors those against certified values? A change of velocity in doubles is a small difference of large numbers,
@@ -45,7 +53,7 @@ const char *asked_needs_flint(const struct asked *asked)
   for (int i = 0; i < asked->quantities.count; i++) {
     const struct quantity *q = &asked->quantities.item[i];
     if (q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT
-        || (certifies && q->of >= 0))
+        || q->kind == QUANTITY_STUDIED || (certifies && q->of >= 0))
       return q->name;
   }
   return NULL;
@@ -68,6 +76,8 @@ void at_clear(struct at *s)
 {
   if (s->flint)
     at_flint->free(s->flint);
+  if (s->study)
+    at_study->free(s->study);
 }
 
 double at_fail(struct at *s, const char *why)
@@ -126,11 +136,23 @@ static double formula_so_far(void *at, const struct formula *formula)
   return at_formula(s, formula);
 }
 
-void at_sweep(struct at *s, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
+void at_end_thread(struct at *s)
+{
+  if (s->flint)
+    at_flint->end_thread();
+}
+
+void at_place(struct at *s, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
               const long *index)
 {
   forget(s);
   sweep_move(cursor, &s->place, base, product, index, formula_so_far, s);
+}
+
+void at_sweep(struct at *s, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
+              const long *index)
+{
+  at_place(s, cursor, base, product, index);
   at_move(s);
 }
 
@@ -318,13 +340,21 @@ static double froude(struct at *s)
   return check(s, scallop_scale(&s->place.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
+static bool is_studied(struct at *s)
+{
+  s->study = s->study ? s->study : at_study->create();
+  return !s->is_outside && (s->study || !isnan(at_fail(s, "out of memory")));
+}
+
 static double compute(struct at *s, const struct quantity *q)
 {
   const struct scallop_crawler *c = &s->place.point.crawler;
   static const struct series_error none;
   const struct answer *a;
   double numbers[CRAWLER_NUMBERS];
-  if (s->place.is_unread || (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0))
+  bool is_set = (q->kind == QUANTITY_F1_OVER_F2 && !isnan(s->place.F1_over_F2))
+                || (q->kind == QUANTITY_M1_OVER_M2 && !isnan(s->place.m1_over_m2));
+  if (s->place.is_unread || (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0 && !is_set))
     return NAN; /* the point has no such thing */
   if (s->certified_errors && quantity_is_series(q) && quantity_is_compared(&s->asked->quantities, q))
     return compared(s, (int)(q - s->asked->quantities.item))->value; /* rounded from the one that the error is of */
@@ -343,6 +373,7 @@ static double compute(struct at *s, const struct quantity *q)
   case QUANTITY_LIMIT: return expand(s, motion_of_quantity(s, q)) ? at_flint->sum(s, q, motion_of_quantity(s, q)) : NAN;
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
+  case QUANTITY_STUDIED: return is_studied(s) ? at_study->number(s, q) : NAN;
   case QUANTITY_FORMULA: return at_formula(s, q->own);
   case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
   default: return NAN; /* texts, and what only a trajectory has */
@@ -424,6 +455,7 @@ const char *at_text(struct at *s, int quantity, long digits)
   case QUANTITY_REGIME:
   case QUANTITY_MODES: return how(s, q);
   case QUANTITY_WORDS: return in_words(s, m);
+  case QUANTITY_STUDIED: return is_studied(s) ? at_study->text(s, q) : "-";
   case QUANTITY_CERTIFIED:
     return !s->is_outside && certify(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
   default: return status_text(s);

@@ -24,6 +24,7 @@ struct asked {
 #define ACCURACY_OF_DOUBLES 1e-10
 /* With no quantities yet; NULL: no memory. */
 struct asked *asked_nothing(const char *command);
+void asked_free(struct asked *asked);
 /* What needs FLINT: the name of the first of these quantities, or NULL. */
 const char *asked_needs_flint(const struct asked *asked);
 
@@ -50,6 +51,7 @@ struct at {
   char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
   long failures;          /* so far */
   struct at_flint *flint; /* NULL: nothing needs it */
+  struct at_study *study; /* likewise, or not yet */
   bool is_outside;        /* the parameters are no point: nothing but they can be told */
   bool as_written;        /* regime, modes and status are those of certified answers: set for each row */
   bool tells_steady;      /* the row has something of the steady state in doubles */
@@ -72,7 +74,12 @@ void at_clear(struct at *at);
 
 /* Goes to the point in at->place. */
 void at_move(struct at *at);
-/* Goes to a point of a sweep, whose ends may be formulas of what is set further out. */
+/* Ends what a thread keeps for this one. */
+void at_end_thread(struct at *at);
+/* Sets at->place to a point of a sweep, and no more, */
+void at_place(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
+              const long *index);
+/* or goes to it. Ends of ranges may be formulas of what is set further out. */
 void at_sweep(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
               const long *index);
 /* Before each row of another table: what failed for one table is no matter of the next. */
@@ -94,6 +101,7 @@ struct at_flint_functions {
   struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */
   void (*free)(struct at_flint *flint);
   void (*move)(const struct at *at); /* goes to the point */
+  void (*end_thread)(void);          /* gives back what FLINT keeps for a thread */
   void (*certify)(const struct at *at, enum motion_of_point m);
   /* The sum of a derived series, or of its first term. */
   double (*sum)(struct at *at, const struct quantity *series, enum motion_of_point m);
@@ -105,5 +113,14 @@ struct at_flint_functions {
   bool (*modes)(struct at *at, enum motion_of_point m, enum scallop_regime *regime, struct scallop_modes modes[2]);
 };
 extern const struct at_flint_functions *at_flint;
+
+/* Quantities that take a study of the crawler along T: likewise */
+struct at_study_functions {
+  struct at_study *(*create)(void); /* NULL: no memory */
+  void (*free)(struct at_study *study);
+  double (*number)(struct at *at, const struct quantity *q);
+  const char *(*text)(struct at *at, const struct quantity *q); /* it lives until the next call */
+};
+extern const struct at_study_functions *at_study;
 
 #endif

@@ -269,7 +269,7 @@ static bool modes(struct at *s, enum motion_of_point m, enum scallop_regime *reg
   return a != NULL;
 }
 
-static const struct at_flint_functions functions = { flint_new, flint_end, move, certify, sum, compare, text, modes };
+static const struct at_flint_functions functions = { flint_new, flint_end, move, flint_cleanup, certify, sum, compare, text, modes };
 
 /* When it is loaded, or, where a program is linked with it, before main */
 static void __attribute__((constructor)) offer(void) { at_flint = &functions; }

@@ -22,7 +22,7 @@ extern const struct flint_part {
   enum exit_code (*claims_table)(const struct claims_options *options);
   enum exit_code (*workprec_table)(const struct workprec_options *options);
   enum exit_code (*breakdown_table)(const struct breakdown_options *options);
-  enum exit_code (*breakdown_map)(const struct breakdown_options *options);
+  const char *(*breakdown_map)(const struct breakdown_options *options, struct rows *rows);
   enum exit_code (*breakdown_boundaries)(const struct breakdown_options *options);
   enum exit_code (*summary_of_breakdown)(const struct request *request);
   const char *(*summary_plan)(struct rows *rows);

@@ -34,6 +34,12 @@ const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
                             true },
 };
 
+const struct formula_row formula_rows[] = {
+  { "mean_power", "force length/time", "friction_work / T: the power that friction takes", "friction_work/T" },
+  { .name = NULL },
+};
+enum { FORMULA_ROWS = sizeof formula_rows / sizeof *formula_rows - 1 };
+
 enum quantity_id quantity_first(enum quantity_of of) { return of == OF_STEADY ? Q_FROUDE : FIRST_OF_PHASE; }
 enum quantity_id quantity_end(enum quantity_of of) { return of == OF_STEADY ? FIRST_OF_PHASE : QUANTITIES; }
 
@@ -53,10 +59,14 @@ const struct column_meaning *quantity_meaning(const char *name)
   if (strcmp(name, "modes") == 0)
     return &modes;
   enum quantity_id q = quantity_of_name(name);
-  if (q == NAMED_QUANTITIES)
+  const struct formula_row *row = formula_rows;
+  while (row->name && strcmp(row->name, name) != 0)
+    row++;
+  const char *unit = q < NAMED_QUANTITIES ? quantity_rows[q].unit : row->unit;
+  if (q == NAMED_QUANTITIES && !row->name)
     return NULL;
-  meaning = (struct column_meaning){ strcmp(quantity_rows[q].unit, "1") == 0 ? "" : quantity_rows[q].unit,
-                                     quantity_rows[q].sentence, false, NULL };
+  meaning = (struct column_meaning){ strcmp(unit, "1") == 0 ? "" : unit,
+                                     q < NAMED_QUANTITIES ? quantity_rows[q].sentence : row->sentence, false, NULL };
   return &meaning;
 }
 
@@ -120,15 +130,31 @@ static const struct {
                { "motion", QUANTITY_WORDS, OF_STEADY },
                { "phase_motion", QUANTITY_WORDS, OF_PHASE },
                { "phase_regime", QUANTITY_REGIME, OF_PHASE },
-               { "phase_modes", QUANTITY_MODES, OF_PHASE } };
+               { "phase_modes", QUANTITY_MODES, OF_PHASE },
+               { "first_event", QUANTITY_STUDIED, STUDIED_EVENT },
+               { "first_event_T", QUANTITY_STUDIED, STUDIED_EVENT_T },
+               { "first_event_froude", QUANTITY_STUDIED, STUDIED_EVENT_FROUDE },
+               { "reversals", QUANTITY_STUDIED, STUDIED_REVERSALS },
+               { "best_order", QUANTITY_STUDIED, STUDIED_BEST_ORDER },
+               { "best_error", QUANTITY_STUDIED, STUDIED_BEST_ERROR } };
 enum { SINGLE = sizeof single / sizeof *single };
 
 /* What a name begins with, if it is about a row of the table or about a series */
 static const struct {
   const char *text;
   enum quantity_kind kind;
-} prefixes[] = { { "exact.", QUANTITY_EXACT },         { "error.", QUANTITY_ERROR }, { "relative.", QUANTITY_RELATIVE },
-                 { "certified.", QUANTITY_CERTIFIED }, { "limit.", QUANTITY_LIMIT }, { "derived_", QUANTITY_DERIVED } };
+  int which;
+} prefixes[] = { { "exact.", QUANTITY_EXACT, 0 },
+                 { "error.", QUANTITY_ERROR, 0 },
+                 { "relative.", QUANTITY_RELATIVE, 0 },
+                 { "certified.", QUANTITY_CERTIFIED, 0 },
+                 { "limit.", QUANTITY_LIMIT, 0 },
+                 { "derived_", QUANTITY_DERIVED, 0 },
+                 { "reach_", QUANTITY_STUDIED, STUDIED_REACH },
+                 { "deviation.", QUANTITY_STUDIED, STUDIED_DEVIATION },
+                 { "error_limit.", QUANTITY_STUDIED, STUDIED_ERROR_LIMIT },
+                 { "verdict.", QUANTITY_STUDIED, STUDIED_VERDICT },
+                 { "order.", QUANTITY_STUDIED, STUDIED_ORDER } };
 enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
 
 const char *const quantity_samples[SAMPLE_VALUES + 1] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
@@ -137,10 +163,11 @@ const char *const quantity_samples[SAMPLE_VALUES + 1] = { "t", "x1", "x2", "xC",
  * same, the first one counts. */
 static const char *name_at(const struct quantities *all, int i, struct quantity *q)
 {
-  enum { LISTS = 6 };
-  static const enum quantity_kind kinds[LISTS] = { QUANTITY_NUMBER,  QUANTITY_STATUS, QUANTITY_LABEL,
-                                                   QUANTITY_CARRIED, QUANTITY_SAMPLE, QUANTITY_ANSWER };
-  const int counts[LISTS] = { CRAWLER_NUMBERS, SINGLE, all->labels, all->carries, SAMPLE_VALUES, NAMED_QUANTITIES };
+  enum { LISTS = 7 };
+  static const enum quantity_kind kinds[LISTS] = { QUANTITY_NUMBER, QUANTITY_STATUS, QUANTITY_LABEL,  QUANTITY_CARRIED,
+                                                   QUANTITY_SAMPLE, QUANTITY_ANSWER, QUANTITY_FORMULA };
+  const int counts[LISTS] = { CRAWLER_NUMBERS, SINGLE,           all->labels, all->carries,
+                              SAMPLE_VALUES,   NAMED_QUANTITIES, FORMULA_ROWS };
   int list = 0;
   for (; list < LISTS && i >= counts[list]; list++)
     i -= counts[list];
@@ -156,6 +183,7 @@ static const char *name_at(const struct quantities *all, int i, struct quantity 
   case 3: return all->carried[i];
   case 4: return quantity_samples[i];
   case 5: return quantity_rows[i].name;
+  case 6: return formula_rows[i].name;
   default: q->formula = formula_at(i); return q->formula ? q->formula->name : NULL;
   }
 }
@@ -221,6 +249,27 @@ static const char *read_order(struct quantity *q, const char *text)
   return *end == '.' && q->order <= MOST_ORDER ? end + 1 : NULL;
 }
 
+/* Past the tolerance of a reach, or NULL */
+static const char *read_tolerance(struct quantity *q, const char *text)
+{
+  char *end;
+  q->tolerance = *text >= '0' && *text <= '9' ? strtod(text, &end) : 0;
+  return q->tolerance > 0 && *end == '.' ? end + 1 : NULL;
+}
+
+/* A study along T of a series of the steady state */
+static int studied_about(struct quantity *q, struct quantities *all, const char *rest)
+{
+  if (q->which == STUDIED_REACH && !(rest = read_tolerance(q, rest)))
+    return -1;
+  q->series = quantity_named(all, rest);
+  const struct quantity *series = q->series >= 0 ? &all->item[q->series] : NULL;
+  bool of_formula = q->which == STUDIED_VERDICT || q->which == STUDIED_ORDER;
+  bool fits = series && quantity_is_series(series) && !quantity_is_of_phase(all, series)
+              && (!of_formula || series->kind == QUANTITY_PUBLISHED);
+  return q->series < -1 ? q->series : fits ? 0 : -1;
+}
+
 /* The quantity of this kind about the one with the rest of the name. Returns 0, or what quantity_named returns where
  * there is none. */
 static int named_about(struct quantity *q, struct quantities *all, const char *rest)
@@ -229,6 +278,8 @@ static int named_about(struct quantity *q, struct quantities *all, const char *r
     q->of = quantity_named(all, rest);
     return q->of < 0 ? q->of : quantity_is_series(&all->item[q->of]) ? 0 : -1;
   }
+  if (q->kind == QUANTITY_STUDIED)
+    return studied_about(q, all, rest);
   if (q->kind == QUANTITY_DERIVED && !(rest = read_order(q, rest)))
     return -1;
   q->which = (int)quantity_of_name(rest);
@@ -243,9 +294,39 @@ static bool name_among_carried(const struct quantities *all, const char *name)
   return i < all->carries;
 }
 
+static int place_of(void *quantities, const char *name) { return quantity_named(quantities, name); }
+
+int quantity_of_text(struct quantities *all, const char *name, const char *text)
+{
+  const struct formula_names names = { .place = place_of, .context = all };
+  struct quantity q = { .kind = QUANTITY_FORMULA, .of = -1, .phase = -1, .series = -1 };
+  char wrong[FORMULA_MESSAGE];
+  snprintf(q.name, sizeof q.name, "%s", name);
+  for (int i = 0; i < all->count; i++)
+    if (all->item[i].own && strcmp(all->item[i].name, q.name) == 0)
+      return i;
+  q.own = malloc(sizeof *q.own);
+  if (!q.own || formula_read(q.own, text, &names, wrong) || all->count == MOST_QUANTITIES) {
+    free(q.own);
+    return -1;
+  }
+  all->item[all->count] = q;
+  return all->count++;
+}
+
+void quantities_free(struct quantities *all)
+{
+  for (int i = 0; i < all->count; i++)
+    free(all->item[i].own);
+}
+
 int quantity_named(struct quantities *all, const char *name)
 {
-  struct quantity q = { .of = -1, .phase = -1 };
+  for (const struct formula_row *row = formula_rows; row->name; row++)
+    if (strcmp(row->name, name) == 0)
+      return quantity_of_text(all, row->name, row->formula);
+
+  struct quantity q = { .of = -1, .phase = -1, .series = -1 };
   int found = -1;
   for (int i = 0; i < all->count; i++)
     if (strcmp(all->item[i].name, name) == 0)
@@ -257,6 +338,7 @@ int quantity_named(struct quantities *all, const char *name)
   for (int i = 0; i < PREFIXES && found < 0 && !is_carried; i++) {
     size_t length = strlen(prefixes[i].text);
     q.kind = prefixes[i].kind;
+    q.which = prefixes[i].which;
     if (strncmp(name, prefixes[i].text, length) == 0 && (found = named_about(&q, all, name + length)) < 0)
       return found;
   }
@@ -283,7 +365,8 @@ bool quantity_is_text(const struct quantity *q)
 {
   return q->kind == QUANTITY_GAIT || q->kind == QUANTITY_LABEL || q->kind == QUANTITY_CERTIFIED
          || q->kind == QUANTITY_STATUS || q->kind == QUANTITY_PHASE_NAME || q->kind == QUANTITY_REGIME
-         || q->kind == QUANTITY_MODES || q->kind == QUANTITY_WORDS || q->kind == QUANTITY_CARRIED;
+         || q->kind == QUANTITY_MODES || q->kind == QUANTITY_WORDS || q->kind == QUANTITY_CARRIED
+         || (q->kind == QUANTITY_STUDIED && q->which >= STUDIED_TEXTS);
 }
 
 bool quantity_is_series(const struct quantity *q)

@@ -14,6 +14,11 @@
  *     limit.displacement                          the limit T -> 0: the first term
  *     exact.S, error.S, relative.S   of a series S of these: what it should be, S - exact, and that over |exact|
  *     certified.displacement, ...                 with all digits, proven
+ *     reach_1e-2.S   of a series S of the steady state: the largest T up to which |S/exact - 1| stays below 1e-2
+ *     deviation.S    S/exact - 1 at this T, by binary128; error_limit.S: what its size tends to as T -> 0, if not to 0
+ *     verdict.S order.S   of a formula S: is the order that is claimed of its error right, and the one that is proven
+ *     first_event first_event_T first_event_froude reversals    along T, as `breakdown` has them
+ *     best_order best_error   the terms below T^best_order have the least error of the displacement at this T
  *     v_start_error, ...                          what the double is off by, estimated in wider arithmetic
  *     motion phase_motion                         the modes in words, with their times
  *     t x1 x2 xC v1 v2 l                          in a trajectory, at a time
@@ -69,6 +74,12 @@ struct quantity_row {
 };
 extern const struct quantity_row quantity_rows[NAMED_QUANTITIES];
 
+/* Quantities that are formulas of others, the last without a name */
+struct formula_row {
+  const char *name, *unit, *sentence, *formula;
+};
+extern const struct formula_row formula_rows[];
+
 /* The columns of a motion: the first, and the one after the last; they stand together. */
 enum quantity_id quantity_first(enum quantity_of of);
 enum quantity_id quantity_end(enum quantity_of of);
@@ -113,7 +124,24 @@ enum quantity_kind {
   QUANTITY_CERTIFIED,
   QUANTITY_SAMPLE, /* which: enum sample_value                                                      */
   QUANTITY_STATUS,
-  QUANTITY_FORMULA /* a sheet's own: text */
+  QUANTITY_STUDIED, /* which: enum studied */
+  QUANTITY_FORMULA /* own: of other quantities */
+};
+
+/* What takes a study of the crawler along T (compare/summary/studied.c) */
+enum studied {
+  STUDIED_REACH,
+  STUDIED_DEVIATION,
+  STUDIED_ERROR_LIMIT,
+  STUDIED_ORDER,
+  STUDIED_EVENT_T,
+  STUDIED_EVENT_FROUDE,
+  STUDIED_BEST_ORDER,
+  STUDIED_BEST_ERROR,
+  STUDIED_TEXTS, /* from here on */
+  STUDIED_VERDICT = STUDIED_TEXTS,
+  STUDIED_EVENT,
+  STUDIED_REVERSALS
 };
 
 enum sample_value { SAMPLE_T, SAMPLE_X1, SAMPLE_X2, SAMPLE_XC, SAMPLE_V1, SAMPLE_V2, SAMPLE_L, SAMPLE_VALUES };
@@ -127,7 +155,9 @@ struct quantity {
   long order;                            /* derived: of the terms below T^order                                  */
   int of;                                /* exact, error, relative: of this series, as a place in the list        */
   const struct scallop_formula *formula; /* published                                                             */
-  const struct formula *own;             /* of QUANTITY_FORMULA, which no name of a quantity is: its name is its text */
+  int series;                            /* studied: of this one, as a place in the list; -1: of the crawler        */
+  double tolerance;                      /* of a reach                                                              */
+  struct formula *own;                   /* of QUANTITY_FORMULA, which no name of a quantity is: its name is its text */
 };
 
 /* The quantities that a scene uses, each once. */
@@ -142,6 +172,10 @@ struct quantities {
 /* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for
  * more. */
 int quantity_named(struct quantities *all, const char *name);
+/* The place of a formula of quantities as a quantity, which is called name and is found by it where no quantity has that
+ * name; negative: as above, or the formula is wrong. */
+int quantity_of_text(struct quantities *all, const char *name, const char *formula);
+void quantities_free(struct quantities *all);
 /* Is it the name of a quantity, or what names of quantities begin with, but not that of a formula? */
 bool quantity_is_other(const char *name);
 /* The known name nearest to one that is none, or NULL. */

@@ -165,7 +165,7 @@ static void write_head(struct rows *r)
 {
   const struct scene_head *scene = r->request->scene;
   if (!scene)
-    table_command(&r->table, "%s", r->style.command);
+    table_command(&r->table, "%s", r->command ? r->command : r->style.command);
   else {
     table_command(&r->table, "run %s%s", scene->scene, strcmp(scene->scene, "-") == 0 ? "" : ".cfg");
     if (scene->title)
@@ -208,23 +208,29 @@ static bool open_tables(struct rows_run *run)
   return open;
 }
 
+void rows_count(struct rows_run *run, const char *why)
+{
+  run->points++;
+  if (*why && run->unsolved++ == 0)
+    snprintf(run->why, sizeof run->why, "%s", why);
+}
+
 /* False: a table can no longer be written. */
 static bool at_point(struct rows_run *run, struct at *at)
 {
-  bool unsolved = false, fine = true;
-  run->points++;
+  char why[POINT_STATUS] = "";
+  bool fine = true;
   for (struct rows *r = run->rows; r < run->rows + run->count; r++) {
     at_begin_row(at);
     if (r->visit)
       r->visit(r, at);
     else
       sheet_row(&r->sheet, &r->table, at);
-    if (at->why[0] != '\0' && run->unsolved == 0 && !unsolved)
-      snprintf(run->why, sizeof run->why, "%s", at->why);
-    unsolved |= at->why[0] != '\0';
+    if (!*why)
+      memcpy(why, at->why, sizeof why);
     fine &= !r->is_open || !table_failed(&r->table);
   }
-  run->unsolved += unsolved;
+  rows_count(run, why);
   return fine;
 }
 
@@ -258,9 +264,10 @@ static void visit_points(struct rows_run *run, struct at *at, struct point_file 
   const struct request *request = run->rows->request;
   if (file)
     visit_file(run, at, file);
-  else if (request->sweep.products > 0)
-    visit_sweep(run, at);
-  else {
+  else if (request->sweep.products > 0) {
+    if (!rows_in_blocks(run, at))
+      visit_sweep(run, at);
+  } else {
     sweep_place_set(&at->place, &request->point);
     at_move(at);
     at_point(run, at);

@@ -18,6 +18,7 @@ struct rows { /* a table with a row for each point, as it is planned; zero but f
   const char *const *behind;     /* names of columns behind those of the sheet, which visit writes; or NULL */
   bool has_errors;               /* visit asks for errors of series, too */
   const struct table_choice *choice; /* of columns; NULL: that of the request */
+  const char *command;           /* what the head says of it; NULL: its name */
   const char *of;                /* the kind of its picture; NULL: that of the command */
   void (*head)(struct rows *rows);                /* more '#' lines, or NULL */
   void (*visit)(struct rows *rows, struct at *at); /* NULL: sheet_row */
@@ -50,6 +51,11 @@ bool rows_open(struct rows *rows); /* False: the message is on stderr. */
  * the disk; in *file: the points, if they come from one. The exit code, the message being on stderr. */
 struct point_file;
 enum exit_code rows_visit(struct rows_run *run, struct point_file *file);
+/* What is wrong with a point, or "": counts it. */
+void rows_count(struct rows_run *run, const char *why);
+/* blocks.c: visits a sweep by several threads, if that is worth it: one table whose columns need FLINT. False: nothing
+ * has been done. */
+bool rows_in_blocks(struct rows_run *run, struct at *at);
 /* Puts the tables in their places; keep: else the earlier files stay. False: one could not be. */
 bool rows_close(struct rows_run *run, bool keep);
 

@@ -30,30 +30,12 @@ static int quantity_place(void *sheet, const char *name)
 }
 
 /* An own name that is a formula of quantities becomes a quantity too, so that other formulas can take it. */
-static int place_of_meaning(struct sheet *s, const char *text, const char *meaning)
-{
-  struct quantities *all = &s->asked->quantities;
-  const struct formula_names names = { .place = quantity_place, .context = s };
-  char wrong[FORMULA_MESSAGE];
-  int own = 0;
-  while (own < SHEET_OWN - 1 && s->own[own] != text)
-    own++;
-  for (int i = 0; i < all->count; i++)
-    if (s->meaning[own] && all->item[i].own == s->meaning[own])
-      return i;
-  s->meaning[own] = s->meaning[own] ? s->meaning[own] : malloc(sizeof *s->meaning[own]);
-  if (!s->meaning[own] || formula_read(s->meaning[own], meaning, &names, wrong) || all->count == MOST_QUANTITIES)
-    return -1;
-  all->item[all->count] = (struct quantity){ .kind = QUANTITY_FORMULA, .of = -1, .phase = -1, .own = s->meaning[own] };
-  return all->count++;
-}
-
 static int place_of(void *sheet, const char *name)
 {
   struct sheet *s = sheet;
   const char *meaning, *text = own_text(s, name, &meaning);
   int place = quantity_named(&s->asked->quantities, text ? meaning : name);
-  return place < 0 && text ? place_of_meaning(s, text, meaning) : place;
+  return place < 0 && text ? quantity_of_text(&s->asked->quantities, text, meaning) : place;
 }
 
 static const char *near_to(void *sheet, const char *name, const char *const *functions)
@@ -145,14 +127,7 @@ const char *sheet_add(struct sheet *s, const char *text)
   return wrong ? wrong : refused(s, &s->columns.item[s->columns.count - 1], text);
 }
 
-void sheet_free(struct sheet *s)
-{
-  column_list_free(&s->columns);
-  for (int i = 0; i < SHEET_OWN; i++) {
-    free(s->meaning[i]);
-    s->meaning[i] = NULL;
-  }
-}
+void sheet_free(struct sheet *s) { column_list_free(&s->columns); }
 
 void sheet_head(const struct sheet *s, struct table *t)
 {

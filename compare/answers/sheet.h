@@ -8,13 +8,10 @@
 #include "compare/answers/at.h"
 #include "compare/columns/columns.h"
 
-enum { SHEET_OWN = 64 };
-
 struct sheet {
   struct asked *asked;                /* grows with each column */
   struct column_list columns;         /* their places: of quantities */
   const char *const *own;             /* texts that give the sheet's own names, NULL-terminated, or NULL */
-  struct formula *meaning[SHEET_OWN]; /* of own names that are formulas, as far as other columns take them */
   bool of_samples;                    /* the rows are those of a trajectory */
   bool as_written;   /* --certified: parameters with all their digits, regime and modes as they are proven */
   long digits;       /* of certified values */

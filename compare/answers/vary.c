@@ -211,13 +211,13 @@ static const char *range_of_text(struct request *r, struct sweep_variable *v, ch
       *rest++ = '\0';
   }
   bool spaced = parts == PARTS && (strcmp(part[SPACING], "log") == 0 || strcmp(part[SPACING], "linear") == 0);
-  if ((parts == SPACING || spaced) && read_count(part[COUNT], 2, SWEEP_RANGE, &count))
+  if ((parts == SPACING || spaced) && read_count(part[COUNT], strcmp(part[FROM], part[TO]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
     return vary_range(r, *v, part[FROM], part[TO], count, spaced && strcmp(part[SPACING], "log") == 0);
   for (int i = 1; i < parts && i <= PARTS; i++)
     part[i][-1] = ':';
   snprintf(message, WRONG,
-           "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, and "
-           "both ends belong to it",
+           "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, or "
+           "1 where FROM = TO; both ends belong to it",
            text, SWEEP_RANGE);
   return message;
 }

@@ -167,7 +167,7 @@ static void write_change(struct claim_row *row, struct scallop_rational_crawler 
 /* Why nothing can be said of the claim, or NULL */
 static const char *undecided(const struct scallop_formula *f, const struct trial *trial, bool is_met)
 {
-  static char text[240];
+  static _Thread_local char text[240];
   if (!is_met)
     return "no crawler was found for which the conditions hold";
   *text = '\0';

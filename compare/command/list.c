@@ -91,14 +91,21 @@ static void describe(const struct arguments *initial, const struct option *o, ch
            place ? place + 2 : "");
 }
 
-static void list_quantities(FILE *to, const struct quantity_row *row, const struct quantity_row *end)
+static void list_quantity(FILE *to, const char *name, const char *sentence, const char *unit)
+{
+  char text[HELP_OPTION];
+  snprintf(text, sizeof text, "%s [%s]", sentence, unit);
+  print_item(to, name, 22, text);
+}
+
+/* Those that are formulas stand behind the list of all. */
+static void list_quantities(FILE *to, int first, int end)
 {
   fputs("\nQuantities (with their units):\n", to);
-  for (; row < end; row++) {
-    char text[HELP_OPTION];
-    snprintf(text, sizeof text, "%s [%s]", row->sentence, row->unit);
-    print_item(to, row->name, 22, text);
-  }
+  for (const struct quantity_row *row = quantity_rows + first; row < quantity_rows + end; row++)
+    list_quantity(to, row->name, row->sentence, row->unit);
+  for (const struct formula_row *row = formula_rows; row->name && end == NAMED_QUANTITIES; row++)
+    list_quantity(to, row->name, row->sentence, row->unit);
 }
 
 /* What --gait takes, if the command has it */
@@ -132,7 +139,7 @@ static void write_command(FILE *to, const struct command *command)
              0, summary);
   fprintf(to, "\n%s", shipped_text(shipped_help, command->name));
   if (command->quantities.end > 0)
-    list_quantities(to, quantity_rows + command->quantities.first, quantity_rows + command->quantities.end);
+    list_quantities(to, command->quantities.first, command->quantities.end);
   list_gaits(to, command);
   fputs("\nOptions (defaults in brackets):\n", to);
   struct arguments initial;

@@ -391,14 +391,19 @@ static bool sweep_holds(const struct arguments *a)
       v->name);
 }
 
-bool options_are_sound(const struct arguments *a)
+bool options_are_sound(struct arguments *a)
 {
+  if (!sweep_holds(a))
+    return false;
+  const char *wrong = a->command->complete ? a->command->complete(&a->options) : NULL;
+  if (wrong)
+    return complain(a->command->name, "%s", wrong);
   const struct style *style = &a->options.request.style;
   const struct option *of_plot = given_option(a,
                                               "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size");
   if (of_plot && !style->plot.file)
     return complain(a->command->name, "--%s has nothing to do without --plot", of_plot->name);
-  return rules_hold(a) && sweep_holds(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
+  return rules_hold(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
 }
 
 void options_initial(struct arguments *a, const struct command *command)
@@ -475,7 +480,7 @@ void options_free(struct arguments *a)
 {
   sweep_free(&a->options.request.sweep);
   columns_free(a->options.request.style.choice);
-  free(a->options.request.asked);
+  asked_free(a->options.request.asked);
   free(a->operands);
   a->operands = NULL;
   a->operand_count = 0;

@@ -177,6 +177,8 @@ struct command {
   } quantities; /* that --help lists, by enum quantity_id                                    */
   /* NULL: scallop_crawler_default() */
   const struct scallop_crawler *defaults;
+  /* What follows from the options, when all are read: NULL, or what is wrong. NULL: nothing. */
+  const char *(*complete)(void *options);
   /* What no rule says of the options: false, the message being on stderr. NULL: nothing. */
   bool (*is_sound)(const void *options);
   /* Plans a table with a row for each point: NULL, or what is wrong, until the next call; "": that has been said. No such function, or has_rows
@@ -211,8 +213,8 @@ enum exit_code command_make(const struct arguments *arguments);
 const char *option_take(struct arguments *arguments, const struct option *option, const char *text);
 /* What is wrong with the name of an option that the command does not take; argument: as it is written */
 const char *option_unknown(const struct arguments *arguments, const char *name, const char *argument);
-/* Do all options go together? False: the message is on stderr. */
-bool options_are_sound(const struct arguments *arguments);
+/* Completes the options. Do all go together? False: the message is on stderr. */
+bool options_are_sound(struct arguments *arguments);
 
 /* NULL: the command does not take it. */
 const struct option *option_of(const struct command *command, const char *name);

@@ -141,7 +141,7 @@ static bool read_options(struct want *w, struct scene *s, const config_setting_t
     option_take(&w->arguments, option_of(kind->command, kind->option[i][0]), kind->option[i][1]);
   if (!take_members(w, s, at))
     return false;
-  w->has_rows = command_has_rows(kind->command, r);
+  w->has_rows = command_has_rows(kind->command, r) && !kind->command->complete; /* which has points of its own */
   take_parameters(r, s, w->has_rows);
   r->style.quiet |= given->quiet;
   r->style.digits = given->digits > 0 && option_of(kind->command, "digits") ? given->digits : r->style.digits;

@@ -76,7 +76,7 @@ static struct place place_at(struct boundaries *b, double u, double v)
 {
   const struct scallop_crawler *base = &b->options->request.point.crawler;
   const struct motion m = {
-    .of = OF_STEADY, .crawler = axes_crawler(b->axes, base, axis_value(&b->axes[0], u), axis_value(&b->axes[1], v))
+    .of = OF_STEADY, .crawler = axes_crawler(b->axes, base, axis_value(b->axes[0], u), axis_value(b->axes[1], v))
   };
   struct place place = { u, v, NOWHERE };
   struct answer a;
@@ -95,7 +95,7 @@ static struct place place_at(struct boundaries *b, double u, double v)
 
 static double apart(const struct boundaries *b, double du, double dv)
 {
-  return fmax(fabs(du) * axis_scale(&b->axes[0]), fabs(dv) * axis_scale(&b->axes[1]));
+  return fmax(fabs(du) * axis_scale(b->axes[0]), fabs(dv) * axis_scale(b->axes[1]));
 }
 
 /* A region that is thinner than the promise, such as a line on which a symmetry holds, is a part of the boundary. */
@@ -250,8 +250,8 @@ static bool comes_second(const struct region *a, const struct region *b)
 static void write_part(const struct boundaries *b, struct table *t, const struct part *p)
 {
   const struct region *left = &b->regions[p->from.before], *right = &b->regions[p->from.after];
-  double x[2] = { axis_value(&b->axes[0], p->from.u), axis_value(&b->axes[0], p->u) };
-  double y[2] = { axis_value(&b->axes[1], p->from.v), axis_value(&b->axes[1], p->v) };
+  double x[2] = { axis_value(b->axes[0], p->from.u), axis_value(b->axes[0], p->u) };
+  double y[2] = { axis_value(b->axes[1], p->from.v), axis_value(b->axes[1], p->v) };
   char what[MODE_CHANGE_TEXT];
   bool turned = comes_second(left, right);
   const struct region *one = turned ? right : left, *two = turned ? left : right;
@@ -269,7 +269,8 @@ static void begin_table(const struct boundaries *b, struct table *t)
 {
   static char to[2][32];
   t->of = "boundaries";
-  axes_head(t, b->options, b->axes, " --boundaries");
+  table_command(t, "breakdown --map %s %s --boundaries", b->axes[0].name, b->axes[1].name);
+  map_head(t, b->options);
   table_note(t, "regions: of the same modes; a row: the part of a boundary within a cell of the grid, from one edge of "
                 "it to another");
   table_note(t, "region_1 is on the left from the first end to the second, x to the right and y up; what: happens from "
@@ -306,18 +307,19 @@ static enum exit_code run(struct boundaries *b, struct table *t)
 enum exit_code breakdown_boundaries(const struct breakdown_options *o)
 {
   enum { LEAST = 2, MOST = 2001 };
-  struct boundaries b = { .options = o };
+  struct boundaries b = { .options = o, .axes = { map_axis(o, 0), map_axis(o, 1) } };
   struct table t;
-  if (!axes_read(b.axes, o->map, o->range, &o->request.point))
-    return EXIT_USAGE;
   for (int i = 0; i < 2; i++) {
-    if (b.axes[i].count < LEAST || b.axes[i].count > MOST) {
-      complain("breakdown", "--%c: %ld values; --boundaries takes 2 to 2001 along each axis", "xy"[i], b.axes[i].count);
+    long count = b.axes[i].varies->count;
+    if (count < LEAST || count > MOST) {
+      complain("breakdown", "--%c: %ld values; --boundaries takes 2 to 2001 along each axis", "xy"[i], count);
       return EXIT_USAGE;
     }
-    b.cells[i] = (int)b.axes[i].count - 1;
+    if (!(b.axes[i].varies->from.number < b.axes[i].varies->to.number))
+      return complain("breakdown", "--%c: FROM < TO for --boundaries", "xy"[i]), EXIT_USAGE;
+    b.cells[i] = (int)count - 1;
   }
-  const size_t nodes = (size_t)b.axes[0].count;
+  const size_t nodes = (size_t)b.cells[0] + 1;
   for (int i = 0; i < 2; i++)
     b.rows[i] = calloc(nodes, sizeof *b.rows[i]);
   b.parts = calloc(nodes, sizeof *b.parts);

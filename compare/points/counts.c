@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <sys/resource.h>
 
-static long counts[COUNTS];
+static long counts[COUNTS]; /* by any thread */
 
 static const char *const names[COUNTS] = {
   "points", "onsets",    "steady",       "phases",          "formulas",         "expansions",
@@ -11,12 +11,12 @@ static const char *const names[COUNTS] = {
   "rows",   "plots",     "gaits",        "root_iterations", "gait_evaluations", "certified_digits"
 };
 
-void count_add(enum count what, long n) { counts[what] += n; }
+void count_add(enum count what, long n) { __atomic_fetch_add(&counts[what], n, __ATOMIC_RELAXED); }
 
 void count_work(const struct scallop_work *work)
 {
-  counts[COUNT_ROOT_ITERATIONS] += work->root_iterations;
-  counts[COUNT_GAIT_EVALUATIONS] += work->gait_evaluations;
+  count_add(COUNT_ROOT_ITERATIONS, work->root_iterations);
+  count_add(COUNT_GAIT_EVALUATIONS, work->gait_evaluations);
 }
 
 void counts_print(void)

@@ -1,5 +1,6 @@
 #include "compare/points/point_flint.h"
 
+#include <pthread.h>
 #include <stdlib.h>
 
 #include "compare/points/gaits.h"
@@ -41,13 +42,16 @@ static struct written *work_out(const struct scallop_gait *gait, const struct ga
 /* NULL: it is not made of numbers. */
 static const struct written *written_of(const struct scallop_gait *gait)
 {
+  static pthread_mutex_t by_one_thread = PTHREAD_MUTEX_INITIALIZER;
   struct gait_source source;
   if (!gait || !gait_source_of(gait, &source))
     return NULL;
+  pthread_mutex_lock(&by_one_thread);
   if (!*source.kept) {
     *source.kept = work_out(gait, &source);
     *source.discard = discard;
   }
+  pthread_mutex_unlock(&by_one_thread);
   return *source.kept;
 }
 

@@ -106,7 +106,7 @@ static char *name_of(const char *path)
 void scene_free(struct scene *s)
 {
   sweep_free(&s->request.sweep);
-  free(s->request.asked);
+  asked_free(s->request.asked);
   free(s->name);
   config_close(&s->config);
   *s = (struct scene){ .name = NULL };

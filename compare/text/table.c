@@ -274,6 +274,12 @@ void table_digits(struct table *t, const char *number) { keep(t, CELL_DIGITS, 0,
 void table_text(struct table *t, const char *text) { keep(t, CELL_TEXT, 0, text); }
 void table_carried(struct table *t, const char *text) { keep(t, CELL_CARRIED, 0, text); }
 
+void table_repeat(struct table *t, const struct table *row)
+{
+  for (const struct table_cell *c = row->row; c < row->row + row->count; c++)
+    keep(t, c->kind, c->value, c->text);
+}
+
 void table_rounded(struct table *t, double value, const char *format)
 {
   char text[40];

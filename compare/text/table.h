@@ -104,6 +104,8 @@ void table_count(struct table *table, long count);
 void table_rounded(struct table *table, double value, const char *format); /* fewer digits, always */
 void table_digits(struct table *table, const char *number);                /* a number as it stands, of any length */
 void table_text(struct table *table, const char *text);
+/* The row that was written last into a table that was never opened, as a row of this one. */
+void table_repeat(struct table *table, const struct table *row);
 /* A cell of another table: its bytes, and in JSON a number where it is one. */
 void table_carried(struct table *table, const char *text);
 

@@ -45,7 +45,7 @@ TEST(lists_and_ranges_of_options)
   struct sweep_place place = { .why = "" };
   sweep_move(&at, &place, &r.point, r.sweep.product, (const long[]){ 1, 2 }, NULL, NULL);
   assert_true(place.point.v0 == 0 && place.point.crawler.T == 0.1);
-  free(r.asked);
+  asked_free(r.asked);
   sweep_free(&r.sweep);
   assert_int_equal(sweep_points(&r.sweep), 0);
 }
@@ -85,7 +85,7 @@ TEST(no_lists_and_ranges)
   assert_null(vary_text(&r, "m1", "1:2:100000000"));
   assert_non_null(strstr(vary_text(&r, "m2", "1:2:10000001"), "more than 1e+15"));
   assert_null(vary_text(&r, "m2", "1:2:10000000"));
-  free(r.asked);
+  asked_free(r.asked);
   sweep_free(&r.sweep);
 }
 
@@ -112,7 +112,7 @@ TEST(steps_are_those_of_single_moves)
       assert_true(written == place.point.written[i] ? written != place.written[i] : written == copy.written[i]);
     }
   } while (sweep_next(r.sweep.product, index));
-  free(r.asked);
+  asked_free(r.asked);
   sweep_free(&r.sweep);
 }
 
@@ -139,6 +139,6 @@ TEST(what_no_point_has_of_itself)
   assert_null(vary_list(&r, label, (const char *const[]){ "1", "2" }, 2));
   assert_true(sweep_variable_of_name(&label, "m2"));
   assert_non_null(strstr(vary_list(&r, label, (const char *const[]){ "1", "2", "3" }, 3), "have 2: they go on together"));
-  free(r.asked);
+  asked_free(r.asked);
   sweep_free(&r.sweep);
 }

@@ -4,54 +4,35 @@
 #include "tests/support/cases.h"
 #include "tests/support/scratch_folder.h"
 
-TEST(axes_are_read)
-{
-  struct axis a;
-  assert_null(axis_read(&a, "F1/F2", NULL));
-  assert_true(a.from == 0.01 && a.to == 100 && a.count == 41 && a.log);
-  CHECK_EQUAL(axis_node(&a, 20), 1.0);
-  assert_null(axis_read(&a, "m1_over_m2", NULL));
-  assert_int_equal(a.kind, AXIS_M1_M2);
-  assert_null(axis_read(&a, "alpha", NULL));
-  assert_true(a.from == 0.01 && a.to == 0.99 && a.count == 41 && !a.log);
-  assert_null(axis_read(&a, "T", "0.5:8:5:linear"));
-  CHECK_EQUAL(axis_node(&a, 0), 0.5);
-  CHECK_EQUAL(axis_node(&a, 2), 4.25);
-  CHECK_EQUAL(axis_node(&a, 4), 8.0);
-  assert_null(axis_read(&a, "alpha", "0.1:0.4:3:log"));
-  CHECK_RELATIVE(axis_node(&a, 1), 0.2, 0x1p-51);
-  assert_null(axis_read(&a, "froude", "3:3:1"));
-  CHECK_EQUAL(axis_node(&a, 0), 3.0);
-}
-
-TEST(bad_axes_are_refused)
-{
-  static const char ranges[] =
-      "1:2|1:2:3:log:x|2:1:3|1:1:2|1:2:1|0:1:3|-1:1:3|1:2:0|1:2:2.5|a:2:3|1:b:3|1:inf:3|1:2:3:lo|1:2:100001||1:2:|"
-      "1e-200:1e200:3";
-  struct axis a = { .count = -7 };
-  FOR_CASES (range, ranges)
-    if (!axis_read(&a, "T", range))
-      fail_msg("'%s' was taken", range);
-  assert_non_null(axis_read(&a, "alpha", "0.5:1:3"));
-  assert_non_null(strstr(axis_read(&a, "frude", NULL), "'froude'"));
-  assert_int_equal(a.count, -7);
-}
-
+/* A crawler at two values: what the axes set, and what stays */
 TEST(axes_set_the_crawler)
 {
-  struct axis axes[2];
+  static struct sweep_variable froude, forces, masses;
   struct scallop_crawler base = scallop_crawler_default();
+  assert_true(sweep_variable_of_name(&froude, "froude") && sweep_variable_of_name(&forces, "F1_over_F2")
+              && sweep_variable_of_name(&masses, "m1_over_m2"));
   base.F2 = 3;
-  assert_null(axis_read(&axes[0], "froude", NULL));
-  assert_null(axis_read(&axes[1], "F1/F2", NULL));
+  struct axis axes[2] = { { "froude", &froude }, { "F1/F2", &forces } };
   struct scallop_crawler c = axes_crawler(axes, &base, 0.3, 2.5);
   CHECK_EQUAL(c.F1, 7.5);
   CHECK_RELATIVE((c.m1 + c.m2) * c.L / (c.T * c.T * (c.F1 + c.F2)), 0.3, 0x1p-50);
-  assert_null(axis_read(&axes[0], "m1/m2", NULL));
+  axes[0] = (struct axis){ "m1/m2", &masses };
   base.m2 = 0.5;
   c = axes_crawler(axes, &base, 4, 1);
   assert_true(c.m1 == 2 && c.m2 == 0.5 && c.F1 == 3 && c.T == base.T);
+}
+
+TEST(values_along_an_axis)
+{
+  static struct sweep_variable v = { .name = "T", .from.number = 0.5, .to.number = 8 };
+  const struct axis axis = { "T", &v };
+  CHECK_EQUAL(axis_value(axis, 0), 0.5);
+  CHECK_EQUAL(axis_value(axis, 0.5), 4.25);
+  CHECK_EQUAL(axis_value(axis, 1), 8.0);
+  CHECK_RELATIVE(axis_scale(axis), 7.5 / 8, 0x1p-52);
+  v.is_log = true;
+  CHECK_RELATIVE(axis_value(axis, 0.5), 2.0, 0x1p-51);
+  CHECK_RELATIVE(axis_scale(axis), log(16.0), 0x1p-52);
 }
 
 /* "++ -+ ++ | ++ +- ++" */

@@ -1,0 +1,240 @@
+/* Quantities of a crawler along T: how far series reach, what is claimed and proven of formulas, and what ends the
+ * expansion. */
+#define _GNU_SOURCE /* tdestroy */
+#include <math.h>
+#include <search.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/answers/at.h"
+#include "compare/breakdown/motion.h"
+#include "compare/claims/claims.h"
+#include "compare/points/point_flint.h"
+
+enum { LEAST_ORDER = 8, MOST_KEPT = 1 << 20, BEST_DIGITS = 200, MOST_CLAIMS = 64, REVERSALS_TEXT = 8 * NUMBER_TEXT };
+
+/* How far a series reaches does not depend on T: it is kept, whatever varies fastest. */
+struct kept_reach {
+  struct scallop_crawler crawler; /* of T = 1 */
+  const struct quantity *of;
+  double T;
+};
+
+struct at_study {
+  struct point point; /* that of the study, T = 1 */
+  bool has_study, has_events;
+  struct study study;
+  int claims;
+  struct claim {
+    const struct scallop_formula *formula;
+    struct claim_row row;
+  } claim[MOST_CLAIMS];
+  void *reaches; /* a tree (tsearch) of struct kept_reach */
+  long kept;
+  char text[REVERSALS_TEXT];
+};
+
+static struct at_study *create(void) { return calloc(1, sizeof(struct at_study)); }
+
+static void leave(struct at_study *s)
+{
+  if (s->has_study)
+    study_clear(&s->study);
+  s->has_study = s->has_events = false;
+  s->claims = 0;
+}
+
+static void end(struct at_study *s)
+{
+  leave(s);
+  tdestroy(s->reaches, free);
+  free(s);
+}
+
+static bool asks_for_best(const struct quantities *all)
+{
+  bool asks = false;
+  for (int i = 0; i < all->count; i++)
+    asks |= all->item[i].kind == QUANTITY_STUDIED
+            && (all->item[i].which == STUDIED_BEST_ORDER || all->item[i].which == STUDIED_BEST_ERROR);
+  return asks;
+}
+
+static long most_order(const struct quantities *all)
+{
+  long order = LEAST_ORDER;
+  for (int i = 0; i < all->count; i++)
+    order = all->item[i].order > order ? all->item[i].order : order;
+  return order;
+}
+
+/* The study of the crawler; NULL: there is none, and at->why says why. */
+static struct study *study_at(struct at *at)
+{
+  struct at_study *s = at->study;
+  const struct quantities *all = &at->asked->quantities;
+  struct point point = at->place.point;
+  point.crawler.T = 1;
+  if (s->has_study && same_crawler(&s->point.crawler, &point.crawler))
+    return &s->study;
+  leave(s);
+  s->point = point;
+  const char *why = study_begin(&s->study, &s->point, OF_STEADY, most_order(all), asks_for_best(all) ? STUDY_MANY : 1);
+  s->has_study = true;
+  if (why) {
+    at_fail(at, why);
+    leave(s);
+  }
+  return why ? NULL : &s->study;
+}
+
+static const struct events *events_at(struct at *at)
+{
+  struct study *study = study_at(at);
+  if (study && !at->study->has_events)
+    study_events(study);
+  at->study->has_events |= study != NULL;
+  return study ? &study->events : NULL;
+}
+
+/* The series of a quantity among those of the study. False: there is none. */
+static bool find_item(struct series_item *item, const struct study *study, const struct quantity *series)
+{
+  struct series_item items[MOST_ITEMS];
+  enum quantity_id of = series->formula ? quantity_of_formula(series->formula, SCALLOP_EXTENSION)
+                                        : (enum quantity_id)series->which;
+  int count = series_items(items, &study->expansions, of, series->order > 0 ? series->order : LEAST_ORDER);
+  for (int i = 0; i < count; i++)
+    if (series->formula                      ? items[i].formula == series->formula
+        : series->kind == QUANTITY_DERIVED ? items[i].source == FROM_DERIVED
+                                             : items[i].source == FROM_LIMIT) {
+      *item = items[i];
+      return true;
+    }
+  return false;
+}
+
+static int by_crawler(const void *a, const void *b)
+{
+  const struct kept_reach *x = a, *y = b;
+  double p[CRAWLER_NUMBERS], q[CRAWLER_NUMBERS];
+  crawler_numbers(&x->crawler, p);
+  crawler_numbers(&y->crawler, q);
+  int order = memcmp(p, q, sizeof p);
+  order = order != 0 ? order : (x->crawler.gait > y->crawler.gait) - (x->crawler.gait < y->crawler.gait);
+  return order != 0 ? order : (x->of > y->of) - (x->of < y->of);
+}
+
+static double reach(struct at *at, const struct quantity *q)
+{
+  struct at_study *s = at->study;
+  struct kept_reach *wanted = calloc(1, sizeof *wanted);
+  if (!wanted)
+    return at_fail(at, "out of memory");
+  *wanted = (struct kept_reach){ .crawler = at->place.point.crawler, .of = q, .T = NAN };
+  wanted->crawler.T = 1;
+  struct kept_reach **found = tfind(wanted, &s->reaches, by_crawler);
+  struct study *study = found ? NULL : study_at(at);
+  struct comparison c = { .expansions = study ? &study->expansions : NULL, .tolerance = q->tolerance };
+  if (study && find_item(&c.item, study, &at->asked->quantities.item[q->series])) {
+    c.cache = study->cache;
+    wanted->T = comparison_reach(&c);
+  }
+  double T = found ? (*found)->T : wanted->T;
+  if (!study || s->kept >= MOST_KEPT || !tsearch(wanted, &s->reaches, by_crawler))
+    free(wanted);
+  else
+    s->kept++;
+  return T;
+}
+
+/* The row of the ledger for a formula, this gait and these parameters */
+static const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula)
+{
+  struct at_study *s = at->study;
+  if (!study_at(at))
+    return NULL;
+  for (int i = 0; i < s->claims; i++)
+    if (s->claim[i].formula == formula)
+      return &s->claim[i].row;
+  struct ledger ledger = { .rows = NULL };
+  SCOPED(scallop_rational, exact);
+  rational_point(&exact, NULL, &at->place.point);
+  ledger_add_formula(&ledger, &exact, true, formula);
+  struct claim *c = &s->claim[s->claims < MOST_CLAIMS ? s->claims++ : MOST_CLAIMS - 1];
+  *c = (struct claim){ .formula = formula };
+  if (ledger.count > 0)
+    c->row = ledger.rows[0];
+  ledger_free(&ledger);
+  return &c->row;
+}
+
+static double order_of(const struct claim_row *c)
+{
+  return !c || !c->proven ? NAN : c->exact ? INFINITY : (double)c->derived_order;
+}
+
+static double best(struct at *at, enum studied what)
+{
+  struct study *study = study_at(at);
+  slong order;
+  double error, T = at->place.point.crawler.T;
+  if (!study)
+    return NAN;
+  const struct motion motion = motion_at(&study->motion, T);
+  SCOPED(ball_answer, exact);
+  answer_of_doubles(&exact, &motion, BEST_DIGITS);
+  bool found = study_best_order(study, Q_DISPLACEMENT, T, exact.value[Q_DISPLACEMENT], &order, &error);
+  return !found || order == 0 ? NAN : what == STUDIED_BEST_ORDER ? (double)order : error;
+}
+
+static double number(struct at *at, const struct quantity *q)
+{
+  const struct quantity *series = q->series >= 0 ? &at->asked->quantities.item[q->series] : NULL;
+  if (q->which == STUDIED_REACH)
+    return reach(at, q);
+  if (q->which == STUDIED_ORDER)
+    return order_of(claim_of(at, series->formula));
+  if (q->which == STUDIED_BEST_ORDER || q->which == STUDIED_BEST_ERROR)
+    return best(at, (enum studied)q->which);
+  if (q->which == STUDIED_EVENT_T || q->which == STUDIED_EVENT_FROUDE) {
+    const struct events *e = events_at(at);
+    double T = e && e->count > 0 ? e->event[0].T : NAN;
+    return q->which == STUDIED_EVENT_T || isnan(T) ? T : motion_froude(&at->study->study.motion, T);
+  }
+  struct study *study = study_at(at);
+  struct comparison c = { .expansions = study ? &study->expansions : NULL, .cache = study ? study->cache : NULL };
+  if (!study || !find_item(&c.item, study, series))
+    return NAN;
+  return q->which == STUDIED_DEVIATION ? comparison_error(&c, at->place.point.crawler.T) : comparison_limit(&c);
+}
+
+static const char *reversals_text(char text[REVERSALS_TEXT], const struct events *e)
+{
+  size_t used = (size_t)snprintf(text, REVERSALS_TEXT, "%s", e->reversals == 0 ? "-" : "");
+  for (long i = 0; i < e->reversals && used < REVERSALS_TEXT - NUMBER_TEXT; i++) {
+    char number[NUMBER_TEXT];
+    number_text(number, e->reversal[i].T, 0);
+    used += (size_t)snprintf(text + used, REVERSALS_TEXT - used, "%s%s", i > 0 ? " " : "", number);
+  }
+  return text;
+}
+
+static const char *text(struct at *at, const struct quantity *q)
+{
+  if (q->which == STUDIED_VERDICT) {
+    const struct claim_row *c = claim_of(at, at->asked->quantities.item[q->series].formula);
+    return c ? claim_verdict_text(c->verdict) : "-";
+  }
+  const struct events *e = events_at(at);
+  if (!e)
+    return "-";
+  if (q->which == STUDIED_REVERSALS)
+    return reversals_text(at->study->text, e);
+  return e->count > 0 ? e->event[0].what : "-";
+}
+
+static const struct at_study_functions functions = { create, end, number, text };
+
+/* When it is loaded, or, where a program is linked with it, before main */
+static void __attribute__((constructor)) offer(void) { at_study = &functions; }
