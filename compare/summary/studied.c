@@ -179,7 +179,7 @@ static double best(struct at *at, enum studied what)
   struct study *study = study_at(at);
   slong order;
   double error, T = at->place.point.crawler.T;
-  if (!study)
+  if (!study || !study->many.derived.value[Q_DISPLACEMENT])
     return NAN;
   const struct motion motion = motion_at(&study->motion, T);
   SCOPED(ball_answer, exact);
