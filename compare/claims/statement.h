@@ -70,7 +70,6 @@ struct solved extension(struct question *q, struct scallop_crawler c, double v0)
 struct solved contraction(struct question *q, struct scallop_crawler c, double v0);
 double middle(const arb_t x);
 double certain(const arb_t x);
-double nearest_double(const fmpq_t x); /* fmpq_get_d does not round to nearest */
 enum { EVIDENCE_DIGITS = 30, EVIDENCE_BITS = 160 };
 
 /* A formula of the paper by its name, of a phase from rest or from v0 = 1, or a text in the names of its formulas of
