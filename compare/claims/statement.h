@@ -12,7 +12,7 @@ struct question;
 /* What varies in a family of crawlers: F1/F2, F1 varied; F2, with F1/F2 kept; T. */
 enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD };
 
-enum { RANDOM_NUMBERS = 6 };
+enum { RANDOM_NUMBERS = 5 };
 
 struct statement {
   const char *name, *place, *quantity; /* place: in the paper                                                       */
