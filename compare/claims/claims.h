@@ -30,8 +30,6 @@
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_UNDECIDED, CLAIM_REFUTED };
 const char *claim_verdict_text(enum claim_verdict verdict);
-struct claim_row;
-const char *claim_evidence_text(const struct claim_row *row); /* overwritten by the next call */
 
 enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
 /* v0 of the rows from v0, in units of sqrt(L (F1 + F2)/M), rounded to two digits: no coincidence */

@@ -23,18 +23,6 @@ void append(char *text, size_t size, const char *format, ...)
   va_end(values);
 }
 
-const char *claim_evidence_text(const struct claim_row *row)
-{
-  static char sampled[40];
-  switch (row->evidence) {
-  case PROVEN_FOR_ALL: return "proven for all parameters";
-  case CERTIFIED_CRAWLER: return "certified for the crawler named";
-  case SAMPLED: snprintf(sampled, sizeof sampled, "sampled: %d cases", row->sampled); return sampled;
-  case MEASURED: return "measured in doubles";
-  default: return "-";
-  }
-}
-
 const char *claim_verdict_text(enum claim_verdict verdict)
 {
   static const char *const text[] = { "holds", "sharper", "undecided", "refuted" };

@@ -46,17 +46,11 @@ static const struct scallop_formula limits[] = {
   { "limit_steady_xC", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, .text = NULL },
 };
 
-/* What a row is about. A formula that is not the paper's, and is for an extension, has rows about contractions too, the
- * bodies exchanged; any formula may be seen in a mirror, where the bodies have exchanged their roles. */
-struct claimed {
-  const struct scallop_formula *formula;
-  bool of_contraction, mirrored;
-};
-
-static void name_row(char name[CLAIM_NAME], const struct claimed *claimed)
+/* A formula that is not the paper's, and is for an extension, has rows about contractions too, the bodies exchanged;
+ * any formula may be seen in a mirror, where the bodies have exchanged their roles. */
+static void name_row(char name[CLAIM_NAME], const struct scallop_formula *f, bool of_contraction, bool mirrored)
 {
-  snprintf(name, CLAIM_NAME, "%s%s%s", claimed->formula->name, claimed->of_contraction ? ":contraction" : "",
-           claimed->mirrored ? ":mirrored" : "");
+  snprintf(name, CLAIM_NAME, "%s%s%s", f->name, of_contraction ? ":contraction" : "", mirrored ? ":mirrored" : "");
 }
 
 /* One gait's part of the ledger while it is filled */
@@ -89,44 +83,41 @@ static enum scallop_turns turns_in_limit(struct part *part, const struct conditi
  * it down. */
 static bool has_closed_limit(const struct part *part) { return part->crawler->gait == &scallop_gait_quadratic; }
 
-/* What holds where the claim may not */
-static struct claimed correction(struct part *part, const struct claimed *claimed, const struct condition *condition)
+/* What holds where the formula may not */
+static void name_correction(char name[CLAIM_NAME], struct part *part, const struct scallop_formula *f,
+                            const struct condition *condition)
 {
-  const struct scallop_formula *f = claimed->formula;
-  bool steady = f->setting == SCALLOP_STEADY;
-  if (steady && !has_closed_limit(part))
-    return (struct claimed){ .formula = &limits[f->quantity == SCALLOP_STEADY_DISPLACEMENT] };
-  enum scallop_turns turns = steady ? turns_in_limit(part, condition) : SCALLOP_TURNS_IN_BOTH;
+  const struct scallop_formula *right = f->corrected ? formula_named(f->corrected) : f;
+  bool steady = f->setting == SCALLOP_STEADY, closed = !steady || has_closed_limit(part);
+  enum scallop_turns turns = steady && closed ? turns_in_limit(part, condition) : SCALLOP_TURNS_IN_BOTH;
   for (const struct scallop_formula *g = scallop_corrected; turns != SCALLOP_TURNS_IN_BOTH && g->name; g++)
     if (g->turns == turns && g->quantity == f->quantity)
-      return (struct claimed){ .formula = g, .mirrored = condition->reversed };
-  if (!f->corrected)
-    return (struct claimed){ .formula = f, .mirrored = condition->reversed };
-  return (struct claimed){ .formula = formula_named(f->corrected),
-                           .of_contraction = condition->kind == SCALLOP_CONTRACTION,
-                           .mirrored = condition->reversed };
+      right = g;
+  if (!closed)
+    right = &limits[f->quantity == SCALLOP_STEADY_DISPLACEMENT];
+  bool of_contraction = f->corrected && right->turns == SCALLOP_TURNS_IN_BOTH && condition->kind == SCALLOP_CONTRACTION;
+  name_row(name, right, of_contraction, closed && condition->reversed);
 }
 
-static void add_row(struct part *part, struct claimed claimed, const struct condition *condition, bool of_paper)
+static void add_row(struct part *part, const struct scallop_formula *f, const struct condition *condition,
+                    bool of_paper, bool mirrored)
 {
-  const struct scallop_formula *f = claimed.formula;
-  bool contraction = condition->kind == SCALLOP_CONTRACTION;
+  bool steady = f->setting == SCALLOP_STEADY, contraction = condition->kind == SCALLOP_CONTRACTION;
   struct claim_row row = row_of_formula(f, part->crawler->gait);
   row.inside = condition->inside;
-  row.source = of_paper && !claimed.mirrored ? OF_PAPER : OF_CORRECTED;
+  row.source = of_paper && !mirrored ? OF_PAPER : OF_CORRECTED;
   /* seen in a mirror the other body is the one that turns */
-  row.quantity = formula_quantity_text(f, contraction != claimed.mirrored ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION);
+  row.quantity = formula_quantity_text(f, contraction != mirrored ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION);
   append(row.conditions, sizeof row.conditions, "%s", condition->text);
-  name_row(row.claim, &claimed);
+  name_row(row.claim, f, !of_paper && !steady && contraction, mirrored);
   if (part->only && !formula_is_listed(part->only, row.claim))
     return;
   if (f->turns != SCALLOP_TURNS_IN_BOTH && f->turns != turns_in_limit(part, condition))
     return; /* for another limit */
-  const struct claimed right = correction(part, &claimed, condition);
-  name_row(row.corrected, &right);
+  name_correction(row.corrected, part, f, condition);
   if (strcmp(row.corrected, row.claim) == 0)
     *row.corrected = '\0';
-  struct trial *trial = solve(part, condition, claimed.mirrored);
+  struct trial *trial = solve(part, condition, mirrored);
   ledger_decide(part->ledger, &row, trial, f, trial->series.status == SCALLOP_OK ? NULL : "");
 }
 
@@ -149,15 +140,12 @@ enum seen { AS_IT_STANDS, TURNED, CORRECTED };
 
 static void add_formula(struct part *part, const struct scallop_formula *f, enum seen seen)
 {
-  bool of_paper = f->text && seen != CORRECTED, steady = f->setting == SCALLOP_STEADY;
-  for (int i = 0; (f->remainder != 0 || seen == CORRECTED) && i < CONDITIONS; i++) {
-    const struct condition *condition = &conditions[i];
-    const struct claimed claimed = { .formula = f,
-                                     .of_contraction = !of_paper && !steady && condition->kind == SCALLOP_CONTRACTION,
-                                     .mirrored = seen != AS_IT_STANDS && condition->reversed };
-    if (is_for(f, condition, seen == CORRECTED) && (seen != TURNED || condition->reversed))
-      add_row(part, claimed, condition, of_paper);
-  }
+  bool of_paper = f->text && seen != CORRECTED;
+  if (f->remainder == 0 && seen != CORRECTED)
+    return;
+  for (const struct condition *c = conditions; c < conditions + CONDITIONS; c++)
+    if (is_for(f, c, seen == CORRECTED) && (seen != TURNED || c->reversed))
+      add_row(part, f, c, of_paper, seen != AS_IT_STANDS && c->reversed);
 }
 
 /* l' and l near the end of an extension: here T is the time before it. */

@@ -125,6 +125,7 @@ static double certify(struct question *q, double found)
     return x[claim->number];
   }
   q->by = MEASURED;
+  q->solved = true;
   return found;
 }
 

@@ -23,13 +23,6 @@ _Static_assert(offsetof(struct solved, multiplier) == Q_MULTIPLIER * sizeof(doub
 
 double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
-double nearest_double(const fmpq_t x)
-{
-  SCOPED(arb, ball);
-  arb_set_fmpq(ball, x, 64);
-  return middle(ball);
-}
-
 /* A certified number as a double: 0 if it may be 0 and is small enough; nan if its sign is not known, otherwise. */
 double certain(const arb_t x)
 {

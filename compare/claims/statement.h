@@ -12,7 +12,7 @@ struct question;
 /* What varies in a family of crawlers: F1/F2, F1 varied; F2, with F1/F2 kept; T. */
 enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD };
 
-enum { RANDOM_NUMBERS = 6 };
+enum { RANDOM_NUMBERS = 5 };
 
 struct statement {
   const char *name, *place, *quantity; /* place: in the paper                                                       */
@@ -70,7 +70,6 @@ struct solved extension(struct question *q, struct scallop_crawler c, double v0)
 struct solved contraction(struct question *q, struct scallop_crawler c, double v0);
 double middle(const arb_t x);
 double certain(const arb_t x);
-double nearest_double(const fmpq_t x); /* fmpq_get_d does not round to nearest */
 enum { EVIDENCE_DIGITS = 30, EVIDENCE_BITS = 160 };
 
 /* A formula of the paper by its name, of a phase from rest or from v0 = 1, or a text in the names of its formulas of

@@ -50,6 +50,18 @@ static void put_number(struct report *r, unsigned tables, const char *name, doub
     table_number(&r->table, x);
 }
 
+static const char *evidence_text(const struct claim_row *row)
+{
+  static char sampled[40];
+  switch (row->evidence) {
+  case PROVEN_FOR_ALL: return "proven for all parameters";
+  case CERTIFIED_CRAWLER: return "certified for the crawler named";
+  case SAMPLED: snprintf(sampled, sizeof sampled, "sampled: %d cases", row->sampled); return sampled;
+  case MEASURED: return "measured in doubles";
+  default: return "-";
+  }
+}
+
 static void write_line(struct report *r, const struct line *line)
 {
   static const char *const sources[] = { "paper", "corrected", "book" };
@@ -83,7 +95,7 @@ static void write_line(struct report *r, const struct line *line)
   put_number(r, ERRORS, "err", line->point.err, NULL);
   put_number(r, ERRORS, "pairwise", line->point.pairwise, "%.2f");
   put(r, ERRORS, "use", scallop_order_use_text(line->point.use));
-  put(r, ROWS | SUMMARY, "evidence", claim_evidence_text(row));
+  put(r, ROWS | SUMMARY, "evidence", evidence_text(row));
 }
 
 static bool is_of_book(const struct claims_options *o) { return o->request.book || o->formula; }

@@ -231,6 +231,14 @@ static double mismatch_at(const arb_t error, const struct series *left_out, cons
   return mismatch;
 }
 
+/* fmpq_get_d does not round to nearest. */
+static double nearest_double(const fmpq_t x)
+{
+  SCOPED(arb, ball);
+  arb_set_fmpq(ball, x, 64);
+  return middle(ball);
+}
+
 void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
                    const struct series *left_out)
 {
