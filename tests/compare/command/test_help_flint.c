@@ -4,7 +4,7 @@
 #include "compare/breakdown/study.h"
 #include "compare/command/commands.h"
 #include "compare/points/defaults.h"
-#include "compare/stress/judge.h"
+#include "compare/stress/stress.h"
 #include "compare/summary/summary.h"
 #include "compare/text/shipped.h"
 #include "tests/support/check.h"
