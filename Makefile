@@ -80,7 +80,7 @@ $(B)/with-sundials-$(with_sundials):
 
 # Scenes, their plot scripts, the completion and the texts of --help, in the program
 $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
-$(B)/shipped_scripts.c: $(patsubst %,scripts/plots/%.gp,common curves dots map boundaries reach workprec) $(sort $(wildcard scripts/plots/figure*.gp))
+$(B)/shipped_scripts.c: $(addprefix scripts/plots/,plot.sh common.gp) $(sort $(wildcard scripts/plots/plot/*.awk scripts/plots/figure*.gp))
 $(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/shipped_help.c: $(sort $(wildcard docs/help/*.txt))
 $(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg

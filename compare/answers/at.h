@@ -5,7 +5,7 @@
 #ifndef SCALLOP_COMPARE_ANSWERS_AT_H
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
-#include "compare/answers/mode_change.h"
+#include "compare/answers/stretches.h"
 #include "compare/points/sweep.h"
 
 enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };

@@ -11,23 +11,16 @@ extern const char *const breakdown_sources[BREAKDOWN_SOURCES]; /* their names */
 
 struct breakdown_options {
   struct request request;
-  struct given_word source, only;
+  struct given_word source, only, quantity;
   struct given_count order;      /* of the derived terms: below T^order */
-  const char *quantity;          /* the only one, or NULL */
   const char *map[2], *range[2]; /* what varies along x and y; FROM:TO:COUNT, or NULL */
   struct given_number tolerance;
   bool all; /* the table, without more                                 */
   bool boundaries;
 };
 
-/* Do the options go together? False: the message is on stderr. */
-bool breakdown_is_sound(const struct breakdown_options *options);
 /* Is it the source that was asked for, if any was? */
 bool breakdown_takes(const struct breakdown_options *options, enum breakdown_source source);
-/* The quantity that was asked for, which has series, of the steady state or of one phase; unchanged: none was. False:
- * there is none of that name, and the message is on stderr. */
-bool breakdown_quantity(enum quantity_id *quantity, const struct breakdown_options *options, enum quantity_of of);
-
 /* The table of one crawler */
 enum exit_code breakdown_table(const struct breakdown_options *options);
 

@@ -1,66 +1,35 @@
 /* The radius of convergence of a series: from its coefficients, where they are those of a rational function; else from
  * the singularities of the branch. */
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 
-#include "compare/breakdown/radius.h"
+#include "compare/breakdown/motion.h"
 
-/* sum over j of a_j T^(first + stride j), j < count: the terms that are not 0 by symmetry */
-struct terms {
-  slong first, stride, count;
-  const struct series *series;
-};
-
-static slong gcd(slong a, slong b) { return b == 0 ? a : gcd(b, a % b); }
-
-static struct terms terms_of(const struct series *s, slong order)
-{
-  struct terms t = { .series = s };
-  for (slong k = s->first; k < order && k < s->known; k++) {
-    if (series_coefficient_is_zero(s, k))
-      continue;
-    if (t.count == 0)
-      t.first = k;
-    t.stride = gcd(k - t.first, t.stride);
-    t.count = t.stride > 0 ? (k - t.first) / t.stride + 1 : 1; /* with those between, so far */
-  }
-  return t;
-}
+SCOPED_FLINT(fmpz_poly)
 
 enum { MOST_POLES = 12, CONFIRMED = 4 };
 
-/* The shortest linear recurrence of a[count] (Berlekamp and Massey, over the rationals): sum over k of c_k a[n - k] =
- * 0, c_0 = 1. Returns its length, or -1 if it is longer than MOST_POLES. */
-static slong recurrence(fmpq_poly_t c, const fmpq *a, slong count)
+/* Euclid's algorithm for z^count and the polynomial with `count` coefficients: of the Pade approximants p/q, which have
+ * these coefficients, the one with p and q about as long. The denominator q, and how many coefficients determine it;
+ * false: those beyond do not confirm it. */
+static bool denominator(fmpz_poly_t denominator, slong *taken, const fmpz_poly_t coefficients)
 {
-  slong length = 0, shift = 1;
-  SCOPED(fmpq_poly, last, next);
-  SCOPED(fmpq, d, before, x);
-  fmpq_poly_one(c);
-  fmpq_poly_one(last);
-  fmpq_one(before);
-  for (slong n = 0; n < count && length <= MOST_POLES; n++, shift++) {
-    fmpq_zero(d);
-    for (slong k = 0; k <= length; k++) {
-      fmpq_poly_get_coeff_fmpq(x, c, k);
-      fmpq_addmul(d, x, &a[n - k]);
-    }
-    if (fmpq_is_zero(d))
-      continue;
-    fmpq_div(x, d, before);
-    fmpq_poly_shift_left(next, last, shift);
-    fmpq_poly_scalar_mul_fmpq(next, next, x);
-    fmpq_poly_sub(next, c, next);
-    if (2 * length <= n) {
-      length = n + 1 - length;
-      fmpq_poly_swap(last, c);
-      fmpq_set(before, d);
-      shift = 0;
-    }
-    fmpq_poly_swap(c, next);
+  const slong count = fmpz_poly_length(coefficients);
+  SCOPED(fmpq_poly, p, before, q, last, quotient);
+  fmpq_poly_set_fmpz_poly(p, coefficients);
+  fmpq_poly_set_coeff_si(before, count, 1);
+  fmpq_poly_one(q);
+  while (2 * fmpq_poly_length(p) > count && fmpq_poly_degree(q) <= MOST_POLES) {
+    fmpq_poly_divrem(quotient, before, before, p);
+    fmpq_poly_swap(before, p);
+    fmpq_poly_mul(quotient, quotient, q);
+    fmpq_poly_sub(last, last, quotient);
+    fmpq_poly_swap(last, q);
   }
-  return length <= MOST_POLES ? length : -1;
+  slong length = FLINT_MAX(fmpq_poly_length(p), fmpq_poly_degree(q));
+  fmpq_poly_get_numerator(denominator, q);
+  *taken = 2 * length;
+  return length <= MOST_POLES && count >= *taken + CONFIRMED;
 }
 
 enum { PLACE = 120, PLACE_DIGITS = 10, PLACE_BITS = 128 };
@@ -96,76 +65,61 @@ static void set_bounds(struct radius *r, const arb_t low, const arb_t high)
   r->high = arf_get_d(end, ARF_RND_CEIL);
 }
 
-/* The root of q with the least |z| */
-static void nearest_root(struct radius *r, const fmpz_poly_t q, const struct terms *t, slong length)
+/* Of a series of fractions, from its first term on. Of its terms those that are 0 by symmetry are left out: it is a
+ * polynomial in z = T^stride. The root of its denominator with the least |z| is the nearest pole. */
+static bool by_poles(struct radius *r, const struct series *s, slong first, slong order)
 {
-  slong degree = fmpz_poly_degree(q);
-  acb_ptr roots = _acb_vec_init(degree);
   char place[PLACE];
+  slong taken, best = 0;
+  SCOPED(fmpz_poly, a, q, common);
   SCOPED(arb, size, least);
+  fmpq_poly_get_numerator(a, s->rational); /* a factor is of no matter */
+  fmpz_poly_truncate(a, order - s->first);
+  fmpz_poly_shift_right(a, a, first - s->first);
+  ulong stride = fmpz_poly_deflation(a);
+  fmpz_poly_deflate(a, a, stride);
+  if (!denominator(q, &taken, a))
+    return false;
+  fmpz_poly_derivative(common, q);
+  fmpz_poly_gcd(common, common, q);
+  fmpz_poly_div(q, q, common); /* each root once */
+  acb_ptr roots = _acb_vec_init(fmpz_poly_degree(q));
   arb_fmpz_poly_complex_roots(roots, q, 0, PLACE_BITS);
-  slong best = 0;
-  for (slong i = 0; i < degree; i++) {
+  for (slong i = 0; i < fmpz_poly_degree(q); i++) {
     acb_abs(size, roots + i, PLACE_BITS);
     if (i == 0 || arb_lt(size, least)) {
       arb_set(least, size);
       best = i;
     }
   }
-  place_text(place, roots + best, t->stride, false);
+  place_text(place, roots + best, (slong)stride, false);
+  _acb_vec_clear(roots, fmpz_poly_degree(q));
   snprintf(r->note, sizeof r->note,
            "a pole at %s: the series is that of a rational function, with %ld coefficients more than that takes", place,
-           (long)(t->count - 2 * length));
-  arb_root_ui(least, least, (ulong)t->stride, PLACE_BITS);
+           (long)(fmpz_poly_length(a) - taken));
+  arb_root_ui(least, least, stride, PLACE_BITS);
   set_bounds(r, least, least);
-  _acb_vec_clear(roots, degree);
+  return true;
 }
 
-static bool by_poles(struct radius *r, const struct terms *t)
+bool radius_from_poles(struct radius *r, const struct series *s, slong order)
 {
-  fmpq *a = _fmpq_vec_init(t->count);
-  fmpz_poly_t whole, common;
-  bool found = true;
-  SCOPED(fmpq_poly, q);
-  fmpz_poly_init(whole);
-  fmpz_poly_init(common);
-  for (slong j = 0; j < t->count && found; j++)
-    found = series_rational_coefficient(&a[j], t->series, t->first + j * t->stride);
-  slong length = found ? recurrence(q, a, t->count) : -1;
-  found = length > 0 && t->count >= 2 * length + CONFIRMED;
-  if (found) {
-    fmpq_poly_get_numerator(whole, q);
-    fmpz_poly_derivative(common, whole);
-    fmpz_poly_gcd(common, common, whole);
-    fmpz_poly_div(whole, whole, common); /* each root once */
-    snprintf(r->note, sizeof r->note, "the series ends: a polynomial in T");
-    if (fmpz_poly_degree(whole) > 0)
-      nearest_root(r, whole, t, length);
-  }
-  fmpz_poly_clear(whole);
-  fmpz_poly_clear(common);
-  _fmpq_vec_clear(a, t->count);
-  return found;
-}
-
-bool radius_from_poles(struct radius *r, const struct series *series, slong order)
-{
-  struct terms t = terms_of(series, order);
+  const slong end = FLINT_MIN(order, s->known);
+  slong first = s->first;
+  while (first < end && series_coefficient_is_zero(s, first))
+    first++;
   *r = (struct radius){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY, .status = "exact" };
   snprintf(r->note, sizeof r->note, "every coefficient below T^%ld is 0", (long)order);
-  return t.count == 0 || (t.count > 1 && by_poles(r, &t));
+  return first >= end || (s->kind == SERIES_FRACTIONS && by_poles(r, s, first, end));
 }
 
-static enum continued_value continued(enum quantity_id quantity)
+/* What of the branch a quantity is */
+static enum continued_value continued(enum quantity_id q)
 {
-  switch (quantity) {
-  case Q_V_START: return AT_START;
-  case Q_V_MID:
-  case Q_V_END: return AFTER_FIRST_PHASE;
-  case Q_T1:
-  case Q_DT: return LAST_CROSSING;
-  default: return TRAVEL;
-  }
+  return q == Q_V_START                 ? AT_START
+         : q == Q_V_MID || q == Q_V_END ? AFTER_FIRST_PHASE
+         : q == Q_T1 || q == Q_DT       ? LAST_CROSSING
+                                        : TRAVEL;
 }
 
 void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum quantity_id quantity)
@@ -187,11 +141,10 @@ void radius_from_singularity(struct radius *r, const struct scallop_singularity 
              place, r->low);
 }
 
-bool singularity_of(struct scallop_singularity *s, const struct expansions *e, bool first_crossing)
+bool singularity_of(struct scallop_singularity *s, const struct expansions *e, int crossings)
 {
   const struct motion *m = e->motion;
-  return SCALLOP_OK
-         == (m->of == OF_STEADY ? scallop_steady_singularity(s, &e->crawler, PLACE_BITS, NULL)
-                                : scallop_phase_singularity(s, &e->crawler, m->phase, e->v0,
-                                                            first_crossing ? 1 : INT_MAX, PLACE_BITS, NULL));
+  return (m->of == OF_STEADY ? scallop_steady_singularity(s, &e->crawler, PLACE_BITS, NULL)
+                             : scallop_phase_singularity(s, &e->crawler, m->phase, e->v0, crossings, PLACE_BITS, NULL))
+         == SCALLOP_OK;
 }

@@ -1,9 +1,16 @@
-#include "compare/breakdown/series.h"
-
 #include <math.h>
+#include <string.h>
 
 #include "compare/book/book.h"
+#include "compare/breakdown/motion.h"
 #include "compare/points/gaits.h"
+
+const char *const breakdown_sources[BREAKDOWN_SOURCES] = { "book", "published", "derived", "limit" };
+
+bool breakdown_takes(const struct breakdown_options *o, enum breakdown_source source)
+{
+  return !o->source.given || strcmp(o->source.value, breakdown_sources[source]) == 0;
+}
 
 struct motion motion_at(const struct motion *m, double T)
 {
@@ -37,24 +44,15 @@ double motion_froude(const struct motion *s, double T)
 
 double motion_natural_time(const struct motion *s) { return sqrt(motion_froude(s, 1)); }
 
-/* max |l''|: l'' is monotone within a piece */
-static double most_acceleration(const struct scallop_shape *shape)
+/* max |l''| of a phase of duration 1: l'' is monotone within a piece. Sets *jumps where l' jumps. */
+static double most_acceleration(const struct scallop_shape *shape, bool *jumps)
 {
   double most = 0;
-  for (int i = 0; i < shape->count; i++) {
-    const struct scallop_piece *p = &shape->pieces[i];
+  for (const struct scallop_piece *p = shape->pieces; p < shape->pieces + shape->count; p++) {
     most = fmax(most, fmax(fabs(p->curve->acceleration(p, p->begin)), fabs(p->curve->acceleration(p, p->end))));
+    *jumps |= p->jump;
   }
   return most;
-}
-
-/* Does l' jump where a piece begins? */
-static bool jumps(const struct scallop_shape *shape)
-{
-  for (int i = 0; i < shape->count; i++)
-    if (shape->pieces[i].jump)
-      return true;
-  return false;
 }
 
 /* A body i that rests is held there while m_j |l''| + F_j <= F_i: for every T from sqrt(m_j max|l''| L/(F_i - F_j)) on,
@@ -66,12 +64,13 @@ double motion_last_time(const struct motion *s)
 {
   const struct scallop_crawler *c = &s->crawler;
   const struct scallop_shape *phase = c->gait->phase;
+  bool jumps = false;
   double M = c->m1 + c->m2, difference = fmax(fabs(c->F1 - c->F2), 1e-12 * (c->F1 + c->F2));
   if (c->F1 == c->F2)
     difference = c->F1;
   double a = s->of == OF_STEADY ? c->alpha : 1, b = s->of == OF_STEADY ? 1 - c->alpha : 1;
-  double most = fmax(most_acceleration(&phase[0]) / (a * a), most_acceleration(&phase[1]) / (b * b));
-  double thrown = jumps(&phase[0]) || jumps(&phase[1]) ? (phase[0].peak / a + phase[1].peak / b) / fmin(a, b) : 0;
+  double most = fmax(most_acceleration(&phase[0], &jumps) / (a * a), most_acceleration(&phase[1], &jumps) / (b * b));
+  double thrown = jumps ? (phase[0].peak / a + phase[1].peak / b) / fmin(a, b) : 0;
   double rest = sqrt(fmax(fmax(c->m1, c->m2) * most, M * thrown) * c->L / difference);
   double stop = s->of == OF_STEADY ? 0 : fabs(s->v0) * M / (c->F1 + c->F2);
   return 2 * fmax(rest, 16 * stop);
@@ -79,15 +78,16 @@ double motion_last_time(const struct motion *s)
 
 void expansions_init(struct expansions *e, const struct motion *motion, slong order, slong precision)
 {
-  struct scallop_crawler crawler = motion->crawler;
   *e = (struct expansions){ .motion = motion };
   scallop_rational_init(&e->crawler);
   fmpq_init(e->v0);
   series_answer_init(&e->derived);
-  crawler.T = 1; /* not used */
-  scallop_rational_of(&e->crawler, &crawler);
+  scallop_rational_of(&e->crawler, &motion->crawler);
   scallop_rational_set_double(e->v0, motion->v0);
-  answer_in_series(&e->derived, &e->crawler, motion->of, motion->phase, e->v0, order, precision);
+  if (!answer_in_series(&e->derived, &e->crawler, motion->of, motion->phase, e->v0, order, precision)) {
+    memset(e->derived.value, 0, sizeof e->derived.value);
+    e->derived.modes = "";
+  }
 }
 
 void expansions_clear(struct expansions *e)
@@ -95,16 +95,6 @@ void expansions_clear(struct expansions *e)
   series_answer_clear(&e->derived);
   fmpq_clear(e->v0);
   scallop_rational_clear(&e->crawler);
-}
-
-const char *expansions_modes(const struct expansions *e)
-{
-  return e->derived.status == SCALLOP_OK ? e->derived.modes : "";
-}
-
-const struct series *expansions_of(const struct expansions *e, enum quantity_id quantity)
-{
-  return e->derived.status == SCALLOP_OK ? e->derived.value[quantity] : NULL;
 }
 
 bool series_is_about(const struct scallop_formula *f, const struct motion *m, enum quantity_id quantity)
@@ -131,9 +121,9 @@ static slong past_first(const struct series *s)
 int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity,
                  long order)
 {
-  const struct series *s = expansions_of(e, quantity);
-  int count = 0;
+  const struct series *s = e->derived.value[quantity];
   const struct scallop_formula *f;
+  int count = 0;
   for (int i = 0; (f = listed_formula(i)) && count < MOST_ITEMS - 2; i++)
     if (series_is_about(f, e->motion, quantity))
       items[count++] = (struct series_item){ book_formula(i) ? FROM_BOOK : FROM_PUBLISHED, quantity, f->name,
@@ -145,33 +135,29 @@ int series_items(struct series_item items[MOST_ITEMS], const struct expansions *
   return count;
 }
 
-static void published(arb_t value, const struct series_item *item, const struct expansions *e, const fmpq_t T)
-{
-  const struct motion *m = e->motion;
-  bool is_other = quantity_of_formula(item->formula, m->phase) != item->quantity;
-  SCOPED(arb, x);
-  /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no
-   * L_kin */
-  bool divides = item->source == FROM_PUBLISHED || formula_takes(item->formula, SCALLOP_SYMBOL_L_kin);
-  if ((divides && !gait_has_ends(m->crawler.gait))
-      || !published_in_balls(value, item->formula, &e->crawler, m->phase, e->v0, T, NULL, BREAKDOWN_BITS))
-    arb_indeterminate(value);
-  arb_set_fmpq(x, item->quantity == Q_MEAN_VELOCITY ? T : e->v0, BREAKDOWN_BITS);
-  if (is_other && item->quantity == Q_MEAN_VELOCITY)
-    arb_div(value, value, x, BREAKDOWN_BITS);
-  else if (is_other)
-    arb_add(value, value, x, BREAKDOWN_BITS);
-}
-
 void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T,
                        slong precision)
 {
-  SCOPED(arb, time);
-  SCOPED(fmpq, exact);
-  arb_set_d(time, T);
-  scallop_rational_set_double(exact, T);
-  if (item->formula)
-    published(value, item, e, exact);
-  else
-    series_value(value, item->series, time, item->before, precision);
+  const struct motion *m = e->motion;
+  const struct scallop_formula *f = item->formula;
+  SCOPED(arb, x);
+  SCOPED(fmpq, time);
+  arb_set_d(x, T);
+  if (!f) {
+    series_value(value, item->series, x, item->before, precision);
+    return;
+  }
+  /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no
+   * L_kin */
+  bool divides = item->source == FROM_PUBLISHED || formula_takes(f, SCALLOP_SYMBOL_L_kin);
+  scallop_rational_set_double(time, T);
+  if ((divides && !gait_has_ends(m->crawler.gait))
+      || !published_in_balls(value, f, &e->crawler, m->phase, e->v0, time, NULL, BREAKDOWN_BITS))
+    arb_indeterminate(value);
+  enum quantity_id own = quantity_of_formula(f, m->phase);
+  if (own == Q_CHANGE && item->quantity == Q_V_END) {
+    arb_set_fmpq(x, e->v0, BREAKDOWN_BITS);
+    arb_add(value, value, x, BREAKDOWN_BITS);
+  } else if (own == Q_DISPLACEMENT && item->quantity == Q_MEAN_VELOCITY)
+    arb_div(value, value, x, BREAKDOWN_BITS);
 }

@@ -1,4 +1,4 @@
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -18,7 +18,7 @@ const char *study_begin(struct study *s, const struct point *point, enum quantit
   return NULL;
 }
 
-void study_events(struct study *s) { events_find(&s->events, &s->motion, expansions_modes(&s->expansions)); }
+void study_events(struct study *s) { events_find(&s->events, &s->motion, s->expansions.derived.modes); }
 
 void study_clear(struct study *s)
 {
@@ -36,21 +36,13 @@ const char *study_why_none(const struct study *s)
   return a->why ? a->why : scallop_status_text(a->status);
 }
 
-const struct scallop_modes *study_modes_at(const struct study *s, double T)
-{
-  const struct scallop_modes *modes = s->events.first;
-  for (long i = 0; i < s->events.count && s->events.event[i].T < T; i++)
-    modes = s->events.event[i].modes;
-  return modes;
-}
-
 const char *study_where(const struct study *s, double T)
 {
   static char text[200];
   const struct event *e = s->events.event, *modes = e;
   if (s->events.count == 0 || T <= e->T)
     return "below the first event";
-  while (modes < e + s->events.count - 1 && !modes->of_modes)
+  while (modes < e + s->events.count - 1 && modes->of != CHANGE_OF_MODES)
     modes++;
   if (modes == e)
     snprintf(text, sizeof text,
@@ -58,8 +50,7 @@ const char *study_where(const struct study *s, double T)
   else
     snprintf(text, sizeof text,
              "above T = %.6g, where a body turns in another piece of the gait and the series is not exact any more; "
-             "the modes "
-             "change at T = %.6g",
+             "the modes change at T = %.6g",
              e->T, modes->T);
   return text;
 }
@@ -67,14 +58,18 @@ const char *study_where(const struct study *s, double T)
 bool study_best_order(const struct study *study, enum quantity_id quantity, double T, const arb_struct *exact,
                       slong *order, double *error)
 {
-  const struct series *s = expansions_of(&study->many, quantity);
+  const struct series *s = study->many.derived.value[quantity];
+  SCOPED(arb, x, time);
+  arb_set_d(time, T);
   *error = INFINITY;
-  *order = 0;
   for (slong k = s->first; exact && k < STUDY_MANY; k++) {
     if (series_coefficient_is_zero(s, k))
       continue;
-    struct comparison c = { &study->many, { FROM_DERIVED, quantity, .series = s, .before = k + 1 }, .tolerance = 0 };
-    double here = fabs(comparison_error_beside(&c, T, exact, STUDY_MANY_BITS));
+    series_value(x, s, time, k + 1, STUDY_MANY_BITS);
+    arb_sub(x, x, exact, STUDY_MANY_BITS);
+    if (!arb_is_zero(x)) /* 0/0 is no error */
+      arb_div(x, x, exact, STUDY_MANY_BITS);
+    double here = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR));
     if (here < *error) {
       *error = here;
       *order = k + 1;
@@ -85,7 +80,7 @@ bool study_best_order(const struct study *study, enum quantity_id quantity, doub
 
 bool study_gains_from_more(const struct study *study, enum quantity_id quantity, slong order)
 {
-  const struct series *s = expansions_of(&study->many, quantity);
+  const struct series *s = study->many.derived.value[quantity];
   slong last = STUDY_MANY - 1;
   while (last > 0 && series_coefficient_is_zero(s, last))
     last--;

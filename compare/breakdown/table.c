@@ -1,26 +1,20 @@
 /* scallop breakdown, for one crawler. */
+#include <limits.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "compare/points/defaults.h"
 #include "compare/book/book.h"
-#include "compare/breakdown/events.h"
-#include "compare/breakdown/radius.h"
-#include "compare/breakdown/reach.h"
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "compare/text/progress.h"
 #include "compare/text/table.h"
-
-enum { BOUND_BITS = 128 };
 
 struct report {
   const struct breakdown_options *options;
   struct study study;
-  struct sought { /* a singularity: of all crossings; of the first */
-    bool done, found;
-    struct scallop_singularity singularity;
-  } sought[2];
+  struct scallop_singularity singularity; /* if found, of the branch up to so many crossings; 0: not looked for */
+  int crossings;
+  bool found;
   struct table table;
   long rows;
   struct progress progress;
@@ -31,25 +25,24 @@ static bool is_wanted(const struct report *r, const char *what)
   return !r->options->only.given || strcmp(r->options->only.value, what) == 0;
 }
 
-struct row { /* a text that is NULL is a dash */
+static bool is_about(const struct report *r, enum quantity_id q)
+{
+  const struct given_word *only = &r->options->quantity;
+  return motion_has(&r->study.motion, q) && (!only->given || strcmp(only->value, quantity_rows[q].name) == 0);
+}
+
+struct row {
   const char *what, *quantity, *series;
-  double order, tolerance /* 0: none */, T, error;
+  double order, tolerance, T, error;
   const struct scallop_modes *modes;
   const char *note, *status;
   const struct motion *motion;
 };
 
-static void put_text(struct table *t, const struct table_column *c, const void *row)
+static struct row row_of(const struct report *r, const char *what, enum quantity_id quantity, double T)
 {
-  const char *text = *(const char *const *)((const char *)row + c->at);
-  table_text(t, text ? text : "-");
-}
-
-static void put_tolerance(struct table *t, const struct table_column *c, const void *row)
-{
-  double tolerance = ((const struct row *)row)->tolerance;
-  (void)c;
-  table_number(t, tolerance > 0 ? tolerance : NAN);
+  const char *name = quantity < QUANTITIES ? quantity_rows[quantity].name : "-";
+  return (struct row){ what, name, "-", NAN, NAN, T, NAN, NULL, "-", "-", &r->study.motion };
 }
 
 static void put_froude(struct table *t, const struct table_column *c, const void *row)
@@ -67,104 +60,87 @@ static void put_modes(struct table *t, const struct table_column *c, const void 
   table_text(t, r->modes ? motion_modes_text(modes, r->motion->of, r->modes) : "-");
 }
 
-static const struct table_column columns[] = { { TABLE_COLUMN("what", put_text, offsetof(struct row, what)) },
-                                               { TABLE_COLUMN("quantity", put_text, offsetof(struct row, quantity)) },
-                                               { TABLE_COLUMN("series", put_text, offsetof(struct row, series)) },
-                                               { TABLE_COLUMN("order", column_number, offsetof(struct row, order)) },
-                                               { TABLE_COLUMN("tolerance", put_tolerance, 0) },
-                                               { TABLE_COLUMN("T", column_number, offsetof(struct row, T)) },
-                                               { TABLE_COLUMN("froude", put_froude, 0) },
-                                               { TABLE_COLUMN("error", column_rounded, offsetof(struct row, error)),
-                                                 .format = "%.4g" },
-                                               { TABLE_COLUMN("modes", put_modes, 0) },
-                                               { TABLE_COLUMN("note", put_text, offsetof(struct row, note)) },
-                                               { TABLE_COLUMN("status", put_text, offsetof(struct row, status)) },
-                                               { .name = NULL } };
+#define AT(member) offsetof(struct row, member)
+static const struct table_column columns[] = {
+  { TABLE_COLUMN("what", column_text, AT(what)) },
+  { TABLE_COLUMN("quantity", column_text, AT(quantity)) },
+  { TABLE_COLUMN("series", column_text, AT(series)) },
+  { TABLE_COLUMN("order", column_number, AT(order)) },
+  { TABLE_COLUMN("tolerance", column_number, AT(tolerance)) },
+  { TABLE_COLUMN("T", column_number, AT(T)) },
+  { TABLE_COLUMN("froude", put_froude, 0) },
+  { TABLE_COLUMN("error", column_rounded, AT(error)), .format = "%.4g" },
+  { TABLE_COLUMN("modes", put_modes, 0) },
+  { TABLE_COLUMN("note", column_text, AT(note)) },
+  { TABLE_COLUMN("status", column_text, AT(status)) },
+  { .name = NULL },
+};
 
-static void write_row(struct report *r, struct row row)
+static void write_row(struct report *r, const struct row *row)
 {
-  row.motion = &r->study.motion;
-  table_row(&r->table, columns, &row, true);
+  table_row(&r->table, columns, row, true);
   r->rows++;
 }
 
 /* The first row: the limit, and how far up its modes are proven to be those of the motion. */
 static void write_limit(struct report *r)
 {
-  char note[120] = "the limit T -> 0";
-  struct row row = { "event", .order = NAN, .error = NAN, .modes = r->study.events.first, .note = note };
+  enum { BITS = 128 };
+  const struct expansions *e = &r->study.expansions;
+  struct row row = row_of(r, "event", QUANTITIES, 0);
+  char note[120];
   const char *ends;
   SCOPED(arb, T);
   SCOPED(arf, least);
-  row.status = *expansions_modes(&r->study.expansions) ? "derived" : "double";
-  if (r->study.motion.of == OF_STEADY
-      && scallop_steady_modes_hold(&r->study.expansions.crawler, BOUND_BITS, T, &ends, NULL) == SCALLOP_OK) {
-    arb_get_lbound_arf(least, T, BOUND_BITS);
-    snprintf(note, sizeof note, "the limit T -> 0; these modes are proven up to T = %.4g",
-             arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
-    row.status = "certified";
+  bool proven = r->study.motion.of == OF_STEADY
+                && scallop_steady_modes_hold(&e->crawler, BITS, T, &ends, NULL) == SCALLOP_OK;
+  arb_get_lbound_arf(least, T, BITS);
+  snprintf(note, sizeof note, proven ? "the limit T -> 0; these modes are proven up to T = %.4g" : "the limit T -> 0",
+           arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
+  row.modes = r->study.events.first;
+  row.note = note;
+  row.status = proven ? "certified" : *e->derived.modes ? "derived" : "double";
+  write_row(r, &row);
+}
+
+static void write_changes(struct report *r, const char *what, enum quantity_id of, const struct event *e, long count)
+{
+  for (const struct event *end = e + count; e < end; e++) {
+    struct row row = row_of(r, what, of, e->T);
+    row.modes = e->modes;
+    row.note = e->what;
+    row.status = e->status;
+    write_row(r, &row);
   }
-  write_row(r, row);
-}
-
-static void write_events(struct report *r)
-{
-  write_limit(r);
-  for (const struct event *e = r->study.events.event; e < r->study.events.event + r->study.events.count; e++)
-    write_row(r, (struct row){ "event", .T = e->T, .order = NAN, .error = NAN, .modes = e->modes, .note = e->what,
-                               .status = e->status });
-}
-
-static void write_reversals(struct report *r)
-{
-  const struct reversal *v = r->study.events.reversal, *end = v + r->study.events.reversals;
-  for (; v < end; v++)
-    write_row(r, (struct row){ "reversal", "displacement", .T = v->T, .order = NAN, .error = NAN,
-                               .modes = study_modes_at(&r->study, v->T), .status = v->status,
-                               .note = v->sign > 0 ? "the direction of crawling reverses: from here on forward"
-                                                   : "the direction of crawling reverses: from here on backward" });
-}
-
-/* The error is proven to be below the tolerance just below T, and not just above. Of gaits with many pieces a proof
- * takes seconds, and there would be hundreds. */
-static bool is_proven(const struct comparison *c, double T)
-{
-  enum { DIGITS = 40, MOST_PIECES = 32 };
-  const double off = 0x1p-50;
-  const struct scallop_shape *phase = c->expansions->motion->crawler.gait->phase;
-  return phase[0].count <= MOST_PIECES && phase[1].count <= MOST_PIECES
-         && comparison_certified_side(c, T * (1 - off), DIGITS) < 0
-         && comparison_certified_side(c, T * (1 + off), DIGITS) > 0;
 }
 
 static void write_reach(struct report *r, const struct comparison *c)
 {
   char text[160];
-  double T = comparison_reach(c), limit = T == 0 ? comparison_limit(c) : NAN;
-  struct row row = { "reach",
-                     quantity_rows[c->item.quantity].name,
-                     c->item.name,
-                     c->item.source == FROM_DERIVED ? (double)c->item.before : NAN,
-                     c->tolerance,
-                     T,
-                     limit,
-                     .note = text,
-                     .status = "binary128" };
-  if (T > 0 && isfinite(T)) {
-    row.modes = study_modes_at(&r->study, T);
+  double T = comparison_reach(c);
+  struct row row = row_of(r, "reach", c->item.quantity, T);
+  row.series = c->item.name;
+  row.order = c->item.source == FROM_DERIVED ? (double)c->item.before : NAN;
+  row.tolerance = c->tolerance;
+  row.status = "binary128";
+  if (isnan(T)) {
+    row.note = "there is no value: of the formula, where l'' = 0 at an end of a phase, or of the exact motion";
+  } else if (isinf(T)) {
+    row.note = r->study.events.count > 0 ? "for every T up to permanent rest" : "for every T";
+  } else if (T > 0) {
+    row.modes = events_modes_at(&r->study.events, T);
     row.error = comparison_error(c, T);
     row.note = study_where(&r->study, T);
-    row.status = is_proven(c, T) ? "certified" : row.status;
-  } else if (isnan(T)) {
-    row.note = "there is no value: of the formula, where l'' = 0 at an end of a phase, or of the exact motion";
-  } else if (T > 0) {
-    row.note = r->study.events.count > 0 ? "for every T up to permanent rest" : "for every T";
-  } else if (isnan(limit)) {
-    row.note = "the error does not fall below the tolerance as T -> 0";
+    row.status = comparison_is_proven(c, T) ? "certified" : row.status;
   } else {
-    snprintf(text, sizeof text, "the error tends to %.6g as T -> 0, which is not below the tolerance", limit);
+    row.error = comparison_limit(c);
+    snprintf(text, sizeof text,
+             isnan(row.error) ? "the error does not fall below the tolerance as T -> 0"
+                              : "the error tends to %.6g as T -> 0, which is not below the tolerance",
+             row.error);
+    row.note = text;
   }
-  write_row(r, row);
+  write_row(r, &row);
 }
 
 static void write_reaches(struct report *r, enum quantity_id quantity)
@@ -180,61 +156,42 @@ static void write_reaches(struct report *r, enum quantity_id quantity)
                                              given->given ? given->value : usual[k] });
 }
 
-static const char *which_first(const struct report *r, double radius)
-{
-  static char text[80];
-  if (r->study.events.count == 0)
-    return "nothing else ends it";
-  snprintf(text, sizeof text, "the first event, T = %.6g, comes %s", r->study.events.event[0].T,
-           r->study.events.event[0].T < radius ? "before" : "after");
-  return text;
-}
-
-/* False: radius.note says why there is none. */
+/* What the series' coefficients tell, else what its branch does; false: there is none, as the note says. */
 static bool find_radius(struct radius *radius, struct report *r, enum quantity_id quantity)
 {
-  const struct series *s = expansions_of(&r->study.many, quantity);
-  struct sought *sought = &r->sought[quantity == Q_T1];
+  const struct series *s = r->study.many.derived.value[quantity];
+  int crossings = quantity == Q_T1 ? 1 : INT_MAX;
   if (s && radius_from_poles(radius, s, STUDY_MANY))
     return true;
-  *radius = (struct radius){ .note = "there is no derived series" };
-  if (s && !sought->done) { /* once for all quantities that depend on it */
-    scallop_singularity_init(&sought->singularity);
+  *radius = (struct radius){ "-", NAN, NAN, NAN, "-", "there is no derived series" };
+  if (s && r->crossings != crossings) {
     progress_show(&r->progress, "singularities ...");
-    sought->found = singularity_of(&sought->singularity, &r->study.many, quantity == Q_T1);
-    sought->done = true;
+    r->found = singularity_of(&r->singularity, &r->study.many, crossings);
+    r->crossings = crossings;
   }
-  if (s && sought->found)
-    radius_from_singularity(radius, &sought->singularity, quantity);
-  return s && sought->found;
+  if (s && r->found)
+    radius_from_singularity(radius, &r->singularity, quantity);
+  return s && r->found;
 }
 
 static void write_radius(struct report *r, enum quantity_id quantity)
 {
+  const struct event *first = r->study.events.count > 0 ? r->study.events.event : NULL;
   struct radius radius;
-  char text[sizeof radius.note + 100];
-  struct row row = {
-    "radius", quantity_rows[quantity].name, .T = NAN, .order = NAN, .error = NAN, .note = radius.note
-  };
-  if (find_radius(&radius, r, quantity)) {
-    snprintf(text, sizeof text, "%s; %s", radius.note, which_first(r, radius.T));
-    row.series = radius.method;
-    row.T = radius.T;
-    row.error = isfinite(radius.T) ? fmax(radius.high - radius.T, radius.T - radius.low) : NAN;
-    row.note = text;
-    row.status = radius.status;
-  }
-  write_row(r, row);
-}
-
-/* What more terms would do. */
-static const char *beyond(const struct report *r, enum quantity_id quantity, double T, slong order)
-{
-  static char text[240];
-  snprintf(text, sizeof text, "%s%s",
-           study_gains_from_more(&r->study, quantity, order) ? "more terms are better still; " : "",
-           study_where(&r->study, T));
-  return text;
+  char note[sizeof radius.note + 100];
+  if (!find_radius(&radius, r, quantity))
+    snprintf(note, sizeof note, "%s", radius.note);
+  else if (!first)
+    snprintf(note, sizeof note, "%s; nothing else ends it", radius.note);
+  else
+    snprintf(note, sizeof note, "%s; the first event, T = %.6g, comes %s", radius.note, first->T,
+             first->T < radius.T ? "before" : "after");
+  struct row row = row_of(r, "radius", quantity, radius.T);
+  row.series = radius.method;
+  row.error = fmax(radius.high - radius.T, radius.T - radius.low); /* nan where they are infinite */
+  row.note = note;
+  row.status = radius.status;
+  write_row(r, &row);
 }
 
 /* At T from a sixteenth of the first event, or of the natural time, to four times that, by steps of a square root of
@@ -247,36 +204,41 @@ static double best_time(const struct report *r, int i)
   return i == BEST_BELOW ? about * (1 - 1e-9) : about * exp2((i - BEST_BELOW) / 2.0);
 }
 
-/* exact: the certified answers at these times. */
-static void write_best(struct report *r, enum quantity_id quantity, const struct ball_answer exact[BEST])
+static void write_best(struct report *r, enum quantity_id quantity)
 {
-  const struct series *s = expansions_of(&r->study.many, quantity);
-  for (int i = 0; s && i < BEST; i++) {
-    double T = best_time(r, i), error;
+  enum { DIGITS = 200 };
+  for (int i = 0; r->study.many.derived.value[quantity] && i < BEST; i++) {
+    struct row row = row_of(r, "best", quantity, best_time(r, i));
+    const struct motion at = motion_at(&r->study.motion, row.T);
+    char note[240];
     slong order;
-    if (study_best_order(&r->study, quantity, T, exact[i].value[quantity], &order, &error))
-      write_row(r, (struct row){ "best", quantity_rows[quantity].name, "derived", (double)order, 0, T, error,
-                                 study_modes_at(&r->study, T), beyond(r, quantity, T, order), "certified", NULL });
+    SCOPED(ball_answer, exact);
+    answer_of_doubles(&exact, &at, DIGITS);
+    if (!study_best_order(&r->study, quantity, row.T, exact.value[quantity], &order, &row.error))
+      continue;
+    snprintf(note, sizeof note, "%s%s",
+             study_gains_from_more(&r->study, quantity, order) ? "more terms are better still; " : "",
+             study_where(&r->study, row.T));
+    row.series = "derived";
+    row.order = (double)order;
+    row.modes = events_modes_at(&r->study.events, row.T);
+    row.note = note;
+    row.status = "certified";
+    write_row(r, &row);
   }
 }
 
-static void write_rows(struct report *r, enum quantity_id only)
+static void write_rows(struct report *r)
 {
-  enum { DIGITS = 200 };
-  struct ball_answer exact[BEST];
-  for (int i = 0; i < BEST; i++) {
-    const struct motion at = motion_at(&r->study.motion, best_time(r, i));
-    ball_answer_init(&exact[i]);
-    if (is_wanted(r, "best"))
-      answer_of_doubles(&exact[i], &at, DIGITS);
+  const struct events *e = &r->study.events;
+  if (is_wanted(r, "event") && !r->options->quantity.given) {
+    write_limit(r);
+    write_changes(r, "event", QUANTITIES, e->event, e->count);
   }
-  if (is_wanted(r, "event") && !r->options->quantity)
-    write_events(r);
-  if (is_wanted(r, "reversal") && (!r->options->quantity || only == Q_DISPLACEMENT))
-    write_reversals(r);
-  for (int i = 0; i < QUANTITIES; i++) {
-    enum quantity_id q = (enum quantity_id)i;
-    if (!motion_has(&r->study.motion, q) || (r->options->quantity && q != only))
+  if (is_wanted(r, "reversal") && is_about(r, Q_DISPLACEMENT))
+    write_changes(r, "reversal", Q_DISPLACEMENT, e->reversal, e->reversals);
+  for (enum quantity_id q = 0; q < QUANTITIES; q++) {
+    if (!is_about(r, q))
       continue;
     progress_show(&r->progress, "%s ...", quantity_rows[q].name);
     if (is_wanted(r, "reach"))
@@ -284,27 +246,26 @@ static void write_rows(struct report *r, enum quantity_id only)
     if (is_wanted(r, "radius"))
       write_radius(r, q);
     if (is_wanted(r, "best"))
-      write_best(r, q, exact);
+      write_best(r, q);
   }
-  for (int i = 0; i < BEST; i++)
-    ball_answer_clear(&exact[i]);
 }
 
 static bool begin(struct report *r)
 {
+  const struct request *request = &r->options->request;
+  const struct motion *m = &r->study.motion;
   struct table *t = &r->table;
-  bool steady = r->study.motion.of == OF_STEADY;
-  if (!table_head(t, &r->options->request.style, "breakdown"))
+  if (!table_head(t, &request->style, "breakdown"))
     return false;
-  if (r->options->request.book)
-    table_note(t, "book: %s", r->options->request.book);
+  if (request->book)
+    table_note(t, "book: %s", request->book);
   /* T is what is looked for; a phase is one of duration T */
-  note_parameters(t, &r->options->request.point, (const char *const[]){ "T", steady ? NULL : "alpha", NULL }, false);
-  if (!steady) {
+  note_parameters(t, &request->point, (const char *const[]){ "T", m->of == OF_STEADY ? NULL : "alpha", NULL }, false);
+  if (m->of == OF_PHASE) {
     char v0[NUMBER_TEXT];
-    number_text(v0, r->study.motion.v0, 0);
+    number_text(v0, m->v0, 0);
     table_note(t, "%s from v0 = %s; T is its duration, not the period",
-               r->study.motion.phase == SCALLOP_EXTENSION ? "extension" : "contraction", v0);
+               m->phase == SCALLOP_EXTENSION ? "extension" : "contraction", v0);
   }
   if (r->study.expansions.derived.status != SCALLOP_OK)
     table_note(t, "no derived series: %s", study_why_none(&r->study));
@@ -315,71 +276,64 @@ static bool begin(struct report *r)
   return true;
 }
 
-static enum exit_code report(struct report *r, enum quantity_id only)
+static enum exit_code report(struct report *r)
 {
-  bool looks_far = is_wanted(r, "radius") || is_wanted(r, "best"),
-       derived = r->study.expansions.derived.status == SCALLOP_OK;
-  if (!derived && looks_far && r->options->only.given) {
+  bool derived = r->study.expansions.derived.status == SCALLOP_OK;
+  if (!derived && r->options->only.given && (is_wanted(r, "radius") || is_wanted(r, "best"))) {
     complain("breakdown", "no derived series: %s", study_why_none(&r->study));
     return EXIT_UNSOLVED;
   }
   progress_show(&r->progress, "events ...");
   study_events(&r->study);
   progress_end(&r->progress);
-  enum exit_code code = EXIT_FILE;
-  if (begin(r)) {
-    write_rows(r, only);
-    progress_end(&r->progress);
-    code = !table_close(&r->table) ? EXIT_FILE : r->rows > 0 ? EXIT_DONE : EXIT_UNSOLVED;
-    if (code == EXIT_UNSOLVED)
-      complain("breakdown", "no row: %s",
-               is_wanted(r, "reversal") ? "the displacement has the same sign at every T"
-               : derived                ? "there is no such series of this quantity, or all of it is 0"
-                                        : study_why_none(&r->study));
-  }
-  return code;
+  if (!begin(r))
+    return EXIT_FILE;
+  write_rows(r);
+  progress_end(&r->progress);
+  if (!table_close(&r->table))
+    return EXIT_FILE;
+  if (r->rows > 0)
+    return EXIT_DONE;
+  complain("breakdown", "no row: %s",
+           is_wanted(r, "reversal") ? "the displacement has the same sign at every T"
+           : derived                ? "there is no such series of this quantity, or all of it is 0"
+                                    : study_why_none(&r->study));
+  return EXIT_UNSOLVED;
 }
 
-/* The quantity of a motion that rows are about; QUANTITIES: any */
-struct asked {
-  struct motion motion;
-  enum quantity_id quantity;
-};
-
-static bool is_asked(const void *context, const struct scallop_formula *f)
+static bool is_of_a_row(const void *context, const struct scallop_formula *f)
 {
-  const struct asked *asked = context;
+  const struct report *r = context;
   bool is = false;
-  for (int q = 0; q < QUANTITIES && !is; q++)
-    is = (asked->quantity == QUANTITIES || (int)asked->quantity == q)
-         && series_is_about(f, &asked->motion, (enum quantity_id)q);
+  for (enum quantity_id q = 0; q < QUANTITIES; q++)
+    is |= is_about(r, q) && series_is_about(f, &r->study.motion, q);
   return is;
 }
 
-static bool serves(const struct breakdown_options *o, enum quantity_of of, enum quantity_id only)
+static bool serves(const struct report *r)
 {
-  const struct asked asked = { motion_of(&o->request.point, of), o->quantity ? only : QUANTITIES };
+  const struct given_word *only = &r->options->quantity;
   char what[80] = "this motion";
-  if (o->quantity)
-    snprintf(what, sizeof what, "the %s of this motion", o->quantity);
-  return book_serves("breakdown", o->request.book, is_asked, &asked, what);
+  if (only->given)
+    snprintf(what, sizeof what, "the %s of this motion", only->value);
+  return book_serves("breakdown", r->options->request.book, is_of_a_row, r, what);
 }
 
 enum exit_code breakdown_table(const struct breakdown_options *o)
 {
-  struct report r = { .options = o, .progress = progress_begin(o->request.style.quiet) };
-  enum quantity_of of = o->request.point.has_phase || o->request.point.has_v0 ? OF_PHASE : OF_STEADY;
-  enum quantity_id only;
-  if (!breakdown_quantity(&only, o, of) || !breakdown_is_sound(o) || !serves(o, of, only))
+  const struct point *point = &o->request.point;
+  enum quantity_of of = point->has_phase || point->has_v0 ? OF_PHASE : OF_STEADY;
+  struct report r = { .options = o, .study.motion = motion_of(point, of) };
+  if (!serves(&r))
     return EXIT_USAGE;
+  r.progress = progress_begin(o->request.style.quiet);
+  scallop_singularity_init(&r.singularity);
   bool looks_far = is_wanted(&r, "radius") || is_wanted(&r, "best");
-  const char *why = study_begin(&r.study, &o->request.point, of, o->order.value, looks_far ? STUDY_MANY : 1);
+  const char *why = study_begin(&r.study, point, of, o->order.value, looks_far ? STUDY_MANY : 1);
   if (why)
     complain("breakdown", "%s", why);
-  enum exit_code code = why ? EXIT_UNSOLVED : report(&r, only);
-  for (int i = 0; i < 2; i++)
-    if (r.sought[i].done)
-      scallop_singularity_clear(&r.sought[i].singularity);
+  enum exit_code code = why ? EXIT_UNSOLVED : report(&r);
+  scallop_singularity_clear(&r.singularity);
   study_clear(&r.study);
   return code;
 }

@@ -1,87 +1,185 @@
-/* The claims of a book, `claims --book` and `claims --formula`: each formula for each gait, at one crawler, and at
- * random ones. */
+/* The claims of a book, `claims --book` and `claims --formula`: each formula for each gait, at one crawler, or at one
+ * that its conditions allow. */
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/answer.h"
-#include "compare/points/point_flint.h"
-#include "compare/answers/quantities.h"
+#include "asymptotics/published/read.h"
 #include "compare/book/book.h"
-#include "compare/claims/evidence.h"
-#include "compare/claims/ledger.h"
-#include "compare/claims/samples.h"
+#include "compare/claims/orders.h"
+#include "compare/points/point_flint.h"
+
+enum { PRECISION = 1400, MODES_PRECISION = 192 };
+
+/* Conditions */
+
+static fmpq *rational_field(struct scallop_rational_crawler *c, int place)
+{
+  fmpq *const fields[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  return fields[place];
+}
+
+static enum scallop_phase_kind phase_of(const struct scallop_formula *f)
+{
+  return f->setting == SCALLOP_MOVING_CONTRACTION ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
+}
+
+/* One side of a condition, a constant, for the crawler as it is written. False: it has no value, as 1/0 */
+static bool side_value(struct series *value, const char *text, const struct scallop_formula *f,
+                       const struct scallop_rational_crawler *c)
+{
+  const struct ring ring = { 1, PRECISION };
+  struct scallop_formula side = *f;
+  char message[FORMULA_MESSAGE];
+  SCOPED(scallop_symbols, symbols);
+  side.text = text;
+  scallop_symbols_set(&symbols, c, phase_of(f), NULL, NULL, &ring);
+  return !scallop_formula_expand(value, &side, &symbols, phase_of(f), &ring, message);
+}
+
+/* Sets a parameter that a condition says to be equal to something, "F1 = F2"; what is no fraction is not set. */
+static void set_equality(struct scallop_rational_crawler *c, const char *when, const struct scallop_formula *f)
+{
+  struct scallop_sides sides;
+  char name[8], more;
+  SCOPED(series, value);
+  if (scallop_condition_split(&sides, when) != '=' || sscanf(sides.left, " %7s %c", name, &more) != 1)
+    return;
+  int place = crawler_place(name);
+  if (place < CRAWLER_NUMBERS && side_value(&value, sides.right, f, c))
+    series_rational_coefficient(rational_field(c, place), &value, 0);
+}
+
+static void set_equalities(const struct scallop_formula *f, struct scallop_rational_crawler *c)
+{
+  enum { AGAIN = 6 };
+  for (int again = 0; again < AGAIN; again++) /* one may need what another sets */
+    for (const char *const *when = f->when; when && *when; when++)
+      set_equality(c, *when, f);
+}
+
+/* Does LEFT < RIGHT, > or = hold, proven? What depends on a function can be equal to nothing. */
+static bool is_met(const char *when, const struct scallop_formula *f, const struct scallop_rational_crawler *c)
+{
+  const struct ring ring = { 1, PRECISION };
+  struct scallop_sides sides;
+  SCOPED(series, left, right);
+  SCOPED(arb, difference);
+  char sign = scallop_condition_split(&sides, when);
+  if (!sign || !side_value(&left, sides.left, f, c) || !side_value(&right, sides.right, f, c))
+    return false;
+  series_sub(&left, &left, &right, &ring);
+  series_coefficient(difference, &left, 0, PRECISION);
+  return sign == '<'   ? arb_is_negative(difference)
+         : sign == '>' ? arb_is_positive(difference)
+                       : series_coefficient_is_zero(&left, 0);
+}
+
+/* Is the limit of the steady state the one that the formula is for? Not where it has no expansion */
+static bool turns_there(const struct scallop_formula *f, const struct scallop_rational_crawler *c)
+{
+  SCOPED(scallop_steady_expansion, limit);
+  return scallop_expand_steady(c, 1, MODES_PRECISION, &limit, NULL) == SCALLOP_OK
+         && turns_in_modes(limit.modes) == f->turns;
+}
+
+static bool is_for(const struct scallop_formula *f, const struct scallop_rational_crawler *c)
+{
+  bool allowed = scallop_rational_is_valid(c);
+  for (const char *const *when = f->when; when && *when && allowed; when++)
+    allowed = is_met(*when, f, c);
+  return allowed && (f->turns == SCALLOP_TURNS_IN_BOTH || turns_there(f, c));
+}
+
+/* splitmix64 (Steele, Lea & Flood 2014) */
+static uint64_t random_bits(uint64_t *state)
+{
+  uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15);
+  z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+  z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+  return z ^ (z >> 31);
+}
+
+/* Each a/b, a and b from 1 to 997, alpha k/997 */
+static void random_crawler(struct scallop_rational_crawler *c, uint64_t *state)
+{
+  for (int i = 0; i < 5; i++)
+    fmpq_set_si(rational_field(c, i), (slong)(1 + random_bits(state) % 997), 1 + random_bits(state) % 997);
+  fmpq_set_si(c->alpha, (slong)(1 + random_bits(state) % 996), 997);
+}
+
+/* Changes the crawler so that the formula is for it: parameters that are to equal something are set, and where that
+ * does not do, another crawler is taken. False: none was found. */
+static bool fit(const struct scallop_formula *f, struct scallop_rational_crawler *c)
+{
+  enum { TRIES = 10000 };
+  uint64_t state = 20260102;
+  set_equalities(f, c);
+  for (int i = 0; i < TRIES && !is_for(f, c); i++) {
+    random_crawler(c, &state);
+    set_equalities(f, c);
+  }
+  return is_for(f, c);
+}
+
+/* Rows */
 
 static struct condition condition_of(const struct scallop_formula *f)
 {
+  static const char *const texts[] = { "extension from rest", "extension, v0 > 0 fixed", "contraction, v0 > 0 fixed",
+                                       "steady state" };
   bool moving = f->setting == SCALLOP_MOVING_EXTENSION || f->setting == SCALLOP_MOVING_CONTRACTION;
-  return (struct condition){
-    .setting = moving ? SCALLOP_MOVING_EXTENSION : f->setting,
-    .kind = f->setting == SCALLOP_MOVING_CONTRACTION ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION,
-    .text = f->setting == SCALLOP_STEADY             ? "steady state"
-            : f->setting == SCALLOP_AT_REST_START    ? "extension from rest"
-            : f->setting == SCALLOP_MOVING_EXTENSION ? "extension, v0 > 0 fixed"
-                                                     : "contraction, v0 > 0 fixed",
-    .v0 = moving ? CLAIM_SPEED : 0,
-    .formula = f,
-  };
+  return (struct condition){ .setting = moving ? SCALLOP_MOVING_EXTENSION : f->setting,
+                             .kind = phase_of(f),
+                             .text = texts[f->setting],
+                             .v0 = moving ? CLAIM_SPEED : 0 };
 }
 
 static const char *const turns_text[] = { "a body turns in both phases", "no body turns in the contraction",
                                           "no body turns in the extension" };
 
 /* "alpha > 1/2, F1 > F2", behind the motion */
-static void write_conditions(struct claim_row *row, const struct condition *condition)
+static void write_conditions(struct claim_row *row, const char *motion, const struct scallop_formula *f)
 {
-  size_t used = (size_t)snprintf(row->conditions, sizeof row->conditions, "%s", condition->text);
-  for (const char *const *when = condition->formula->when; when && *when && used < sizeof row->conditions; when++)
-    used += (size_t)snprintf(row->conditions + used, sizeof row->conditions - used, ", %s", *when);
-  if (condition->formula->turns != SCALLOP_TURNS_IN_BOTH && used < sizeof row->conditions)
-    snprintf(row->conditions + used, sizeof row->conditions - used, ", %s", turns_text[condition->formula->turns]);
+  append(row->conditions, sizeof row->conditions, "%s", motion);
+  for (const char *const *when = f->when; when && *when; when++)
+    append(row->conditions, sizeof row->conditions, ", %s", *when);
+  if (f->turns != SCALLOP_TURNS_IN_BOTH)
+    append(row->conditions, sizeof row->conditions, ", %s", turns_text[f->turns]);
 }
 
 /* v0, and the numbers of the crawler that the conditions have changed, as "v0=8/5 F1=3/2 F2=1/2" */
-static void write_change(struct claim_row *row, const struct scallop_rational_crawler *now,
-                         const struct scallop_rational_crawler *before, const fmpq_t v0)
+static void write_change(struct claim_row *row, struct scallop_rational_crawler *now,
+                         struct scallop_rational_crawler *before, const fmpq_t v0)
 {
-  fmpq_t rest;
-  fmpq_init(rest);
-  const fmpq *const numbers[][2] = { { v0, rest },
-                                     { now->m1, before->m1 },
-                                     { now->m2, before->m2 },
-                                     { now->F1, before->F1 },
-                                     { now->F2, before->F2 },
-                                     { now->L, before->L },
-                                     { now->alpha, before->alpha } };
-  static const char *const names[] = { "v0", "m1", "m2", "F1", "F2", "L", "alpha" };
-  size_t used = 0;
-  for (int i = 0; i < 7; i++)
-    if (!fmpq_equal(numbers[i][0], numbers[i][1])) {
-      char *text = fmpq_get_str(NULL, 10, numbers[i][0]);
-      used += (size_t)snprintf(row->measured + used, sizeof row->measured - used, "%s%s=%s", used > 0 ? " " : "",
-                               names[i], text);
-      flint_free(text);
-    }
-  fmpq_clear(rest);
+  for (int i = -1; i < CRAWLER_NUMBERS; i++) {
+    const fmpq *x = i < 0 ? v0 : rational_field(now, i);
+    if (i < 0 ? fmpq_is_zero(v0) : fmpq_equal(x, rational_field(before, i)))
+      continue;
+    char *text = decimal_fraction(x);
+    append(row->measured, sizeof row->measured, "%s%s=%s", *row->measured ? " " : "",
+           i < 0 ? "v0" : crawler_parameters[i], text);
+    flint_free(text);
+  }
 }
 
 /* Why nothing can be said of the claim, or NULL */
-static const char *undecided(const struct condition *condition, const struct trial *trial, bool is_met)
+static const char *undecided(const struct scallop_formula *f, const struct trial *trial, bool is_met)
 {
   static char text[240];
   if (!is_met)
     return "no crawler was found for which the conditions hold";
-  if (trial->why) {
-    snprintf(text, sizeof text, "no expansion in powers of T is known for this motion: %s", trial->why);
+  *text = '\0';
+  if (trial->series.status != SCALLOP_OK) {
+    append(text, sizeof text, "no expansion in powers of T is known for this motion: %s", trial->series.why);
     return text;
   }
-  if (!trial_is_steady(trial) || !condition->formula->turns)
+  enum scallop_turns found = turns_in_modes(trial->series.modes);
+  if (!trial_is_steady(trial) || !f->turns || found == f->turns)
     return NULL;
-  enum scallop_turns found = turns_in_modes(trial_modes(trial));
-  if (found == condition->formula->turns)
-    return NULL;
-  snprintf(text, sizeof text, "the formula is for crawlers of which, as T -> 0, %s; of this crawler %s",
-           turns_text[condition->formula->turns], turns_text[found]);
+  append(text, sizeof text, "the formula is for crawlers of which, as T -> 0, %s; of this crawler %s",
+         turns_text[f->turns], turns_text[found]);
   return text;
 }
 
@@ -89,60 +187,27 @@ void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_cra
                         const struct scallop_formula *f)
 {
   const struct condition condition = condition_of(f);
-  struct claim_row row = { .equation = f->equation,
-                           .quantity = formula_quantity_text(f, condition.kind),
-                           .gait = crawler->gait->name,
-                           .source = OF_BOOK,
-                           .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
-                           .mismatch = NAN };
-  struct scallop_rational_crawler fitted;
-  struct trial trial;
-  struct proof proof;
-  snprintf(row.claim, sizeof row.claim, "%s", f->name);
-  snprintf(row.corrected, sizeof row.corrected, "%s", f->corrected ? f->corrected : "");
-  write_conditions(&row, &condition);
-  scallop_rational_init(&fitted);
-  scallop_rational_copy(&fitted, crawler);
-  row.inside = is_given ? condition_allows(&condition, &fitted) : condition_fit(&condition, &fitted);
-  bool expands = trial_init(&trial, &fitted, &condition, false);
-  write_change(&row, &fitted, crawler, trial.v0);
-  trial.samples = expands ? samples_take(&trial) : NULL;
-  proof_init(&proof);
-  const char *why = undecided(&condition, &trial, is_given || row.inside);
-  if (!why && !trial_prove(&proof, &trial, f))
-    why = proof.why;
-  if (why) {
-    row.verdict = CLAIM_UNDECIDED;
-    char place[FORMULA_PLACE]; /* of what is wrong with the text */
-    bool in_text = strncmp(why, "character", 9) == 0;
-    snprintf(row.reason, sizeof row.reason, "%s%s", in_text ? formula_place(place, f) : "", why);
-  } else {
-    samples_measure(&row, &trial, f, &proof.left_out);
-    ledger_judge(ledger, &row, &proof);
-    if (!is_given && proof.general < proof.order && (double)proof.general < row.claimed_order)
-      row.verdict = CLAIM_REFUTED; /* it holds for this crawler by coincidence */
-    row.leading_error = proof.term;
-    proof.term = NULL;
-  }
-  ledger_enter(ledger, &row);
-  samples_free(trial.samples);
-  trial_clear(&trial);
-  proof_clear(&proof);
-  scallop_rational_clear(&fitted);
+  struct claim_row row = row_of_formula(f, crawler->gait);
+  SCOPED(scallop_rational, before, now);
+  ENDED_BY(trial_clear) struct trial trial;
+  trial_init(&trial);
+  row.quantity = formula_quantity_text(f, condition.kind);
+  row.source = OF_BOOK;
+  row.any_crawler = !is_given;
+  write_conditions(&row, condition.text, f);
+  scallop_rational_copy(&before, crawler);
+  scallop_rational_copy(&now, crawler);
+  row.inside = is_given ? is_for(f, &now) : fit(f, &now);
+  trial_begin(&trial, &now, &condition, false);
+  write_change(&row, &now, &before, trial.v0);
+  ledger_decide(ledger, &row, &trial, f, undecided(f, &trial, is_given || row.inside));
 }
 
 void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                     const struct scallop_gait *gait, const char *only)
+                     const char *only)
 {
   const struct scallop_formula *f;
-  struct scallop_rational_crawler c;
-  scallop_rational_init(&c);
-  scallop_rational_copy(&c, crawler);
-  for (int g = 0; gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
-    c.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
-    for (int i = 0; (f = book_formula(i)); i++)
-      if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)))
-        ledger_add_formula(ledger, &c, is_given, f);
-  }
-  scallop_rational_clear(&c);
+  for (int i = 0; (f = book_formula(i)); i++)
+    if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)))
+      ledger_add_formula(ledger, crawler, is_given, f);
 }

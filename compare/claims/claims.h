@@ -2,12 +2,11 @@
  *
  * A claim is a statement of the paper, the ledger the list of all claims with their verdicts (data/claims.tsv). A row
  * of the ledger is one claim for one gait under one set of conditions. There are two kinds of claims:
- *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours).
- *     order.c goes through these lists, trial.[ch] derives the error of a formula, samples.[ch] measures it, ledger.c
- *     holds one against the other;
- *   - in words: one row of texts (decide.h) in random.c (every crawler), examples.c or words.c (families): which
- *     motions, what is said of them, and the sentence. motions.c solves and evaluates, say.c words the row; steady.c,
- *     boundary.c with family.[ch] and figures.c find the numbers that some rows need, evidence.[ch] helps them.
+ *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours),
+ *     or in a book. order.c and book.c go through these under their conditions, trial.c expands and samples the motion,
+ *     proof.c finds what the formula leaves out, ledger.c holds one against the other (orders.h);
+ *   - in words: one row and one function in random.c (every crawler), examples.c, families.c (crawlers that differ in
+ *     one number) or figures.c. statement.[ch] has what these are made of, words.c adds the rows.
  *
  * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not
  * hold 0; for all parameters where the coefficients are known in names, else for the crawler of the row. A claim in
@@ -29,7 +28,7 @@
 #include "model/exact/ball.h"
 #include "model/model.h"
 
-enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_REFUTED, CLAIM_UNDECIDED };
+enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_UNDECIDED, CLAIM_REFUTED };
 const char *claim_verdict_text(enum claim_verdict verdict);
 struct claim_row;
 const char *claim_evidence_text(const struct claim_row *row); /* overwritten by the next call */
@@ -50,18 +49,19 @@ enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
 struct claim_row {
   char claim[CLAIM_NAME];
   const char *equation, *quantity, *gait;
-  char conditions[160]; /* under which it was tested                                            */
+  char conditions[240]; /* under which it was tested                                            */
   bool inside;          /* these are the conditions that the paper assumes                  */
   enum claim_source source;
+  bool any_crawler;     /* that it is tested for stands for all: what holds for it by coincidence is refuted */
   double claimed_order; /* nan: not a claim about an order                                  */
   bool proven;          /* derived_order and coefficient are there                          */
   bool exact;           /* every coefficient that was looked at vanishes                    */
   long derived_order;   /* of the first coefficient of what is left out                     */
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
   char *leading_error;  /* of a book's formula proven for all: that term as a formula; the ledger's own, or NULL  */
-  double
-      mismatch; /* between the certified error and what is left out, summed, over the former, at the smallest T where it
-                           has digits; nan if there is none                                             */
+  /* between the certified error and what is left out, summed, over the former, at the smallest T where it has digits;
+   * nan if there is none */
+  double mismatch;
   struct scallop_order_result fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
   int count;
@@ -77,28 +77,26 @@ struct claim_row {
 struct ledger { /* begins as { 0 }                                                                */
   struct claim_row *rows;
   int count;
-  char contradiction[400]; /* "", or what contradicts itself (the last one), or that memory ran out */
+  char contradiction[600]; /* "", or what contradicts itself (the last one), or that memory ran out */
 };
 void ledger_add(struct ledger *ledger, const struct claim_row *row);
 void ledger_free(struct ledger *ledger);
 
-/* Adds the claims "... + O(T^n)", each for every gait, inside and outside of its conditions, and the formulas that hold
- * where one of the paper's does not. crawler: T is not used; F1 > F2 and alpha > 1/2 (exchanged where a row says so).
- * gait: only that one, or NULL for all. only: the names of the requested rows (see formula_is_listed), or NULL. */
-void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler,
-                       const struct scallop_gait *gait, const char *only);
+/* Adds the claims "... + O(T^n)" for the gait of the crawler, each inside and outside of its conditions, and the
+ * formulas that hold where one of the paper's does not. crawler: T is not used; F1 > F2 and alpha > 1/2 (exchanged
+ * where a row says so). only: the names of the requested rows (see formula_is_listed), or NULL for all. */
+void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const char *only);
 
-/* Adds the claim of one formula, of a book or the paper's, for the gait of the crawler. */
+/* Adds the claim of one formula, of a book or the paper's; or those of the books that were read. crawler: as it is, or,
+ * where it is not given, changed so that the conditions of each formula hold. */
 void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                         const struct scallop_formula *formula);
-/* Adds the claims of the books that were read, for that gait, or NULL for the paper's two. crawler: as it is, or, where
- * it is not given, changed so that the conditions of each formula hold. */
 void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                     const struct scallop_gait *gait, const char *only);
+                     const char *only);
 
-/* Adds the claims in words. crawler: F1 and alpha are varied; they take half of the time at which the Froude number is
- * 1. */
-void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler, const struct scallop_gait *gait);
+/* Adds the claims in words. Of the crawler F1 and alpha are varied; it takes half of the time at which the Froude
+ * number is 1. */
+void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler);
 
 /* `scallop claims` */
 struct claims_options {

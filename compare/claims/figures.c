@@ -1,87 +1,81 @@
-/* The claims in words about the figures: one extension against its duration (figure 4), the steady state against F1/F2,
- * alpha and T (figure 5). */
+/* Statements about the figures and the steady state: one extension against its duration (figure 4), mean velocity
+ * against F1/F2, alpha and T (figure 5), (27) for which alpha, and when the steady state is reached. */
 #include <float.h>
 #include <math.h>
 
-#include "compare/answers/answer.h"
-#include "compare/claims/decide.h"
-#include "compare/claims/evidence.h"
+#include "compare/claims/statement.h"
 
-/* One extension from rest against its duration. x: the duration */
+/* Figure 4, in doubles: an extension takes half of the period T. */
 
-static struct scallop_phase_result lasting(const struct scallop_crawler *crawler, double x)
+static const double ratios[] = { 2, 10, 40 };
+
+static struct solved extension_at(double T, struct scallop_crawler c, double v0)
 {
-  struct scallop_crawler c = *crawler;
-  c.alpha = 0.5;
-  c.T = 2 * x;
-  return extension(&c, 0);
+  c.T = T;
+  return in_double(&(struct motion){ .of = OF_PHASE, .crawler = c, .phase = SCALLOP_EXTENSION, .v0 = v0 });
 }
 
-static double v_end_of(const void *crawler, double x) { return lasting(crawler, x).v_end; }
-
-/* The longest extension without sticking */
-static double longest_sliding(struct scallop_crawler c)
+static double v_end_at(const void *crawler, double T)
 {
-  c.alpha = 0.5;
-  return 0.5 * sticking_onset(&c);
+  return extension_at(T, *(const struct scallop_crawler *)crawler, 0).v_end;
 }
-
-enum { STEPS = 400 };
 
 /* The least d(dx_C) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
 static double least_growth(const struct scallop_crawler *c)
 {
-  double onset = longest_sliding(*c), x = onset / (10 * STEPS), before = lasting(c, x).dxC, least = INFINITY;
-  double growth = (c->F1 - c->F2) / (2 * (c->m1 + c->m2));
+  enum { STEPS = 400 };
+  const double onset = sticking_onset(c), growth = (c->F1 - c->F2) / (8 * (c->m1 + c->m2));
+  double T = onset / (10 * STEPS), dxC = extension_at(T, *c, 0).dxC, least = INFINITY;
   for (int j = 1; j <= STEPS; j++) {
-    double longer = onset * j / STEPS, moved = lasting(c, longer).dxC;
-    least = fmin(least, (moved - before) / (growth * (longer - x) * (longer + x)));
-    before = moved;
-    x = longer;
+    const double before = T, moved = dxC;
+    T = onset * j / STEPS;
+    dxC = extension_at(T, *c, 0).dxC;
+    least = fmin(least, (dxC - moved) / (growth * (T - before) * (T + before)));
   }
   return least;
 }
 
-/* The duration with the highest v_end, over that at which sticking begins */
-static double peak_of_velocity(const struct scallop_crawler *c)
+static void displacement_grows(struct question *q, struct scallop_crawler c)
 {
-  double onset = longest_sliding(*c), highest = 0, at = 0;
-  for (int j = 1; j <= STEPS; j++)
-    if (lasting(c, onset * j / STEPS).v_end > highest) {
-      highest = lasting(c, onset * j / STEPS).v_end;
-      at = onset * j / STEPS;
-    }
-  return highest_between(v_end_of, c, at - onset / STEPS, at + onset / STEPS) / onset;
-}
-
-/* x1, x2, x3: for F1/F2 = 2, 10, 40 */
-static void three_ratios(struct question *q, double (*f)(const struct scallop_crawler *))
-{
-  static const double ratios[] = { 2, 10, 40 };
+  double least = INFINITY;
+  q->by = MEASURED;
+  c.alpha = 0.5;
   for (int i = 0; i < 3; i++) {
-    struct scallop_crawler c = q->crawler;
     c.F1 = ratios[i] * c.F2;
-    q->found[i] = f(&c);
+    least = fmin(least, least_growth(&c));
   }
-  conclude(q);
+  conclude(q, compare(least, 0), "least d(dx_C) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: %.6f", least);
 }
 
-void displacement_grows(struct question *q) { three_ratios(q, least_growth); }
-void velocity_change_peaks(struct question *q) { three_ratios(q, peak_of_velocity); }
-
-/* The largest fall of the displacement of an extension between two durations: x1: F1, x2: v0, x3, x4: T from 0.05 on by
- * 2 % */
-static void largest_fall(double found[4], double *size, struct scallop_crawler c, double v0)
+static void velocity_change_peaks(struct question *q, struct scallop_crawler c)
 {
-  enum { DURATIONS = 260 };
+  double x[3];
+  q->by = MEASURED;
+  c.alpha = 0.5;
+  for (int i = 0; i < 3; i++) {
+    c.F1 = ratios[i] * c.F2;
+    const double onset = sticking_onset(&c);
+    x[i] = highest_between(v_end_at, &c, 0.01 * onset, onset) / onset;
+  }
+  conclude(q, compare(0.99, fmax(fmax(x[0], x[1]), x[2])),
+           "dv_C peaks at %.6f, %.6f, %.6f of the duration at which sticking begins", x[0], x[1], x[2]);
+}
+
+/* Of the displacement of an extension from v0, between two periods */
+struct fall {
+  double size, v0, F1, T[2];
+};
+
+/* The largest one, T from 0.05 on by 2 % */
+static void find_fall(struct fall *fall, struct scallop_crawler c, double v0)
+{
+  enum { PERIODS = 260 };
   double most = -INFINITY, at = 0.05;
   c.T = at;
-  for (int i = 0; i < DURATIONS; i++, c.T *= 1.02) {
-    double x = extension(&c, v0).dxC / c.L;
-    if (most - x > *size) {
-      *size = most - x;
-      found[0] = c.F1, found[1] = v0, found[2] = short_number(at, 4), found[3] = short_number(c.T, 4);
-    }
+  for (int i = 0; i < PERIODS; i++, c.T *= 1.02) {
+    double x = extension_at(c.T, c, v0).dxC / c.L;
+    if (most - x > fall->size)
+      *fall = (struct fall){ most - x, v0, c.F1, { short_number(at, 4), short_number(c.T, 4) } };
     if (x > most) {
       most = x;
       at = c.T;
@@ -89,56 +83,194 @@ static void largest_fall(double found[4], double *size, struct scallop_crawler c
   }
 }
 
-void never_falls(struct question *q)
+static void never_falls(struct question *q, struct scallop_crawler c)
 {
   static const double velocities[] = { 0.5, 1, 2, 5, 10, 20 };
-  double size = 1e-14;
-  for (const double *ratio = q->claim->with; *ratio > 0; ratio++)
+  struct fall fall = { .size = 1e-14 };
+  for (const double *F1 = q->claim->data; *F1 > 0; F1++)
     for (size_t j = 0; j < sizeof velocities / sizeof *velocities; j++) {
-      struct scallop_crawler c = q->crawler;
-      c.F1 = *ratio;
-      largest_fall(q->found, &size, c, velocities[j]);
+      c.F1 = *F1;
+      find_fall(&fall, c, velocities[j]);
     }
-  if (size > 1e-14)
-    proven(q);
-  else
-    settle(q, true, false);
-}
-
-/* The least rise of mean velocity T/L from one alpha to the next, x1, and the latter, x2 */
-void velocity_grows_with_alpha(struct question *q)
-{
-  double before = -INFINITY;
-  q->found[0] = INFINITY;
-  for (int i = 50; i < 100; i++) {
-    struct scallop_crawler c = q->crawler;
-    c.alpha = i / 100.0;
-    double u = steady_state(&c).mean_velocity * c.T / c.L;
-    if (u - before < q->found[0]) {
-      q->found[0] = u - before;
-      q->found[1] = c.alpha;
-    }
-    before = u;
+  if (fall.size == 1e-14) {
+    q->by = MEASURED;
+    conclude(q, 1, "it never falls by more than 1e-14 L");
+    return;
   }
-  conclude(q);
+  double dxC[2], duration[2];
+  c.F1 = fall.F1;
+  for (int i = 0; i < 2; i++) {
+    c.T = fall.T[i];
+    dxC[i] = extension(q, c, fall.v0).dxC / c.L;
+    duration[i] = scallop_phase_duration(&c, SCALLOP_EXTENSION);
+  }
+  conclude(q, compare(dxC[1], dxC[0]),
+           "certified: from v0 = %.6g at F1 = %.6g dx_C/L is %.6f for T = %.4g and %.6f for T = %.4g; these extensions "
+           "last %.6g and %.6g",
+           fall.v0, fall.F1, dxC[0], fall.T[0], dxC[1], fall.T[1], duration[0], duration[1]);
+  show(q,
+       "dxC falls from the first row to the second: printf 'T\\n%.4g\\n%.4g\\n' | scallop phase --points - --F1 %.6g "
+       "--v0 %.6g%s --columns T,dxC",
+       fall.T[0], fall.T[1], fall.F1, fall.v0, options(q, q->crawler));
 }
 
-/* x1: the order of mean velocity in T */
-void velocity_as_1_over_T(struct question *q)
+/* Figure 5 */
+
+static void vanishes_at_ratio_1(struct question *q, struct scallop_crawler c)
+{
+  c.F1 = c.F2;
+  const int zero = is_zero(steady(q, c).mean_velocity);
+  conclude(q, zero, "|mean velocity| T/L at F1/F2 = 1: %s 1e-14", zero > 0 ? "below" : "above");
+}
+
+static void vanishes_at_large_ratio(struct question *q, struct scallop_crawler c)
+{
+  static const double large[] = { 1e2, 1e4, 1e6 };
+  double v[3];
+  for (int i = 0; i < 3; i++) {
+    c.F1 = large[i] * c.F2;
+    v[i] = steady(q, c).mean_velocity * c.T / c.L;
+  }
+  conclude(q, is_zero(v[2]), "mean velocity T/L at F1/F2 = 1e2, 1e4, 1e6: %.3g, %.3g, %.3g", v[0], v[1], v[2]);
+}
+
+static void grows_with_alpha(struct question *q, struct scallop_crawler c)
+{
+  double before = -INFINITY, least = INFINITY, at = 0;
+  q->by = MEASURED;
+  for (int i = 50; i < 100; i++) {
+    c.alpha = i / 100.0;
+    double v = steady(q, c).mean_velocity * c.T / c.L;
+    if (v - before < least) {
+      least = v - before;
+      at = c.alpha;
+    }
+    before = v;
+  }
+  conclude(q, compare(least, 0), "least change of mean velocity T/L between alphas 0.01 apart: %.3g at alpha = %.2f",
+           least, at);
+}
+
+static void goes_as_1_over_T(struct question *q, struct scallop_crawler c)
 {
   enum { POINTS = 24 };
   struct scallop_order_point points[POINTS];
-  for (int k = 0; k < POINTS; k++) {
-    struct scallop_crawler c = q->crawler;
-    c.T = ldexp(c.T, -k);
-    double u = steady_state(&c).mean_velocity;
-    points[k] = (struct scallop_order_point){ .h = c.T, .err = u, .noise = 8 * DBL_EPSILON * fabs(u) };
-  }
-  q->row.claimed_order = -1;
   struct scallop_order_wanted wanted = { .order = NAN, .tolerance = CLAIM_TOLERANCE };
   int count = POINTS;
+  q->by = MEASURED;
+  for (int k = 0; k < POINTS; k++, c.T /= 2) {
+    double v = steady(q, c).mean_velocity;
+    points[k] = (struct scallop_order_point){ .h = c.T, .err = v, .noise = 8 * DBL_EPSILON * fabs(v) };
+  }
   scallop_order(points, &count, &wanted, &q->row.fit);
+  q->row.claimed_order = -1;
   q->solved = q->row.fit.verdict == SCALLOP_ORDER_MEASURED;
-  q->found[0] = q->row.fit.order;
-  conclude(q);
+  conclude(q, fabs(q->row.fit.order + 1) <= CLAIM_TOLERANCE ? 1 : -1, "mean velocity ~ T^%.3f", q->row.fit.order);
 }
+
+/* (27), T -> 0 */
+
+struct alphas { /* in hundredths, from first on by 8; one of them to name; seen in a mirror, the bodies exchanged */
+  int first, shown;
+  bool mirrored;
+};
+
+static double velocity_by_27(struct scallop_crawler c, bool mirrored)
+{
+  const struct scallop_crawler exchanged = { c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
+  const double v = printed(mirrored ? exchanged : c, "text_steady_velocity").value;
+  return mirrored ? -v : v;
+}
+
+static void in_the_limit(struct question *q, struct scallop_crawler c)
+{
+  const struct alphas *alphas = q->claim->data;
+  double largest = 0, at = 0, shown = 0;
+  c.T = 1e-20;
+  for (int i = alphas->first; i <= alphas->first + 48; i += 8) {
+    c.alpha = i / 100.;
+    const double error = velocity_by_27(c, alphas->mirrored) / steady(q, c).v_start - 1;
+    if (i == alphas->shown)
+      shown = error;
+    if (!(fabs(error) <= fabs(largest))) {
+      largest = error;
+      at = c.alpha;
+    }
+  }
+  q->row.inside = alphas->first > 50;
+  if (fabs(largest) < 1e-15) {
+    q->by = SAMPLED;
+    q->row.sampled = 7;
+    conclude(q, 1, "relative error, certified: below 1e-15 throughout");
+  } else
+    conclude(q, -1, "relative error, certified: %.6f at alpha = %.2f, largest %.6f at alpha = %.2f", shown,
+             alphas->shown / 100., largest, at);
+  if (q->of_the_paper)
+    show(q, "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^text_steady_velocity.(27)'",
+         alphas->shown / 100., options(q, q->crawler));
+}
+
+/* The steady state */
+
+static void several_states(struct question *q, struct scallop_crawler c, double numbers[RANDOM_NUMBERS])
+{
+  numbers[0] = !steady(q, c).single;
+}
+
+/* Periods from rest until the velocity is as near to the steady one, over L/T; 0: not in 1000 */
+static int periods_until(const struct scallop_crawler *c, double near)
+{
+  struct scallop_period_result p = { .v_end = 0 };
+  double v = in_double(&(struct motion){ .crawler = *c }).v_start;
+  for (int n = 1; n <= 1000 && scallop_period(c, p.v_end, &p) >= 0; n++)
+    if (fabs(p.v_end - v) <= near * c->L / c->T)
+      return n;
+  return 0;
+}
+
+static void is_reached(struct question *q, struct scallop_crawler c)
+{
+  const double multiplier = steady(q, c).multiplier;
+  if (multiplier == 0)
+    conclude(q, 1, "certified multiplier 0; from rest the velocity is the steady one after %d period",
+             periods_until(&c, 1e-15));
+  else
+    conclude(q, is_zero(multiplier),
+             "certified multiplier %.10f > 0: the distance shrinks by that and is never 0; within 1e-6 L/T after %d "
+             "periods",
+             multiplier, periods_until(&c, 1e-6));
+  show(q, "the multiplier is not 0: scallop steady --certified%s --columns multiplier", options(q, c));
+}
+
+static const char grows[] = "displacement_grows_with_duration", reached[] = "steady_state_is_reached";
+static const char limit[] = "text_steady_velocity_in_the_limit", from_rest[] = "%s, from rest, F1/F2 = 2, 10, 40";
+
+const struct statement statements_of_figures[] = {
+  { grows, "4.4", "dx_C", from_rest, .decide = displacement_grows },
+  { "velocity_change_is_not_monotone", "4.4", "dv_C", from_rest, .decide = velocity_change_peaks },
+  { "mean_velocity_vanishes_at_ratio_1", "4.5", "mean velocity", "%s", .decide = vanishes_at_ratio_1 },
+  { "mean_velocity_vanishes_at_large_ratio", "4.5", "mean velocity", "%s", .decide = vanishes_at_large_ratio },
+  { "mean_velocity_grows_with_alpha", "4.5", "mean velocity", "%s, alpha from 0.50 to 0.99",
+    .decide = grows_with_alpha },
+  { "mean_velocity_goes_as_1_over_T", "4.3.3", "mean velocity", "%s", .decide = goes_as_1_over_T },
+  { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.51 to 0.99 by 0.08", .decide = in_the_limit,
+    .data = &(const struct alphas){ 51, 75, false } },
+  { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", .decide = in_the_limit,
+    .data = &(const struct alphas){ 1, 25, false } },
+  { "text_steady_velocity_mirrored_in_the_limit", "(27)", "v_start",
+    "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08; with F1 m1 and F2 m2 exchanged below the line",
+    .decide = in_the_limit, .data = &(const struct alphas){ 1, 25, true }, .of_its_crawler = true },
+  { grows, "4.4", "dx_C", "%s, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
+    .decide = never_falls, .data = (const double[]){ 2, 4, 10, 40, 0 }, .outside = true, .of_its_crawler = true },
+  { grows, "4.4", "dx_C", "%s, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
+    .decide = never_falls, .data = (const double[]){ 0.25, 0.5, 0 }, .outside = true, .of_its_crawler = true },
+  { "steady_state_is_unique", "5", "v_start", "l' continuous, any masses, forces > 0 and alpha",
+    .measure = several_states, .proven = true, .of_its_crawler = true,
+    .holds = "proven for continuous l' (docs/theory.md, How many steady states); the solver finds one for %d of 400 "
+             "quasi-random crawlers" },
+  { reached, "5", "v", "%s, T = 2, from rest; read as: after finitely many periods", .decide = is_reached,
+    .with = { .T = 2 }, .of_its_crawler = true },
+  { reached, "5", "v", "%s, T = 4, from rest; read as: after finitely many periods", .decide = is_reached,
+    .with = { .T = 4 }, .of_its_crawler = true },
+  { .name = NULL },
+};

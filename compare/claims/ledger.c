@@ -1,18 +1,27 @@
-#include "compare/claims/ledger.h"
+#include "compare/claims/orders.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/points/point_flint.h"
 #include "compare/text/progress.h"
 #include "compare/text/memory.h"
 
 /* The order is fitted over the smallest T. */
-enum { FITTED = 12, DIGITS = 12 };
+enum { FITTED = 12 };
 /* What is left of the next terms there, many times over. */
 static const double AGREEMENT = 1e-6;
+
+void append(char *text, size_t size, const char *format, ...)
+{
+  size_t used = strlen(text);
+  va_list values;
+  va_start(values, format);
+  vsnprintf(text + used, size - used, format, values);
+  va_end(values);
+}
 
 const char *claim_evidence_text(const struct claim_row *row)
 {
@@ -28,7 +37,7 @@ const char *claim_evidence_text(const struct claim_row *row)
 
 const char *claim_verdict_text(enum claim_verdict verdict)
 {
-  static const char *const text[] = { "holds", "sharper", "refuted", "undecided" };
+  static const char *const text[] = { "holds", "sharper", "undecided", "refuted" };
   return text[verdict];
 }
 
@@ -53,86 +62,34 @@ void ledger_free(struct ledger *ledger)
   *ledger = (struct ledger){ .rows = NULL };
 }
 
-void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *what)
+void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
 {
-  snprintf(ledger->contradiction, sizeof ledger->contradiction, "%s, %s, %s: %s", row->claim, row->gait,
-           row->conditions, what);
+  va_list values;
+  va_start(values, format);
+  vsnprintf(ledger->contradiction, sizeof ledger->contradiction, format, values);
+  va_end(values);
+  append(ledger->contradiction, sizeof ledger->contradiction, " (%s, %s, %s)", row->claim, row->gait, row->conditions);
 }
 
-static void set_coefficient(struct claim_row *row, const struct series *left_out, slong power)
+void add_reason(struct claim_row *row, const char *format, ...)
 {
-  fmpq_t q;
-  arb_t x;
-  fmpq_init(q);
-  arb_init(x);
-  bool is_rational = series_rational_coefficient(q, left_out, power);
-  series_coefficient(x, left_out, power, 128);
-  if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
-    arf_get_fmpq(q, arb_midref(x));
-    is_rational = true;
-  }
-  char *text = is_rational ? decimal_fraction(q) : NULL;
-  if (!text || strlen(text) >= sizeof row->coefficient) {
-    flint_free(text);
-    text = decimal_ball(x, DIGITS);
-  }
-  snprintf(row->coefficient, sizeof row->coefficient, "%s", text);
-  flint_free(text);
-  fmpq_clear(q);
-  arb_clear(x);
+  char reason[sizeof row->reason];
+  va_list values;
+  va_start(values, format);
+  vsnprintf(reason, sizeof reason, format, values);
+  va_end(values);
+  append(row->reason, sizeof row->reason, "%s%s", *row->reason ? "; " : "", reason);
 }
 
-static void add_reason(struct claim_row *row, const char *format, double number)
+struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait)
 {
-  size_t used = strlen(row->reason);
-  used += (size_t)snprintf(row->reason + used, sizeof row->reason - used, "%s", used > 0 ? "; " : "");
-  if (used < sizeof row->reason)
-    snprintf(row->reason + used, sizeof row->reason - used, format, number);
-}
-
-/* An equality is not proven by finitely many coefficients, but of finite sums, or of formulas whose degree is known. */
-static void judge_exact(struct claim_row *row, const struct proof *proof)
-{
-  const bool all = proof->known >= SERIES_ALL;
-  row->verdict = !isinf(row->claimed_order) ? CLAIM_SHARPER : all || proof->for_all ? CLAIM_HOLDS : CLAIM_UNDECIDED;
-  if (all)
-    add_reason(row, "every coefficient vanishes", 0);
-  else
-    add_reason(row, "every coefficient below T^%.0f vanishes", (double)proof->known);
-  if (proof->for_all_below > 0 && !all)
-    add_reason(row, "for all parameters those below T^%.0f", (double)proof->for_all_below);
-  if (row->verdict == CLAIM_UNDECIDED)
-    row->evidence = NO_EVIDENCE;
-}
-
-static void judge_order(struct claim_row *row, const struct proof *proof)
-{
-  set_coefficient(row, &proof->left_out, proof->order);
-  row->verdict = row->derived_order == row->claimed_order  ? CLAIM_HOLDS
-                 : row->derived_order > row->claimed_order ? CLAIM_SHARPER
-                                                           : CLAIM_REFUTED;
-  if (row->verdict == CLAIM_REFUTED && row->derived_order == 0)
-    add_reason(row, "the error does not fall", 0);
-  else if (row->verdict != CLAIM_HOLDS)
-    add_reason(row, "the error goes as T^%.0f", (double)row->derived_order);
-}
-
-void ledger_judge(struct ledger *ledger, struct claim_row *row, const struct proof *proof)
-{
-  row->proven = !proof->undecided;
-  row->evidence = proof->undecided ? NO_EVIDENCE : proof->for_all ? PROVEN_FOR_ALL : CERTIFIED_CRAWLER;
-  if (proof->contradicts)
-    ledger_contradict(ledger, row, "the coefficients in names are other ones than in numbers");
-  row->exact = !proof->undecided && !proof->found;
-  row->derived_order = proof->order;
-  row->verdict = CLAIM_UNDECIDED;
-  if (proof->undecided) {
-    snprintf(row->reason, sizeof row->reason, "the coefficient of T^%ld cannot be told from 0", (long)proof->order);
-    return;
-  }
-  (row->exact ? judge_exact : judge_order)(row, proof);
-  if (proof->general < proof->order)
-    add_reason(row, "of other crawlers as T^%.0f", (double)proof->general);
+  struct claim_row row = { .equation = f->equation,
+                           .gait = gait->name,
+                           .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
+                           .mismatch = NAN };
+  append(row.claim, sizeof row.claim, "%s", f->name);
+  append(row.corrected, sizeof row.corrected, "%s", f->corrected ? f->corrected : "");
+  return row;
 }
 
 /* Is the error enclosed by 0 at every T, or, last, at the smallest? */
@@ -142,12 +99,6 @@ static bool is_enclosed(const struct claim_row *row, bool last)
   for (int i = last ? row->count - 1 : 0; i >= 0 && i < row->count; i++)
     enclosed = enclosed && fabs(row->points[i].err) <= row->points[i].noise;
   return enclosed;
-}
-
-/* The measured error is what is left out; of what vanishes as far as was looked at, it is 0 at the smallest T. */
-static bool agrees(const struct claim_row *row)
-{
-  return !row->proven || (row->exact ? is_enclosed(row, true) : row->count > 0 && !(row->mismatch > AGREEMENT));
 }
 
 static void fit(struct claim_row *row)
@@ -170,19 +121,16 @@ void ledger_enter(struct ledger *ledger, struct claim_row *row)
   if (row->exact && isinf(row->claimed_order) && row->count > 0 && !is_enclosed(row, false)) {
     row->verdict = CLAIM_REFUTED;
     row->evidence = CERTIFIED_CRAWLER;
-    add_reason(row, "but the certified error is not 0 at every T", 0);
+    add_reason(row, "but the certified error is not 0 at every T");
   }
-  if (!agrees(row)) {
-    char what[120];
-    if (row->count == 0)
-      snprintf(what, sizeof what, "no exact motion has the modes of the expansion");
-    else if (row->exact)
-      snprintf(what, sizeof what, "nothing is left out, and the certified error is not 0");
-    else
-      snprintf(what, sizeof what, "the sum of what is left out differs from the certified error by %.1e of it",
-               row->mismatch);
-    ledger_contradict(ledger, row, what);
-  }
+  /* the measured error is what is left out; of what vanishes as far as was looked at, it is 0 at the smallest T */
+  if (row->proven && row->count == 0)
+    ledger_contradict(ledger, row, "no exact motion has the modes of the expansion");
+  else if (row->proven && row->exact && !is_enclosed(row, true))
+    ledger_contradict(ledger, row, "nothing is left out, and the certified error is not 0");
+  else if (row->proven && !row->exact && row->mismatch > AGREEMENT)
+    ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",
+                      row->mismatch);
   if (row->proven && !row->exact && fabs(row->fit.order - (double)row->derived_order) > CLAIM_TOLERANCE)
     add_reason(row, "at the T that were measured it goes as T^%.3g", row->fit.order);
   if (row->verdict != CLAIM_REFUTED)
@@ -204,8 +152,6 @@ void ledger_check_corrections(struct ledger *ledger, int first)
                && strcmp(row->claim, wrong->corrected) == 0 && strcmp(row->conditions, wrong->conditions) == 0;
     }
     if (!stands)
-      snprintf(ledger->contradiction, sizeof ledger->contradiction,
-               "%s, %s: %s, which is to take its place, has no row that holds", wrong->claim, wrong->conditions,
-               wrong->corrected);
+      ledger_contradict(ledger, wrong, "%s, which is to take its place, has no row that holds", wrong->corrected);
   }
 }

@@ -1,291 +1,290 @@
 /* The ledger as a table. */
 #include <math.h>
-#include <stdlib.h>
+#include <stddef.h>
 #include <string.h>
 
-#include "compare/points/point_flint.h"
-#include "compare/claims/claims.h"
-#include "compare/claims/evidence.h"
 #include "compare/answers/request.h"
 #include "compare/book/book.h"
+#include "compare/claims/orders.h"
+#include "compare/claims/statement.h"
+#include "compare/points/point_flint.h"
 
-static const char *const columns[] = { "claim",         "equation",    "quantity",  "gait",       "claimed_order",
-                                       "order",         "order_lo",    "order_hi",  "points",     "verdict",
-                                       "derived_order", "coefficient", "corrected", "conditions", "inside",
-                                       "source",        "measured",    "reason",    NULL };
-/* Behind those; of the ledger, from the second on */
-static const char *const last_columns[] = { "leading_error", "evidence", NULL };
-
-static const char *const error_columns[] = { "claim",         "equation",   "quantity", "gait",
-                                             "claimed_order", "conditions", "inside",   "h",
-                                             "err",           "pairwise",   "use",      NULL };
-
-static void write_texts(struct table *t, const char *const *texts, int count)
-{
-  for (int i = 0; i < count; i++)
-    table_text(t, *texts[i] ? texts[i] : "-");
-}
-
-/* What the rows of both tables begin with */
-static void write_claim(struct table *t, const struct claim_row *row)
-{
-  write_texts(t, (const char *const[]){ row->claim, row->equation, row->quantity, row->gait }, 4);
-  table_number(t, row->claimed_order);
-}
-
-static void write_errors(struct table *t, const struct claim_row *row)
-{
-  for (int i = 0; i < row->count; i++) {
-    const struct scallop_order_point *p = &row->points[i];
-    write_claim(t, row);
-    write_texts(t, (const char *const[]){ row->conditions, row->inside ? "yes" : "no" }, 2);
-    table_number(t, p->h);
-    table_number(t, row->exact ? 0 : p->err); /* proven: what is left of err is rounding */
-    table_rounded(t, p->pairwise, "%.2f");
-    table_text(t, scallop_order_use_text(row->exact ? SCALLOP_ORDER_ZERO : p->use));
-  }
-}
-
-/* "none": every coefficient that was looked at vanishes */
-static const char *derived_text(const struct claim_row *row)
-{
-  static char text[24];
-  snprintf(text, sizeof text, "%ld", row->derived_order);
-  return !row->proven ? "-" : row->exact ? "none" : text;
-}
-
-static void write_row(struct table *t, const struct claim_row *row)
-{
-  static const char *const source_text[] = { "paper", "corrected", "book" };
-  const char *const texts[] = {
-    claim_verdict_text(row->verdict), derived_text(row),        row->coefficient, row->corrected, row->conditions,
-    row->inside ? "yes" : "no",       source_text[row->source], row->measured,    row->reason,
-  };
-  write_claim(t, row);
-  table_rounded(t, row->fit.order, "%.6f");
-  table_rounded(t, row->fit.low, "%.6f");
-  table_rounded(t, row->fit.high, "%.6f");
-  table_rounded(t, row->fit.used, "%.0f");
-  write_texts(t, texts, sizeof texts / sizeof *texts);
-  if (row->source == OF_BOOK)
-    table_text(t, row->leading_error ? row->leading_error : "-");
-  table_text(t, claim_evidence_text(row));
-}
-
-/* One claim of the paper: its rows under the paper's conditions */
-struct summed {
-  const struct claim_row *first, *worst; /* worst: the first one that is refuted or else undecided, or that with
-                                          the weakest evidence                                         */
-  int checks, count[4];
+/* What a row of a table is about: a row of the ledger, one error behind it, or all checks of a claim of the paper under
+ * its conditions. Of these row is the first one that is refuted, or else undecided, or else that with the weakest
+ * evidence; its verdict is that of all, which is refuted if one check is. */
+struct line {
+  struct claim_row row;
+  struct scallop_order_point point;
+  int checks, count[CLAIM_REFUTED + 1]; /* by verdict */
 };
 
-/* Sums up the claim of the row at i, if that is the first of its rows that counts. */
-static bool sum_up(struct summed *sum, const struct ledger *ledger, int i)
+/* The tables, and which of them have a column */
+enum { LEDGER = 1, BOOK = 2, ROWS = LEDGER | BOOK, SUMMARY = 4, ERRORS = 8, ALL = ROWS | SUMMARY | ERRORS };
+
+struct report {
+  const struct claims_options *options;
+  struct ledger ledger;
+  struct table table;
+  unsigned of;  /* which table it is */
+  bool heading; /* its head is written */
+};
+
+/* A column: its name, or its cell */
+static void put(struct report *r, unsigned tables, const char *name, const char *text)
 {
-  const struct claim_row *rows = ledger->rows;
-  *sum = (struct summed){ .first = &rows[i], .worst = &rows[i] };
-  if (rows[i].source == OF_CORRECTED || !rows[i].inside)
-    return false;
+  if (!(tables & r->of))
+    return;
+  if (r->heading)
+    table_columns(&r->table, (const char *const[]){ name, NULL });
+  else
+    table_text(&r->table, text && *text ? text : "-");
+}
+
+static void put_number(struct report *r, unsigned tables, const char *name, double x, const char *format)
+{
+  if (!(tables & r->of) || r->heading)
+    put(r, tables, name, NULL);
+  else if (format)
+    table_rounded(&r->table, x, format);
+  else
+    table_number(&r->table, x);
+}
+
+static void write_line(struct report *r, const struct line *line)
+{
+  static const char *const sources[] = { "paper", "corrected", "book" };
+  const struct claim_row *row = &line->row;
+  char derived[24];
+  snprintf(derived, sizeof derived, "%ld", row->derived_order);
+  put(r, ALL, "claim", row->claim);
+  put(r, ALL, "equation", row->equation);
+  put(r, ALL, "quantity", row->quantity);
+  put(r, ROWS | ERRORS, "gait", row->gait);
+  put_number(r, ROWS | ERRORS, "claimed_order", row->claimed_order, NULL);
+  put_number(r, ROWS, "order", row->fit.order, "%.6f");
+  put_number(r, ROWS, "order_lo", row->fit.low, "%.6f");
+  put_number(r, ROWS, "order_hi", row->fit.high, "%.6f");
+  put_number(r, ROWS, "points", row->fit.used, "%.0f");
+  put(r, ROWS | SUMMARY, "verdict", claim_verdict_text(row->verdict));
+  put_number(r, SUMMARY, "checks", line->checks, "%.0f");
+  put_number(r, SUMMARY, "failed", line->count[CLAIM_REFUTED], "%.0f");
+  put(r, SUMMARY, "condition", row->conditions);
+  /* none: every coefficient that was looked at vanishes */
+  put(r, ROWS, "derived_order", !row->proven ? NULL : row->exact ? "none" : derived);
+  put(r, ROWS, "coefficient", row->coefficient);
+  put(r, ROWS, "corrected", row->corrected);
+  put(r, ROWS | ERRORS, "conditions", row->conditions);
+  put(r, ROWS | ERRORS, "inside", row->inside ? "yes" : "no");
+  put(r, ROWS, "source", sources[row->source]);
+  put(r, ROWS, "measured", row->measured);
+  put(r, ROWS, "reason", row->reason);
+  put(r, BOOK, "leading_error", row->leading_error);
+  put_number(r, ERRORS, "h", line->point.h, NULL);
+  put_number(r, ERRORS, "err", line->point.err, NULL);
+  put_number(r, ERRORS, "pairwise", line->point.pairwise, "%.2f");
+  put(r, ERRORS, "use", scallop_order_use_text(line->point.use));
+  put(r, ROWS | SUMMARY, "evidence", claim_evidence_text(row));
+}
+
+static bool is_of_book(const struct claims_options *o) { return o->request.book || o->formula; }
+
+static bool is_worse(const struct claim_row *row, const struct claim_row *than)
+{
+  if (row->verdict > CLAIM_SHARPER || than->verdict > CLAIM_SHARPER)
+    return row->verdict > than->verdict;
+  return row->evidence > than->evidence;
+}
+
+/* Sums up the claim of the row at i, if that is the first of its rows that counts. */
+static bool sum_up(struct line *sum, const struct ledger *ledger, int i)
+{
+  const struct claim_row *rows = ledger->rows, *worst = &rows[i];
+  *sum = (struct line){ .checks = 0 };
   for (int j = 0; j < ledger->count; j++) {
-    if (rows[j].source == OF_CORRECTED || !rows[j].inside || strcmp(rows[j].claim, rows[i].claim) != 0)
+    bool counts = rows[j].source != OF_CORRECTED && rows[j].inside;
+    if (j == i && !counts)
+      return false;
+    if (!counts || strcmp(rows[j].claim, rows[i].claim) != 0)
       continue;
     if (j < i)
       return false;
     sum->checks++;
     sum->count[rows[j].verdict]++;
-    static const int weight[] = { [CLAIM_HOLDS] = 0, [CLAIM_SHARPER] = 0, [CLAIM_UNDECIDED] = 1, [CLAIM_REFUTED] = 2 };
-    int more = weight[rows[j].verdict] - weight[sum->worst->verdict];
-    if (more > 0 || (more == 0 && weight[rows[j].verdict] == 0 && rows[j].evidence > sum->worst->evidence))
-      sum->worst = &rows[j];
+    if (is_worse(&rows[j], worst))
+      worst = &rows[j];
   }
-  return sum->checks > 0;
-}
-
-/* Of all its checks: a claim that fails in one is refuted. */
-static enum claim_verdict verdict_of(const struct summed *sum)
-{
-  const int *n = sum->count;
-  return n[CLAIM_REFUTED]     ? CLAIM_REFUTED
-         : n[CLAIM_UNDECIDED] ? CLAIM_UNDECIDED
-         : n[CLAIM_HOLDS]     ? CLAIM_HOLDS
-                              : CLAIM_SHARPER;
-}
-
-static const char *const summary_columns[] = { "claim",  "equation",  "quantity", "verdict", "checks",
-                                               "failed", "condition", "evidence", NULL };
-
-static void write_summed(struct table *t, const struct summed *sum)
-{
-  const struct claim_row *row = sum->worst;
-  const bool fails = verdict_of(sum) > CLAIM_SHARPER;
-  char condition[240] = "";
-  if (fails)
-    snprintf(condition, sizeof condition, "%s; %s", row->gait, row->conditions);
-  write_texts(
-      t, (const char *const[]){ row->claim, row->equation, sum->first->quantity, claim_verdict_text(verdict_of(sum)) },
-      4);
-  table_rounded(t, sum->checks, "%.0f");
-  table_rounded(t, sum->count[CLAIM_REFUTED], "%.0f");
-  write_texts(t, (const char *const[]){ condition, claim_evidence_text(row) }, 2);
+  sum->row = *worst;
+  sum->row.quantity = rows[i].quantity;
+  *sum->row.conditions = '\0';
+  if (worst->verdict > CLAIM_SHARPER)
+    append(sum->row.conditions, sizeof sum->row.conditions, "%s; %s", worst->gait, worst->conditions);
+  else if (sum->count[CLAIM_HOLDS] > 0)
+    sum->row.verdict = CLAIM_HOLDS;
+  return true;
 }
 
 /* Checks of remainders, and one verdict for each statement in words */
 static void summarise(const struct ledger *ledger)
 {
-  int formulas = 0, statements = 0, checks[4] = { 0 }, words[4] = { 0 }, known[MEASURED + 1] = { 0 };
+  int claims[2] = { 0 }, count[2][CLAIM_REFUTED + 1] = { { 0 } }, known[MEASURED + 1] = { 0 };
+  struct line sum;
   for (int i = 0; i < ledger->count; i++) {
-    struct summed sum;
     if (!sum_up(&sum, ledger, i))
       continue;
-    if (sum.first->in_words) {
-      statements++;
-      words[verdict_of(&sum)]++;
-      known[sum.worst->evidence] += verdict_of(&sum) <= CLAIM_SHARPER;
-    } else
-      formulas++;
-    for (int v = 0; v < 4 && !sum.first->in_words; v++)
-      checks[v] += sum.count[v];
+    const bool in_words = sum.row.in_words;
+    claims[in_words]++;
+    for (int v = 0; v <= CLAIM_REFUTED; v++)
+      count[in_words][v] += in_words ? v == (int)sum.row.verdict : sum.count[v];
+    known[sum.row.evidence] += in_words && sum.row.verdict <= CLAIM_SHARPER;
   }
+  const int *n = count[0], *m = count[1];
   fprintf(stderr,
           "%d checks of %d formulas under the paper's conditions: %d hold, %d errors fall faster than claimed, %d are "
           "refuted, %d undecided\n",
-          checks[0] + checks[1] + checks[2] + checks[3], formulas, checks[CLAIM_HOLDS], checks[CLAIM_SHARPER],
-          checks[CLAIM_REFUTED], checks[CLAIM_UNDECIDED]);
+          n[0] + n[1] + n[2] + n[3], claims[0], n[CLAIM_HOLDS], n[CLAIM_SHARPER], n[CLAIM_REFUTED], n[CLAIM_UNDECIDED]);
   fprintf(
       stderr,
       "%d statements in words: %d fail under some condition, %d undecided, %d hold (%d proven, %d certified for one "
       "crawler, %d sampled, %d measured in doubles)\n",
-      statements, words[CLAIM_REFUTED], words[CLAIM_UNDECIDED], words[CLAIM_HOLDS], known[PROVEN_FOR_ALL],
-      known[CERTIFIED_CRAWLER], known[SAMPLED], known[MEASURED]);
-}
-
-/* inside or outside of the conditions of the formulas */
-static int count_verdict(const struct ledger *ledger, enum claim_verdict verdict, bool inside)
-{
-  int count = 0;
-  for (int i = 0; i < ledger->count; i++)
-    count += ledger->rows[i].verdict == verdict && ledger->rows[i].inside == inside;
-  return count;
-}
-
-static void summarise_book(const struct ledger *ledger)
-{
-  for (int inside = 1; inside >= 0; inside--) {
-    int v[4], all = 0;
-    for (int i = 0; i < 4; i++)
-      all += v[i] = count_verdict(ledger, (enum claim_verdict)i, inside);
-    if (inside || all > 0)
-      fprintf(stderr, "%s%d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
-              inside ? "" : "where the conditions of a formula are not met: ", v[CLAIM_HOLDS], v[CLAIM_SHARPER],
-              v[CLAIM_REFUTED], v[CLAIM_UNDECIDED]);
-  }
+      claims[1], m[CLAIM_REFUTED], m[CLAIM_UNDECIDED], m[CLAIM_HOLDS], known[PROVEN_FOR_ALL], known[CERTIFIED_CRAWLER],
+      known[SAMPLED], known[MEASURED]);
 }
 
 /* A formula is not refuted by a crawler that it is not for; but then it is not proven, either. */
-static enum exit_code code_of_book(const struct ledger *ledger)
+static enum exit_code summarise_book(const struct ledger *ledger, bool quiet)
 {
-  int outside = 0;
-  for (int i = 0; i < ledger->count; i++)
-    outside += !ledger->rows[i].inside;
-  return count_verdict(ledger, CLAIM_REFUTED, true) > 0               ? EXIT_CHECK_FAILED
-         : outside + count_verdict(ledger, CLAIM_UNDECIDED, true) > 0 ? EXIT_UNSOLVED
-                                                                      : EXIT_DONE;
+  int rows[2] = { 0 }, count[2][4] = { { 0 } }; /* outside and inside of the conditions of the formulas */
+  for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++) {
+    rows[row->inside]++;
+    count[row->inside][row->verdict]++;
+  }
+  for (int inside = 1; inside >= 0 && !quiet; inside--)
+    if (inside || rows[0] > 0)
+      fprintf(stderr, "%s%d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
+              inside ? "" : "where the conditions of a formula are not met: ", count[inside][CLAIM_HOLDS],
+              count[inside][CLAIM_SHARPER], count[inside][CLAIM_REFUTED], count[inside][CLAIM_UNDECIDED]);
+  return count[1][CLAIM_REFUTED] > 0               ? EXIT_CHECK_FAILED
+         : rows[0] + count[1][CLAIM_UNDECIDED] > 0 ? EXIT_UNSOLVED
+                                                   : EXIT_DONE;
 }
 
-static bool is_of_book(const struct claims_options *o) { return o->request.book || o->formula; }
-
-/* Is a number of the crawler given on the command line? */
-static bool has_crawler(const struct point *p)
+/* All rows, or those about the requested errors, for the gait given or those of the paper: first the formulas of all
+ * gaits, then the statements */
+static void fill(struct report *r)
 {
-  bool has = false;
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    has = has || p->written[i];
-  return has;
-}
-
-/* All rows, or those about the requested errors */
-static void fill(struct ledger *ledger, const struct claims_options *o)
-{
+  const struct claims_options *o = r->options;
   const struct point *p = &o->request.point;
-  struct scallop_rational_crawler exact;
-  scallop_rational_init(&exact);
+  struct scallop_crawler c = p->crawler;
+  bool has_crawler = false; /* given on the command line */
+  SCOPED(scallop_rational, exact);
   rational_point(&exact, NULL, p);
-  if (is_of_book(o))
-    ledger_add_book(ledger, &exact, has_crawler(p), p->has_gait ? exact.gait : NULL, o->errors);
-  else
-    ledger_add_orders(ledger, &exact, p->has_gait ? exact.gait : NULL, o->errors);
-  scallop_rational_clear(&exact);
-  if (!o->errors && !is_of_book(o))
-    ledger_add_words(ledger, &p->crawler, p->has_gait ? p->crawler.gait : NULL);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    has_crawler = has_crawler || p->written[i];
+  for (int words = 0; words < (o->errors || is_of_book(o) ? 1 : 2); words++)
+    for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
+      if (!p->has_gait)
+        c.gait = exact.gait = scallop_gait_named(scallop_gait_name(g));
+      if (words)
+        ledger_add_words(&r->ledger, &c);
+      else if (is_of_book(o))
+        ledger_add_book(&r->ledger, &exact, has_crawler, o->errors);
+      else
+        ledger_add_orders(&r->ledger, &exact, o->errors);
+    }
 }
 
-static void begin(struct table *table, const struct claims_options *o, const char *const *names)
+static void begin(struct report *r)
 {
   static const char *const varied[] = { "T", "gait", NULL };
-  table_command(table, "claims%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
+  const struct claims_options *o = r->options;
+  const struct scallop_crawler *c = &o->request.point.crawler;
+  const double v0 = short_number(CLAIM_SPEED * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2)), 2);
+  table_command(&r->table, "claims%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
                 o->summary ? " --summary" : "", o->verdict.given ? " --verdict " : "",
                 o->verdict.given ? o->verdict.value : "");
   if (o->request.book)
-    table_note(table, "book: %s", o->request.book);
+    table_note(&r->table, "book: %s", o->request.book);
   if (o->formula)
-    table_note(table, "formula: %s", o->formula);
-  note_parameters(table, &o->request.point, varied, false);
-  const struct scallop_crawler *c = &o->request.point.crawler;
-  const double v0 = short_number(CLAIM_SPEED * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2)), 2);
+    table_note(&r->table, "formula: %s", o->formula);
+  note_parameters(&r->table, &o->request.point, varied, false);
   if (!is_of_book(o))
-    table_note(table, "v0, where it is fixed: %g or %g", v0, -v0);
+    table_note(&r->table, "v0, where it is fixed: %g or %g", v0, -v0);
   if (o->request.point.has_gait)
-    table_note(table, "gait: %s", o->request.point.crawler.gait->name);
-  table_columns(table, names);
-  if (names == columns)
-    table_columns(table, last_columns + !is_of_book(o));
-  table_begin_rows(table);
+    table_note(&r->table, "gait: %s", c->gait->name);
+  r->of = o->errors ? ERRORS : o->summary ? SUMMARY : is_of_book(o) ? BOOK : LEDGER;
+  r->heading = true;
+  write_line(r, &(struct line){ .checks = 0 });
+  r->heading = false;
+  table_begin_rows(&r->table);
 }
 
-static enum exit_code end(struct table *table, const struct ledger *ledger)
+static void write_errors(struct report *r, const struct claim_row *row)
 {
-  if (!table_close(table))
+  struct line line = { .row = *row };
+  for (int i = 0; i < row->count; i++) {
+    line.point = row->points[i];
+    if (row->exact) { /* proven: what is left of err is rounding */
+      line.point.err = 0;
+      line.point.use = SCALLOP_ORDER_ZERO;
+    }
+    write_line(r, &line);
+  }
+}
+
+static void write_rows(struct report *r)
+{
+  const struct claims_options *o = r->options;
+  for (int i = 0; i < r->ledger.count; i++) {
+    struct line line = { .row = r->ledger.rows[i] };
+    if (o->errors)
+      write_errors(r, &line.row);
+    else if (o->summary ? sum_up(&line, &r->ledger, i)
+                        : !o->verdict.given || strcmp(claim_verdict_text(line.row.verdict), o->verdict.value) == 0)
+      write_line(r, &line);
+  }
+}
+
+/* Nothing to write */
+static enum exit_code refuse(const struct claims_options *o)
+{
+  const char *instead = o->errors ? formula_instead(o->errors) : "";
+  if (o->errors)
+    complain("claims", "--errors: no claim about an order is called '%s'%s", o->errors,
+             *instead ? instead : ": the first column of the ledger has the names");
+  else
+    complain("claims", "%s: no formula of this book has a claim: claimed = 4; for + O(T^4)", o->request.book);
+  return EXIT_USAGE;
+}
+
+static enum exit_code end(struct report *r)
+{
+  const bool quiet = r->options->request.style.quiet || r->options->errors;
+  if (!table_close(&r->table))
     return EXIT_FILE;
-  if (*ledger->contradiction)
-    complain("claims", "the ledger contradicts itself: %s", ledger->contradiction);
-  return *ledger->contradiction ? EXIT_UNSOLVED : EXIT_DONE;
-}
-
-static bool is_wanted(const struct claim_row *row, const struct claims_options *o)
-{
-  return !o->verdict.given || strcmp(claim_verdict_text(row->verdict), o->verdict.value) == 0;
+  if (*r->ledger.contradiction) {
+    complain("claims", "the ledger contradicts itself: %s", r->ledger.contradiction);
+    return EXIT_UNSOLVED;
+  }
+  if (is_of_book(r->options))
+    return summarise_book(&r->ledger, quiet);
+  if (!quiet)
+    summarise(&r->ledger);
+  return EXIT_DONE;
 }
 
 enum exit_code claims_table(const struct claims_options *o)
 {
-  struct table table;
-  struct ledger ledger = { .rows = NULL };
-  enum exit_code code = EXIT_USAGE;
-  if (!table_open(&table, &o->request.style))
+  struct report r = { .options = o };
+  if (!table_open(&r.table, &o->request.style))
     return EXIT_FILE;
-  fill(&ledger, o);
-  if (o->errors && ledger.count == 0) {
-    const char *instead = formula_instead(o->errors);
-    complain("claims", "--errors: no claim about an order is called '%s'%s", o->errors,
-             *instead ? instead : ": the first column of the ledger has the names");
-  } else if (is_of_book(o) && ledger.count == 0) {
-    complain("claims", "%s: no formula of this book has a claim: claimed = 4; for + O(T^4)", o->request.book);
-  } else {
-    begin(&table, o, o->errors ? error_columns : o->summary ? summary_columns : columns);
-    struct summed sum;
-    for (int i = 0; i < ledger.count; i++)
-      if (o->summary && sum_up(&sum, &ledger, i))
-        write_summed(&table, &sum);
-      else if (!o->summary && is_wanted(&ledger.rows[i], o))
-        (o->errors ? write_errors : write_row)(&table, &ledger.rows[i]);
-    code = end(&table, &ledger);
+  fill(&r);
+  if (r.ledger.count == 0) {
+    table_abandon(&r.table);
+    return refuse(o);
   }
-  if (code == EXIT_USAGE)
-    table_abandon(&table);
-  if (code == EXIT_DONE && !o->request.style.quiet && !o->errors)
-    (is_of_book(o) ? summarise_book : summarise)(&ledger);
-  if (code == EXIT_DONE && is_of_book(o))
-    code = code_of_book(&ledger);
-  ledger_free(&ledger);
+  begin(&r);
+  write_rows(&r);
+  enum exit_code code = end(&r);
+  ledger_free(&r.ledger);
   return code;
 }

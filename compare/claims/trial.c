@@ -1,220 +1,36 @@
-#include "compare/claims/trial.h"
-
+/* One motion that claims about an order are about: its expansion as T -> 0, and certified samples of it as T falls,
+ * with the errors of formulas there. */
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "asymptotics/published/read.h"
-#include "asymptotics/symbolic/left_out.h"
-#include "compare/answers/answer.h"
-#include "compare/claims/evidence.h"
+#include "compare/claims/orders.h"
+#include "compare/claims/statement.h"
 
-enum { TERMS = 14, MANY_TERMS = 48, PRECISION = 1400, MODES_PRECISION = 192, MOST_OF_EQUALITY = 11 };
-
-/* One crawler's expansion, with what the formulas need */
-struct expanded {
-  struct scallop_rational_crawler crawler;
-  fmpq_t v0;
-  slong terms;
-  struct scallop_phase_expansion phase;
-  struct scallop_steady_expansion steady;
-};
+enum { TERMS = 14, TERMS_AT_END = 40, PRECISION = 1400 };
 
 bool trial_is_steady(const struct trial *m) { return m->condition->setting == SCALLOP_STEADY; }
-
-static const char *modes_of(const struct expanded *e, const struct trial *m)
-{
-  return trial_is_steady(m) ? e->steady.modes : e->phase.modes;
-}
-
-const char *trial_modes(const struct trial *m) { return modes_of(m->expanded, m); }
-
-static const struct series *series_of(const struct expanded *e, const struct trial *m, enum scallop_quantity quantity)
-{
-  return trial_is_steady(m) ? scallop_steady_quantity(&e->steady, quantity)
-                            : scallop_phase_quantity(&e->phase, m->condition->kind, quantity);
-}
+static enum quantity_of answered(const struct trial *m) { return trial_is_steady(m) ? OF_STEADY : OF_PHASE; }
 
 const struct series *trial_series(const struct trial *m, enum scallop_quantity quantity)
 {
-  return series_of(m->expanded, m, quantity);
+  /* the series of a change is that of the velocity */
+  const struct scallop_formula about = { .quantity = quantity == SCALLOP_VELOCITY_CHANGE ? SCALLOP_VELOCITY_AT_END
+                                                                                         : quantity };
+  return m->series.value[quantity_of_formula(&about, m->condition->kind)];
 }
 
-/* Expansions */
+slong trial_leading_power(const struct scallop_formula *f) { return f->quantity == SCALLOP_STEADY_VELOCITY ? -1 : 0; }
 
-static void expanded_free(struct expanded *e)
+bool trial_expand(struct trial *m, slong terms)
 {
-  if (!e)
-    return;
-  scallop_rational_clear(&e->crawler);
-  fmpq_clear(e->v0);
-  scallop_phase_expansion_clear(&e->phase);
-  scallop_steady_expansion_clear(&e->steady);
-  free(e);
+  m->terms = terms;
+  return answer_in_series(&m->series, &m->crawler, answered(m), m->condition->kind, m->v0, terms, PRECISION);
 }
 
-static bool expand(struct expanded *e, const struct trial *m, slong terms, const char **why)
-{
-  e->terms = terms;
-  return (trial_is_steady(m)
-              ? scallop_expand_steady(&e->crawler, terms, PRECISION, &e->steady, why)
-              : scallop_expand_phase(&e->crawler, m->condition->kind, e->v0, terms, PRECISION, NULL, &e->phase, why))
-         == SCALLOP_OK;
-}
-
-/* Not yet expanded */
-static struct expanded *expanded_new(const struct trial *m)
-{
-  struct expanded *e = malloc(sizeof *e);
-  if (!e)
-    return NULL;
-  scallop_rational_init(&e->crawler);
-  scallop_rational_copy(&e->crawler, &m->crawler);
-  fmpq_init(e->v0);
-  fmpq_set(e->v0, m->v0);
-  scallop_phase_expansion_init(&e->phase);
-  scallop_steady_expansion_init(&e->steady);
-  return e;
-}
-
-/* splitmix64 (Steele, Lea & Flood 2014) */
-static uint64_t random_bits(uint64_t *state)
-{
-  uint64_t z = *state += UINT64_C(0x9e3779b97f4a7c15);
-  z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-  z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-  return z ^ (z >> 31);
-}
-
-/* a/b, a and b from 1 to 997 */
-static void random_rational(fmpq_t x, uint64_t *state)
-{
-  fmpq_set_si(x, (slong)(1 + random_bits(state) % 997), 1 + random_bits(state) % 997);
-}
-
-/* Not by fmpq_set, which is inline: gcc 12 then warns of reads beyond F1. */
-static void make_forces_equal(struct scallop_rational_crawler *c) { fmpq_mul_si(c->F2, c->F1, 1); }
-
-/* The parameter that a condition sets, "F1 = F2", or NULL, and what it is set to */
-static fmpq *parameter_set(struct scallop_rational_crawler *c, const char *when, const char **to)
-{
-  static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "alpha" };
-  fmpq *const places[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->alpha };
-  size_t length = strcspn(when, " ="), past = length + strspn(when + length, " ");
-  if (when[past] != '=')
-    return NULL;
-  *to = when + past + 1;
-  for (int i = 0; i < 6; i++)
-    if (strlen(names[i]) == length && strncmp(when, names[i], length) == 0)
-      return places[i];
-  return NULL;
-}
-
-/* One side of a condition, a constant, for the crawler as it is written. False: it has no value, as 1/0 */
-static bool side_value(struct series *value, const char *text, const struct condition *condition,
-                       const struct scallop_rational_crawler *c)
-{
-  const struct ring ring = { 1, PRECISION };
-  struct scallop_formula side = *condition->formula;
-  struct scallop_symbols symbols;
-  char message[FORMULA_MESSAGE];
-  side.text = text;
-  scallop_symbols_init(&symbols);
-  scallop_symbols_set(&symbols, c, condition->kind, NULL, NULL, &ring);
-  bool has = !scallop_formula_expand(value, &side, &symbols, condition->kind, &ring, message);
-  scallop_symbols_clear(&symbols);
-  return has;
-}
-
-/* Sets the parameters that the conditions say to be equal to something; what is no fraction is not set. */
-static void set_equalities(const struct condition *condition, struct scallop_rational_crawler *c)
-{
-  const struct scallop_formula *f = condition->formula;
-  enum { AGAIN = 6 };
-  const char *right;
-  struct series value;
-  series_init(&value);
-  for (int again = 0; again < AGAIN; again++) /* one may need what another sets */
-    for (const char *const *when = f ? f->when : NULL; when && *when; when++) {
-      fmpq *parameter = parameter_set(c, *when, &right);
-      if (parameter && side_value(&value, right, condition, c))
-        series_rational_coefficient(parameter, &value, 0);
-    }
-  series_clear(&value);
-}
-
-/* Does LEFT < RIGHT, > or = hold, proven? What depends on a function can be equal to nothing. */
-static bool is_met(const char *when, const struct condition *condition, const struct scallop_rational_crawler *c)
-{
-  const struct ring ring = { 1, PRECISION };
-  struct scallop_sides sides;
-  struct series left, right;
-  arb_t difference;
-  series_init(&left);
-  series_init(&right);
-  arb_init(difference);
-  char sign = scallop_condition_split(&sides, when);
-  bool met = sign && side_value(&left, sides.left, condition, c) && side_value(&right, sides.right, condition, c);
-  if (met) {
-    series_sub(&left, &left, &right, &ring);
-    series_coefficient(difference, &left, 0, PRECISION);
-    met = sign == '<'   ? arb_is_negative(difference)
-          : sign == '>' ? arb_is_positive(difference)
-                        : series_coefficient_is_zero(&left, 0);
-  }
-  series_clear(&left);
-  series_clear(&right);
-  arb_clear(difference);
-  return met;
-}
-
-/* Is the limit of the steady state the one that the formula is for? Not where it has no expansion */
-static bool turns_there(const struct scallop_formula *f, const struct scallop_rational_crawler *c)
-{
-  struct scallop_steady_expansion limit;
-  scallop_steady_expansion_init(&limit);
-  bool expands = scallop_expand_steady(c, 1, MODES_PRECISION, &limit, NULL) == SCALLOP_OK;
-  bool there = expands && turns_in_modes(limit.modes) == f->turns;
-  scallop_steady_expansion_clear(&limit);
-  return there;
-}
-
-bool condition_allows(const struct condition *condition, const struct scallop_rational_crawler *c)
-{
-  const struct scallop_formula *f = condition->formula;
-  bool allowed = !f || scallop_rational_is_valid(c);
-  for (const char *const *when = f ? f->when : NULL; when && *when && allowed; when++)
-    allowed = is_met(*when, condition, c);
-  return allowed && (!f || f->turns == SCALLOP_TURNS_IN_BOTH || turns_there(f, c));
-}
-
-static void random_crawler(struct scallop_rational_crawler *r, uint64_t *state)
-{
-  random_rational(r->m1, state);
-  random_rational(r->m2, state);
-  random_rational(r->F1, state);
-  random_rational(r->F2, state);
-  random_rational(r->L, state);
-  fmpq_set_si(r->alpha, (slong)(1 + random_bits(state) % 996), 997);
-}
-
-bool condition_fit(const struct condition *condition, struct scallop_rational_crawler *c)
-{
-  enum { TRIES = 10000 };
-  uint64_t state = 20260102;
-  set_equalities(condition, c);
-  for (int i = 0; i < TRIES && !condition_allows(condition, c); i++) {
-    random_crawler(c, &state);
-    set_equalities(condition, c);
-  }
-  return condition_allows(condition, c);
-}
-
-/* Motions */
-
-void trial_set_rounded(fmpq_t x, double value)
+/* x to two significant digits: fractions stay readable, and nothing depends on a library's square root. */
+static void set_rounded(fmpq_t x, double value)
 {
   char text[32];
   snprintf(text, sizeof text, "%.1e", value);
@@ -229,13 +45,13 @@ static void set_condition(struct trial *m)
   if (condition->exchange_forces)
     fmpq_swap(r->F1, r->F2);
   if (condition->equal_forces)
-    make_forces_equal(r);
+    fmpq_mul_si(r->F2, r->F1, 1); /* not by fmpq_set, which is inline: gcc 12 then warns of reads beyond F1 */
   if (condition->light_1)
     fmpq_div_fmpz(r->m1, r->m1, (fmpz[]){ 100 });
   if (condition->mirror_alpha)
     scallop_rational_fraction(r->alpha, r, SCALLOP_CONTRACTION);
   double M = fmpq_get_d(r->m1) + fmpq_get_d(r->m2), F = fmpq_get_d(r->F1) + fmpq_get_d(r->F2), L = fmpq_get_d(r->L);
-  trial_set_rounded(m->v0, condition->v0 * sqrt(L * F / M));
+  set_rounded(m->v0, condition->v0 * sqrt(L * F / M));
   if (m->mirrored) {
     fmpq_swap(r->m1, r->m2);
     fmpq_swap(r->F1, r->F2);
@@ -243,170 +59,189 @@ static void set_condition(struct trial *m)
   }
 }
 
-bool trial_init(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
-                bool mirrored)
+/* Samples: CLAIM_POINTS of them, T = T0 4^-k */
+
+struct sample {
+  fmpq_t T;    /* of the phase, or the period                                                        */
+  bool solved; /* and the modes are those of the limit                                               */
+  long digits;
+  struct ball_answer exact;
+};
+
+/* Not yet solved. False: out of memory */
+static bool begin_samples(struct trial *m, const fmpq_t T0)
 {
-  *m = (struct trial){ .condition = condition, .mirrored = mirrored };
+  m->samples = calloc(CLAIM_POINTS, sizeof *m->samples);
+  for (int k = 0; m->samples && k < CLAIM_POINTS; k++) {
+    fmpq_init(m->samples[k].T);
+    fmpq_div_2exp(m->samples[k].T, T0, 2 * (ulong)k);
+    ball_answer_init(&m->samples[k].exact);
+  }
+  return m->samples;
+}
+
+static void solve_sample(struct sample *s, const struct trial *m)
+{
+  char modes[MOTION_MODES_TEXT];
+  SCOPED(scallop_rational, crawler);
+  SCOPED(fmpq, fraction);
+  scallop_rational_copy(&crawler, &m->crawler);
+  fmpq_one(fraction);
+  if (!trial_is_steady(m))
+    scallop_rational_fraction(fraction, &crawler, m->condition->kind);
+  fmpq_div(crawler.T, s->T, fraction);
+  s->solved = answer_in_balls(&s->exact, &crawler, answered(m), m->condition->kind, m->v0, s->digits)
+              && strcmp(motion_modes_text(modes, answered(m), s->exact.modes), m->series.modes) == 0;
+}
+
+/* T0 is the duration at which the Froude number is 1. The expansion is one in T^2 over the smaller mass and the
+ * difference of the forces: where these are far apart, T is smaller. */
+static void take_samples(struct trial *m)
+{
+  const struct scallop_rational_crawler *c = &m->crawler;
+  double m1 = fmpq_get_d(c->m1), m2 = fmpq_get_d(c->m2), F1 = fmpq_get_d(c->F1), F2 = fmpq_get_d(c->F2);
+  double force = F1 == F2 ? F1 : fmin(fmin(F1, F2), fabs(F1 - F2)); /* equal forces cancel */
+  double apart = fmin(m1, m2) / (m1 + m2) * force / (F1 + F2), decades = apart < 0.001 ? ceil(-log10(apart)) : 0;
+  SCOPED(fmpq, T0);
+  set_rounded(T0, sqrt((m1 + m2) * fmpq_get_d(c->L) / (F1 + F2)) * pow(10, -decades));
+  if (!begin_samples(m, T0))
+    return;
+  for (int k = 0; k < CLAIM_POINTS; k++) {
+    /* of c T^p, p <= 9 or so, c of size 1, ten are left */
+    m->samples[k].digits = 40 + (long)(10 * (0.602 * k + 1.5 * decades));
+    solve_sample(&m->samples[k], m);
+  }
+}
+
+void trial_init(struct trial *m)
+{
+  *m = (struct trial){ .condition = NULL };
   fmpq_init(m->v0);
   scallop_rational_init(&m->crawler);
-  scallop_rational_copy(&m->crawler, crawler);
-  set_condition(m);
-  m->expanded = expanded_new(m);
-  m->why = "out of memory";
-  bool done = m->expanded && expand(m->expanded, m, TERMS, &m->why);
-  if (done)
-    m->why = NULL;
-  return done;
+  series_answer_init(&m->series);
 }
 
 void trial_clear(struct trial *m)
 {
-  expanded_free(m->expanded);
+  for (int k = 0; m->samples && k < CLAIM_POINTS; k++) {
+    fmpq_clear(m->samples[k].T);
+    ball_answer_clear(&m->samples[k].exact);
+  }
+  free(m->samples);
+  series_answer_clear(&m->series);
   scallop_rational_clear(&m->crawler);
   fmpq_clear(m->v0);
 }
 
-/* Proofs */
-
-void proof_init(struct proof *p)
+void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
+                 bool mirrored)
 {
-  *p = (struct proof){ .found = false };
-  series_init(&p->left_out);
+  m->condition = condition;
+  m->mirrored = mirrored;
+  scallop_rational_copy(&m->crawler, crawler);
+  set_condition(m);
+  if (trial_expand(m, TERMS))
+    take_samples(m);
 }
 
-void proof_clear(struct proof *p)
+/* The end of an extension */
+
+static void sample_end(struct sample *s, const struct scallop_piece *last)
 {
-  series_clear(&p->left_out);
-  free(p->term);
+  SCOPED(arb, before, end);
+  arb_set_fmpq(before, s->T, PRECISION);
+  scallop_ball_speed(s->exact.phase.dx1, last, before, PRECISION);
+  scallop_ball_way(s->exact.phase.dx2, last, before, end, PRECISION);
+  arb_sub_ui(s->exact.phase.dx2, s->exact.phase.dx2, 1, PRECISION);
+  arb_neg(s->exact.phase.dx2, s->exact.phase.dx2);
+  s->exact.value[Q_DX1] = s->exact.phase.dx1;
+  s->exact.value[Q_DX2] = s->exact.phase.dx2;
+  s->digits = (PRECISION - 64) / 4;
+  s->solved = true;
 }
 
-slong trial_leading_power(const struct scallop_formula *f) { return f->quantity == SCALLOP_STEADY_VELOCITY ? -1 : 0; }
-
-/* derived - formula */
-static bool left_out(struct series *difference, const struct expanded *e, const struct trial *m,
-                     const struct scallop_formula *f, char why[FORMULA_MESSAGE])
+void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *crawler)
 {
-  const struct ring ring = { e->terms + 8, PRECISION };
-  struct scallop_symbols symbols;
-  struct series value;
-  series_set(difference, series_of(e, m, f->quantity));
-  if (!f->text) {
-    series_set_zero(difference, trial_leading_power(f));
-    return true;
-  }
-  scallop_symbols_init(&symbols);
-  series_init(&value);
-  scallop_symbols_set(&symbols, &e->crawler, m->condition->kind, e->v0, NULL, &ring);
-  series_set(&symbols.value[SCALLOP_SYMBOL_t1], &e->phase.t1);
-  series_set(&symbols.value[SCALLOP_SYMBOL_dT], &e->phase.dT);
-  series_set(&symbols.value[SCALLOP_SYMBOL_x_switch], &e->phase.at_last);
-  for (int i = SCALLOP_SYMBOL_t1; i <= SCALLOP_SYMBOL_x_switch && !trial_is_steady(m) && !e->phase.switches; i++)
-    series_set_unknown(&symbols.value[i]);
-  bool expanded = !scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring, why);
-  if (f->quantity == SCALLOP_VELOCITY_CHANGE) /* the series is that of the velocity */
-    series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
-  series_sub(difference, series_of(e, m, f->quantity), &value, &ring);
-  scallop_symbols_clear(&symbols);
-  series_clear(&value);
-  return expanded;
+  static const struct condition end = { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true };
+  const struct ring ring = { TERMS_AT_END, 256 };
+  const struct scallop_shape *shape = &crawler->gait->phase[SCALLOP_EXTENSION];
+  const struct scallop_piece *last = &shape->pieces[shape->count - 1];
+  struct series *speed = &m->series.phase.dx1, *length = &m->series.phase.dx2;
+  SCOPED(series, back);
+  SCOPED(fmpq, one);
+  m->condition = &end;
+  scallop_rational_copy(&m->crawler, crawler);
+  fmpq_one(one);
+  fmpq_one(m->crawler.L);
+  scallop_speed_series(speed, last, NULL, &ring);
+  series_set_x(&back);
+  series_neg(&back, &back);
+  series_compose(speed, speed, &back, &ring);
+  series_integral(length, speed, &ring);
+  series_set_si(&back, 1);
+  series_sub(length, &back, length, &ring);
+  series_truncate(speed, TERMS_AT_END);
+  series_truncate(length, TERMS_AT_END);
+  m->series.value[Q_DX1] = speed;
+  m->series.value[Q_DX2] = length;
+  m->terms = SCALLOP_MOST_TERMS; /* no more to be had */
+  if (begin_samples(m, one))
+    for (int k = 1; k < CLAIM_POINTS; k++)
+      sample_end(&m->samples[k], last);
 }
 
-/* The first power whose coefficient is not known to be exactly 0; known of the series if there is none. */
-static slong first_power(const struct series *s)
-{
-  slong k = s->first, end = s->first + series_terms(s);
-  while (k < end && series_coefficient_is_zero(s, k))
-    k++;
-  return k < end ? k : s->known;
-}
+/* Errors */
 
-static bool holds_zero(const struct series *s, slong power)
+/* exact - formula at one T, enclosed */
+static bool error_at(arb_t error, const struct sample *s, const struct trial *m, const struct scallop_formula *f)
 {
-  arb_t x;
-  arb_init(x);
-  series_coefficient(x, s, power, PRECISION);
-  bool zero = arb_contains_zero(x);
-  arb_clear(x);
-  return zero;
-}
-
-static bool look_for_order(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
-{
-  struct series *difference = &proof->left_out;
-  if (!left_out(difference, m->expanded, m, f, proof->why))
+  const slong precision = 4 * s->digits + 64;
+  const enum scallop_phase_kind kind = m->condition->kind;
+  const arb_struct *exact = s->solved ? s->exact.value[quantity_of_formula(f, kind)] : NULL;
+  if (!exact)
     return false;
-  proof->order = first_power(difference);
-  proof->undecided = proof->order < difference->known && holds_zero(difference, proof->order);
-  if (proof->undecided)
-    return true;
-  proof->found = proof->order < difference->known;
-  proof->known = difference->known;
+  SCOPED(arb, T);
+  arb_set_fmpq(T, s->T, precision);
+  if (!f->text) /* the leading term */
+    series_value(error, trial_series(m, f->quantity), T, trial_leading_power(f) + 1, precision);
+  else if (!published_in_balls(error, f, &m->crawler, kind, m->v0, s->T, &s->exact, precision))
+    return false;
+  arb_sub(error, exact, error, precision);
   return true;
 }
 
-/* Is there an equality among the conditions, other than F1 = F2? In names it would not hold. */
-static bool has_equality(const struct scallop_formula *f)
+/* How far the sum of what is left out is from the error, over the error; 0 where it does not reach beyond what its last
+ * terms are */
+static double mismatch_at(const arb_t error, const struct series *left_out, const fmpq_t T, slong precision)
 {
-  bool has = false;
-  for (const char *const *when = f->when; when && *when; when++)
-    has = has || (strchr(*when, '=') && !scallop_condition_is_equal_forces(*when));
-  return has;
+  enum { LAST = 2, MORE = 1000 };
+  double mismatch = 0;
+  SCOPED(arb, x, sum, last);
+  arb_set_fmpq(x, T, precision);
+  series_value(sum, left_out, x, left_out->known, precision);
+  series_value(last, left_out, x, left_out->known - LAST, precision);
+  arb_sub(last, sum, last, precision);
+  arb_sub(sum, sum, error, precision);
+  arb_div(x, sum, error, precision);
+  arb_div(last, last, error, precision);
+  if (!arb_contains_zero(sum))
+    mismatch = arb_is_finite(x) ? fabs(middle(x)) : INFINITY;
+  if (arb_is_finite(last) && mismatch <= MORE * fabs(middle(last)))
+    mismatch = 0;
+  return mismatch;
 }
 
-static bool is_of_paper(const struct scallop_formula *f)
+void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
+                   const struct series *left_out)
 {
-  const struct scallop_formula *own = scallop_formula_named(f->name);
-  return own && own->text && strcmp(own->text, f->text) == 0 && (!f->parts || !f->parts->name);
-}
-
-/* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of
- * finite sums is proven so, and one of the paper's formulas for the quadratic gait, whose degree in T is low
- * (docs/theory.md, The ledger's proofs). */
-static void prove_for_all(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
-{
-  const bool equality = f->remainder == SCALLOP_EQUALITY;
-  const bool low_degree = is_of_paper(f) && m->crawler.gait == &scallop_gait_quadratic;
-  const slong looked = f->remainder > MOST_OF_EQUALITY ? f->remainder : MOST_OF_EQUALITY;
-  const slong most = proof->found ? proof->order : looked < proof->known ? looked : proof->known - 1;
-  struct left_out l;
-  char why[FORMULA_MESSAGE];
-  fmpq_t coefficient;
-  left_out_init(&l);
-  fmpq_init(coefficient);
-  if (f->text && !has_equality(f) && most < SYMBOLIC_ORDERS
-      && !symbolic_left_out(&l, f, &m->crawler, m->condition->kind, m->v0, most, why)) {
-    proof->general = l.order <= most ? l.order : proof->order;
-    proof->for_all = proof->found ? l.order == proof->order
-                                  : l.order > most && (!equality || proof->known >= SERIES_ALL || low_degree);
-    proof->contradicts = proof->found
-                         && (l.order > most
-                             || (proof->for_all && l.is_number
-                                 && (!series_rational_coefficient(coefficient, &proof->left_out, proof->order)
-                                     || !fmpq_equal(coefficient, l.coefficient))));
-    proof->for_all_below = l.order > most ? most + 1 : l.order;
-    if (proof->for_all) {
-      proof->term = l.term;
-      l.term = NULL;
+  enum { ACCURATE = 20 };
+  SCOPED(arb, error);
+  for (const struct sample *s = m->samples; s && s < m->samples + CLAIM_POINTS; s++)
+    if (error_at(error, s, m, f)) {
+      if (arb_rel_accuracy_bits(error) >= ACCURATE)
+        row->mismatch = mismatch_at(error, left_out, s->T, 4 * s->digits + 64);
+      row->points[row->count++] = (struct scallop_order_point){ .h = nearest_double(s->T),
+                                                                .err = middle(error),
+                                                                .noise = mag_get_d(arb_radref(error)) };
     }
-  }
-  fmpq_clear(coefficient);
-  left_out_clear(&l);
-}
-
-bool trial_prove(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
-{
-  if (!trial_series(m, f->quantity)) {
-    snprintf(proof->why, sizeof proof->why, "no body turns in this phase, so that %s does not exist",
-             scallop_quantity_words[f->quantity]);
-    return false;
-  }
-  bool expanded = look_for_order(proof, m, f);
-  bool rational = scallop_gait_is_rational(m->crawler.gait); /* of others the zeros are shown so far and no further */
-  if (expanded && !proof->found && !proof->undecided && rational
-      && m->expanded->terms < MANY_TERMS) /* perhaps further on */
-    expanded = expand(m->expanded, m, MANY_TERMS, NULL) && look_for_order(proof, m, f);
-  proof->general = proof->order;
-  if (expanded && !proof->undecided)
-    prove_for_all(proof, m, f);
-  return expanded;
 }

@@ -18,7 +18,7 @@ static const struct option options_of_figure[] = {
 };
 
 /* Are columns named? Then they are drawn, else the figure as it is in the paper. */
-static bool names_columns(const struct plot *p) { return p->x || p->y[0] || p->by[0]; }
+static bool names_columns(const struct plot *p) { return p->x || p->y || p->by; }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
@@ -31,7 +31,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     struct scene_options to_output = *(const struct scene_options *)options; /* whatever file the scene names */
     to_output.request.style.has_output = to_output.no_plots = true;
     if (!names_columns(&to_output.request.style.plot))
-      to_output.request.style.plot.program = shipped_text(shipped_scripts, name);
+      to_output.request.style.plot.picture = name;
     return run_scenes(&to_output, &(struct scene_source){ .path = name, .text = scene }, 1);
   }
   complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", figure);

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <gsl/gsl_errno.h>
@@ -106,52 +105,6 @@ static int answer(const char *first, const char *value)
   return EXIT_USAGE;
 }
 
-/* Gives standard output to the user's pager. Returns in the child that is to write it; the parent waits for both, and
- * ends as the child does, unless that has been stopped by a reader who has seen enough. */
-static void page(void)
-{
-  const char *pager = getenv("PAGER");
-  int ends[2], status;
-  pid_t writer = pipe(ends) == 0 ? fork() : -1;
-  if (writer < 0)
-    return; /* without a pager, then */
-  if (writer == 0) {
-    dup2(ends[1], STDOUT_FILENO);
-    close(ends[0]);
-    close(ends[1]);
-    return;
-  }
-  pid_t reader = fork();
-  if (reader == 0) {
-    dup2(ends[0], STDIN_FILENO);
-    close(ends[0]);
-    close(ends[1]);
-    execl("/bin/sh", "sh", "-c", pager && *pager ? pager : "less -FS", (char *)NULL);
-    _exit(127);
-  }
-  close(ends[0]);
-  close(ends[1]);
-  if (reader > 0)
-    waitpid(reader, &status, 0);
-  waitpid(writer, &status, 0);
-  _exit(WIFEXITED(status) ? WEXITSTATUS(status) : WTERMSIG(status) == SIGPIPE ? EXIT_DONE : 128 + WTERMSIG(status));
-}
-
-/* --pager. False: the message is on stderr. */
-static bool begin_paging(const struct style *style)
-{
-  if (!style->pager)
-    return true;
-  if (style->output) {
-    complain(style->command, "--pager shows standard output, and has nothing to do with --output");
-    return false;
-  }
-  signal(SIGPIPE, SIG_DFL);
-  if (isatty(STDOUT_FILENO))
-    page();
-  return true;
-}
-
 int main(int count, char **arguments)
 {
   gsl_set_error_handler_off();
@@ -175,8 +128,6 @@ int main(int count, char **arguments)
   if (reading == READ_HELP) {
     help_of(stdout, command);
     code = flushed();
-  } else if (reading == READ_RUN && !begin_paging(&read.options.request.style)) {
-    code = EXIT_USAGE;
   } else if (reading == READ_RUN) {
     point_tell_noise(&read.options.request.point, &read.options.request.style);
     progress_begin(read.options.request.style.quiet);

@@ -462,7 +462,7 @@ enum exit_code command_make(const struct arguments *a)
 enum exit_code options_judge(const struct arguments *a, enum exit_code code)
 {
   const struct table_choice *choice = a->options.request.style.choice;
-  return choice && choice->refused ? EXIT_USAGE : code;
+  return plot_refused() || (choice && choice->refused) ? EXIT_USAGE : code;
 }
 
 enum exit_code options_book(const struct arguments *a)

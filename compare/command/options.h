@@ -147,14 +147,12 @@ extern const char *const reference_words[];
                   "800x500, more where there is more to show")
 #define OPTION_STATS OPTION_FLAG("stats", "afterwards, on standard error, what was computed, as counts", request, stats)
 #define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
-#define OPTION_PAGER \
-  OPTION_FLAG("pager", "show an aligned table page by page (by $PAGER, else less)", request, style.pager)
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(.name = NULL)
 #define OPTION_COLUMNS \
   OPTION("columns", "LIST", "only these columns, in this order, and new ones: a,b,\"c = F1/F2\"", "all", \
          .kind = &columns_option)
-#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_PAGER, OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES \
   OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
 

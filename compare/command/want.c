@@ -190,9 +190,9 @@ static bool find_script(struct scene *s, const config_setting_t *at, struct plot
     fclose(script);
     return true;
   }
-  p->program = shipped_text(shipped_scripts, p->script);
   const char *near = shipped_near(shipped_scripts, p->script);
-  if (!p->program)
+  p->picture = shipped_text(shipped_scripts, p->script) ? p->script : NULL;
+  if (!p->picture)
     return refuse_at(
         &s->config, at,
         "no plot script '%.80s' comes with the tool%s The name of a script of yours has an ending: '%.80s.gp'",
@@ -235,17 +235,16 @@ static bool read_plot(struct want *w, struct scene *s, const config_setting_t *a
     if (wrong)
       return refuse_at(&s->config, member, "%s: %s", options[i][0], wrong);
   }
-  p->log_x = p->log_x || p->x_range.is_log;
-  p->log_y = p->log_y || p->y_range.is_log;
   if (!p->file)
     return refuse_at(&s->config, at, "a plot needs a file that ends in .svg, .png or .pdf");
   if (p->script)
     return find_script(s, at, p);
-  if (!p->x || !p->y[0])
+  if (!p->x || !p->y)
     return refuse_at(&s->config, at, "a plot without a script of its own needs x and y, columns of the table");
-  for (int i = -1; (i < 0 || p->y[i]) && w->has_rows; i++) { /* else they are a command's own: it will show */
-    const char *name = i < 0 ? p->x : p->y[i];
-    if (!column_list_has(&w->rows.sheet.columns, name) && !name_among(w->rows.behind, name))
+  const config_setting_t *y = config_setting_get_member(at, "y");
+  for (int i = -1; i < element_count(y) && w->has_rows; i++) { /* else they are a command's own: it will show */
+    const char *name = i < 0 ? p->x : text_of(&s->config, element_at(y, i));
+    if (name && !column_list_has(&w->rows.sheet.columns, name) && !name_among(w->rows.behind, name))
       return refuse_at(&s->config, at, "the table has no column %s", name);
   }
   return true;

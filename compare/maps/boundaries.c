@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/mode_change.h"
+#include "compare/breakdown/motion.h"
 #include "compare/maps/maps.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"

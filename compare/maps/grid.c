@@ -7,7 +7,7 @@
 #include "compare/points/defaults.h"
 #include "compare/points/gaits.h"
 #include "compare/book/book.h"
-#include "compare/breakdown/reach.h"
+#include "compare/breakdown/motion.h"
 #include "compare/maps/maps.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"
@@ -40,14 +40,12 @@ struct grid {
   struct progress progress;
 };
 
-/* Beside a picture of named columns, where no others are chosen, the table has of the measures those alone that are
+/* Beside a picture of a named column, where no others are chosen, the table has of the measures that alone which is
  * drawn. */
 static bool is_asked(const struct style *style, const char *name)
 {
-  const char *const *y = style->plot.y;
-  while (*y && strcmp(*y, name) != 0)
-    y++;
-  return !style->plot.file || !style->plot.y[0] || style->choice || *y;
+  const char *y = style->plot.y;
+  return !style->plot.file || !y || style->choice || strcmp(y, name) == 0;
 }
 
 static void add_measure(struct grid *g, enum breakdown_source source, const struct scallop_formula *formula,
@@ -263,9 +261,10 @@ static enum exit_code run(struct grid *g)
 enum exit_code breakdown_map(const struct breakdown_options *o)
 {
   static const double usual[MOST_TOLERANCES] = { BREAKDOWN_MAP_TOLERANCES };
-  struct grid g = { .options = o, .quantity = Q_DISPLACEMENT, .progress = progress_begin(o->request.style.quiet) };
-  if (!axes_read(g.axes, o->map, o->range, &o->request.point) || !breakdown_quantity(&g.quantity, o, OF_STEADY)
-      || !breakdown_is_sound(o) || !serves(&g))
+  struct grid g = { .options = o,
+                    .quantity = quantity_of_name(o->quantity.value),
+                    .progress = progress_begin(o->request.style.quiet) };
+  if (!axes_read(g.axes, o->map, o->range, &o->request.point) || !serves(&g))
     return EXIT_USAGE;
   if (rows_of(&g) > MOST_ROWS) {
     complain("breakdown", "--map: %ld x %ld values are more than 10000000 rows", g.axes[0].count, g.axes[1].count);

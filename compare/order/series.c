@@ -9,7 +9,6 @@
 
 enum { MOST_Y = 64 };
 static const char out_of_memory[] = "out of memory";
-static char message[640]; /* what is wrong, until something else is */
 
 struct reader {
   struct series_list *list;
@@ -31,46 +30,44 @@ static bool read_cell(const char *text, double *value)
   return end != text && *end == '\0';
 }
 
-/* The place of a column, -1: there is none. Returns NULL, or that there are two; option is the one that names it. */
-static const char *find(int *place, const struct tsv *t, const char *option, const char *name)
+/* What is wrong is said with the file and the line (tsv_at); NULL: nothing is. */
+
+/* The place of a column, -1: there is none; there may be one. option is what names it. */
+static const char *find(int *place, struct tsv *t, const char *option, const char *name)
 {
   *place = tsv_column(t, name);
   for (int i = *place + 1; i < t->columns && *place >= 0; i++)
-    if (strcmp(name, t->column[i]) == 0) {
-      snprintf(message, sizeof message, "%sthe column '%.100s' is there twice", option, name);
-      return message;
-    }
+    if (strcmp(name, t->column[i]) == 0)
+      return tsv_at(t, "%sthe column '%.100s' is there twice", option, name);
   return NULL;
 }
 
 /* The same for one that has to be there, by its name or by its number from 1 */
-static const char *chosen(int *place, const struct tsv *t, const char *option, const char *name)
+static const char *chosen(int *place, struct tsv *t, const char *option, const char *name)
 {
   char *end;
   long number = strtol(name, &end, 10);
   const char *all[TSV_CELLS + 1] = { NULL }, *wrong = find(place, t, option, name);
+  bool is_number = end != name && *end == '\0' && number >= 1 && number <= t->count;
+  memcpy(all, t->column, (size_t)t->columns * sizeof *all);
+  if (!wrong && *place < 0 && is_number)
+    *place = (int)number - 1;
   if (wrong || *place >= 0)
     return wrong;
-  if (end != name && *end == '\0' && number >= 1 && number <= t->count) {
-    *place = (int)number - 1;
-    return NULL;
-  }
-  memcpy(all, t->column, (size_t)t->columns * sizeof *all);
-  snprintf(message, sizeof message, "%sthere is no column '%.100s'%s", option, name,
-           t->columns > 0 ? instead_of(name, all) : "");
-  return message;
+  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name, t->columns > 0 ? instead_of(name, all) : "");
 }
 
 static const char *add_y(struct reader *r, int place, bool values)
 {
+  struct tsv *t = &r->t;
   for (int i = 0; i < r->ys; i++)
     if (r->y[i] == place)
       return NULL;
   if (r->ys == MOST_Y)
-    return "more than 64 columns of errors: choose some with --y";
+    return tsv_at(t, "more than 64 columns of errors: choose some with --y");
   r->values[r->ys] = values || r->wanted->values;
-  if (r->t.columns > 0)
-    snprintf(r->name[r->ys], COLUMN_NAME, "%s", r->t.column[place]);
+  if (t->columns > 0)
+    snprintf(r->name[r->ys], COLUMN_NAME, "%s", t->column[place]);
   else
     snprintf(r->name[r->ys], COLUMN_NAME, "column %d", place + 1);
   r->y[r->ys++] = place;
@@ -86,7 +83,7 @@ static const char *add_list(struct reader *r, const char *list)
     snprintf(name, sizeof name, "%.*s", length, at);
     wrong = chosen(&place, &r->t, "--y: ", name);
     if (!wrong)
-      wrong = place == r->x ? "--y: this column is x" : add_y(r, place, strcmp(name, "value") == 0);
+      wrong = place == r->x ? tsv_at(&r->t, "--y: this column is x") : add_y(r, place, strcmp(name, "value") == 0);
   }
   return wrong;
 }
@@ -97,7 +94,7 @@ static const char *add_others(struct reader *r)
   static const char *const orders[] = {
     "noise", "order", "orders", "rate", "rates", "eoc", "EOC", "pairwise", "ratio"
   };
-  const struct tsv *t = &r->t;
+  struct tsv *t = &r->t;
   const char *wrong = NULL;
   double number;
   for (int i = r->x + 1; i < t->count && !wrong; i++) {
@@ -108,20 +105,23 @@ static const char *add_others(struct reader *r)
   }
   if (wrong || r->ys > 0)
     return wrong;
-  return t->count == 1 && strchr(t->cell[0], ';') ? "';' separates no columns: blanks, tabs and commas do"
-                                                  : "right of h there is no column of numbers: name it with --y";
+  return tsv_at(t, "%s",
+                t->count == 1 && strchr(t->cell[0], ';')
+                    ? "';' separates no columns: blanks, tabs and commas do"
+                    : "right of h there is no column of numbers: name it with --y");
 }
 
 /* err, error or value; there may be one of them. */
 static const char *add_named(struct reader *r)
 {
-  static const char *const names[] = { "err", "error", "value" };
-  int named = -1, place;
-  for (int i = 0; i < 3; i++) {
-    bool twice = find(&place, &r->t, "", names[i]) || (place >= 0 && named >= 0);
-    if (twice)
-      return "one column 'err', 'error' or 'value' is wanted, not two: choose with --y";
-    named = place >= 0 ? place : named;
+  int named = -1;
+  for (int i = 0; i < r->t.columns; i++) {
+    const char *name = r->t.column[i];
+    if (strcmp(name, "err") != 0 && strcmp(name, "error") != 0 && strcmp(name, "value") != 0)
+      continue;
+    if (named >= 0)
+      return tsv_at(&r->t, "one column 'err', 'error' or 'value' is wanted, not two: choose with --y");
+    named = i;
   }
   return named >= 0 && named != r->x ? add_y(r, named, r->t.column[named][0] == 'v') : add_others(r);
 }
@@ -131,7 +131,7 @@ static const char *add_named(struct reader *r)
 static const char *find_columns(struct reader *r)
 {
   const struct columns_wanted *wanted = r->wanted;
-  const struct tsv *t = &r->t;
+  struct tsv *t = &r->t;
   const char *wrong = wanted->x ? chosen(&r->x, t, "--x: ", wanted->x) : find(&r->x, t, "", "h");
   if (r->x < 0) /* the first one, but for the index without a name that pandas writes */
     r->x = t->columns > 1 && *t->column[0] == '\0';
@@ -156,9 +156,9 @@ void series_free(struct series_list *list)
 static struct series *series_named(struct reader *r, const char *name, int i)
 {
   struct series_list *list = r->list;
-  for (struct series *s = list->series + list->count; s-- > list->series + r->first;)
-    if (strcmp(s->name, name) == 0 && strcmp(s->y, r->name[i]) == 0)
-      return s;
+  for (int k = list->count - 1; k >= r->first; k--)
+    if (strcmp(list->series[k].name, name) == 0 && strcmp(list->series[k].y, r->name[i]) == 0)
+      return &list->series[k];
   struct series *all = list->count < MOST_SERIES ? with_room(list->series, list->count, sizeof *all) : NULL;
   if (!all)
     return NULL;
@@ -191,17 +191,14 @@ static void read_name(char name[SERIES_NAME], const struct reader *r)
       used += (size_t)snprintf(name + used, SERIES_NAME - used, "%s%s", used ? "; " : "", r->t.cell[i]);
 }
 
-/* Returns NULL, or that a cell is no number. */
-static const char *read_at(const struct reader *r, int place, double *number)
+static const char *read_at(struct reader *r, int place, double *number)
 {
   if (place < 0 || read_cell(r->t.cell[place], number))
     return NULL;
-  snprintf(message, sizeof message, "column %d: '%.60s' is not a number%s", place + 1, r->t.cell[place],
-           strpbrk(r->t.cell[place], "dD") ? ": an exponent begins with e" : "");
-  return message;
+  const char *text = r->t.cell[place], *hint = strpbrk(text, "dD") ? ": an exponent begins with e" : "";
+  return tsv_at(&r->t, "column %d: '%.60s' is not a number%s", place + 1, text, hint);
 }
 
-/* Takes a row in. Returns NULL, or what is wrong with it. */
 static const char *read_row(struct reader *r)
 {
   struct scallop_order_point point = { .row = ++r->rows };
@@ -214,11 +211,12 @@ static const char *read_row(struct reader *r)
     if (wrong)
       return wrong;
     if (r->list->rows++ == MOST_ROWS)
-      return "more than a million rows";
+      return tsv_at(&r->t, "more than a million rows");
     struct series *s = series_named(r, name, i);
     if (!s && r->list->count == MOST_SERIES)
-      return "more than 4096 series: rows with the same text left of h are one";
-    wrong = s && append(s, point) ? NULL : out_of_memory;
+      return tsv_at(&r->t, "more than 4096 series: rows with the same text left of h are one");
+    if (!s || !append(s, point))
+      return tsv_at(&r->t, out_of_memory);
   }
   return wrong;
 }
@@ -230,17 +228,15 @@ static const char *take_row(struct reader *r)
   bool is_first = r->columns == 0;
   double number;
   if (t->fault || t->count == 0)
-    return t->fault ? t->fault : "this line has commas and no cells";
+    return tsv_at(t, "%s", t->fault ? t->fault : "this line has commas and no cells");
   if (is_first && t->columns == 0 && !read_cell(t->cell[0], &number))
-    return tsv_take_header(t) ? NULL : out_of_memory;
+    return tsv_take_header(t) ? NULL : tsv_at(t, out_of_memory);
   if (is_first)
     r->columns = t->columns > 0 ? t->columns : t->count;
-  if (t->count != r->columns) {
-    snprintf(message, sizeof message,
-             "%d columns, and %d above: blanks, tabs and commas separate columns, so numbers have decimal points",
-             t->count, r->columns);
-    return message;
-  }
+  if (t->count != r->columns)
+    return tsv_at(t,
+                  "%d columns, and %d above: blanks, tabs and commas separate columns, so numbers have decimal points",
+                  t->count, r->columns);
   const char *wrong = is_first ? find_columns(r) : NULL;
   return wrong ? wrong : read_row(r);
 }
@@ -287,14 +283,15 @@ enum exit_code series_read(struct series_list *list, const char *file, const str
   while (open && !wrong && tsv_next(&r.t))
     wrong = take_row(&r);
   if (!wrong && list->count > r.first && !join_single_points(&r))
-    wrong = out_of_memory;
-  const char *failure = tsv_error(&r.t);
-  enum exit_code code = failure ? EXIT_FILE : wrong || list->count == r.first ? EXIT_USAGE : EXIT_DONE;
-  if (code == EXIT_USAGE)
-    failure = wrong ? tsv_at(&r.t, "%s", wrong) : tsv_at_line(&r.t, 0, "no data: lines of 'h err' are wanted");
+    wrong = tsv_at(&r.t, out_of_memory);
+  enum exit_code code = r.t.error ? EXIT_FILE : wrong || list->count == r.first ? EXIT_USAGE : EXIT_DONE;
+  if (code == EXIT_FILE)
+    wrong = tsv_error(&r.t);
+  else if (!wrong && code == EXIT_USAGE)
+    wrong = tsv_at_line(&r.t, 0, "no data: lines of 'h err' are wanted");
   if (code != EXIT_DONE) {
-    complain("order", "%s", failure);
-    add_unread(&r, failure);
+    complain("order", "%s", wrong);
+    add_unread(&r, wrong);
   }
   tsv_close(&r.t);
   return code;

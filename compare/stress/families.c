@@ -275,7 +275,7 @@ void stress_arguments(const struct stress_case *s, char *text)
   text += snprintf(text, GAIT_TEXT, "--gait %s", m->crawler.gait->name);
   number_text(number, m->v0, 0);
   if (s->periods > 0)
-    snprintf(text, 80, " --start %s --periods %ld", number, s->periods);
+    snprintf(text, 120, " --start %s --periods %ld", number, s->periods);
   else if (m->of == OF_PHASE)
-    snprintf(text, 80, " --phase %s --v0 %s", m->phase == SCALLOP_EXTENSION ? "extension" : "contraction", number);
+    snprintf(text, 120, " --phase %s --v0 %s", m->phase == SCALLOP_EXTENSION ? "extension" : "contraction", number);
 }

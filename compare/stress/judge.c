@@ -81,11 +81,6 @@ static double natural_unit(const struct stress_case *s, int q)
                                        : c->L / time;
 }
 
-static bool solve_wide(const struct stress_case *s, struct answer *a)
-{
-  return is_trajectory(s) ? trajectory_in_balls(s, a) : answer_in_wide(a, &s->motion, SCALLOP_BINARY128);
-}
-
 /* Replaces one of the parameters m1 m2 F1 F2 L T alpha v0 by the double so many places further. False: the case has no
  * such parameter, or the double is not allowed. */
 static bool neighbour(const struct stress_case *s, int parameter, double towards, int places, struct stress_case *out)
@@ -117,7 +112,9 @@ static void find_units(const struct stress_case *s, int places, struct found *f)
   for (int parameter = 0; parameter < PARAMETERS; parameter++) {
     double most[QUANTITIES] = { 0 };
     for (int side = -1; side <= 1; side += 2)
-      if (neighbour(s, parameter, side * INFINITY, places, &next) && solve_wide(&next, &there))
+      if (neighbour(s, parameter, side * INFINITY, places, &next)
+          && (is_trajectory(s) ? trajectory_in_balls(&next, &there)
+                               : answer_in_wide(&there, &next.motion, SCALLOP_BINARY128)))
         grow(most, &there, &f->wide[SCALLOP_BINARY128]);
     for (int q = 0; q < QUANTITIES; q++)
       unit[q] += most[q] / places;

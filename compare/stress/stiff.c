@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "compare/stress/stiff.h"
+#include "compare/stress/stiff_measure.h"
 #include "compare/stress/stress.h"
 #include "compare/text/progress.h"
 

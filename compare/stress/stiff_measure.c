@@ -1,4 +1,4 @@
-#include "compare/stress/stiff.h"
+#include "compare/stress/stiff_measure.h"
 
 #include <float.h>
 #include <math.h>
@@ -6,80 +6,75 @@
 
 #include <gsl/gsl_integration.h>
 
+#include "compare/answers/stretches.h"
 #include "compare/stress/periods.h"
 
 enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */
 
-/* A body that is stuck, in a scene */
-struct stretch {
+/* A body that is stuck in a scene */
+struct grip {
   const struct stiff_scene *scene;
-  struct stiff_held now, longest;
+  struct stiff_held held;
 };
 
 /* The friction that holds the body still over the most that there is, at a time since the phase began, along the body's
  * own axis: it accelerates the centre of mass, which moves with +-l' times a share of the masses, together with that of
  * the body that moves. */
-static double force_over_friction(double time, const struct stretch *s)
+static double force_over_friction(const struct grip *g, double time)
 {
-  const struct scallop_scaled *a = &s->scene->scaled;
-  const enum scallop_phase_kind phase = s->now.phase;
+  const struct scallop_scaled *a = &g->scene->scaled;
+  const enum scallop_phase_kind phase = g->held.phase;
   double l2, eps = a->eps * a->fraction[phase] * a->fraction[phase], sign = phase == SCALLOP_EXTENSION ? 1 : -1;
-  scallop_gait_at(a->gait, phase, time / scallop_phase_duration(&s->scene->crawler, phase), NULL, NULL, &l2);
-  return s->now.body == 1 ? -(a->mu2 * l2 / eps + a->f2 * sign) / a->f1 : (a->mu1 * l2 / eps + a->f1 * sign) / a->f2;
+  scallop_gait_at(a->gait, phase, time / scallop_phase_duration(&g->scene->crawler, phase), NULL, NULL, &l2);
+  return g->held.body == 1 ? -(a->mu2 * l2 / eps + a->f2 * sign) / a->f1 : (a->mu1 * l2 / eps + a->f1 * sign) / a->f2;
 }
 
 /* The velocity at which smoothed friction is that force, over v_delta; kept finite where rounding takes the force to
  * the limit. */
-static double creep_velocity(double time, void *stretch)
+static double creep_velocity(double time, void *grip)
 {
   const double most = 1 - DBL_EPSILON / 2;
-  return atanh(fmax(-most, fmin(most, force_over_friction(time, stretch))));
+  return atanh(fmax(-most, fmin(most, force_over_friction(grip, time))));
 }
 
-static double integral(struct stretch *s, double begin, double end)
+/* What smoothed friction makes of it */
+static void predict(struct grip *g)
 {
   enum { PARTS = 200 };
+  struct stiff_held *held = &g->held;
+  double middle = (held->begin + held->end) / 2, way = NAN, error;
   gsl_integration_workspace *space = gsl_integration_workspace_alloc(PARTS);
-  gsl_function velocity = { creep_velocity, s };
-  double value = NAN, error;
-  if (space && gsl_integration_qags(&velocity, begin, end, 0, 1e-9, PARTS, space, &value, &error) != 0)
-    value = NAN;
+  gsl_function velocity = { creep_velocity, g };
+  bool done = space
+              && gsl_integration_qags(&velocity, held->begin, held->end, 0, 1e-9, PARTS, space, &way, &error) == 0;
   gsl_integration_workspace_free(space);
-  return value;
-}
-
-/* Grows the stretch by an interval of the exact motion, or ends it. */
-static void visit(void *context, const struct scallop_interval *interval)
-{
-  struct stretch *s = context;
-  struct stiff_held *now = &s->now;
-  const struct scallop_span span = scallop_interval_span(interval, &s->scene->crawler, now->phase);
-  int body = span.mode.s1 == 0 ? 1 : span.mode.s2 == 0 ? 2 : 0;
-  if (body != now->body)
-    *now = (struct stiff_held){ .body = body, .phase = now->phase, .v0 = now->v0, .begin = span.t_begin };
-  if (body == 0)
-    return;
-  now->end = span.t_end;
-  now->creep += integral(s, span.t_begin, span.t_end) / s->scene->crawler.T;
-  if (now->end - now->begin > s->longest.end - s->longest.begin)
-    s->longest = *now;
+  held->force = fabs(force_over_friction(g, middle));
+  held->velocity = creep_velocity(middle, g);
+  held->creep = done ? way / g->scene->crawler.T : NAN;
 }
 
 static struct stiff_held find_held(const struct stiff_scene *scene, double v_mid)
 {
-  struct stretch s = { .scene = scene };
-  const double v0[2] = { scene->v_start, v_mid };
-  for (int phase = SCALLOP_EXTENSION; phase <= SCALLOP_CONTRACTION; phase++) {
-    s.now = (struct stiff_held){ .phase = (enum scallop_phase_kind)phase, .v0 = v0[phase] };
-    scallop_phase_intervals(&scene->crawler, s.now.phase, s.now.v0, visit, &s);
+  const struct answer none = { .status = SCALLOP_OK };
+  struct grip longest = { .scene = scene };
+  for (int k = SCALLOP_EXTENSION; k <= SCALLOP_CONTRACTION; k++) {
+    const struct motion phase = { OF_PHASE, scene->crawler, (enum scallop_phase_kind)k,
+                                  k == 0 ? scene->v_start : v_mid };
+    struct stretch all[MOST_STRETCHES];
+    struct stiff_held now = { .body = 0 };
+    int count = stretches_of(all, &phase, &none);
+    for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
+      int body = all[i].mode.s1 == 0 ? 1 : all[i].mode.s2 == 0 ? 2 : 0;
+      if (body != now.body)
+        now = (struct stiff_held){ .body = body, .phase = phase.phase, .v0 = phase.v0, .begin = all[i].from };
+      now.end = all[i].until;
+      if (body != 0 && now.end - now.begin > longest.held.end - longest.held.begin)
+        longest.held = now;
+    }
   }
-  s.now = s.longest;
-  if (s.now.body == 0)
-    return s.now;
-  double middle = (s.now.begin + s.now.end) / 2;
-  s.now.force = fabs(force_over_friction(middle, &s));
-  s.now.velocity = creep_velocity(middle, &s);
-  return s.now;
+  if (longest.held.body != 0)
+    predict(&longest);
+  return longest.held;
 }
 
 static const char *why(const struct ball_answer *a) { return a->why ? a->why : scallop_status_text(a->status); }
@@ -103,7 +98,6 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
   scallop_rational_set_double(v_start, scene->v_start);
   if (!period_in_balls(&first, &second, displacement, &exact, v_start))
     return why(first.status == SCALLOP_OK ? &second : &first);
-  scene->regime = steady.regime;
   scene->names[2] = scallop_regime_text(steady.regime);
   scene->names[3] = "msbdf";
   scene->v_end = ball_middle(second.value[Q_V_END]);
@@ -113,15 +107,8 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
   return NULL;
 }
 
-struct ration {
-  long most, taken;
-};
-
-static bool ration_lasts(void *context)
-{
-  struct ration *r = context;
-  return r->taken++ < r->most;
-}
+/* Counts the steps down that are left. */
+static bool lasts(void *left) { return --*(long *)left >= 0; }
 
 static bool keep(void *context, const struct scallop_sample *sample)
 {
@@ -154,8 +141,8 @@ static double difference(double answer, struct scallop_wide value) { return (ans
 static void solve_with(struct scallop_rival *rival, const struct stiff_scene *scene, long most, struct stiff_run *run)
 {
   const struct scallop_crawler *c = &scene->crawler;
-  struct ration ration = { .most = most };
-  const struct scallop_patience patience = { ration_lasts, &ration };
+  long left = most;
+  const struct scallop_patience patience = { lasts, &left };
   struct scallop_rival_period period;
   enum scallop_status status = rival->period(rival, c, scene->v_start, &patience, &period);
   if (status == SCALLOP_OK) {
@@ -165,7 +152,7 @@ static void solve_with(struct scallop_rival *rival, const struct stiff_scene *sc
     run->evaluations = (double)period.evaluations;
   }
   if (status == SCALLOP_OK && scene->held.body != 0) {
-    ration.taken = 0;
+    left = most;
     status = look_inside(scene, rival, &patience, run);
   }
   run->solved = status == SCALLOP_OK;
@@ -174,7 +161,7 @@ static void solve_with(struct scallop_rival *rival, const struct stiff_scene *sc
   else if (status == SCALLOP_ESTOPPED)
     snprintf(run->status, STIFF_STATUS, "cut off after %ld accepted steps", most);
   else
-    snprintf(run->status, STIFF_STATUS, "%s, after %ld accepted steps", scallop_status_text(status), ration.taken);
+    snprintf(run->status, STIFF_STATUS, "%s, after %ld accepted steps", scallop_status_text(status), most - left);
 }
 
 double stiff_tolerance(double delta) { return fmax(1e-15, 1e-9 * delta); }
@@ -222,9 +209,11 @@ struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quan
   static const char *const names[STIFF_QUANTITIES] = { "v_end", "displacement", "creep" };
   const struct scallop_order_wanted wanted = { .order = 1, .tolerance = 0.1 };
   struct scallop_order_point points[STIFF_MOST_RUNS];
-  struct stiff_trend t = {
-    .quantity = names[quantity], .best = unknown, .last = runs[count - 1], .error_there = NAN, .worst_beyond = NAN
-  };
+  struct stiff_trend t = { .quantity = names[quantity],
+                           .best = unknown,
+                           .last = count > 0 ? runs[count - 1] : unknown,
+                           .error_there = NAN,
+                           .worst_beyond = NAN };
   for (; t.good < count && is_good(runs, t.good, quantity); t.good++) {
     t.best = runs[t.good];
     t.error_there = t.best.error[quantity];
@@ -234,7 +223,8 @@ struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quan
     if (runs[i].solved)
       t.worst_beyond = fmax(t.worst_beyond, fabs(runs[i].error[quantity]));
   t.gives_up_at = t.last.solved ? NAN : t.last.delta;
-  scallop_order(points, &(int){ t.good }, &wanted, &t.fit);
+  int good = t.good;
+  scallop_order(points, &good, &wanted, &t.fit);
   t.verdict = scallop_order_verdict_text(t.fit.verdict);
   return t;
 }

@@ -25,7 +25,7 @@ struct stress_options {
 /* The table of families, and that of one point. */
 enum exit_code stress_table(const struct stress_options *options);
 enum exit_code stress_point(const struct stress_options *options);
-/* --stiff: the table of stiff runs (stiff.h), or with --summary a row for each series of them. */
+/* --stiff: the table of stiff runs (stiff_measure.h), or with --summary a row for each series of them. */
 enum exit_code stress_stiff(const struct stress_options *options);
 
 struct stress_case {

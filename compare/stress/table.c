@@ -15,14 +15,19 @@
 #include "model/exact/flint.h"
 #include "numerics/threads.h"
 
-/* What is said of a number; nan: of an exact value of 0, or of a trajectory. In estimates over errors an error below the
- * 128th part of an ulp counts as that. A digit is lost where the error is ten ulps of a type, 2^(53 - bits) of a
- * double's. */
+/* Decimal digits of a type that an error takes away: its ulp is 2^(53 - bits) of a double's. nan stays nan. */
+static double lost(double error, double ulp, int bits)
+{
+  double ulps = ldexp(error / ulp, bits - DBL_MANT_DIG);
+  return ulps > 1 ? log10(ulps) : 0 * ulps;
+}
+
+/* What is said of a number; nan: of an exact value of 0, or of a trajectory. In estimates over errors an error below
+ * the 128th part of an ulp counts as that. */
 enum { UNITS, ULPS, CONDITION, DIGITS, MEDIAN, ROUNDING, PERTURBED, LOST, LEAST = LOST + 3, MOST, MEASURES };
 static double measure(const struct stress_number *n, int m)
 {
-  const int type = m - LOST, bits = type > 0 ? scallop_width_bits((enum scallop_width)(type - 1)) : DBL_MANT_DIG;
-  double least = 0x1p-7 * n->ulp, ulps;
+  const double least = 0x1p-7 * n->ulp;
   switch (m) {
   case UNITS: return n->error / n->unit;
   case ULPS:
@@ -31,11 +36,12 @@ static double measure(const struct stress_number *n, int m)
   case DIGITS: return n->ulp > 0 ? fmin(DBL_MANT_DIG * log10(2), fmax(0, -log10(n->error / fabs(n->exact)))) : NAN;
   case ROUNDING: return n->rounding / n->unit;
   case PERTURBED: return n->perturbed / n->unit;
+  case LOST: return lost(n->wide_error[0], n->ulp, DBL_MANT_DIG);
+  case LOST + 1: return lost(n->wide_error[1], n->ulp, scallop_width_bits(SCALLOP_LONG_DOUBLE));
+  case LOST + 2: return lost(n->wide_error[2], n->ulp, scallop_width_bits(SCALLOP_BINARY128));
   case LEAST: return n->error >= least ? measure(n, MOST) : NAN;
-  case MOST: return n->ulp > 0 ? n->estimate / fmax(n->error, least) : NAN;
-  default: ulps = ldexp(n->wide_error[type] / n->ulp, bits - DBL_MANT_DIG);
+  default: return n->ulp > 0 ? n->estimate / fmax(n->error, least) : NAN; /* MOST */
   }
-  return ulps > 1 ? log10(ulps) : 0 * ulps; /* nan stays nan */
 }
 
 /* Which of all numbers of a family its row has: the worst one, that is of the largest error/unit; the median; or the
@@ -288,17 +294,20 @@ enum exit_code stress_table(const struct stress_options *o)
                                : o->check ? &quick
                                           : &usual,
                      .progress = progress_begin(o->request.style.quiet) };
-  bool room = true, broken = false;
+  bool broken = false;
   if (!plan(&run))
     return EXIT_USAGE;
   if (!begin(&run))
     return EXIT_FILE;
-  for (struct row *r = run.row; r < run.row + run.rows && room && !table_failed(&run.table); r++) {
-    room = run_row(&run, r) || complain("stress", "out of memory");
+  for (struct row *r = run.row; r < run.row + run.rows && !table_failed(&run.table); r++) {
+    if (!run_row(&run, r)) {
+      table_abandon(&run.table);
+      complain("stress", "out of memory");
+      return EXIT_UNSOLVED;
+    }
     broken |= r->broken > 0;
   }
-  enum exit_code code = !room ? EXIT_UNSOLVED : o->check && broken ? EXIT_CHECK_FAILED : EXIT_DONE;
-  return table_close(&run.table) ? code : EXIT_FILE;
+  return !table_close(&run.table) ? EXIT_FILE : o->check && broken ? EXIT_CHECK_FAILED : EXIT_DONE;
 }
 
 static void write_number(struct table *t, const struct stress_judgement *j, int q)

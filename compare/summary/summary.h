@@ -4,9 +4,10 @@
 #ifndef SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 #define SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 
+#include "compare/answers/stretches.h"
 #include "compare/book/book.h"
 #include "compare/answers/rows.h"
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "compare/claims/claims.h"
 
 enum { SUMMARY_FORMULAS = BOOK_MOST + 8, SUMMARY_LEVELS = 2, SUMMARY_ORDER = 8 };

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { DIGITS_TEXT = 40 };
+enum { DIGITS_TEXT = 48 };
 
 /* x as "%.*g" writes it with as few of 15, 16 and 17 digits as read back exactly; nan without a sign. text is a place
  * for DIGITS_TEXT bytes, all of which may be written. Returns the length. */
@@ -19,10 +19,7 @@ size_t digits_write(char *text, double x);
 enum { NUMBER_TEXT = DIGITS_TEXT };
 size_t number_text(char text[NUMBER_TEXT], double x, long digits);
 
-/* The same as digits_write by trying 15, 16 and 17 digits in turn. */
-size_t digits_write_plainly(char *text, double x);
-
-/* The quick form alone. 0: left to the other; so are subnormal numbers, nan and the infinities. */
+/* The quick form alone. 0: left to the library; so are subnormal numbers, nan and the infinities. */
 size_t digits_write_quickly(char *text, double x);
 
 /* The double nearest to a number of at most 19 digits in plain decimal notation, -12.5 or 1.25e-3, and nothing else.

@@ -25,7 +25,7 @@ void file_written_by(pid_t process) { child = process; }
 
 static void end_by(int signal_number)
 {
-  if (child > 0 && kill(child, SIGKILL) == 0) /* else it would make its file again */
+  if (child > 0 && kill(-child, SIGKILL) == 0) /* else they would make its file again */
     waitpid(child, NULL, 0);
   remove_unfinished();
   signal(signal_number, SIG_DFL);

@@ -35,8 +35,8 @@ struct file {
 int file_open(struct file *file, const char *path);
 /* Brings what was written to the disk, or to the pipe or device. Returns 0 or an error. */
 int file_flush(struct file *file);
-/* While a process that was started writes to such a file by its name, what ends this one ends that one first; 0: it has
- * ended. */
+/* While a group of processes that was started writes to such a file by its name, what ends this one ends them first; 0:
+ * they have ended. */
 void file_written_by(pid_t process);
 /* Closes the file; keep: and a plain one replaces its target. Returns 0 or an error: then the earlier file stays. */
 int file_close(struct file *file, bool keep);

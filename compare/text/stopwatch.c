@@ -6,10 +6,6 @@
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
-enum { CLOCK_READINGS = 4096, CLOCK_TRIES = 9, MOST_STRIDE = 1000 };
-
-static const double clock_share = 1e-3, shortest_batch = 2e-4, between_readings = 5e-5;
-
 static volatile double sink; /* results go here */
 
 double stopwatch_now(void)
@@ -20,19 +16,15 @@ double stopwatch_now(void)
 
 struct stopwatch_clock stopwatch_clock(void)
 {
-  double costs[CLOCK_TRIES];
+  enum { READINGS = 40000 };
   struct stopwatch_clock clock = { .step = INFINITY };
-  for (int try = 0; try < CLOCK_TRIES; try++) {
-    double start = stopwatch_now(), last = start;
-    for (int i = 0; i < CLOCK_READINGS; i++) {
-      double now = stopwatch_now();
-      if (now > last)
-        clock.step = fmin(clock.step, now - last);
-      last = now;
-    }
-    costs[try] = (last - start) / CLOCK_READINGS;
+  double start = stopwatch_now(), last = start;
+  for (int i = 0; i < READINGS; i++) {
+    double now = stopwatch_now();
+    clock.step = now > last ? fmin(clock.step, now - last) : clock.step;
+    last = now;
   }
-  clock.cost = stopwatch_spread(costs, CLOCK_TRIES).median;
+  clock.cost = (last - start) / READINGS;
   return clock;
 }
 
@@ -56,7 +48,7 @@ long stopwatch_passes(stopwatch_task *task, void *context, double seconds)
 
 double stopwatch_long_enough(const struct stopwatch_clock *clock)
 {
-  return fmax(shortest_batch, fmax(clock->cost, clock->step) / clock_share);
+  return fmax(2e-4, 1e3 * fmax(clock->cost, clock->step));
 }
 
 struct stopwatch_spread stopwatch_spread(double *samples, int count)
@@ -72,21 +64,8 @@ struct stopwatch_spread stopwatch_spread(double *samples, int count)
                                     .repetitions = count };
 }
 
-struct stopwatch_limit stopwatch_limit(double seconds)
-{
-  double now = stopwatch_now();
-  return (struct stopwatch_limit){ .end = now + seconds, .last = now, .stride = 1, .ask = 1 };
-}
-
 bool stopwatch_lasts(void *context)
 {
   struct stopwatch_limit *limit = context;
-  if (--limit->ask > 0)
-    return true;
-  double now = stopwatch_now();
-  long faster = 2 * limit->stride < MOST_STRIDE ? 2 * limit->stride : MOST_STRIDE;
-  limit->stride = now - limit->last < between_readings ? faster : 1;
-  limit->ask = limit->stride;
-  limit->last = now;
-  return now < limit->end;
+  return limit->answers++ % 16 != 0 || stopwatch_now() < limit->end;
 }

@@ -31,14 +31,11 @@ struct stopwatch_spread {
 /* Sorts the samples, count >= 0 of them, none nan; all are nan for none. */
 struct stopwatch_spread stopwatch_spread(double *samples, int count);
 
-/* A limit for something that asks again and again whether to go on. Most answers cost no reading of the clock: readings
- * are thinned out until they are some 50 microseconds apart, and never more than a thousand answers. */
+/* A limit for what asks again and again whether to go on: every 16th answer costs a reading of the clock. */
 struct stopwatch_limit {
-  double end;       /* of the time that is allowed */
-  double last;      /* reading                                                                            */
-  long stride, ask; /* answers from one reading to the next; how many are left until then                  */
+  double end; /* of the time that is allowed: stopwatch_now() and some */
+  long answers;
 };
-struct stopwatch_limit stopwatch_limit(double seconds); /* from now on */
-bool stopwatch_lasts(void *limit);                      /* still within it                                 */
+bool stopwatch_lasts(void *limit); /* still within it */
 
 #endif

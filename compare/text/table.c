@@ -30,8 +30,7 @@ static const struct {
 /* People read what goes to a terminal. */
 static enum format format_of(const struct style *style, const char *output)
 {
-  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV
-                   && (style->pager || isatty(STDOUT_FILENO));
+  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV && isatty(STDOUT_FILENO);
   return to_people ? FORMAT_TABLE : style->format;
 }
 
@@ -68,8 +67,7 @@ bool table_open_at(struct table *t, const struct style *style, const char *outpu
   t->sink[0].digits = style->digits <= DBL_DECIMAL_DIG ? style->digits : 0;
   if (t->sink[0].digits == 0 && t->sink[0].format == FORMAT_TABLE)
     t->sink[0].digits = PEOPLE_DIGITS;
-  bool open = open_sink(t, output, output ? output : "standard output")
-              && (!picture || (plot_may_replace(&style->plot, style->command) && open_sink(t, picture, picture)));
+  bool open = open_sink(t, output, output ? output : "standard output") && (!picture || open_sink(t, picture, picture));
   if (!open)
     table_abandon(t);
   return open;
@@ -360,9 +358,9 @@ static bool draw(const struct table *t)
   plot.of = t->of;
   plot.table = t->sink[1].out.temporary;
   plot.meaning = t->style->meaning;
-  if (t->sink[1].error != 0 || fflush(t->sink[1].file) != 0)
+  if (!plot.table || t->sink[1].error != 0 || fflush(t->sink[1].file) != 0)
     return complain(t->style->command, "cannot write the rows of the picture beside %s", plot.file);
-  return plot_choose(&plot, t->style->command) && plot_draw(&plot, t->style->command);
+  return plot_draw(&plot, t->style->command);
 }
 
 static void end_sink(struct table *t, int i)

@@ -47,7 +47,6 @@ struct style {
   enum format format;
   long digits; /* significant ones; 0: as many as read back exactly */
   bool quiet;
-  bool pager;                  /* shows standard output, to people */
   bool has_output, has_format; /* are given */
   column_meaning *meaning;     /* of columns, for people, or NULL */
   struct table_choice *choice; /* NULL: all columns */

@@ -24,14 +24,6 @@ double printed_seconds(double seconds)
   return strtod(text, NULL);
 }
 
-static void describe_cut(struct setting *s, double limit)
-{
-  if (s->outcome == SCALLOP_STOPPED)
-    snprintf(s->status, sizeof s->status, "cut off after %g s: %.0f periods", limit, s->answer.periods);
-  else
-    snprintf(s->status, sizeof s->status, "cut off after %g s, in its first period", limit);
-}
-
 static bool is_finite(const struct setting_answer *answer)
 {
   for (int i = 0; i < COMPARED; i++)
@@ -43,7 +35,7 @@ static bool is_finite(const struct setting_answer *answer)
 /* The first time, with the limit. */
 static void try_once(struct setting *s, double seconds)
 {
-  struct stopwatch_limit limit = stopwatch_limit(seconds);
+  struct stopwatch_limit limit = { .end = stopwatch_now() + seconds };
   const struct scallop_patience patience = { stopwatch_lasts, &limit };
   s->first = NAN;
   if (!s->solve)
@@ -59,8 +51,10 @@ static void try_once(struct setting *s, double seconds)
   s->first = stopwatch_now() - start;
   if (s->outcome < 0)
     s->answer = no_answer;
-  if (s->outcome == SCALLOP_STOPPED || s->outcome == SCALLOP_ESTOPPED)
-    describe_cut(s, seconds);
+  if (s->outcome == SCALLOP_STOPPED)
+    snprintf(s->status, sizeof s->status, "cut off after %g s: %.0f periods", seconds, s->answer.periods);
+  else if (s->outcome == SCALLOP_ESTOPPED)
+    snprintf(s->status, sizeof s->status, "cut off after %g s, in its first period", seconds);
   else if (s->outcome < 0)
     snprintf(s->status, sizeof s->status, "%s", scallop_status_text(s->outcome));
   else if (!is_finite(&s->answer))
@@ -127,6 +121,7 @@ static void find_error(struct setting *s, int quantity)
   const arb_struct *certified = reference->steady.value[compared[quantity]];
   const slong precision = 4 * reference->digits + 64;
   SCOPED(arb, error, size);
+  SCOPED(fmpq, unit);
   if (s->answer.ball[quantity])
     arb_set(error, s->answer.ball[quantity]);
   else
@@ -134,13 +129,12 @@ static void find_error(struct setting *s, int quantity)
   arb_sub(error, error, certified, precision);
   arb_abs(error, error);
   arb_abs(size, certified);
-  if (arb_contains_zero(certified)) {
-    arb_set_fmpq(size, reference->exact.L, precision);
-    if (quantity == VELOCITY) {
-      arb_div_fmpz(size, size, fmpq_numref(reference->exact.T), precision);
-      arb_mul_fmpz(size, size, fmpq_denref(reference->exact.T), precision);
-    }
-  }
+  if (quantity == VELOCITY)
+    fmpq_div(unit, reference->exact.L, reference->exact.T);
+  else
+    fmpq_set(unit, reference->exact.L);
+  if (arb_contains_zero(certified))
+    arb_set_fmpq(size, unit, precision);
   arb_div(error, error, size, precision);
   arb_get_ubound_arf(arb_midref(size), error, precision);
   mag_zero(arb_radref(size));
@@ -163,12 +157,10 @@ double printed_error_log10(const char *text)
 static void find_errors(struct setting *s)
 {
   for (int i = 0; i < COMPARED; i++) {
-    bool there = s->answer.ball[i] || isfinite(s->answer.value[i]);
-    if (there)
+    snprintf(s->error[i], SETTING_TEXT, "nan");
+    if (s->answer.ball[i] || isfinite(s->answer.value[i]))
       find_error(s, i);
-    else
-      snprintf(s->error[i], SETTING_TEXT, "nan");
-    s->error_log10[i] = there ? printed_error_log10(s->error[i]) : NAN;
+    s->error_log10[i] = printed_error_log10(s->error[i]);
   }
 }
 

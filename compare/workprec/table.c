@@ -2,7 +2,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "compare/points/defaults.h"
 #include "compare/answers/request.h"
@@ -21,6 +20,7 @@ struct run {
   int count;
   double limit;
   struct stopwatch_clock clock;
+  struct settings settings; /* of the reference under way */
   struct table table;
   struct progress progress;
 };
@@ -108,23 +108,16 @@ static void write_setting(struct table *t, const struct setting *s, int quantity
   table_text(t, s->status);
 }
 
-static void write_settings(struct run *r, const struct settings *settings)
+static void measure(struct run *r, const struct reference *reference)
 {
-  for (int i = 0; i < settings->count; i++)
+  struct settings *all = &r->settings;
+  methods_add(all, reference, r->options->quick);
+  settings_measure(all, &r->clock, r->limit, &r->progress);
+  for (const struct setting *s = all->list; s < all->list + all->count; s++)
     for (int quantity = 0; quantity < COMPARED; quantity++)
-      if (setting_has(&settings->list[i], quantity))
-        write_setting(&r->table, &settings->list[i], quantity);
-}
-
-static void measure(struct run *r, struct settings *settings)
-{
-  for (int i = 0; i < r->count; i++) {
-    methods_add(settings, &r->references[i], r->options->quick);
-    settings_measure(settings, &r->clock, r->limit, &r->progress);
-    write_settings(r, settings);
-    settings_clear(settings);
-  }
-  progress_end(&r->progress);
+      if (setting_has(s, quantity))
+        write_setting(&r->table, s, quantity);
+  settings_clear(all);
 }
 
 enum exit_code workprec_table(const struct workprec_options *options)
@@ -137,19 +130,15 @@ enum exit_code workprec_table(const struct workprec_options *options)
   enum exit_code code = EXIT_UNSOLVED;
   if (!methods_serve(options->request.book))
     return EXIT_USAGE;
-  struct settings *settings = calloc(1, sizeof *settings);
-  if (!settings)
-    complain("workprec", "out of memory");
-  else if (make_references(&r)) {
+  if (make_references(&r)) {
     r.clock = stopwatch_clock();
-    code = begin(&r) ? EXIT_DONE : EXIT_FILE;
-  }
-  if (code == EXIT_DONE) {
-    measure(&r, settings);
-    code = table_close(&r.table) ? EXIT_DONE : EXIT_FILE;
+    bool open = begin(&r);
+    for (int i = 0; i < r.count && open; i++)
+      measure(&r, &r.references[i]);
+    progress_end(&r.progress);
+    code = open && table_close(&r.table) ? EXIT_DONE : EXIT_FILE;
   }
   for (int i = 0; i < r.count; i++)
     reference_clear(&r.references[i]);
-  free(settings);
   return code;
 }

@@ -50,6 +50,6 @@ put "$datadir/doc/scallop" docs/*.* LICENSE
 # A link to a file of the sources becomes the name of the file
 sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$datadir"/doc/scallop/*.md
 put "$datadir/scallop/scenes" data/scenes/*.cfg
-put "$datadir/scallop/plots" scripts/plots/common.gp scripts/plots/curves.gp scripts/plots/dots.gp scripts/plots/map.gp scripts/plots/boundaries.gp \
-  scripts/plots/reach.gp scripts/plots/workprec.gp scripts/plots/figure*.gp
+put "$datadir/scallop/plots" scripts/plots/plot.sh scripts/plots/common.gp scripts/plots/figure*.gp
+put "$datadir/scallop/plots/plot" scripts/plots/plot/*.awk
 put "$datadir/scallop" scripts/plots/cheapest.awk

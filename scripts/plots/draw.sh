@@ -7,6 +7,10 @@ mkdir -p "$plots"
 for name in figure2 figure3 figure4 figure5 errors workprec stress map_regimes map_reach map_velocity \
   found_order found_zero found_peak found_froude found_alpha found_sign; do
   for kind in svg png; do
+    [ "$name" != workprec ] || {
+      PLOT_of=workprec PLOT_table=$tables/workprec.tsv PLOT_file=workprec.$kind PLOT_output=$plots/workprec.$kind sh scripts/plots/plot.sh
+      continue
+    }
     code=0
     gnuplot -d -e "table='$tables/$name.tsv'; tables='$tables'; work='$maps'; output_file='$plots/$name.$kind'; kind='$kind'" \
       scripts/plots/common.gp "scripts/plots/$name.gp" 2>"$plots/said" || code=$?

@@ -14,10 +14,14 @@
 static inline void fill_ledger(struct ledger *ledger, const struct scallop_crawler *crawler, bool orders)
 {
   SCOPED(scallop_rational, exact);
-  rational_crawler(&exact, crawler);
-  if (orders)
-    ledger_add_orders(ledger, &exact, NULL, NULL);
-  ledger_add_words(ledger, crawler, NULL);
+  struct scallop_crawler c = *crawler;
+  for (int g = 0; g < 2; g++) {
+    c.gait = every_gait[g];
+    rational_crawler(&exact, &c);
+    if (orders)
+      ledger_add_orders(ledger, &exact, NULL);
+    ledger_add_words(ledger, &c);
+  }
 }
 
 /* The one that the tests of a program look at, and its end */

@@ -298,10 +298,10 @@ none="--book is for the published formulas: --source derived, limit and --bound 
 idle "$none" series --source derived --book map.cfg
 idle "$none" series --source limit --book map.cfg
 idle "$none" series --bound --book map.cfg
-idle "--book has nothing to do with --source limit: leave --source out, or --source book" breakdown --book map.cfg --source limit
+idle "--book needs its own series: leave --source out, or --source book" breakdown --book map.cfg --source limit
 idle "--source book needs --book FILE" breakdown --source book
 for only in event radius best; do
-  idle "--book has nothing to do with --only $only" breakdown --book map.cfg --only $only
+  idle "--book needs the rows of --only reach" breakdown --book map.cfg --only $only
 done
 idle "--book: no formula of map.cfg is about the v_mid of this motion" breakdown --book map.cfg --quantity v_mid
 idle "--book: no formula of phase.cfg is about this motion" breakdown --book phase.cfg --all

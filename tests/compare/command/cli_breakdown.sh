@@ -107,16 +107,19 @@ refused() { # WHAT ARGUMENT...
   grep -q -- "$what" err || note "$*: $(head -n 1 err)"
 }
 refused "did you mean 'displacement'" --quantity displacment
-refused "takes t1, dT, v_end" --v0 1 --quantity v_mid
+refused "a phase has t1, dT, v_end" --v0 1 --quantity v_mid
+refused "is of a phase" --quantity dT
 refused "event, reversal, reach, radius or best" --only events,reach
 refused 'from 1e-20 on' --tol 1e-21
-refused 'a finite number > 0' --tol 0
+refused 'from 1e-20 on' --tol 0
 refused 'order needs the derived series' --order 4 --source limit
 refused 'without --map' --x 1:2:3
 refused 'without --map' --boundaries
 refused 'without --map' --T 2
-refused 'nothing to do with --only event' --only event --tol 0.1
-refused 'nothing to do with --only best' --only best --source limit
+refused 'tol needs the rows of --only reach' --only event --tol 0.1
+refused 'source needs rows about series' --only event --source derived
+refused 'quantity needs rows about series' --only reversal --quantity displacement
+refused 'source needs the rows of --only reach' --only best --source limit
 run 3 breakdown --quantity v_mid --source published --only reach
 grep -q 'no row' err || note "an empty table without a word: $(cat err)"
 run 0 breakdown --only best --quantity displacement

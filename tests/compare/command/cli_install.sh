@@ -135,9 +135,11 @@ if command -v gnuplot >/dev/null 2>&1; then
   grep -q '</svg>' figure2.svg || note "no picture by an installed script: $(cat err)"
   run 0 trajectory --plot trajectory.svg
   grep -q '</svg>' trajectory.svg || note "no picture by --plot: $(cat err)"
-  for script in common curves dots map boundaries reach workprec figure2 figure5; do
-    cmp -s "$root/scripts/plots/$script.gp" "elsewhere/usr/share/scallop/plots/$script.gp" || note "no script $script"
+  for script in plot.sh common.gp figure2.gp figure5.gp plot/request.awk plot/map.awk; do
+    cmp -s "$root/scripts/plots/$script" "elsewhere/usr/share/scallop/plots/$script" || note "no script $script"
   done
+  PLOT_of=figure PLOT_x=T PLOT_y=dxC_over_L PLOT_table=figure4.tsv PLOT_file=own.svg PLOT_output=own.svg sh elsewhere/usr/share/scallop/plots/plot.sh
+  grep -q '</svg>' own.svg || note "no picture by the installed script alone"
   finish "figures are drawn there"
 fi
 if [ "${WITH_FLINT:-1}" != 0 ]; then

@@ -67,21 +67,26 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   grep -q 'with --emit it is of no use' err || note "$(cat err)"
   finish "no picture of a program"
   drawn "bounds" "bound^displacement" series --bound
-  drawn "reaches" "T (time)^relative error, displacement^relative error, v_start" breakdown --tol 0.01
+  drawn "reaches" "T (time)^relative error^displacement^v_start^derived, best order at T" breakdown --tol 0.01
   # shellcheck disable=SC2086
   of_map() { drawn "$1" "$2" breakdown --map ${3%,*} ${3#*,} $grid; }
   grid='--x 0.1:10:7 --y 0.1:0.9:5'
   of_map "a map" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
-  # F1 = F2 is a line: of its colour, that of the second region, only the box in the list is filled
+  # F1 = F2 is a line: what has its colour, that of the second region, is the box in the list and narrow cells
   # shellcheck disable=SC2086
   run 0 breakdown --map F1/F2 alpha $grid --quiet --plot line.svg
-  [ "$(grep -c "fill = 'rgb(251, 224, 174)'" line.svg)" = 1 ] || note "$(grep -c "fill = 'rgb(251, 224, 174)'" line.svg) cells of F1 = F2"
+  /usr/bin/python3 - >said 2>&1 <<'END' || note "$(tail -n 1 said)"
+import re
+shapes = re.findall(r"fill = 'rgb\(251, 224, 174\)'[^>]*points = '([^']*)'", open("line.svg").read())
+widths = [max(across) - min(across) for across in ([float(p.split(",")[0]) for p in s.split()] for s in shapes)]
+assert len(widths) > 3 and sum(w > 8 for w in widths) == 1, widths
+END
   finish "a region that is a line"
   grid="$grid --columns modes,regime,alpha,F1/F2"
   of_map "a map of few columns" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
   grid='--x 0.1:10:3 --y 0.1:0.9:3 --gait sinusoidal --columns modes,regime,F1/F2'
   # shellcheck disable=SC2086
-  run 4 breakdown --map F1/F2 alpha $grid --plot heat.svg
+  run 2 breakdown --map F1/F2 alpha $grid --plot heat.svg
   grep -q 'the table has no column alpha' err || note "$(cat err)"
   grid='--x 0.1:0.9:5 --y 0.3:10:4 --gait sinusoidal'
   of_map "a map over other axes" 'α^T (time)^1' alpha,T
@@ -105,7 +110,7 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   run 0 breakdown --map F1/F2 alpha --x 2:20:3 --y 0.6:0.9:3 --plot-y T_1e-2_derived_8 --plot f.svg
   [ "$(grep -c 'T_1e-2_published' out)" = 0 ] || note "another series is computed"
   shown_in f.svg 'F₁/F₂^α^T_1e-2_derived_8'
-  run 4 breakdown --map F1/F2 T --x 0.1:10:9 --y 0.5:8:7 --plot-y mean_velocity,regime --plot f.svg
+  run 2 breakdown --map F1/F2 T --x 0.1:10:9 --y 0.5:8:7 --plot-y mean_velocity,regime --plot f.svg
   grep -q 'a map shows one column' err || note "$(cat err)"
   # Of a noisy gait there are more regions than the list takes: every text stays on the canvas.
   /usr/bin/python3 -c "
@@ -131,7 +136,7 @@ END
   finish "maps of any column, and of many regions"
   drawn "families of stress" 'units, rounding, perturbed^masses  quadratic^promised for units: 8' stress --family masses --cases 2
   drawn "stress of a point" 'units, rounding, perturbed^v_start' stress --F1 3
-  drawn "work-precision" 'seconds for one steady state, on one machine^relative error of the displacement^quadratic gait, T = 0.5^exact' \
+  drawn "work-precision" 'seconds for one steady state, on one machine^relative error of the displacement^quadratic gait, T = 0.5^exact^Pareto front' \
     workprec --quick --gait quadratic --T 0.5
 fi
 
@@ -187,10 +192,10 @@ refused 2 'control characters' steady --plot no.svg --plot-title "$(printf 'a\nb
 refused 2 'does not take the option' claims --plot no.svg
 refused 4 'No such file' steady --points points.tsv --plot missing/no.svg
 [ ! -s out ] || note "a table, though its picture has no place"
-refused 4 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed
-refused 4 'no parameter varies' steady --plot no.svg
+refused 2 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed
+refused 2 'no parameter varies' steady --plot no.svg
 [ "$(rows out | wc -l)" = 1 ] || note "no table where there is no picture"
-refused 4 '--plot-x NAME and --plot-y NAME choose the columns of this table' steady --T 0.1:5:9 --columns displacement --plot no.svg --plot-y displacement
+refused 2 '--plot-x NAME and --plot-y NAME choose the columns of this table' steady --T 0.1:5:9 --columns displacement --plot no.svg --plot-y displacement
 finish "refusals"
 
 # ---- the table comes without gnuplot ----
@@ -211,6 +216,7 @@ echo $$ >started
 exec sleep 1000
 END
 chmod +x bin/gnuplot
+lives() { kill -0 "$1" 2>/dev/null && ! grep -q ') Z ' "/proc/$1/stat" 2>/dev/null; } # it has not only not been waited for
 for signal in TERM HUP; do
   rm -f started
   (PATH=$scratch/bin:$PATH && export PATH && keep_counts_apart && exec "$tool" trajectory --plot z.svg >/dev/null 2>&1) &
@@ -218,7 +224,7 @@ for signal in TERM HUP; do
   until [ -s started ]; do kill -0 $child 2>/dev/null || break; done
   kill -$signal $child
   wait $child 2>/dev/null
-  ! kill -0 "$(cat started)" 2>/dev/null || { note "SIG$signal leaves gnuplot"; kill -9 "$(cat started)"; }
+  ! lives "$(cat started)" || { note "SIG$signal leaves gnuplot"; kill -9 "$(cat started)"; }
   [ -z "$(find . -name 'z.svg*')" ] || note "SIG$signal leaves $(find . -name 'z.svg*')"
 done
 rm -f bin/gnuplot
@@ -250,7 +256,6 @@ finish "no text runs anything"
 
 # ---- texts that could be taken for markup: the picture is XML, and shows them ----
 mark='a ]]> <b> & "q" \n\134 &#x1; F#1'
-cell='a ]]> <b> & ”q” \n\134 &#x1; F#1'
 run 0 steady --points points.tsv --plot mark.svg --plot-title "$mark"
 shown_in mark.svg "$mark"
 printf '0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >"$mark"
@@ -258,7 +263,7 @@ run 0 steady --gait "measured:$mark" --F1 1:5:3 --plot mark.svg
 shown_in mark.svg "m1=1 m2=1 F2=1 L=4 T=10 alpha=0.7 gait=measured:$mark"
 printf 'h err\n0.1 1e-2\n0.05 2.5e-3\n0.025 6.25e-4\n' | tee "$mark" >"$(printf 'b\nc\033')"
 run 0 order "$mark" "$(printf 'b\nc\033')" --plot mark.svg
-shown_in mark.svg "$cell^b c"
+shown_in mark.svg "$mark^b c"
 printf 'T\tx\n0.1\td\001\377\303\274]]>\n0.5\td\001\377\303\274]]>\n0.1\te\n0.5\te\n' >carried.tsv
 run 0 steady --points carried.tsv --plot mark.svg --plot-x T --plot-y v_start --plot-by x
 shown_in mark.svg 'd??ü]]>^e'
@@ -269,7 +274,7 @@ want = ( { what = "steady"; file = "mark.tsv"; columns = [ "T", "which", "v_star
   plot = { file = "mark.svg"; x = "T"; y = "v_start"; by = "which"; }; } );
 END
 run 0 run mark.cfg
-shown_in mark.svg "$mark^$cell^e"
+shown_in mark.svg "$mark^$mark^e"
 [ -z "$(find . -name '*.scallop-*')" ] || note "files are left: $(find . -name '*.scallop-*')"
 echo 'set terminal svg mouse; set output output_file; set label 1 title at 0,0 noenhanced; plot table using 1:3' >own.gp
 sed 's/x = "T";.*/script = ".\/own.gp"; }; } );/; s/&#x1;//g' mark.cfg >own.cfg
@@ -277,8 +282,8 @@ run 0 run own.cfg
 grep -q CDATA mark.svg || note "no script for the mouse"
 /usr/bin/python3 -c 'import xml.etree.ElementTree as tree; tree.parse("mark.svg")' 2>said || note "a script of one's own: $(tail -n 1 said)"
 finish "a picture is XML, whatever it shows"
-mkdir -p planted/scripts/plots && cd planted || exit 1
-for script in common curves map reach dots; do echo 'system("touch hacked")' | tee "$script.gp" >"scripts/plots/$script.gp"; done
+mkdir -p planted/scripts/plots planted/plot && cd planted || exit 1
+for script in common curves map reach dots plot request; do echo 'system("touch hacked")' | tee "$script.gp" "$script.awk" plot/"$script.awk" >"scripts/plots/$script.gp"; done
 cp common.gp .gnuplot
 HOME=$(pwd) run 0 trajectory --plot t.svg
 [ ! -e hacked ] || note "a script of the current folder is executed"

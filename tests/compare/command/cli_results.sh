@@ -75,7 +75,7 @@ for r in read("claims.tsv"):
     said = subprocess.run(["sh", "-c", "scallop() { '%s' \"$@\"; }\n%s" % (sys.argv[1], command)], capture_output=True, text=True)
     met += 1
     cells = [c for line in said.stdout.splitlines() if line[:1] != "#" for c in line.split("\t")]
-    if said.stderr or not any(c.lstrip("-")[:1].isdigit() for c in cells):
+    if said.stderr or "cut -f" in command or not any(c.lstrip("-")[:1].isdigit() for c in cells):
         bad(r["claim"], r["conditions"], "is not shown by:", r["reason"], said.stdout, said.stderr)
 if met < 90:
     bad(met, "commands")

@@ -4,7 +4,7 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "compare/stress/stiff.h"
+#include "compare/stress/stiff_measure.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -44,7 +44,7 @@ TEST(certified_values)
       CHECK_AT_MOST(fabs(values[k]->low), 0.5 * DBL_EPSILON * fabs(values[k]->high));
     }
     CHECK_RELATIVE(scene.scaled.eps, 5 * c.T * c.T / 20, 4 * DBL_EPSILON);
-    assert_int_equal(scene.regime, i < 2 ? SCALLOP_SLIDING : SCALLOP_STICK_SLIP);
+    assert_string_equal(scene.names[2], i < 2 ? "sliding" : "stick-slip");
     assert_int_equal(scene.held.body, i < 2 ? 0 : 1);
   }
 }
@@ -108,7 +108,7 @@ TEST(held_all_the_time)
     c.T = 40;
     c.alpha = i == 0 ? 0.75 : 0.25;
     struct stiff_scene scene = scene_of(&c);
-    assert_int_equal(scene.regime, SCALLOP_AT_REST);
+    assert_string_equal(scene.names[2], "at-rest");
     assert_int_equal(scene.held.phase, i == 0 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION);
     CHECK_EQUAL(scene.held.begin, 0);
     CHECK_RELATIVE(scene.held.end, 30, 1e-14);

@@ -1,7 +1,7 @@
 /* Friction smoothed over delta (scallop_smoothed_rival): one period from the exact steady start, as delta -> 0:
  * certified scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
-#ifndef SCALLOP_COMPARE_STRESS_STIFF_H
-#define SCALLOP_COMPARE_STRESS_STIFF_H
+#ifndef SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
+#define SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
 
 #include "asymptotics/observed/order.h"
 #include "compare/answers/answer.h"
@@ -23,7 +23,6 @@ struct stiff_scene {
   const char *names[4]; /* its own, that of the gait, of the regime and of the stepper */
   struct scallop_crawler crawler;
   struct scallop_scaled scaled;
-  enum scallop_regime regime;
   double v_start;                          /* the certified steady one, rounded */
   struct scallop_wide v_end, displacement; /* certified, of the period from this very v_start */
   char modes[MOTION_MODES_TEXT];
@@ -65,7 +64,7 @@ struct stiff_trend {
   double gives_up_at;          /* delta of the last one                                       */
 };
 enum { STIFF_MOST_RUNS = 16 };
-/* runs: from 1 to STIFF_MOST_RUNS, delta falling. */
+/* runs: at most STIFF_MOST_RUNS, delta falling. */
 struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quantity);
 
 #endif

@@ -1,0 +1,351 @@
+/* Statements about families of crawlers that differ in one number. Somewhere in a family the start velocity vanishes:
+ * "the maximum average velocity occurs at the boundary" (sections 4.4 and 5), mean velocity "increases to a maximum and
+ * then decays to zero" (section 4.5), and more is said to be extreme there. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "compare/claims/orders.h"
+#include "compare/claims/statement.h"
+#include "compare/points/point_flint.h"
+
+struct place { /* speed: mean velocity in L/T, T of the family's crawler; nan where there is no steady state */
+  double x, speed, v_start;
+  bool sliding;
+};
+
+enum { PLACES_MOST = 1150, PEAKS_MOST = 6, SHORT = 6 };
+
+struct family {
+  struct scallop_crawler crawler;
+  enum varied varied;
+  int count;
+  struct place scan[PLACES_MOST]; /* from the smallest x; in doubles                                         */
+  /* Where v_start vanishes, in the first place from the left; nan: nowhere. found: it is proven to be positive at
+   * boundary (1 - 2^-60) and not to be at boundary (1 + 2^-60). before, after: the certified derivative of speed by ln
+   * x between (1 - 2^-39) and (1 - 2^-40), and between (1 + 2^-40) and (1 + 2^-39); speed: at the latter */
+  double boundary, before, after, speed;
+  bool found;
+  int maxima, highest; /* local maxima of speed that are proven to be higher than 1 % to either side */
+  struct place maximum[PEAKS_MOST];
+};
+
+/* x, speed, and the parameters that vary, as columns and as printf(1) takes them */
+static const struct {
+  const char *x, *speed, *columns, *names;
+} texts[] = {
+  [VARY_RATIO] = { "F1/F2", "<U> T/L", "F1", "F1\\n" },
+  [VARY_FORCES] = { "F2", "<U> T/L", "F1,F2", "F1\\tF2\\n" },
+  [VARY_PERIOD] = { "T", "<U> T0/L", "T", "T\\n" },
+};
+
+static struct scallop_crawler member(const struct family *f, double x)
+{
+  struct scallop_crawler c = f->crawler;
+  if (f->varied == VARY_PERIOD)
+    c.T = x;
+  else if (f->varied == VARY_RATIO)
+    c.F1 = x * c.F2;
+  else
+    c.F1 = x * (c.F1 / c.F2), c.F2 = x;
+  return c;
+}
+
+/* In doubles */
+
+static struct place place_at(const struct family *f, double x)
+{
+  const struct solved s = in_double(&(struct motion){ .crawler = member(f, x) });
+  const double speed = s.mean_velocity * f->crawler.T / f->crawler.L;
+  return (struct place){ x, speed, s.v_start, isfinite(speed) && s.regime == SCALLOP_SLIDING };
+}
+
+static double speed_of(const void *family, double x) { return place_at(family, x).speed; }
+static double start_of(const void *family, double x) { return place_at(family, x).v_start; }
+
+/* F1/F2 to 7838, 1/Froude from 1e-3 to 92 (forces) or 91 */
+static void scan(struct family *f)
+{
+  const struct scallop_crawler *c = &f->crawler;
+  const double M_L = 1e-3 * (c->m1 + c->m2) * c->L;
+  double x = f->varied == VARY_RATIO    ? 1.01
+             : f->varied == VARY_FORCES ? M_L / (c->T * c->T) / (1 + c->F1 / c->F2)
+                                        : sqrt(M_L / (c->F1 + c->F2));
+  f->count = f->varied == VARY_RATIO ? 900 : f->varied == VARY_FORCES ? PLACES_MOST : PLACES_MOST / 2;
+  for (int i = 0; i < f->count; i++, x *= 1.01)
+    f->scan[i] = place_at(f, x);
+  f->boundary = NAN;
+  for (int i = 1; isnan(f->boundary) && i < f->count; i++)
+    if (f->scan[i - 1].v_start > 0 && f->scan[i].v_start <= 0)
+      f->boundary = last_positive(start_of, f, f->scan[i - 1].x, f->scan[i].x);
+}
+
+/* Certified */
+
+static double velocity(struct question *q, const struct family *f, double x)
+{
+  return steady(q, member(f, x)).mean_velocity;
+}
+
+static void find_maxima(struct family *f, struct question *q)
+{
+  for (int i = 1; i + 1 < f->count && f->maxima < PEAKS_MOST; i++) {
+    if (!(f->scan[i].speed > f->scan[i - 1].speed && f->scan[i].speed > f->scan[i + 1].speed))
+      continue;
+    const struct place at = place_at(f, highest_between(speed_of, f, f->scan[i - 1].x, f->scan[i + 1].x));
+    const double v = velocity(q, f, at.x);
+    if (compare(v, velocity(q, f, 0.99 * at.x)) <= 0 || compare(v, velocity(q, f, 1.01 * at.x)) <= 0)
+      continue;
+    if (at.speed > f->maximum[f->highest].speed)
+      f->highest = f->maxima;
+    f->maximum[f->maxima++] = at;
+  }
+}
+
+/* The steady state of the member at boundary root (1 + side 2^-bits) */
+static bool solve_beside(struct ball_answer *a, const struct family *f, const fmpq_t root, slong side, ulong bits)
+{
+  const struct scallop_crawler at = member(f, f->boundary);
+  SCOPED(scallop_rational, c);
+  SCOPED(fmpq, factor);
+  fmpq_set_si(factor, side, 1);
+  fmpq_div_2exp(factor, factor, bits);
+  fmpq_add_si(factor, factor, 1);
+  fmpq_mul(factor, factor, root);
+  rational_crawler(&c, &at);
+  if (f->varied == VARY_PERIOD)
+    fmpq_mul(c.T, c.T, factor);
+  else
+    fmpq_mul(c.F1, c.F1, factor);
+  if (f->varied == VARY_FORCES)
+    fmpq_mul(c.F2, c.F2, factor);
+  return answer_in_balls(a, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, EVIDENCE_DIGITS);
+}
+
+/* d speed/d ln x on one side of the root, between the members 2^-39 and 2^-40 from it */
+static bool slope_beside(double *slope, struct ball_answer *far, struct ball_answer *near, const struct family *f,
+                         const fmpq_t root, slong side)
+{
+  SCOPED(arb, rise);
+  if (!solve_beside(far, f, root, side, 39) || !solve_beside(near, f, root, side, 40))
+    return false;
+  arb_sub(rise, far->value[Q_MEAN_VELOCITY], near->value[Q_MEAN_VELOCITY], EVIDENCE_BITS);
+  arb_mul_2exp_si(rise, rise, 40);
+  *slope = certain(rise) * (double)side * f->crawler.T / f->crawler.L;
+  return true;
+}
+
+/* The boundary in doubles is refined, by the zero of the line through the two members before it. */
+static void prove_boundary(struct family *f)
+{
+  SCOPED(ball_answer, far, near);
+  SCOPED(fmpq, root, step);
+  fmpq_one(root);
+  if (isnan(f->boundary) || !slope_beside(&f->before, &far, &near, f, root, -1))
+    return;
+  const double v_far = certain(far.value[Q_V_START]), v_near = certain(near.value[Q_V_START]);
+  scallop_rational_set_double(step, v_near / (v_far - v_near) - 1);
+  fmpq_div_2exp(step, step, 40);
+  fmpq_add(root, root, step);
+  if (!slope_beside(&f->after, &far, &near, f, root, 1))
+    return;
+  f->speed = certain(near.value[Q_MEAN_VELOCITY]) * f->crawler.T / f->crawler.L;
+  f->found = solve_beside(&far, f, root, -1, 60) && arb_is_positive(far.value[Q_V_START])
+             && solve_beside(&near, f, root, 1, 60) && arb_is_nonpositive(near.value[Q_V_START]);
+}
+
+/* The family of a row. Others of it come later: the last ones are kept. */
+static const struct family *survey(struct question *q, struct scallop_crawler c)
+{
+  static struct family kept[VARY_PERIOD + 1];
+  struct family *f = &kept[q->claim->varied];
+  if (f->count == 0 || !same_crawler(&f->crawler, &c)) {
+    *f = (struct family){ .crawler = c, .varied = q->claim->varied, .before = NAN, .after = NAN };
+    scan(f);
+    find_maxima(f, q);
+    prove_boundary(f);
+    q->solved = true;
+  }
+  return f;
+}
+
+/* Where T is varied, speeds are in L/T0. */
+static const char *unit_of_speed(const struct family *f)
+{
+  static char text[32];
+  snprintf(text, sizeof text, "; T0 = %.6g", f->crawler.T);
+  return f->varied == VARY_PERIOD ? text : "";
+}
+
+/* A command that prints the members at x */
+static void show_members(struct question *q, const struct family *f, const double *x, int count, const char *what,
+                         const char *quantities)
+{
+  const struct scallop_crawler usual = scallop_crawler_default();
+  struct scallop_crawler others = f->crawler;
+  char rows[240] = "";
+  for (int i = 0; i < count; i++) {
+    const struct scallop_crawler c = member(f, x[i]);
+    append(rows, sizeof rows, "%.10g", f->varied == VARY_PERIOD ? c.T : c.F1);
+    if (f->varied == VARY_FORCES)
+      append(rows, sizeof rows, "\\t%.10g", c.F2);
+    append(rows, sizeof rows, "\\n");
+  }
+  if (f->varied == VARY_PERIOD)
+    others.T = usual.T;
+  else
+    others.F1 = usual.F1;
+  if (f->varied == VARY_FORCES)
+    others.F2 = usual.F2;
+  show(q, "%s: printf '%s%s' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
+       options(q, others), texts[f->varied].columns, quantities);
+}
+
+/* Statements */
+
+static void changes_sign(struct question *q, struct scallop_crawler c)
+{
+  const struct family *f = survey(q, c);
+  q->solved = f->found;
+  conclude(q, 1, "certified: v_start > 0 at %s = %.10g (1 - 2^-60) and not at (1 + 2^-60)", texts[f->varied].x,
+           f->boundary);
+  show(q, "no change of sign was proven");
+}
+
+/* Proven: mean velocity rises up to the boundary and falls behind, and is nowhere in the scan higher. Refuted: it is
+ * higher on the highest peak, or at the first point. */
+static void peaks_at_boundary(struct question *q, struct scallop_crawler c)
+{
+  const struct family *f = survey(q, c);
+  const char *speed = texts[f->varied].speed;
+  const struct place *peak = &f->maximum[f->highest];
+  const struct place top = f->maxima > 0 && peak->speed > f->scan[0].speed ? *peak : f->scan[0];
+  const double x[] = { short_number(f->boundary, SHORT), short_number(top.x, SHORT) };
+  const bool peaks = f->maxima > 0 && fabs(peak->x / f->boundary - 1) < 1e-5;
+  const bool proven = f->found && f->before > 0 && f->after < 0 && peaks;
+  q->by = proven ? MEASURED : CERTIFIED_CRAWLER; /* by the scan */
+  conclude(q, proven ? 1 : -(compare(velocity(q, f, x[1]), velocity(q, f, x[0])) > 0),
+           "at %s = %.10g the certified slope d(%s)/d ln is %.6f before, %.6f after; %s is %.6f there, highest %.6f at "
+           "%.4g%s",
+           texts[f->varied].x, f->boundary, speed, f->before, f->after, speed, f->speed, top.speed, top.x,
+           unit_of_speed(f));
+  show_members(q, f, x, 2, "mean_velocity is lower at the boundary, the first row", "mean_velocity");
+}
+
+/* Not if there are several: the last two are shown, with the lowest place between them. */
+static void has_one_maximum(struct question *q, struct scallop_crawler c)
+{
+  const struct family *f = survey(q, c);
+  char list[PEAKS_MOST * 32] = "";
+  for (int i = 0; i < f->maxima; i++)
+    append(list, sizeof list, "%s %.6f at %.4g", i > 0 ? "," : "", f->maximum[i].speed, f->maximum[i].x);
+  conclude(q, f->maxima == 1 ? 1 : -(f->maxima > 1), "certified maxima of <U> T/L: %d;%s", f->maxima, list);
+  if (f->maxima < 2)
+    return;
+  const double first = f->maximum[f->maxima - 2].x, second = f->maximum[f->maxima - 1].x;
+  struct place low = { .speed = INFINITY };
+  for (int i = 0; i < f->count; i++)
+    if (f->scan[i].x > first && f->scan[i].x < second && f->scan[i].speed < low.speed)
+      low = f->scan[i];
+  const double x[] = { short_number(first, SHORT), short_number(low.x, SHORT), short_number(second, SHORT) };
+  show_members(q, f, x, 3, "mean_velocity falls and rises again", "mean_velocity");
+}
+
+/* The two places behind the onset of sticking between which the mean velocity rises most; false: it never rises. */
+static bool largest_rise(const struct family *f, double x[2])
+{
+  int i = 0;
+  double most = 0;
+  while (i < f->count && f->scan[i].sliding)
+    i++;
+  for (const struct place *at = &f->scan[i], *low = at; at < f->scan + f->count; at++) {
+    low = at->speed < low->speed ? at : low;
+    if (at->speed - low->speed > most) {
+      most = at->speed - low->speed;
+      x[0] = short_number(low->x, SHORT);
+      x[1] = short_number(at->x, SHORT);
+    }
+  }
+  return most > 0;
+}
+
+static void decays_once_sticking(struct question *q, struct scallop_crawler c)
+{
+  const struct family *f = survey(q, c);
+  const double unit = c.L / c.T;
+  double x[2] = { 0 };
+  if (!largest_rise(f, x)) {
+    q->by = MEASURED;
+    conclude(q, 1, "it never rises between neighbours");
+    return;
+  }
+  const double low = velocity(q, f, x[0]), high = velocity(q, f, x[1]);
+  conclude(q, -(compare(high, low) > 0), "certified: %s rises from %.6f at %s = %.6g to %.6f at %.6g%s",
+           texts[f->varied].speed, low / unit, texts[f->varied].x, x[0], high / unit, x[1], unit_of_speed(f));
+  show_members(q, f, x, 2, "mean_velocity rises, in stick-slip", "mean_velocity");
+}
+
+/* Solves members before the boundary, at it and behind it, 1 % apart. Does v_start change its sign? */
+static bool pass_boundary(struct question *q, const struct family *f, double x[3], struct solved s[3])
+{
+  for (int i = 0; i < 3; i++) {
+    x[i] = short_number(f->boundary * (0.99 + 0.01 * i), SHORT);
+    s[i] = steady(q, member(f, x[i]));
+  }
+  return s[0].v_start > 0 && s[2].v_start < 0;
+}
+
+void v_mid_peaks(struct question *q, struct scallop_crawler c)
+{
+  const struct family *f = survey(q, c);
+  struct solved s[3];
+  double x[3], v[3];
+  bool crosses = pass_boundary(q, f, x, s);
+  for (int i = 0; i < 3; i++)
+    v[i] = s[i].v_mid * member(f, x[i]).T / c.L;
+  conclude(q, crosses ? compare(v[1], fmax(v[0], v[2])) : 0,
+           "certified: v_start changes its sign; v_mid T/L = %.6f, %.6f, %.6f at %s = %.6g, %.6g, %.6g", v[0], v[1],
+           v[2], texts[f->varied].x, x[0], x[1], x[2]);
+  show_members(q, f, x, 3, "v_mid, the last column, is not highest in the second row", "v_start,v_mid");
+}
+
+void contraction_loses_least(struct question *q, struct scallop_crawler c)
+{
+  const struct family *f = survey(q, c);
+  struct solved s[3];
+  double x[3], forth[3], back[3];
+  bool crosses = pass_boundary(q, f, x, s);
+  for (int i = 0; i < 3; i++) {
+    forth[i] = extension(q, member(f, x[i]), s[i].v_start).dxC / c.L;
+    back[i] = contraction(q, member(f, x[i]), s[i].v_mid).dxC / c.L;
+  }
+  conclude(q, crosses ? compare(back[1], fmax(back[0], back[2])) : 0,
+           "certified: dx_C/L of the contraction is %.6f, %.6f, %.6f there; of the extension %.6f, %.6f, %.6f", back[0],
+           back[1], back[2], forth[0], forth[1], forth[2]);
+  show(q, "dx_C of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
+       options(q, member(f, x[1])), s[1].v_mid);
+}
+
+#define BY_RATIO "%s; F1/F2 from 1.01 to 7838 by 1 %%"
+#define BY_FORCES "%s; F1 and F2 together, 1/Froude from 1e-3 to 92 by 1 %%"
+#define BY_PERIOD "%s; T alone, 1/Froude from 1e-3 to 91 by 2 %%"
+static const char changes[] = "start_velocity_changes_sign", peaks[] = "mean_velocity_peaks_where_v_start_is_0";
+static const char decays[] = "mean_velocity_decays_once_sticking_begins", speed[] = "mean velocity";
+
+/* Only of F1/F2 does the paper say without restriction to sliding that it decays. */
+const struct statement statements_of_families[] = {
+  { changes, "4.4", "v_start", BY_RATIO, .decide = changes_sign, .varied = VARY_RATIO },
+  { peaks, "4.4", speed, BY_RATIO, .decide = peaks_at_boundary, .varied = VARY_RATIO },
+  { "mean_velocity_has_one_maximum", "4.5", speed, BY_RATIO, .decide = has_one_maximum, .varied = VARY_RATIO },
+  { decays, "4.5", speed, BY_RATIO ", where a body sticks: \"then decays to zero as the asymmetry increases\"",
+    .decide = decays_once_sticking, .varied = VARY_RATIO },
+  { changes, "4.4", "v_start", BY_FORCES, .decide = changes_sign, .varied = VARY_FORCES },
+  { peaks, "4.4", speed, BY_FORCES, .decide = peaks_at_boundary, .varied = VARY_FORCES },
+  { decays, "4.5", speed, BY_FORCES ", where a body sticks", .decide = decays_once_sticking, .varied = VARY_FORCES,
+    .outside = true },
+  { changes, "4.4", "v_start", BY_PERIOD, .decide = changes_sign, .varied = VARY_PERIOD },
+  { peaks, "4.4", speed, BY_PERIOD, .decide = peaks_at_boundary, .varied = VARY_PERIOD },
+  { decays, "4.5", speed, BY_PERIOD ", where a body sticks", .decide = decays_once_sticking, .varied = VARY_PERIOD,
+    .outside = true },
+  { .name = NULL },
+};

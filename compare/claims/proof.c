@@ -1,0 +1,229 @@
+/* What a formula leaves out, the derived expansion minus the formula, by numbers and in names; and the verdict. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "asymptotics/published/read.h"
+#include "asymptotics/symbolic/left_out.h"
+#include "compare/book/book.h"
+#include "compare/claims/orders.h"
+#include "compare/claims/statement.h"
+#include "compare/points/point_flint.h"
+
+enum { MANY_TERMS = 48, PRECISION = 1400, MOST_OF_EQUALITY = 11, DIGITS = 12 };
+
+SCOPED_KIND(left_out, struct left_out)
+
+struct proof {
+  struct series *left_out;
+  slong order;               /* of the first coefficient that is not 0; known if there is none                      */
+  slong known;               /* of the series                                                                      */
+  bool found;                /* there is one                                                                      */
+  bool undecided;            /* that coefficient is in a ball that holds 0                                        */
+  slong general;             /* that order for all parameters with these modes; order where that is not known       */
+  bool for_all;              /* general is known, and order                                                       */
+  slong for_all_below;       /* where nothing was found: lower coefficients vanish for all parameters; 0: not known */
+  char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                               */
+};
+
+/* derived - formula. False: the formula has no expansion. */
+static bool set_left_out(struct proof *p, const struct trial *m, const struct scallop_formula *f)
+{
+  const struct ring ring = { m->terms + 8, PRECISION };
+  const struct scallop_phase_expansion *phase = &m->series.phase;
+  const struct series *const given[] = { &phase->t1, &phase->dT, &phase->at_last };
+  SCOPED(scallop_symbols, symbols);
+  SCOPED(series, value);
+  series_set(p->left_out, trial_series(m, f->quantity));
+  if (!f->text) {
+    series_set_zero(p->left_out, trial_leading_power(f));
+    return true;
+  }
+  scallop_symbols_set(&symbols, &m->crawler, m->condition->kind, m->v0, NULL, &ring);
+  for (int i = 0; i < 3; i++)
+    if (phase->switches || trial_is_steady(m))
+      series_set(&symbols.value[SCALLOP_SYMBOL_t1 + i], given[i]);
+    else
+      series_set_unknown(&symbols.value[SCALLOP_SYMBOL_t1 + i]);
+  if (scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring, p->why))
+    return false;
+  if (f->quantity == SCALLOP_VELOCITY_CHANGE)
+    series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
+  series_sub(p->left_out, p->left_out, &value, &ring);
+  return true;
+}
+
+static bool look_for_order(struct proof *p, const struct trial *m, const struct scallop_formula *f)
+{
+  SCOPED(arb, x);
+  if (!set_left_out(p, m, f))
+    return false;
+  const slong end = p->left_out->first + series_terms(p->left_out);
+  p->known = p->left_out->known;
+  p->order = p->left_out->first;
+  while (p->order < end && series_coefficient_is_zero(p->left_out, p->order))
+    p->order++;
+  if (p->order >= end)
+    p->order = p->known;
+  else
+    series_coefficient(x, p->left_out, p->order, PRECISION);
+  p->undecided = p->order < p->known && arb_contains_zero(x);
+  p->found = p->order < p->known && !p->undecided;
+  p->general = p->order;
+  return true;
+}
+
+static bool prove(struct proof *p, struct trial *m, const struct scallop_formula *f)
+{
+  if (!trial_series(m, f->quantity)) {
+    snprintf(p->why, sizeof p->why, "no body turns in this phase, so that %s does not exist",
+             scallop_quantity_words[f->quantity]);
+    return false;
+  }
+  if (!look_for_order(p, m, f))
+    return false;
+  bool rational = scallop_gait_is_rational(m->crawler.gait); /* of others the zeros are shown so far and no further */
+  if (p->found || p->undecided || !rational || m->terms >= MANY_TERMS)
+    return true;
+  return trial_expand(m, MANY_TERMS) && look_for_order(p, m, f); /* perhaps further on */
+}
+
+/* Is there an equality among the conditions, other than F1 = F2? In names it would not hold. */
+static bool has_equality(const struct scallop_formula *f)
+{
+  bool has = false;
+  for (const char *const *when = f->when; when && *when; when++)
+    has = has || (strchr(*when, '=') && !scallop_condition_is_equal_forces(*when));
+  return has;
+}
+
+static bool is_of_paper(const struct scallop_formula *f)
+{
+  const struct scallop_formula *own = scallop_formula_named(f->name);
+  return own && own->text && strcmp(own->text, f->text) == 0 && (!f->parts || !f->parts->name);
+}
+
+/* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of
+ * finite sums is proven so, and one of the paper's formulas for the quadratic gait, whose degree in T is low
+ * (docs/theory.md, The ledger's proofs). False: the two contradict each other. */
+static bool prove_for_all(struct proof *p, struct claim_row *row, const struct trial *m,
+                          const struct scallop_formula *f)
+{
+  const slong looked = f->remainder > MOST_OF_EQUALITY ? f->remainder : MOST_OF_EQUALITY;
+  const slong most = p->found ? p->order : looked < p->known ? looked : p->known - 1;
+  SCOPED(left_out, l);
+  SCOPED(fmpq, coefficient);
+  char why[FORMULA_MESSAGE];
+  if (!f->text || has_equality(f) || most >= SYMBOLIC_ORDERS
+      || symbolic_left_out(&l, f, &m->crawler, m->condition->kind, m->v0, most, why))
+    return true;
+  const bool vanishes = l.order > most;
+  const bool low_degree = is_of_paper(f) && m->crawler.gait == &scallop_gait_quadratic;
+  const bool all = f->remainder != SCALLOP_EQUALITY || p->known >= SERIES_ALL || low_degree;
+  p->general = vanishes ? p->order : l.order;
+  p->for_all = p->found ? l.order == p->order : vanishes && all;
+  p->for_all_below = vanishes ? most + 1 : l.order;
+  if (p->for_all) {
+    row->leading_error = l.term;
+    l.term = NULL;
+  }
+  bool same = !p->for_all || !l.is_number
+              || (series_rational_coefficient(coefficient, p->left_out, p->order)
+                  && fmpq_equal(coefficient, l.coefficient));
+  return !p->found || (!vanishes && same);
+}
+
+/* Of the motion itself again: positions and velocities change their sign in a mirror, times do not. */
+static void see_in_mirror(struct proof *p, struct claim_row *row, enum scallop_quantity quantity)
+{
+  if (quantity == SCALLOP_LAG || quantity == SCALLOP_FIRST_SWITCH)
+    return;
+  series_neg(p->left_out, p->left_out);
+  for (int i = 0; i < row->count; i++)
+    row->points[i].err = -row->points[i].err;
+}
+
+static void set_coefficient(struct claim_row *row, const struct series *left_out, slong power)
+{
+  SCOPED(fmpq, q);
+  SCOPED(arb, x);
+  bool is_rational = series_rational_coefficient(q, left_out, power);
+  series_coefficient(x, left_out, power, 128);
+  if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
+    arf_get_fmpq(q, arb_midref(x));
+    is_rational = true;
+  }
+  char *text = is_rational ? decimal_fraction(q) : NULL;
+  if (!text || strlen(text) >= sizeof row->coefficient) {
+    flint_free(text);
+    text = decimal_ball(x, DIGITS);
+  }
+  append(row->coefficient, sizeof row->coefficient, "%s", text);
+  flint_free(text);
+}
+
+/* An equality is not proven by finitely many coefficients, but of finite sums, or of formulas whose degree is known. */
+static void judge_exact(struct claim_row *row, const struct proof *p)
+{
+  const bool all = p->known >= SERIES_ALL;
+  row->verdict = !isinf(row->claimed_order) ? CLAIM_SHARPER : all || p->for_all ? CLAIM_HOLDS : CLAIM_UNDECIDED;
+  if (all)
+    add_reason(row, "every coefficient vanishes");
+  else
+    add_reason(row, "every coefficient below T^%ld vanishes", (long)p->known);
+  if (p->for_all_below > 0 && !all)
+    add_reason(row, "for all parameters those below T^%ld", (long)p->for_all_below);
+  if (row->verdict == CLAIM_UNDECIDED)
+    row->evidence = NO_EVIDENCE;
+}
+
+static void judge_order(struct claim_row *row, const struct proof *p)
+{
+  const double order = (double)p->order;
+  set_coefficient(row, p->left_out, p->order);
+  row->verdict = order == row->claimed_order ? CLAIM_HOLDS : order > row->claimed_order ? CLAIM_SHARPER : CLAIM_REFUTED;
+  if (row->verdict == CLAIM_REFUTED && order == 0)
+    add_reason(row, "the error does not fall");
+  else if (row->verdict != CLAIM_HOLDS)
+    add_reason(row, "the error goes as T^%ld", (long)p->order);
+}
+
+static void judge(struct claim_row *row, const struct proof *p)
+{
+  row->proven = !p->undecided;
+  row->exact = !p->undecided && !p->found;
+  row->derived_order = p->order;
+  row->evidence = p->undecided ? NO_EVIDENCE : p->for_all ? PROVEN_FOR_ALL : CERTIFIED_CRAWLER;
+  row->verdict = CLAIM_UNDECIDED;
+  if (p->undecided)
+    add_reason(row, "the coefficient of T^%ld cannot be told from 0", (long)p->order);
+  else
+    (row->exact ? judge_exact : judge_order)(row, p);
+  if (p->general < p->order) {
+    add_reason(row, "of other crawlers as T^%ld", (long)p->general);
+    if (row->any_crawler && (double)p->general < row->claimed_order)
+      row->verdict = CLAIM_REFUTED;
+  }
+}
+
+void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *f,
+                   const char *why)
+{
+  SCOPED(series, left_out);
+  struct proof p = { .left_out = &left_out };
+  if (!why && prove(&p, m, f)) {
+    if (!p.undecided && !prove_for_all(&p, row, m, f))
+      ledger_contradict(ledger, row, "the coefficients in names are other ones than in numbers");
+    trial_measure(row, m, f, &left_out);
+    if (m->mirrored)
+      see_in_mirror(&p, row, f->quantity);
+    judge(row, &p);
+  } else {
+    char place[FORMULA_PLACE]; /* of what is wrong with the text */
+    why = why ? why : p.why;
+    add_reason(row, "%s%s", strncmp(why, "character", 9) == 0 ? formula_place(place, f) : "",
+               *why ? why : "no expansion in powers of T is known for this motion");
+    row->verdict = CLAIM_UNDECIDED;
+  }
+  ledger_enter(ledger, row);
+}

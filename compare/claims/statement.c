@@ -1,0 +1,194 @@
+#include "compare/claims/statement.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "compare/book/book.h"
+#include "compare/claims/orders.h"
+#include "compare/points/point_flint.h"
+#include "compare/text/halfway.h"
+#include "compare/text/table.h"
+
+/* Solutions */
+
+_Static_assert(offsetof(struct solved, multiplier) == Q_MULTIPLIER * sizeof(double)
+                   && offsetof(struct solved, dxC) == Q_DXC * sizeof(double)
+                   && offsetof(struct solved, at_first) == Q_AT_FIRST * sizeof(double),
+               "the names are in the order of enum quantity_id");
+
+double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
+
+double nearest_double(const fmpq_t x)
+{
+  SCOPED(arb, ball);
+  arb_set_fmpq(ball, x, 64);
+  return middle(ball);
+}
+
+/* A certified number as a double: 0 if it may be 0 and is small enough; nan if its sign is not known, otherwise. */
+double certain(const arb_t x)
+{
+  if (!arb_contains_zero(x))
+    return middle(x);
+  return mag_cmp_2exp_si(arb_radref(x), -80) < 0 ? 0 : NAN;
+}
+
+static bool solve_in_balls(struct solved *s, const struct motion *m)
+{
+  SCOPED(ball_answer, a);
+  SCOPED(scallop_rational, c);
+  SCOPED(fmpq, v0);
+  rational_crawler(&c, &m->crawler);
+  if (isfinite(m->v0))
+    scallop_rational_set_double(v0, m->v0);
+  bool done = isfinite(m->v0) && answer_in_balls(&a, &c, m->of, m->phase, v0, EVIDENCE_DIGITS);
+  for (int k = 0; k < ALL_QUANTITIES; k++)
+    s->of[k] = done && a.value[k] ? certain(a.value[k]) : NAN;
+  s->regime = a.regime;
+  motion_modes_text(s->modes, m->of, a.modes);
+  return done;
+}
+
+struct solved in_double(const struct motion *m)
+{
+  struct answer a;
+  answer_in_double(&a, m);
+  struct solved s = { .regime = a.regime, .single = a.v_low == a.v_high };
+  for (int k = 0; k < ALL_QUANTITIES; k++)
+    s.of[k] = a.value[k].high;
+  motion_modes_text(s.modes, m->of, a.modes);
+  return s;
+}
+
+static struct solved solve(struct question *q, const struct motion *m)
+{
+  struct solved s = { .regime = SCALLOP_SLIDING };
+  if (q->by == CERTIFIED_CRAWLER)
+    q->solved = solve_in_balls(&s, m) && q->solved;
+  else
+    s = in_double(m);
+  return s;
+}
+
+struct solved steady(struct question *q, struct scallop_crawler c)
+{
+  return solve(q, &(struct motion){ .of = OF_STEADY, .crawler = c });
+}
+
+struct solved extension(struct question *q, struct scallop_crawler c, double v0)
+{
+  return solve(q, &(struct motion){ .of = OF_PHASE, .crawler = c, .phase = SCALLOP_EXTENSION, .v0 = v0 });
+}
+
+struct solved contraction(struct question *q, struct scallop_crawler c, double v0)
+{
+  return solve(q, &(struct motion){ .of = OF_PHASE, .crawler = c, .phase = SCALLOP_CONTRACTION, .v0 = v0 });
+}
+
+int compare(double a, double b)
+{
+  const double roundings = 16 * DBL_EPSILON * fmax(fabs(a), fabs(b));
+  return (a - b > roundings) - (b - a > roundings);
+}
+
+int is_zero(double x) { return x == 0 ? 1 : isnan(x) ? 0 : -1; }
+
+double short_number(double x, int digits)
+{
+  char text[NUMBER_TEXT];
+  snprintf(text, sizeof text, "%.*g", digits, x);
+  return strtod(text, NULL);
+}
+
+double last_positive(function_of *f, const void *context, double low, double high)
+{
+  for (double x; halfway(&x, low, high);)
+    *(f(context, x) > 0 ? &low : &high) = x;
+  return low;
+}
+
+double highest_between(function_of *f, const void *context, double a, double b)
+{
+  const double golden = 0.6180339887498949;
+  while (b - a > 1e-7 * a) {
+    double left = b - golden * (b - a), right = a + golden * (b - a);
+    if (f(context, left) > f(context, right))
+      b = right;
+    else
+      a = left;
+  }
+  return 0.5 * (a + b);
+}
+
+struct printed printed(struct scallop_crawler c, const char *formula)
+{
+  const struct scallop_formula *known = formula_named(formula);
+  const struct scallop_formula f = known ? *known
+                                         : (struct scallop_formula){ .text = formula, .setting = SCALLOP_STEADY };
+  const bool steady = f.setting == SCALLOP_STEADY, rest = f.setting == SCALLOP_AT_REST_START;
+  const enum scallop_phase_kind kind = f.setting == SCALLOP_MOVING_CONTRACTION;
+  SCOPED(ball_answer, a);
+  SCOPED(scallop_rational, exact);
+  SCOPED(fmpq, v0, T);
+  SCOPED(arb, value, error);
+  rational_crawler(&exact, &c);
+  fmpq_set_si(v0, !rest, 1);
+  scallop_rational_duration(T, &exact, kind);
+  published_in_balls(value, &f, &exact, kind, v0, steady ? exact.T : T, NULL, EVIDENCE_BITS);
+  answer_in_balls(&a, &exact, steady ? OF_STEADY : OF_PHASE, kind, v0, EVIDENCE_DIGITS);
+  const arb_struct *right = a.value[quantity_of_formula(&f, kind)];
+  if (!right)
+    return (struct printed){ certain(value), NAN, NAN };
+  arb_sub(error, value, right, EVIDENCE_BITS);
+  return (struct printed){ certain(value), certain(right), certain(error) };
+}
+
+/* Texts */
+
+const char *options(struct question *q, struct scallop_crawler c)
+{
+  const struct scallop_crawler usual = scallop_crawler_default();
+  double numbers[CRAWLER_NUMBERS], defaults[CRAWLER_NUMBERS];
+  char number[NUMBER_TEXT];
+  crawler_numbers(&c, numbers);
+  crawler_numbers(&usual, defaults);
+  *q->options = '\0';
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    if (numbers[i] != defaults[i]) {
+      number_text(number, numbers[i], 0);
+      append(q->options, sizeof q->options, " --%s %s", crawler_parameters[i], number);
+    }
+  if (c.gait != usual.gait)
+    append(q->options, sizeof q->options, " --gait %s", c.gait->name);
+  return q->options;
+}
+
+void conclude(struct question *q, int verdict, const char *format, ...)
+{
+  struct claim_row *row = &q->row;
+  bool in_theory = verdict > 0 && q->claim->proven && scallop_gait_named(row->gait);
+  if (!q->solved) {
+    verdict = 0;
+    format = "not proven";
+  }
+  row->verdict = verdict > 0 ? CLAIM_HOLDS : verdict < 0 ? CLAIM_REFUTED : CLAIM_UNDECIDED;
+  row->evidence = verdict == 0 ? NO_EVIDENCE : in_theory ? PROVEN_FOR_ALL : q->by;
+  va_list numbers;
+  va_start(numbers, format);
+  vsnprintf(row->measured, sizeof row->measured, format, numbers);
+  va_end(numbers);
+}
+
+void show(struct question *q, const char *format, ...)
+{
+  va_list numbers;
+  va_start(numbers, format);
+  if (q->row.verdict != CLAIM_HOLDS)
+    vsnprintf(q->row.reason, sizeof q->row.reason, format, numbers);
+  va_end(numbers);
+}

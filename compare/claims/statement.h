@@ -1,0 +1,110 @@
+/* Statements of the paper in words. A row says what is claimed, where, and of which crawler; its function solves
+ * motions, compares numbers, and prints what was found. Needs FLINT. Not public.
+ *
+ * All numbers are doubles. Certified ones are 30 proven digits, rounded once. They are 0 only where they are proven to
+ * be below 2^-80, and otherwise have a proven sign; and what differs by more than roundings does differ. */
+#ifndef SCALLOP_COMPARE_CLAIMS_STATEMENT_H
+#define SCALLOP_COMPARE_CLAIMS_STATEMENT_H
+
+#include "compare/claims/orders.h"
+
+struct question;
+/* What varies in a family of crawlers: F1/F2, F1 varied; F2, with F1/F2 kept; T. */
+enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD };
+
+enum { RANDOM_NUMBERS = 6 };
+
+struct statement {
+  const char *name, *place, *quantity; /* place: in the paper                                                       */
+  const char *conditions;              /* a format: %s is whose crawler it is                                      */
+  void (*decide)(struct question *q, struct scallop_crawler c);
+  struct scallop_crawler with; /* numbers of the crawler that are not 0 here are these                       */
+  enum scallop_regime regime;  /* of the steady state that it is about                                      */
+  bool shows;                  /* the example shows what is claimed; else it refutes that                  */
+  const void *data;            /* what else the function takes                                             */
+  enum varied varied;          /* of a family                                                               */
+  bool outside;                /* of the paper's conditions                                                 */
+  bool of_its_gaits_alone;     /* the paper's: no row for another                                           */
+  bool of_its_crawler;         /* the paper's, not the ledger's                                             */
+  bool proven;                 /* for the paper's gaits, in docs/theory.md: The motion in words             */
+  /* Of one about every crawler: one of the numbers of a crawler, which is at most the limit where it holds, and
+   * -INFINITY where it is about others; and what is said where it holds for all: a format of how many they are. */
+  void (*measure)(struct question *q, struct scallop_crawler c, double numbers[RANDOM_NUMBERS]);
+  int number;
+  double limit;
+  const char *holds;
+};
+/* In the order of the ledger; the last has name NULL. Decided for each gait with the paper's crawler (examples), or
+ * with random ones; and for each gait with the paper's crawler and with the ledger's (families). */
+extern const struct statement statements_at_random[], statements_by_example[], statements_of_families[],
+    statements_of_figures[];
+
+/* One statement while it is decided, for one crawler */
+struct question {
+  const struct statement *claim;
+  struct scallop_crawler crawler;
+  bool of_the_paper;      /* it is the one of the paper's figures                                                     */
+  enum claim_evidence by; /* how motions are solved: CERTIFIED_CRAWLER, to begin with; else in doubles               */
+  bool solved;            /* all motions so far                                                                       */
+  struct claim_row row;
+  char options[200];
+};
+
+/* A motion that is solved: its quantities, by name and by enum quantity_id, nan where it has none */
+struct solved {
+  union {
+    struct {
+      double froude, v_start, v_mid, displacement, mean_velocity, multiplier;
+      double t1, dT, v_end, dx1, dx2, dxC;
+      double friction_work, cost_of_transport, at_first;
+    };
+    double of[ALL_QUANTITIES];
+  };
+  enum scallop_regime regime;
+  char modes[MOTION_MODES_TEXT]; /* "++ -+ ++ | ++ +- ++" */
+  bool single;                   /* in doubles: there is one steady state */
+};
+struct solved in_double(const struct motion *m);
+struct solved steady(struct question *q, struct scallop_crawler c);
+struct solved extension(struct question *q, struct scallop_crawler c, double v0);
+struct solved contraction(struct question *q, struct scallop_crawler c, double v0);
+double middle(const arb_t x);
+double certain(const arb_t x);
+double nearest_double(const fmpq_t x); /* fmpq_get_d does not round to nearest */
+enum { EVIDENCE_DIGITS = 30, EVIDENCE_BITS = 160 };
+
+/* A formula of the paper by its name, of a phase from rest or from v0 = 1, or a text in the names of its formulas of
+ * the steady state; what it is about, nan of a text; and their difference: certified */
+struct printed {
+  double value, exact, error;
+};
+struct printed printed(struct scallop_crawler c, const char *formula);
+
+/* 1: a > b; -1: a < b; 0: they do not differ by more than roundings do, or one of them is nan */
+int compare(double a, double b);
+/* Of a certified number: 1: it is 0, to 2^-80; -1: it is not; 0: not known */
+int is_zero(double x);
+
+/* The verdict, of what is true or false of the motions that were solved, or not known: 1, -1, 0; and what was found. */
+void conclude(struct question *q, int verdict, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Of what does not hold: a command that shows it, behind words perhaps */
+void show(struct question *q, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* " --F1 2 --gait sinusoidal", what makes the default crawler this one; until the next call */
+const char *options(struct question *q, struct scallop_crawler c);
+/* The number with so many digits: what a command says */
+double short_number(double x, int digits);
+
+/* Is what the statement says of every crawler so of random ones? Returns the largest number; its crawler is the
+ * question's then. */
+double at_random(struct question *q, struct scallop_crawler any);
+
+/* The last double before f, positive at low and not at high, is not positive any more; where f, with one maximum
+ * between a and b, is highest, to 1e-7 of it */
+typedef double function_of(const void *context, double x);
+double last_positive(function_of *f, const void *context, double low, double high);
+double highest_between(function_of *f, const void *context, double a, double b);
+
+void v_mid_peaks(struct question *q, struct scallop_crawler c);
+void contraction_loses_least(struct question *q, struct scallop_crawler c);
+
+#endif
