@@ -1,10 +1,10 @@
 /* The numbers in the texts of --help (docs/help/) are those that the code uses. */
 #include <stdio.h>
 
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/breakdown.h"
 #include "compare/command/commands.h"
 #include "compare/points/defaults.h"
-#include "compare/stress/judge.h"
+#include "compare/stress/stress.h"
 #include "compare/summary/summary.h"
 #include "compare/text/shipped.h"
 #include "tests/support/check.h"
