@@ -151,6 +151,7 @@ static const struct {
                  { "limit.", QUANTITY_LIMIT, 0 },
                  { "derived_", QUANTITY_DERIVED, 0 },
                  { "reach_", QUANTITY_STUDIED, STUDIED_REACH },
+                 { "value.", QUANTITY_STUDIED, STUDIED_VALUE },
                  { "deviation.", QUANTITY_STUDIED, STUDIED_DEVIATION },
                  { "error_limit.", QUANTITY_STUDIED, STUDIED_ERROR_LIMIT },
                  { "verdict.", QUANTITY_STUDIED, STUDIED_VERDICT },

@@ -15,6 +15,7 @@
  *     exact.S, error.S, relative.S   of a series S of these: what it should be, S - exact, and that over |exact|
  *     certified.displacement, ...                 with all digits, proven
  *     reach_1e-2.S   of a series S of the steady state: the largest T up to which |S/exact - 1| stays below 1e-2
+ *     value.S        S at this T, from balls; nan where it has none
  *     deviation.S    S/exact - 1 at this T, by binary128; error_limit.S: what its size tends to as T -> 0, if not to 0
  *     verdict.S order.S   of a formula S: is the order that is claimed of its error right, and the one that is proven
  *     first_event first_event_T first_event_froude reversals    along T, as `breakdown` has them
@@ -131,6 +132,7 @@ enum quantity_kind {
 /* What takes a study of the crawler along T (compare/summary/studied.c) */
 enum studied {
   STUDIED_REACH,
+  STUDIED_VALUE,
   STUDIED_DEVIATION,
   STUDIED_ERROR_LIMIT,
   STUDIED_ORDER,

@@ -206,6 +206,11 @@ static double number(struct at *at, const struct quantity *q)
   struct comparison c = { .expansions = study ? &study->expansions : NULL, .cache = study ? study->cache : NULL };
   if (!study || !find_item(&c.item, study, series))
     return NAN;
+  if (q->which == STUDIED_VALUE) {
+    SCOPED(arb, value);
+    series_item_value(value, &c.item, &study->expansions, at->place.point.crawler.T, BREAKDOWN_BITS);
+    return arb_is_finite(value) ? arf_get_d(arb_midref(value), ARF_RND_NEAR) : NAN;
+  }
   return q->which == STUDIED_DEVIATION ? comparison_error(&c, at->place.point.crawler.T) : comparison_limit(&c);
 }
 

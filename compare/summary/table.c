@@ -7,7 +7,7 @@
 enum { DIGITS = 6 };
 
 /* What a row has of each formula: NAME and NAME_error, ... */
-static const char *const of_formula[][2] = { { "", "" },
+static const char *const of_formula[][2] = { { "", "value." },
                                              { "_error", "deviation." },
                                              { "_reach_1", "reach_0.01." },
                                              { "_reach_5", "reach_0.05." },
@@ -71,7 +71,7 @@ const char *summary_plan(struct rows *rows)
     wrong = rows_own(rows, "%s", before[i]);
   for (int i = 0, count = PER_FORMULA * summary_formulas(formulas); i < count && !wrong; i++) {
     const char *name = formulas[i / PER_FORMULA]->name, *const *part = of_formula[i % PER_FORMULA];
-    wrong = *part[0] ? rows_own(rows, "%s%s = %s%s", name, part[0], part[1], name) : rows_own(rows, "%s", name);
+    wrong = rows_own(rows, "%s%s = %s%s", name, part[0], part[1], name);
   }
   for (int i = 0; behind[i] && !wrong; i++)
     wrong = rows_own(rows, "%s", behind[i]);
