@@ -1,7 +1,6 @@
 #include "compare/text/message.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,21 +8,27 @@
 
 #include "compare/text/progress.h"
 
+char *printed_line(const char *format, va_list arguments, const char *kept)
+{
+  char *text = NULL;
+  size_t size;
+  FILE *stream = open_memstream(&text, &size);
+  if (!stream || vfprintf(stream, format, arguments) < 0 || fclose(stream) != 0)
+    return NULL;
+  for (char *c = text; *c; c++)
+    if (((unsigned char)*c < ' ' || *c == 0x7f) && !strchr(kept, *c))
+      *c = '?';
+  return text;
+}
+
 bool complain(const char *command, const char *format, ...)
 {
   va_list arguments;
-  char *text = NULL;
-  size_t size;
   progress_clear();
   va_start(arguments, format);
-  FILE *kept = open_memstream(&text, &size);
-  if (kept)
-    vfprintf(kept, format, arguments);
+  char *text = printed_line(format, arguments, "\n");
   va_end(arguments);
-  bool written = kept && fclose(kept) == 0;
-  for (char *c = text; written && *c; c++) /* of a file's name, say, to which a terminal would listen */
-    *c = ((unsigned char)*c < 0x20 && *c != '\n') || *c == 0x7f ? '?' : *c;
-  fprintf(stderr, "scallop %s: %s\n", command, written ? text : "out of memory");
+  fprintf(stderr, "scallop %s: %s\n", command, text ? text : "out of memory");
   free(text);
   return false;
 }
