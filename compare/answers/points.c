@@ -274,7 +274,7 @@ static void rows_of_file(struct making *m)
   while (!table_failed(&m->table) && tsv_next(&r->tsv)) {
     struct point point = m->request->point;
     const char *wrong = read_row(r, &point, status);
-    read += (double)(r->tsv.end - r->tsv.begin + 1);
+    read += (double)(r->tsv.length + 1);
     /* about so many rows: no comments */
     progress_count(m->rows + 1, lround((double)(m->rows + 1) * (double)bytes / read));
     write_row(m, &point, wrong);
