@@ -13,10 +13,7 @@ static struct entry *buckets[BUCKETS]; /* the entries by their names */
 static struct config **files;
 static int file_count;
 
-static struct entry **bucket_of(const char *name)
-{
-  return &buckets[checksum_after(CHECKSUM_OF_NOTHING, name, strlen(name)) % BUCKETS];
-}
+static struct entry **bucket_of(const char *name) { return &buckets[checksum(name) % BUCKETS]; }
 
 const struct entry *book_entry_named(const char *name)
 {

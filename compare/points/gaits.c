@@ -78,10 +78,7 @@ static void free_all(void)
     }
 }
 
-static unsigned bucket_of(const char *text)
-{
-  return checksum_after(CHECKSUM_OF_NOTHING, text, strlen(text)) % BUCKETS;
-}
+static unsigned bucket_of(const char *text) { return checksum(text) % BUCKETS; }
 
 static struct made *find(const char *text)
 {
