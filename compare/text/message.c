@@ -37,23 +37,22 @@ bool complain(const char *command, const char *format, ...)
 static int distance(const char *a, const char *b)
 {
   enum { LONGEST = 40 };
-  int row[LONGEST + 1];
-  size_t m = strlen(b);
-  if (m > LONGEST || strlen(a) > LONGEST)
+  int row[LONGEST + 1], length = (int)strlen(b);
+  if (length > LONGEST || strlen(a) > LONGEST)
     return LONGEST;
-  for (size_t j = 0; j <= m; j++)
-    row[j] = (int)j;
-  for (size_t i = 1; a[i - 1] != '\0'; i++) {
+  for (int j = 0; j <= length; j++)
+    row[j] = j;
+  for (int i = 1; *a; i++, a++) {
     int diagonal = row[0];
-    row[0] = (int)i;
-    for (size_t j = 1; j <= m; j++) {
-      int substitute = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
+    row[0] = i;
+    for (int j = 1; j <= length; j++) {
+      int substitute = diagonal + (tolower((unsigned char)*a) != tolower((unsigned char)b[j - 1]));
       int insert = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
       diagonal = row[j];
       row[j] = substitute < insert ? substitute : insert;
     }
   }
-  return row[m];
+  return row[length];
 }
 
 bool likely(const char *word, const char *name) { return distance(word, name) == 0; }
@@ -132,16 +131,15 @@ static size_t shown_bytes(const char *text, enum shown shown)
 void put_escaped(FILE *to, const char *text, const struct escapes *escapes, enum shown shown)
 {
   while (*text) {
-    size_t plain = 0;
-    for (size_t size; text[plain] && !strchr(escapes->special, text[plain]); plain += size)
-      if ((size = shown_bytes(text + plain, shown)) == 0)
-        break;
+    size_t plain = 0, size = 1;
+    for (; text[plain] && !strchr(escapes->special, text[plain]) && size > 0; plain += size)
+      size = shown_bytes(text + plain, shown);
     fwrite(text, 1, plain, to);
     text += plain;
-    if (*text == '\0')
-      return;
-    const char *special = strchr(escapes->special, *text);
-    fputs(special ? escapes->instead[special - escapes->special] : (unsigned char)*text < 0x20 ? " " : "?", to);
-    text++;
+    if (*text) {
+      const char *special = strchr(escapes->special, *text);
+      fputs(special ? escapes->instead[special - escapes->special] : (unsigned char)*text < 0x20 ? " " : "?", to);
+      text++;
+    }
   }
 }
