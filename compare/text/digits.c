@@ -110,8 +110,9 @@ static char *lay_out(char *to, const char *digits, int count, int exponent, int 
   }
   if (!has_exponent)
     return to;
-  memcpy(to, exponent < 0 ? "e-" : "e+", 2);
-  return append_pair(to + 2, (uint32_t)abs(exponent));
+  *to++ = 'e';
+  *to++ = exponent < 0 ? '-' : '+';
+  return append_pair(to, (uint32_t)abs(exponent));
 }
 
 /* n 10^(exponent - 16), 10^16 <= n <= 10^17 */
@@ -157,6 +158,8 @@ size_t digits_write_quickly(char *text, double x)
   const uint32_t unit = whole >= 100000000000000000U ? 10 : 1; /* of the 17th digit */
   int precision = 15;
   for (uint32_t step = 100 * unit; back != size; precision++, step /= 10) {
+    if (step < unit) /* 17 digits read back */
+      return 0;
     const uint32_t rest = (uint32_t)(whole % 1000) % step;
     const wide over = (wide)rest << 64 | (uint64_t)V, half = (wide)step << 63;
     if ((over < half ? half - over : over - half) < error)

@@ -221,7 +221,7 @@ static void keep(struct table *t, enum cell_kind kind, double value, const char 
 {
   struct table_cell *c = &t->row[t->at];
   size_t size = text ? strlen(text) + 1 : 0;
-  if (size > c->room) {
+  if (text && size > c->room) {
     char *longer = realloc(c->text, 2 * size);
     if (!longer)
       return note_error(&t->sink[0], ENOMEM);
@@ -250,7 +250,7 @@ void table_rounded(struct table *t, double value, const char *format)
   keep(t, CELL_ROUNDED, value, isnan(value) ? "nan" : text + is_minus_zero);
 }
 
-#define MEMBER(type) (*(type const *)((const char *)row + c->at))
+#define MEMBER(type) (*(type const *)(const void *)((const char *)row + c->at))
 void column_number(struct table *t, const struct table_column *c, const void *row) { table_number(t, MEMBER(double)); }
 void column_count(struct table *t, const struct table_column *c, const void *row) { table_count(t, MEMBER(int)); }
 void column_long(struct table *t, const struct table_column *c, const void *row) { table_count(t, MEMBER(long)); }
