@@ -82,8 +82,8 @@ const char *file_error(int error)
   return error == FILE_IS_READ ? "it is a file that this command reads: name another one" : strerror(error);
 }
 
-/* The name is noted before there is a file, so that no signal can miss it. The permissions are those of an earlier file,
- * or usual ones. */
+/* The name is noted before there is a file, so that no signal can miss it. The permissions are those of an earlier
+ * file, or usual ones. */
 static int open_temporary(struct file *f, const struct stat *earlier)
 {
   const char *slash = strrchr(f->target, '/');
