@@ -35,10 +35,13 @@ static bool read_cell(const char *text, double *value)
 /* The place of a column, -1: there is none; there may be one. option is what names it. */
 static const char *find(int *place, struct tsv *t, const char *option, const char *name)
 {
-  *place = tsv_column(t, name);
-  for (int i = *place + 1; i < t->columns && *place >= 0; i++)
-    if (strcmp(name, t->column[i]) == 0)
-      return tsv_at(t, "%sthe column '%.100s' is there twice", option, name);
+  *place = -1;
+  for (int i = 0; i < t->columns; i++)
+    if (strcmp(name, t->column[i]) == 0) {
+      if (*place >= 0)
+        return tsv_at(t, "%sthe column '%.100s' is there twice", option, name);
+      *place = i;
+    }
   return NULL;
 }
 

@@ -15,27 +15,18 @@ FILE *aligned_begin_row(struct aligned *a, int columns)
 
 bool aligned_is_full(const struct aligned *a) { return a->rows > ALIGNED_ROWS - (a->column != NULL); }
 
-/* Forgets the rows that are kept. */
-static void forget_rows(struct aligned *a)
+/* Forgets the rows that are kept, and at the end the columns too. */
+static void forget(struct aligned *a, bool all)
 {
   if (a->kept)
     fclose(a->kept);
   free(a->text);
-  *a = (struct aligned){ .column = a->column, .columns = a->columns };
+  if (all)
+    free(a->column);
+  *a = (struct aligned){ .column = all ? NULL : a->column, .columns = a->columns };
 }
 
-void aligned_free(struct aligned *a)
-{
-  forget_rows(a);
-  free(a->column);
-  *a = (struct aligned){ .columns = a->columns };
-}
-
-static struct column_meaning meaning_of(column_meaning *meaning, const char *name)
-{
-  const struct column_meaning *m = meaning ? meaning(name) : NULL;
-  return m ? *m : (struct column_meaning){ .unit = "", .sentence = "" };
-}
+void aligned_free(struct aligned *a) { forget(a, true); }
 
 /* A long text goes on in another line behind each "; " and " | ", from column `left` on. */
 static void print_text(FILE *file, const char *text, int left)
@@ -69,20 +60,21 @@ static void print_meaning(FILE *file, const struct aligned_column *c)
 /* One a line: name, value and unit, and what it is */
 static void print_upright(const struct aligned *a, const char *const *cells, FILE *file)
 {
+  enum { MOST = 40 }; /* of a value beside which the others' meanings are aligned */
   const char *const *values = cells + a->columns;
-  int widest = 0, widest_value = 0;
+  int name = 0, value = 0;
   for (int i = 0; i < a->columns; i++) {
-    int width = (int)strlen(cells[i]), value = (int)(strlen(values[i]) + strlen(a->column[i].meaning.unit));
-    widest = width > widest ? width : widest;
-    widest_value = value > widest_value && value < 40 ? value : widest_value;
+    int length = (int)(strlen(values[i]) + strlen(a->column[i].meaning.unit));
+    name = (int)strlen(cells[i]) > name ? (int)strlen(cells[i]) : name;
+    value = length > value && length < MOST ? length : value;
   }
   for (int i = 0; i < a->columns; i++) {
     const char *unit = a->column[i].meaning.unit;
-    fprintf(file, "%-*s  ", widest, cells[i]);
-    print_text(file, values[i], widest + 2);
+    fprintf(file, "%-*s  ", name, cells[i]);
+    print_text(file, values[i], name + 2);
     fprintf(file, "%s%s", *unit ? " " : "", unit);
     if (*a->column[i].meaning.sentence) {
-      fprintf(file, "%*s  ", widest_value - (int)(strlen(values[i]) + strlen(unit)) + (*unit == '\0'), "");
+      fprintf(file, "%*s  ", value - (int)(strlen(values[i]) + strlen(unit)) + (*unit == '\0'), "");
       print_meaning(file, &a->column[i]);
     }
     fputc('\n', file);
@@ -150,8 +142,10 @@ static void print_legend(const struct aligned *a, const char *const *names, FILE
 static struct aligned_column *begin_columns(int count, const char *const *names, column_meaning *meaning)
 {
   struct aligned_column *column = calloc((size_t)count, sizeof *column);
-  for (int i = 0; column && i < count; i++)
-    column[i].meaning = meaning_of(meaning, names[i]);
+  for (int i = 0; column && i < count; i++) {
+    const struct column_meaning *m = meaning ? meaning(names[i]) : NULL;
+    column[i].meaning = m ? *m : (struct column_meaning){ .unit = "", .sentence = "" };
+  }
   return column;
 }
 
@@ -169,24 +163,20 @@ static const char **cells_of(const struct aligned *a)
 bool aligned_print(struct aligned *a, const char *const *names, FILE *file, column_meaning *meaning, bool last)
 {
   bool first = !a->column, upright = first && last && a->columns > 2 && a->rows == 2;
-  if (first && a->rows == 0)
-    return true;
-  if (first)
+  if (first && a->rows > 0)
     a->column = begin_columns(a->columns, names, meaning);
   const char **cells = a->column && a->rows > 0 ? cells_of(a) : NULL;
-  bool whole = a->column && (cells || a->rows == 0);
-  if (cells)
+  bool whole = a->rows == 0 || cells;
+  if (cells) {
     measure(a, cells, first);
-  if (cells && upright)
-    print_upright(a, cells, file);
-  else if (cells)
-    print_rows(a, cells, file, first);
-  if (whole && last && !upright)
+    if (upright)
+      print_upright(a, cells, file);
+    else
+      print_rows(a, cells, file, first);
+  }
+  if (whole && last && !upright && a->column)
     print_legend(a, names, file);
   free(cells);
-  if (last || !whole)
-    aligned_free(a);
-  else
-    forget_rows(a);
+  forget(a, last || !whole);
   return whole;
 }

@@ -49,54 +49,24 @@ static wide power(int k)
  * small, as what is below is cut off, by less than 1. */
 static wide times(uint64_t factor, wide g) { return (g >> 64) * factor + ((wide)(uint64_t)g * factor >> 64); }
 
-/* V = x 10^k with 17 or 18 digits before the point, 10^16 <= V < 2 10^17, as whole + 2^-64 fraction: wrong by less than
- * 2^-64. */
-struct magnified {
-  uint64_t whole, fraction;
-  uint64_t above,
-      below;     /* half the way to the next double and to the one before, in 2^-FINE, too small by less than 2 */
-  int exponent;  /* of ten, in the first digit                                                          */
-  uint32_t unit; /* of the 17th digit: 1 or 10                                                          */
-};
-enum { FINE = 52 }; /* numbers below 2^10 are compared in this unit                                             */
-
-/* significand 2^exponent, 2^52 <= significand < 2^53. False: beyond the table */
-static bool magnify(uint64_t significand, int exponent, struct magnified *m)
+/* w 10^k to the nearest, 0 < w < 10^19. False: beyond the table, or too near a tie of *x and the next double */
+static bool nearest_double(uint64_t w, long k, double *x)
 {
-  int first = power_of_ten_in(exponent + DBL_MANT_DIG - 1), k = 16 - first;
+  const uint64_t error = 8, half = 1U << 10;
+  const int length = 64 - __builtin_clzll(w);
   if (k < LEAST_POWER || k > MOST_POWER)
     return false;
-  int shift = exponent + power_of_two_in(k) + 1; /* from 2 to 5; with it the whole part of V is 64 bits up       */
-  wide g = power(k), v = times(significand << shift, g);
-  uint64_t whole = (uint64_t)(v >> 64);
-  bool longer = whole >= 100000000000000000U;
-  uint64_t above = (uint64_t)(g >> (77 - shift)); /* 2^(shift - 1) g 2^-128 */
-  *m = (struct magnified){ .whole = whole,
-                           .fraction = (uint64_t)v,
-                           .above = above,
-                           .below = significand == 1ULL << (DBL_MANT_DIG - 1) ? above / 2 : above,
-                           .exponent = first + longer,
-                           .unit = longer ? 10 : 1 };
-  return true;
-}
-
-enum answer { NO, YES, UNDECIDED };
-
-/* V to the nearest multiple of step, which divides 1000. Does *rounded 10^-k read back as x? certainly: that is
- * known. */
-static enum answer reads_back(const struct magnified *m, uint32_t step, bool certainly, uint64_t *rounded)
-{
-  const uint64_t error = 4; /* more than that of any comparison here */
-  uint32_t rest = (uint32_t)(m->whole % 1000) % step;
-  uint64_t all = (uint64_t)step << FINE, over = (uint64_t)rest << FINE | m->fraction >> (64 - FINE);
-  bool up = over > all / 2, tie = over + error > all / 2 && over < all / 2 + error;
-  uint64_t distance = up ? all - over : over, reach = up ? m->above : m->below;
-  if (!certainly && distance >= reach + error)
-    return NO;
-  if (tie || (!certainly && distance + error > reach))
-    return UNDECIDED;
-  *rounded = m->whole - rest + (up ? step : 0);
-  return YES;
+  wide v = times(w << (64 - length), power((int)k));
+  int exponent = power_of_two_in((int)k) + length; /* of the first of the 128 bits of v  */
+  if (!(v >> 127)) {                               /* wrong by less than 2 then          */
+    v <<= 1;
+    exponent--;
+  }
+  uint64_t high = (uint64_t)(v >> 64), low = (uint64_t)v, over = high & (2 * half - 1);
+  bool tie = (over == half && low < error) || (over == half - 1 && low > UINT64_MAX - error);
+  uint64_t bits = ((uint64_t)(exponent + 1022) << 52) + (high >> 11) + (over >= half && !tie); /* with all carries */
+  memcpy(x, &bits, sizeof bits);
+  return !tie;
 }
 
 enum { MOST_DIGITS = 17, ZEROS = 4, PIECE = MOST_DIGITS + ZEROS };
@@ -140,8 +110,9 @@ static char *lay_out(char *to, const char *digits, int count, int exponent, int 
   }
   if (!has_exponent)
     return to;
-  memcpy(to, exponent < 0 ? "e-" : "e+", 2);
-  return append_pair(to + 2, (uint32_t)abs(exponent));
+  *to++ = 'e';
+  *to++ = exponent < 0 ? '-' : '+';
+  return append_pair(to, (uint32_t)abs(exponent));
 }
 
 /* n 10^(exponent - 16), 10^16 <= n <= 10^17 */
@@ -163,33 +134,41 @@ static char *append_seventeen(char *to, uint64_t n, int exponent, int precision)
   return lay_out(to, digits, count, exponent, precision);
 }
 
-static char *append_finite(char *to, uint64_t significand, int exponent)
-{
-  struct magnified m;
-  enum answer answer;
-  uint64_t rounded;
-  uint32_t step = 100;
-  int precision = 15;
-  if (!magnify(significand, exponent, &m))
-    return NULL;
-  for (; (answer = reads_back(&m, step * m.unit, precision == 17, &rounded)) == NO; step /= 10)
-    precision++;
-  return answer == YES ? append_seventeen(to, m.unit == 1 ? rounded : rounded / 10, m.exponent, precision) : NULL;
-}
-
 size_t digits_write_quickly(char *text, double x)
 {
+  const wide error = 4; /* in V, in units of 2^-64, and some more */
+  const double size = fabs(x);
   char *end = text;
-  uint64_t bits;
-  memcpy(&bits, &x, sizeof bits);
-  if (bits >> 63)
+  double back = -1;
+  uint64_t bits, n = 0;
+  memcpy(&bits, &size, sizeof bits);
+  if (signbit(x))
     *end++ = '-';
-  if (x == 0)
-    *end++ = '0';
-  else /* what has not this form, subnormal numbers, infinities and nan, has an exponent beyond the table */
-    end = append_finite(end, (bits & 0xfffffffffffffU) | 1ULL << 52, (int)(bits >> 52 & 0x7ff) - 1075);
-  if (!end)
+  if (size == 0) {
+    memcpy(end, "0", 2);
+    return (size_t)(end + 1 - text);
+  }
+  /* What has not this form, subnormal numbers, infinities and nan, has an exponent beyond the table. */
+  const int exponent = (int)(bits >> 52) - 1075, first = power_of_ten_in(exponent + DBL_MANT_DIG - 1), k = 16 - first;
+  if (k < LEAST_POWER || k > MOST_POWER)
     return 0;
+  /* V = size 10^k, 10^16 <= V < 2 10^17, its whole part and 64 bits behind the point */
+  const wide V = times(((bits & 0xfffffffffffffU) | 1ULL << 52) << (exponent + power_of_two_in(k) + 1), power(k));
+  const uint64_t whole = (uint64_t)(V >> 64);
+  const uint32_t unit = whole >= 100000000000000000U ? 10 : 1; /* of the 17th digit */
+  int precision = 15;
+  for (uint32_t step = 100 * unit; back != size; precision++, step /= 10) {
+    if (step < unit) /* 17 digits read back */
+      return 0;
+    const uint32_t rest = (uint32_t)(whole % 1000) % step;
+    const wide over = (wide)rest << 64 | (uint64_t)V, half = (wide)step << 63;
+    if ((over < half ? half - over : over - half) < error)
+      return 0;
+    n = whole - rest + (over < half ? 0 : step);
+    if (!nearest_double(n, -k, &back) && (back == size || nextafter(back, INFINITY) == size))
+      return 0;
+  }
+  end = append_seventeen(end, n / unit, first + (unit > 1), precision - 1);
   *end = '\0';
   return (size_t)(end - text);
 }
@@ -207,26 +186,6 @@ size_t digits_write(char *text, double x)
       break;
   }
   return length;
-}
-
-/* w 10^k to the nearest, 0 < w < 10^19 */
-static bool nearest_double(uint64_t w, long k, double *x)
-{
-  const uint64_t error = 8, half = 1U << 10;
-  int length; /* of w in bits, or one more */
-  if (k < LEAST_POWER || k > MOST_POWER)
-    return false;
-  frexp((double)w, &length);
-  wide v = times(w << (64 - length), power((int)k));
-  int exponent = power_of_two_in((int)k) + length; /* of the first of the 128 bits of v  */
-  for (; !(v >> 127); v <<= 1)                     /* twice at most: wrong by less than 4 */
-    exponent--;
-  uint64_t high = (uint64_t)(v >> 64), low = (uint64_t)v, over = high & (2 * half - 1);
-  if ((over == half && low < error) || (over == half - 1 && low > UINT64_MAX - error))
-    return false;
-  uint64_t bits = ((uint64_t)(exponent + 1022) << 52) + (high >> 11) + (over >= half); /* with all carries */
-  memcpy(x, &bits, sizeof bits);
-  return true;
 }
 
 /* A whole number of at most four digits is added to *exponent. Returns the end, or NULL. */

@@ -8,6 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "compare/text/memory.h"
+
 enum { NAME = 4096, LONGEST_HEAD = 200 };
 /* The names of temporary files, for what ends the process; "": the place is free. */
 static char unfinished[FILES_OPEN][NAME];
@@ -45,18 +47,13 @@ static void watch_for_the_end(void)
       sigaction(ends[i], &ours, NULL);
 }
 
-struct identity {
-  dev_t device;
-  ino_t number;
-};
-
-static struct identity *was_read;
+static struct stat *was_read;
 static int read_count;
 
 static int is_noted(const struct stat *file)
 {
   for (int i = 0; i < read_count && S_ISREG(file->st_mode); i++)
-    if (was_read[i].device == file->st_dev && was_read[i].number == file->st_ino)
+    if (was_read[i].st_dev == file->st_dev && was_read[i].st_ino == file->st_ino)
       return FILE_IS_READ;
   return 0;
 }
@@ -64,18 +61,14 @@ static int is_noted(const struct stat *file)
 FILE *file_read(const char *path)
 {
   FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
-  struct stat there;
+  struct stat there, *grown;
   if (!file || fstat(fileno(file), &there) != 0 || !S_ISREG(there.st_mode) || is_noted(&there))
     return file;
-  struct identity *grown = realloc(was_read, (size_t)(read_count + 1) * sizeof *grown);
-  if (grown) {
+  if ((grown = with_room(was_read, read_count, sizeof there))) {
     was_read = grown;
-    was_read[read_count++] = (struct identity){ there.st_dev, there.st_ino };
-    return file;
+    was_read[read_count++] = there;
   }
-  if (file != stdin)
-    fclose(file);
-  return NULL;
+  return file;
 }
 
 int file_spares(const char *path)
@@ -89,35 +82,27 @@ const char *file_error(int error)
   return error == FILE_IS_READ ? "it is a file that this command reads: name another one" : strerror(error);
 }
 
-/* The permissions of a new file */
-static mode_t usual_mode(void)
+/* The name is noted before there is a file, so that no signal can miss it. The permissions are those of an earlier
+ * file, or usual ones. */
+static int open_temporary(struct file *f, const struct stat *earlier)
 {
-  mode_t mask = umask(0);
+  const char *slash = strrchr(f->target, '/');
+  const int folder = slash ? (int)(slash + 1 - f->target) : 0;
+  const mode_t mask = umask(0);
   umask(mask);
-  return 0666 & ~mask;
-}
-
-/* The name is noted before there is a file, so that no signal can miss it. */
-static int open_temporary(struct file *f, mode_t mode)
-{
-  char *slash = strrchr(f->target, '/'), *name = NULL;
-  int folder = slash ? (int)(slash + 1 - f->target) : 0;
-  for (int i = 0; i < FILES_OPEN && !name; i++)
-    name = unfinished[i][0] ? NULL : unfinished[i];
-  if (!name)
+  for (int i = 0; i < FILES_OPEN && !f->temporary; i++)
+    f->temporary = unfinished[i][0] ? NULL : unfinished[i];
+  if (!f->temporary)
     return EMFILE;
   watch_for_the_end();
-  snprintf(name, NAME, "%.*s%.*s.scallop-XXXXXX", folder, f->target, LONGEST_HEAD, f->target + folder);
-  int descriptor = mkstemp(name);
+  snprintf(f->temporary, NAME, "%.*s%.*s.scallop-XXXXXX", folder, f->target, LONGEST_HEAD, f->target + folder);
+  int descriptor = mkstemp(f->temporary);
   f->stream = descriptor < 0 ? NULL : fdopen(descriptor, "w");
-  int error = f->stream ? 0 : errno;
-  f->temporary = name;
+  const int error = f->stream ? 0 : errno;
   if (f->stream)
-    (void)fchmod(descriptor, mode);
-  else if (descriptor >= 0) {
-    close(descriptor);
-    unlink(name);
-  }
+    (void)fchmod(descriptor, earlier ? earlier->st_mode & 07777 : 0666 & ~mask);
+  else if (descriptor >= 0)
+    unlink(f->temporary);
   return error;
 }
 
@@ -152,7 +137,7 @@ int file_open(struct file *f, const char *path)
   if (exists && access(path, W_OK) != 0)
     return errno;
   f->target = exists ? realpath(path, NULL) : strdup(path);
-  error = f->target ? open_temporary(f, exists ? there.st_mode & 07777 : usual_mode()) : errno;
+  error = f->target ? open_temporary(f, exists ? &there : NULL) : errno;
   if (error != 0)
     forget(f);
   return error;

@@ -1,8 +1,7 @@
-/* Memory: lists that grow by one item at a time, and checksums. */
+/* Memory: lists that grow by one item at a time. */
 #ifndef SCALLOP_COMPARE_TEXT_MEMORY_H
 #define SCALLOP_COMPARE_TEXT_MEMORY_H
 
-#include <stdint.h>
 #include <stdlib.h>
 
 /* The list with room for one item more than the count it has: moved, as a rule, wherever the count is a power of two,
@@ -10,16 +9,6 @@
 static inline void *with_room(void *list, long count, size_t size)
 {
   return (count & (count - 1)) != 0 ? list : realloc(list, (size_t)(count > 0 ? 2 * count : 1) * size);
-}
-
-/* FNV-1a (Fowler, Noll & Vo), 32 bits, of memory after what `before` is the checksum of. */
-#define CHECKSUM_OF_NOTHING UINT32_C(2166136261)
-static inline uint32_t checksum_after(uint32_t before, const void *memory, size_t size)
-{
-  const unsigned char *bytes = memory;
-  for (size_t i = 0; i < size; i++)
-    before = (before ^ bytes[i]) * UINT32_C(16777619);
-  return before;
 }
 
 #endif

@@ -1,7 +1,6 @@
 #include "compare/text/message.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,21 +8,27 @@
 
 #include "compare/text/progress.h"
 
+char *printed_line(const char *format, va_list arguments, const char *kept)
+{
+  char *text = NULL;
+  size_t size;
+  FILE *stream = open_memstream(&text, &size);
+  if (!stream || vfprintf(stream, format, arguments) < 0 || fclose(stream) != 0)
+    return NULL;
+  for (char *c = text; *c; c++)
+    if (((unsigned char)*c < ' ' || *c == 0x7f) && !strchr(kept, *c))
+      *c = '?';
+  return text;
+}
+
 bool complain(const char *command, const char *format, ...)
 {
   va_list arguments;
-  char *text = NULL;
-  size_t size;
   progress_clear();
   va_start(arguments, format);
-  FILE *kept = open_memstream(&text, &size);
-  if (kept)
-    vfprintf(kept, format, arguments);
+  char *text = printed_line(format, arguments, "\n");
   va_end(arguments);
-  bool written = kept && fclose(kept) == 0;
-  for (char *c = text; written && *c; c++) /* of a file's name, say, to which a terminal would listen */
-    *c = ((unsigned char)*c < 0x20 && *c != '\n') || *c == 0x7f ? '?' : *c;
-  fprintf(stderr, "scallop %s: %s\n", command, written ? text : "out of memory");
+  fprintf(stderr, "scallop %s: %s\n", command, text ? text : "out of memory");
   free(text);
   return false;
 }
@@ -32,23 +37,22 @@ bool complain(const char *command, const char *format, ...)
 static int distance(const char *a, const char *b)
 {
   enum { LONGEST = 40 };
-  int row[LONGEST + 1];
-  size_t m = strlen(b);
-  if (m > LONGEST || strlen(a) > LONGEST)
+  int row[LONGEST + 1], length = (int)strlen(b);
+  if (length > LONGEST || strlen(a) > LONGEST)
     return LONGEST;
-  for (size_t j = 0; j <= m; j++)
-    row[j] = (int)j;
-  for (size_t i = 1; a[i - 1] != '\0'; i++) {
+  for (int j = 0; j <= length; j++)
+    row[j] = j;
+  for (int i = 1; *a; i++, a++) {
     int diagonal = row[0];
-    row[0] = (int)i;
-    for (size_t j = 1; j <= m; j++) {
-      int substitute = diagonal + (tolower((unsigned char)a[i - 1]) != tolower((unsigned char)b[j - 1]));
+    row[0] = i;
+    for (int j = 1; j <= length; j++) {
+      int substitute = diagonal + (tolower((unsigned char)*a) != tolower((unsigned char)b[j - 1]));
       int insert = (row[j] < row[j - 1] ? row[j] : row[j - 1]) + 1;
       diagonal = row[j];
       row[j] = substitute < insert ? substitute : insert;
     }
   }
-  return row[m];
+  return row[length];
 }
 
 bool likely(const char *word, const char *name) { return distance(word, name) == 0; }
@@ -144,16 +148,15 @@ static size_t shown_bytes(const char *text, enum shown shown)
 void put_escaped(FILE *to, const char *text, const struct escapes *escapes, enum shown shown)
 {
   while (*text) {
-    size_t plain = 0;
-    for (size_t size; text[plain] && !strchr(escapes->special, text[plain]); plain += size)
-      if ((size = shown_bytes(text + plain, shown)) == 0)
-        break;
+    size_t plain = 0, size = 1;
+    for (; text[plain] && !strchr(escapes->special, text[plain]) && size > 0; plain += size)
+      size = shown_bytes(text + plain, shown);
     fwrite(text, 1, plain, to);
     text += plain;
-    if (*text == '\0')
-      return;
-    const char *special = strchr(escapes->special, *text);
-    fputs(special ? escapes->instead[special - escapes->special] : (unsigned char)*text < 0x20 ? " " : "?", to);
-    text++;
+    if (*text) {
+      const char *special = strchr(escapes->special, *text);
+      fputs(special ? escapes->instead[special - escapes->special] : (unsigned char)*text < 0x20 ? " " : "?", to);
+      text++;
+    }
   }
 }

@@ -2,11 +2,16 @@
 #ifndef SCALLOP_COMPARE_TEXT_MESSAGE_H
 #define SCALLOP_COMPARE_TEXT_MESSAGE_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
 enum exit_code { EXIT_DONE = 0, EXIT_CHECK_FAILED = 1, EXIT_USAGE = 2, EXIT_UNSOLVED = 3, EXIT_FILE = 4 };
+
+/* What printf writes, to be freed; control characters, but for those that are kept, become '?': a terminal would listen
+ * to them. NULL: out of memory. */
+char *printed_line(const char *format, va_list arguments, const char *kept) __attribute__((format(printf, 1, 0)));
 
 /* "scallop NAME: message" on stderr. Returns false. */
 bool complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));

@@ -9,13 +9,12 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { LEAST = 2, LINE = 200 };
-static const double again = 0.5; /* seconds */
+enum { LEAST = 2 };              /* seconds, of work that is told of */
+static const double again = 0.5; /* seconds, from one line to the next */
 
 static struct {
-  bool begun;
-  double first, next; /* when the work began, and the next line may be written */
-  char what[LINE / 2];
+  double begun, next; /* 0: no work; when the next line may be written */
+  char what[100];
   long done, all;
 } work;
 static volatile sig_atomic_t is_changing, is_written;
@@ -37,17 +36,17 @@ static void put(const char *line)
 static void tick(int signal)
 {
   const int error = errno;
-  const double time = now(), passed = time - work.first;
-  char line[LINE + 32], part[LINE / 2] = "";
+  const double time = now(), passed = time - work.begun;
+  char line[200], count[50] = "", left[50] = "";
   (void)signal;
   if (is_changing || passed < LEAST || time < work.next)
     return;
-  if (work.all > 0 && work.done > 0 && work.done <= work.all)
-    snprintf(part, sizeof part, " %ld of %ld, %ld s, about %ld s left", work.done, work.all, (long)passed,
+  if (work.done > 0 && work.done <= work.all) {
+    snprintf(count, sizeof count, " %ld of %ld,", work.done, work.all);
+    snprintf(left, sizeof left, ", about %ld s left",
              (long)(passed * (double)(work.all - work.done) / (double)work.done + 0.5));
-  else
-    snprintf(part, sizeof part, " %ld s", (long)passed);
-  snprintf(line, sizeof line, "\r\033[Kscallop: %s%s", work.what, part);
+  }
+  snprintf(line, sizeof line, "\r\033[Kscallop: %s%s %ld s%s", work.what, count, (long)passed, left);
   put(line);
   is_written = true;
   work.next = time + again;
@@ -62,11 +61,10 @@ static void set_timer(long seconds)
 
 struct progress progress_begin(bool quiet)
 {
-  struct progress p = { .shown = !quiet && isatty(STDERR_FILENO) };
-  struct sigaction action = { .sa_handler = tick, .sa_flags = SA_RESTART };
-  if (p.shown && !work.begun) {
-    work.begun = true;
-    work.first = now();
+  const struct progress p = { .shown = !quiet && isatty(STDERR_FILENO) };
+  const struct sigaction action = { .sa_handler = tick, .sa_flags = SA_RESTART };
+  if (p.shown && work.begun == 0) {
+    work.begun = now();
     sigaction(SIGVTALRM, &action, NULL);
     set_timer(1);
   }
@@ -83,11 +81,10 @@ void progress_stop(void)
 void progress_show(const struct progress *p, const char *format, ...)
 {
   va_list arguments;
-  if (!p->shown)
-    return;
   is_changing = true;
   va_start(arguments, format);
-  vsnprintf(work.what, sizeof work.what, format, arguments);
+  if (p->shown)
+    vsnprintf(work.what, sizeof work.what, format, arguments);
   va_end(arguments);
   is_changing = false;
 }

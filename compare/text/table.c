@@ -11,7 +11,6 @@
 #include "compare/text/message.h"
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
-#include "model/version.h"
 
 enum { PEOPLE_DIGITS = 6 };
 
@@ -21,11 +20,12 @@ const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown"
 static const struct {
   const char *begin, *between, *end;
   const struct escapes *escapes;
-} marks[FORMATS] = { [FORMAT_TSV] = { "", "\t", "\n", &in_plain },
-                     [FORMAT_JSON] = { "{", ", ", "}\n", &in_json },
-                     [FORMAT_CSV] = { "", ",", "\n", &in_csv },
-                     [FORMAT_MARKDOWN] = { "| ", " | ", " |\n", &in_markdown },
-                     [FORMAT_TABLE] = { "", "", "", &in_plain } };
+  bool has_notes;
+} marks[FORMATS] = { [FORMAT_TSV] = { "", "\t", "\n", &in_plain, true },
+                     [FORMAT_JSON] = { "{", ", ", "}\n", &in_json, false },
+                     [FORMAT_CSV] = { "", ",", "\n", &in_csv, false },
+                     [FORMAT_MARKDOWN] = { "| ", " | ", " |\n", &in_markdown, false },
+                     [FORMAT_TABLE] = { "", "", "", &in_plain, true } };
 
 /* People read what goes to a terminal. */
 static enum format format_of(const struct style *style, const char *output)
@@ -36,27 +36,18 @@ static enum format format_of(const struct style *style, const char *output)
 
 bool table_is_for_people(const struct style *style) { return format_of(style, style->output) == FORMAT_TABLE; }
 
-/* Ends keeping '#' lines back; keep: writes them. */
-static void end_head(struct sink *s, bool keep)
-{
-  if (!s->file || s->file == s->out.stream)
-    return;
-  fclose(s->file);
-  s->file = s->out.stream;
-  if (keep && fwrite(s->head, 1, s->head_size, s->file) < s->head_size)
-    s->error = errno;
-  free(s->head);
-}
+/* The first error is the one to tell of. */
+static void note_error(struct sink *s, int error) { s->error = s->error != 0 ? s->error : error; }
 
-static bool open_sink(struct table *t, const char *output, const char *named)
+static bool open_sink(struct table *t, const char *output)
 {
   struct sink *s = &t->sink[t->sinks];
   int error = file_open(&s->out, output);
   if (error != 0)
-    return complain(t->style->command, "cannot write %s: %s", named, file_error(error));
+    return complain(t->style->command, "cannot write %s: %s", output ? output : "standard output", file_error(error));
+  s->file = s->out.stream;
   t->sinks++;
-  s->file = open_memstream(&s->head, &s->head_size);
-  return s->file || complain(t->style->command, "out of memory");
+  return true;
 }
 
 bool table_open_at(struct table *t, const struct style *style, const char *output)
@@ -67,16 +58,15 @@ bool table_open_at(struct table *t, const struct style *style, const char *outpu
   t->sink[0].digits = style->digits <= DBL_DECIMAL_DIG ? style->digits : 0;
   if (t->sink[0].digits == 0 && t->sink[0].format == FORMAT_TABLE)
     t->sink[0].digits = PEOPLE_DIGITS;
-  bool open = open_sink(t, output, output ? output : "standard output") && (!picture || open_sink(t, picture, picture));
+  t->head = open_memstream(&t->head_text, &t->head_size);
+  bool open = (t->head || complain(style->command, "out of memory")) && open_sink(t, output)
+              && (!picture || open_sink(t, picture));
   if (!open)
     table_abandon(t);
   return open;
 }
 
 bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
-
-/* The first error is the one to tell of. */
-static void note_error(struct sink *s, int error) { s->error = s->error != 0 ? s->error : error; }
 
 static void print_aligned(struct table *t, struct sink *s, bool last)
 {
@@ -85,17 +75,31 @@ static void print_aligned(struct table *t, struct sink *s, bool last)
     note_error(s, ENOMEM);
 }
 
-static void put_note(struct table *t, const char *format, va_list arguments)
+/* Ends keeping '#' lines back; keep: writes them. */
+static void end_head(struct table *t, bool keep)
 {
-  char *note = NULL;
-  size_t size;
-  FILE *whole = open_memstream(&note, &size);
-  if (!whole || vfprintf(whole, format, arguments) < 0 || fclose(whole) != 0)
+  if (!t->head)
+    return;
+  fclose(t->head);
+  t->head = NULL;
+  for (struct sink *s = t->sink; keep && s < t->sink + t->sinks; s++)
+    if (marks[s->format].has_notes && fwrite(t->head_text, 1, t->head_size, s->file) < t->head_size)
+      note_error(s, errno);
+  free(t->head_text);
+}
+
+void table_note(struct table *t, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  char *note = printed_line(format, arguments, ""); /* a line break in a name would begin a row */
+  va_end(arguments);
+  if (!note)
     return note_error(&t->sink[0], ENOMEM);
-  for (char *c = note; *c; c++) /* a line break in a name would begin a row */
-    *c = (unsigned char)*c < ' ' || *c == 0x7f ? '?' : *c;
-  for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
-    if ((s->format != FORMAT_TSV && s->format != FORMAT_TABLE) || s->error != 0)
+  if (t->head)
+    fprintf(t->head, "# %s\n", note);
+  for (struct sink *s = t->sink; !t->head && s < t->sink + t->sinks; s++) {
+    if (!marks[s->format].has_notes || s->error != 0)
       continue;
     if (s->format == FORMAT_TABLE)
       print_aligned(t, s, true);
@@ -106,123 +110,86 @@ static void put_note(struct table *t, const char *format, va_list arguments)
   free(note);
 }
 
-void table_note(struct table *t, const char *format, ...)
-{
-  va_list arguments;
-  va_start(arguments, format);
-  put_note(t, format, arguments);
-  va_end(arguments);
-}
-
-static void put_command(struct table *t, const char *format, va_list arguments)
-{
-  char command[1024];
-  vsnprintf(command, sizeof command, format, arguments);
-  table_note(t, "scallop " SCALLOP_VERSION);
-  table_note(t, "command: %s", command);
-}
-
-void table_command(struct table *t, const char *format, ...)
-{
-  va_list arguments;
-  va_start(arguments, format);
-  put_command(t, format, arguments);
-  va_end(arguments);
-}
-
-bool table_head(struct table *t, const struct style *style, const char *format, ...)
-{
-  va_list arguments;
-  if (!table_open(t, style))
-    return false;
-  va_start(arguments, format);
-  put_command(t, format, arguments);
-  va_end(arguments);
-  return true;
-}
-
 void table_columns(struct table *t, const char *const *names)
 {
   while (*names && t->count < TABLE_COLUMNS)
     t->columns[t->count++] = *names++;
 }
 
-static void put_text_cell(FILE *to, enum format format, const struct table_cell *c)
+/* Short texts: a call of fputs takes longer. */
+static void put(FILE *to, const char *text)
 {
-  bool carried = c->kind == CELL_CARRIED, any = format == FORMAT_TSV || format == FORMAT_CSV;
-  bool quoted = format == FORMAT_JSON || (format == FORMAT_CSV && strpbrk(c->text, ",\""));
-  fputs(quoted ? "\"" : "", to);
-  put_escaped(to, c->text, marks[format].escapes, !carried ? SHOWS_ASCII : any ? SHOWS_BYTES : SHOWS_CHARACTERS);
-  fputs(quoted ? "\"" : "", to);
+  for (; *text; text++)
+    putc_unlocked(*text, to);
+}
+
+static void put_text(FILE *to, enum format format, const char *text, bool carried)
+{
+  bool any = format == FORMAT_TSV || format == FORMAT_CSV;
+  bool quoted = format == FORMAT_JSON || (format == FORMAT_CSV && strpbrk(text, ",\""));
+  put(to, quoted ? "\"" : "");
+  put_escaped(to, text, marks[format].escapes, !carried ? SHOWS_ASCII : any ? SHOWS_BYTES : SHOWS_CHARACTERS);
+  put(to, quoted ? "\"" : "");
 }
 
 static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
 {
   char number[NUMBER_TEXT];
   bool json = s->format == FORMAT_JSON, is_number = c->kind == CELL_NUMBER || c->kind == CELL_ROUNDED;
+  bool is_carried = c->kind == CELL_CARRIED;
   if (json && is_number && !isfinite(c->value))
-    fputs(isnan(c->value) || c->kind == CELL_ROUNDED ? "null" : c->value > 0 ? "1e999" : "-1e999", to);
-  else if (c->kind == CELL_NUMBER) {
-    number_text(number, c->value, s->digits);
-    fputs(number, to);
-  } else if (c->kind != CELL_TEXT && (c->kind != CELL_CARRIED || (json && json_takes_number(c->text))))
-    fputs(c->text, to);
-  else if (c->kind == CELL_CARRIED && json && strcmp(c->text, "nan") == 0)
-    fputs("null", to);
+    put(to, isnan(c->value) || c->kind == CELL_ROUNDED ? "null" : c->value > 0 ? "1e999" : "-1e999");
+  else if (c->kind == CELL_NUMBER)
+    number_text(number, c->value, s->digits), put(to, number);
+  else if (json && is_carried && strcmp(c->text, "nan") == 0)
+    put(to, "null");
+  else if (c->kind == CELL_TEXT || (is_carried && !(json && json_takes_number(c->text))))
+    put_text(to, s->format, c->text, is_carried);
   else
-    put_text_cell(to, s->format, c);
+    put(to, c->text);
 }
 
-/* Writes a row to a sink. */
+/* Writes a row to a sink, or the names of the columns where there are no cells. */
 static void emit(struct table *t, struct sink *s, const struct table_cell *cells, int count)
 {
-  bool aligned = s->format == FORMAT_TABLE;
+  bool aligned = s->format == FORMAT_TABLE, json = s->format == FORMAT_JSON;
   FILE *to = aligned ? aligned_begin_row(&s->aligned, count) : s->file;
   if (!to)
     return note_error(s, ENOMEM);
   progress_clear();
   for (int i = 0; i < count; i++) {
-    fputs(i == 0 ? marks[s->format].begin : marks[s->format].between, to);
-    if (s->format == FORMAT_JSON) {
-      put_text_cell(to, s->format, &(struct table_cell){ .kind = CELL_CARRIED, .text = (char *)t->names[i] });
-      fputs(": ", to);
-    }
-    put_cell(to, s, &cells[i]);
+    put(to, i == 0 ? marks[s->format].begin : marks[s->format].between);
+    if (json || !cells)
+      put_text(to, s->format, t->names[i], true);
+    if (json)
+      put(to, ": ");
+    if (cells)
+      put_cell(to, s, &cells[i]);
     if (aligned)
       putc('\0', to);
   }
-  fputs(marks[s->format].end, to);
+  put(to, marks[s->format].end);
   if (ferror(to))
     note_error(s, errno);
   if (aligned_is_full(&s->aligned))
     print_aligned(t, s, false);
 }
 
-static void write_heads(struct table *t, int count)
-{
-  static const struct table_cell rule = { .kind = CELL_DIGITS, .text = (char *)"---" };
-  struct table_cell names[TABLE_COLUMNS], rules[TABLE_COLUMNS];
-  for (int i = 0; i < count; i++) {
-    names[i] = (struct table_cell){ .kind = CELL_CARRIED, .text = (char *)t->names[i] };
-    rules[i] = rule;
-  }
-  for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
-    if (s->format != FORMAT_JSON)
-      emit(t, s, names, count);
-    if (s->format == FORMAT_MARKDOWN)
-      emit(t, s, rules, count);
-  }
-}
-
 void table_begin_rows(struct table *t)
 {
   struct table_choice *choice = t->style->choice;
   const char *wrong = choice ? choice->begin(choice, t->columns, t->count) : NULL;
+  const int count = choice ? choice->count : t->count;
   t->names = choice ? choice->names : t->columns;
-  for (struct sink *s = t->sink; s < t->sink + t->sinks; s++)
-    end_head(s, !wrong);
+  end_head(t, !wrong);
+  for (struct sink *s = t->sink; !wrong && s < t->sink + t->sinks; s++) {
+    if (s->format != FORMAT_JSON)
+      emit(t, s, NULL, count);
+    for (int i = 0; s->format == FORMAT_MARKDOWN && i < count; i++)
+      fputs(i + 1 < count ? "| --- " : "| --- |\n", s->file);
+  }
   if (!wrong)
-    return write_heads(t, choice ? choice->count : t->count);
+    return;
   complain(t->style->command, "--columns: %s", wrong);
   choice->refused = true;
   note_error(&t->sink[0], EINVAL);
@@ -273,6 +240,7 @@ void table_number(struct table *t, double value) { keep(t, CELL_NUMBER, value, N
 void table_digits(struct table *t, const char *number) { keep(t, CELL_DIGITS, 0, number); }
 void table_text(struct table *t, const char *text) { keep(t, CELL_TEXT, 0, text); }
 void table_carried(struct table *t, const char *text) { keep(t, CELL_CARRIED, 0, text); }
+void table_count(struct table *t, long count) { table_rounded(t, (double)count, "%.0f"); }
 
 void table_repeat(struct table *t, const struct table *row)
 {
@@ -288,33 +256,14 @@ void table_rounded(struct table *t, double value, const char *format)
   keep(t, CELL_ROUNDED, value, isnan(value) ? "nan" : text + is_minus_zero);
 }
 
-void table_count(struct table *t, long count) { table_rounded(t, (double)count, "%.0f"); }
-
-static const void *member(const struct table_column *c, const void *row) { return (const char *)row + c->at; }
-
-void column_number(struct table *t, const struct table_column *c, const void *row)
-{
-  table_number(t, *(const double *)member(c, row));
-}
-
+#define MEMBER(type) (*(type const *)(const void *)((const char *)row + c->at))
+void column_number(struct table *t, const struct table_column *c, const void *row) { table_number(t, MEMBER(double)); }
+void column_count(struct table *t, const struct table_column *c, const void *row) { table_count(t, MEMBER(int)); }
+void column_long(struct table *t, const struct table_column *c, const void *row) { table_count(t, MEMBER(long)); }
+void column_text(struct table *t, const struct table_column *c, const void *row) { table_text(t, MEMBER(char *)); }
 void column_rounded(struct table *t, const struct table_column *c, const void *row)
 {
-  table_rounded(t, *(const double *)member(c, row), c->format);
-}
-
-void column_count(struct table *t, const struct table_column *c, const void *row)
-{
-  table_count(t, *(const int *)member(c, row));
-}
-
-void column_long(struct table *t, const struct table_column *c, const void *row)
-{
-  table_count(t, *(const long *)member(c, row));
-}
-
-void column_text(struct table *t, const struct table_column *c, const void *row)
-{
-  table_text(t, *(const char *const *)member(c, row));
+  table_rounded(t, MEMBER(double), c->format);
 }
 
 void table_add(struct table *t, const struct table_column *c)
@@ -369,34 +318,30 @@ static bool draw(const struct table *t)
   return plot_draw(&plot, t->style->command);
 }
 
-static void end_sink(struct table *t, int i)
+/* Gives up the sinks from this one on, and the memory. */
+static void release(struct table *t, int from)
 {
-  aligned_free(&t->sink[i].aligned);
-  end_head(&t->sink[i], false);
-  file_close(&t->sink[i].out, false);
+  end_head(t, false);
+  for (struct sink *s = t->sink + from; s < t->sink + t->sinks; s++) {
+    aligned_free(&s->aligned);
+    file_close(&s->out, false);
+  }
+  for (int i = 0; i < TABLE_COLUMNS; i++)
+    free(t->row[i].text);
 }
 
 bool table_close(struct table *t)
 {
   struct sink *s = &t->sink[0];
-  end_head(s, true);
+  end_head(t, true);
   if (s->format == FORMAT_TABLE)
     print_aligned(t, s, true);
   note_error(s, file_close(&s->out, s->error == 0));
   if (s->error != 0 && !(t->style->choice && t->style->choice->refused))
     complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", file_error(s->error));
   bool drawn = s->error == 0 && (t->sinks == 1 || draw(t));
-  if (t->sinks > 1)
-    end_sink(t, 1);
-  for (int i = 0; i < TABLE_COLUMNS; i++)
-    free(t->row[i].text);
+  release(t, 1);
   return drawn;
 }
 
-void table_abandon(struct table *t)
-{
-  while (t->sinks > 0)
-    end_sink(t, --t->sinks);
-  for (int i = 0; i < TABLE_COLUMNS; i++)
-    free(t->row[i].text);
-}
+void table_abandon(struct table *t) { release(t, 0); }

@@ -11,6 +11,7 @@
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
 #include "compare/text/plot.h"
+#include "model/version.h"
 
 enum { TABLE_COLUMNS = 384 };
 
@@ -56,9 +57,7 @@ struct style {
 /* Where rows are written to, and how */
 struct sink {
   struct file out;
-  FILE *file; /* '#' lines go to: that of out, or what keeps them until the choice of columns is found good */
-  char *head;
-  size_t head_size;
+  FILE *file; /* that of out */
   enum format format;
   long digits;
   struct aligned aligned; /* rows of a FORMAT_TABLE                                               */
@@ -71,6 +70,9 @@ struct table {
   const char *output;  /* its name, NULL: standard output */
   struct sink sink[2]; /* the output, and a copy in TSV of which a picture is drawn */
   int sinks;
+  FILE *head; /* keeps '#' lines until the choice of columns is found good, or NULL */
+  char *head_text;
+  size_t head_size;
   const char *columns[TABLE_COLUMNS];
   int count, at;                        /* columns; the next one in this row */
   struct table_cell row[TABLE_COLUMNS]; /* so far                            */
@@ -83,10 +85,10 @@ bool table_open_at(struct table *table, const struct style *style, const char *o
 /* Opens the output of the style. */
 bool table_open(struct table *table, const struct style *style);
 /* Opens it and writes table_command. */
-bool table_head(struct table *table, const struct style *style, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-/* What all tables begin with: "# scallop VERSION" and "# command: ..." */
-void table_command(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));
+#define table_head(table, style, ...) (table_open((table), (style)) && (table_command((table), __VA_ARGS__), true))
+/* What all tables begin with: "# scallop VERSION" and "# command: ...", as printf writes it. */
+#define table_command(table, ...) \
+  (table_note((table), "scallop " SCALLOP_VERSION), table_note((table), "command: " __VA_ARGS__))
 /* Will the table be an aligned one? */
 bool table_is_for_people(const struct style *style);
 /* A '#' line before the columns or after the rows of a TSV or an aligned table; nothing in the other formats. */

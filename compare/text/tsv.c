@@ -7,21 +7,24 @@
 
 #include "compare/text/file.h"
 
+static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
+{
+  *tsv = (struct tsv){ .name = name, .style = style, .file = file, .error = file ? 0 : errno };
+  tsv->buffer = file ? malloc(LONGEST_LINE + 1) : NULL;
+  if (file && !tsv->buffer)
+    tsv->error = ENOMEM;
+  return tsv->buffer != NULL;
+}
+
 bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
 {
-  *tsv = (struct tsv){ .name = strcmp(file, "-") == 0 ? "standard input" : file, .style = style };
-  tsv->file = file_read(file);
-  tsv->error = tsv->file ? 0 : errno;
-  return tsv->file != NULL;
+  return begin(tsv, strcmp(file, "-") == 0 ? "standard input" : file, style, file_read(file));
 }
 
 bool tsv_open_text(struct tsv *tsv, const char *name, const char *text)
 {
-  size_t size = strlen(text) + 3;
-  *tsv = (struct tsv){ .name = name, .style = TSV_TABS, .keeps_all = true, .buffer = malloc(size), .size = size };
-  tsv->file = tsv->buffer ? fmemopen((void *)text, size - 3, "r") : NULL;
-  tsv->error = tsv->file ? 0 : errno;
-  return tsv->file != NULL;
+  const char *some = *text ? text : "\n"; /* a stream of nothing need not open */
+  return begin(tsv, name, TSV_TABS, fmemopen((void *)some, strlen(some), "r"));
 }
 
 void tsv_close(struct tsv *tsv)
@@ -33,52 +36,24 @@ void tsv_close(struct tsv *tsv)
   tsv->buffer = tsv->header = NULL;
 }
 
-static bool fail(struct tsv *tsv, int error)
-{
-  tsv->error = error;
-  return false;
-}
-
-/* Room for one character more and a NUL */
-static bool make_room(struct tsv *tsv)
-{
-  if (tsv->end + 1 < tsv->size)
-    return true;
-  size_t size = 2 * (tsv->end + 128);
-  char *grown = realloc(tsv->buffer, size);
-  if (!grown)
-    return false;
-  tsv->buffer = grown;
-  tsv->size = size;
-  return true;
-}
-
 /* Reads a line into the buffer, without its end. The LF of CRLF is left to the next one, as a terminal may send CR
  * alone and then wait. False: there is none. */
 static bool read_line(struct tsv *tsv)
 {
   int c = tsv->ended_by_return ? getc_unlocked(tsv->file) : '\n';
+  char *to = tsv->buffer, *const stop = to + LONGEST_LINE;
   if (c != '\n')
     ungetc(c, tsv->file);
-  if (tsv->too_long)
-    return fail(tsv, EFBIG);
-  tsv->begin = tsv->end = tsv->keeps_all && tsv->number > 0 ? tsv->end + 1 : 0;
-  for (bool more = true; more;) {
-    if (!make_room(tsv))
-      return fail(tsv, ENOMEM);
-    size_t room = tsv->size - 1 - tsv->end, left = tsv->begin + LONGEST_LINE - tsv->end;
-    char *to = tsv->buffer + tsv->end, *stop = to + (room < left ? room : left);
-    while (to < stop && (c = getc_unlocked(tsv->file)) != EOF && c != '\n' && c != '\r')
-      *to++ = (char)c;
-    tsv->end = (size_t)(to - tsv->buffer);
-    tsv->too_long = to == stop && left <= room;
-    more = to == stop && !tsv->too_long;
-  }
-  tsv->ended_by_return = c == '\r';
+  if (tsv->length == LONGEST_LINE) /* what comes is the rest of it */
+    tsv->error = EFBIG;
+  while (tsv->error == 0 && to < stop && (c = getc_unlocked(tsv->file)) != EOF && c != '\n' && c != '\r')
+    *to++ = (char)c;
   if (c == EOF && ferror(tsv->file))
-    return fail(tsv, errno);
-  tsv->buffer[tsv->end] = '\0';
-  bool found = c != EOF || tsv->end > tsv->begin;
+    tsv->error = errno;
+  tsv->ended_by_return = c == '\r';
+  tsv->length = (size_t)(to - tsv->buffer);
+  *to = '\0';
+  bool found = tsv->error == 0 && (c != EOF || tsv->length > 0);
   tsv->number += found;
   return found;
 }
@@ -89,11 +64,10 @@ static char *judged_line(struct tsv *tsv)
 {
   static const char mark[] = "\xef\xbb\xbf";
   const size_t size = sizeof mark - 1;
-  char *line = tsv->buffer + tsv->begin;
-  tsv->fault = tsv->too_long ? "this line is too long: more than a million characters" : NULL;
-  if (strlen(line) < tsv->end - tsv->begin)
-    tsv->fault = "this is not a text file";
-  return tsv->number == 1 && strncmp(line, mark, size) == 0 ? line + size : line;
+  tsv->fault = strlen(tsv->buffer) < tsv->length ? "this is not a text file"
+               : tsv->length == LONGEST_LINE     ? "this line is too long: more than a million characters"
+                                                 : NULL;
+  return tsv->buffer + (tsv->number == 1 && strncmp(tsv->buffer, mark, size) == 0 ? size : 0);
 }
 
 static char *trimmed(char *text, const char *around)
@@ -107,7 +81,6 @@ static char *trimmed(char *text, const char *around)
 /* Splits at each of the separators, or at runs of them. */
 static void split(struct tsv *tsv, char *rest, const char *separators, bool runs)
 {
-  tsv->count = 0;
   while (rest) {
     char *cell = rest;
     rest += strcspn(rest, separators);
@@ -126,20 +99,17 @@ static void split(struct tsv *tsv, char *rest, const char *separators, bool runs
 
 bool tsv_next(struct tsv *tsv)
 {
-  bool words = tsv->style != TSV_TABS;
+  const bool words = tsv->style != TSV_TABS;
   while (read_line(tsv)) {
     char *text = judged_line(tsv);
     if (words && !tsv->fault)
       text = trimmed(text, " \t");
     if (*text == '#' || (*text == '\0' && !tsv->fault))
       continue;
+    const bool commas = tsv->style == TSV_ANY && strchr(text, ',');
     tsv->count = 0;
     if (!tsv->fault)
-      split(tsv, text,
-            !words || strchr(text, '\t')                 ? "\t"
-            : tsv->style == TSV_ANY && strchr(text, ',') ? ","
-                                                         : " ",
-            words);
+      split(tsv, text, !words || strchr(text, '\t') ? "\t" : commas ? "," : " ", words);
     return true;
   }
   return false;
@@ -156,25 +126,16 @@ const char *tsv_error(struct tsv *tsv)
 
 bool tsv_take_header(struct tsv *tsv)
 {
-  size_t size = 0;
+  size_t size = 1;
   for (int i = 0; i < tsv->count; i++)
     size += strlen(tsv->cell[i]) + 1;
-  char *end = tsv->header = malloc(size + 1);
-  tsv->columns = tsv->header ? tsv->count : 0;
-  for (int i = 0; i < tsv->columns; i++) {
-    size = strlen(tsv->cell[i]) + 1;
-    tsv->column[i] = trimmed(memcpy(end, tsv->cell[i], size), " '\"");
-    end += size;
+  char *end = tsv->header = malloc(size);
+  for (tsv->columns = 0; end && tsv->columns < tsv->count; end += size) {
+    const char *cell = tsv->cell[tsv->columns];
+    size = strlen(cell) + 1;
+    tsv->column[tsv->columns++] = trimmed(memcpy(end, cell, size), " '\"");
   }
   return tsv->header != NULL;
-}
-
-int tsv_column(const struct tsv *tsv, const char *name)
-{
-  for (int i = 0; i < tsv->columns; i++)
-    if (strcmp(tsv->column[i], name) == 0)
-      return i;
-  return -1;
 }
 
 const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)

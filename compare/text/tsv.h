@@ -31,17 +31,16 @@ struct tsv {
   char *cell[TSV_CELLS];
   int columns; /* of the header, 0: none was read */
   char *column[TSV_CELLS];
-  char *header; /* what they point into */
-  char *buffer; /* of size bytes; the current line is from begin to end */
-  size_t size, begin, end;
-  bool keeps_all;                 /* lines stand one after another in the buffer */
-  bool too_long, ended_by_return; /* the current line */
+  char *header;         /* what they point into */
+  char *buffer;         /* the current line        */
+  size_t length;        /* of what was read of it  */
+  bool ended_by_return; /* likewise                */
   char message[TSV_MESSAGE];
 };
 
 /* Opens a file, or for "-" standard input. False: tsv_error says why. Whichever it is, tsv_close ends it. */
 bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style);
-/* The same for a text, with all cells until tsv_close; name is for messages. */
+/* The same for a text; name is for messages. */
 bool tsv_open_text(struct tsv *tsv, const char *name, const char *text);
 void tsv_close(struct tsv *tsv);
 
@@ -53,8 +52,6 @@ const char *tsv_error(struct tsv *tsv);
 
 /* Takes the current row as the header: names of columns, without blanks and quotes around them. False: out of memory */
 bool tsv_take_header(struct tsv *tsv);
-/* The place of a column, or -1. */
-int tsv_column(const struct tsv *tsv, const char *name);
 
 /* "FILE:LINE: text", or "FILE: text" for line 0. It lives until the next call. */
 const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)

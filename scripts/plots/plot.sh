@@ -20,7 +20,7 @@ program=$(LC_ALL=C awk "$PLOT_request
   $PLOT_reach
   $PLOT_workprec
   $PLOT_map
-  $PLOT_boundaries" <"$PLOT_table" 2>&1) || fail $? "$program"
+  $PLOT_boundaries" <"$PLOT_table" 2>&1) || fail $? "$(printf '%s\n' "$program" | tail -n 1)"
 export LC_ALL=C.UTF-8 # in another locale gnuplot complains of the UTF-8 in texts
 code=0
 said=$(printf '%s\n' "$program" | gnuplot -d 2>&1) || code=$?

@@ -1,14 +1,13 @@
 # The boundaries between the regions of a map, as the parts of them in the cells of a grid, with the numbers of the regions on both sides, and a list
 # of them below.
-function draw_boundaries(   n, k, cell, name, sides, order, counts) {
+function draw_boundaries(   n, k, name, sides, order, counts) {
   split(x "\t" by[1] "\tto_" x "\tto_" by[1] "\tregion_1\tregion_2", name)
-  for (k = 1; k <= 6; k++)
-    need(name[k])
+  need_all(name, 6)
   for (n = 1; n <= rows; n++) {
-    split(line[n], cell)
+    go(n)
     for (k = 1; k <= 4; k++)
-      stretch(k % 2 ? "x" : "y", end[n, k] = cell[at[name[k]]])
-    sides_of[n] = sides = number_of(cell[at["region_1"]], "") "\t" number_of(cell[at["region_2"]], "")
+      stretch(k % 2 ? "x" : "y", end[n, k] = v(name[k]))
+    sides_of[n] = sides = number_of(v("region_1"), "") "\t" number_of(v("region_2"), "")
     if (!(sides in counts))
       order[++pairs] = sides
     part[sides, ++counts[sides]] = n
@@ -30,15 +29,15 @@ function draw_boundaries(   n, k, cell, name, sides, order, counts) {
   print_plot()
 }
 # A value as a share of its axis, and the place of a share
-function share(k, v,   axis) {
+function share(k, number,   axis) {
   axis = k == 1 ? "x" : "y"
-  return (place(axis, v) - place(axis, least[axis])) / (place(axis, most[axis]) - place(axis, least[axis]) + 1e-300)
+  return (place(axis, number) - place(axis, least[axis])) / (place(axis, most[axis]) - place(axis, least[axis]) + 1e-300)
 }
 function at_share(axis, s) { return place(axis, least[axis]) + s * (place(axis, most[axis]) - place(axis, least[axis])) }
 
 # Of some parts of a boundary, that which is farthest from others has the numbers beside it, the first of them on its left; but not where the same
 # number is near.
-function put_sides(sides, count_of,   i, n, m, far, best, spot, number, side, away, u, v, is_new) {
+function put_sides(sides, count_of,   i, n, m, far, best, spot, number, side, away, across, up) {
   split(sides, number)
   for (i = 1; i <= count_of; i += int(count_of / 9) + 1) {
     n = part[sides, i]
@@ -53,16 +52,16 @@ function put_sides(sides, count_of,   i, n, m, far, best, spot, number, side, aw
   }
   for (side = 1; side <= 2; side++) {
     away = (side == 1 ? -0.45 : 0.45) * best / sqrt(turn[spot, 1] ^ 2 + turn[spot, 2] ^ 2 + 1e-300)
-    u = middle[spot, 1] + away * turn[spot, 2]
-    v = middle[spot, 2] - away * turn[spot, 1]
+    across = middle[spot, 1] + away * turn[spot, 2]
+    up = middle[spot, 2] - away * turn[spot, 1]
     for (i = 1; i <= numbers[number[side]]; i++)
-      if ((number_at[number[side], i, 1] - u) ^ 2 + (number_at[number[side], i, 2] - v) ^ 2 < 0.02)
+      if ((number_at[number[side], i, 1] - across) ^ 2 + (number_at[number[side], i, 2] - up) ^ 2 < 0.02)
         break
     if (i > numbers[number[side]]) {
       numbers[number[side]] = i
-      number_at[number[side], i, 1] = u
-      number_at[number[side], i, 2] = v
-      put("numbers", point(at_share("x", u), at_share("y", v)) "\t" number[side])
+      number_at[number[side], i, 1] = across
+      number_at[number[side], i, 2] = up
+      put("numbers", point(at_share("x", across), at_share("y", up)) "\t" number[side])
     }
   }
 }

@@ -1,30 +1,30 @@
 # Columns over a column: a curve for each y column and each combination of values in the by columns.
-function draw_curves(   n, i, k, cell, called) {
+function draw_curves(   n, i, k, hue, called) {
   if (x == "" || ys == 0)
     refuse("a plot without a script of its own needs x and y, columns of the table")
   for (n = 1; n <= rows; n++) {
-    split(line[n], cell)
-    stretch("x column", cell[at[x]])
+    go(n)
+    stretch("x column", v(x))
     for (i = 1; i <= ys; i++)
-      stretch("y column " i, cell[at[y[i]]])
+      stretch("y column " i, v(y[i]))
   }
   choose_logarithmic()
   for (n = 1; n <= rows; n++) {
-    split(line[n], cell)
-    called = combination(cell)
-    for (i = 1; i <= ys; i++) {
-      if (is_magnitude)
-        sub(/^-/, "", cell[at[y[i]]])
-      add("", (ys > 1 || called == "" ? magnitude(symbol(y[i])) : "") (ys > 1 && called != "" ? ", " : "") called, cell[at[x]], cell[at[y[i]]])
-    }
+    go(n)
+    called = combination()
+    for (i = 1; i <= ys; i++)
+      add("", (ys > 1 || called == "" ? magnitude(symbol(y[i])) : "") (ys > 1 && called != "" ? ", " : "") called, v(x), \
+        is_magnitude ? unsigned(v(y[i])) : v(y[i]))
     if (curves > 24 * ys)
       refuse("more than 24 combinations of values: each has a curve")
   }
   if (!("x" in most))
     refuse("no row has a number that the axis can show in both columns")
   # Colours and symbols tell the combinations apart and dashes the columns; without by columns all of them tell the columns apart.
-  for (k = 1; k <= curves; k++)
-    style[k] = style_of_curve(bys > 0 ? int((k - 1) / ys) + 1 : k, bys > 0 && ys > 1 ? (k - 1) % ys + 1 : bys > 0 ? int((k - 1) / ys) + 1 : k)
+  for (k = 1; k <= curves; k++) {
+    hue = bys > 0 ? int((k - 1) / ys) + 1 : k
+    style[k] = style_of_curve(hue, bys > 0 && ys > 1 ? (k - 1) % ys + 1 : hue)
+  }
   print_panels(1, 800, 400, axis_title(x), names_of_y())
 }
 
@@ -42,9 +42,9 @@ function choose_logarithmic(   i, wide) {
 }
 
 # "F₁ = 4, quadratic": a number says what it is of, a word does not.
-function combination(cell,   i, value, called) {
+function combination(   i, value, called) {
   for (i = 1; i <= bys; i++) {
-    value = cell[at[by[i]]]
+    value = v(by[i])
     called = called (i > 1 ? ", " : "") (value ~ /^-?[0-9.]/ ? symbol(by[i]) " = " : "") value
   }
   return called

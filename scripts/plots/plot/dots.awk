@@ -1,24 +1,24 @@
 # A line for each row, named by its by columns, with a symbol for each y column: magnitudes along a logarithmic axis; what is 0 is written.
-function draw_dots(   n, i, cell, over, value, called, longest, list, instead, title) {
+function draw_dots(   n, i, over, value, called, longest, list, instead, title) {
   if (rows > 399)
     refuse("more than 399 rows: each has a line")
   over = of == "published" && "exact" in at ? " / exact" : ""
   is_log["x"] = 1
   is_log["y"] = 0
   for (n = 1; n <= rows; n++) {
-    split(line[n], cell)
+    go(n)
     called = ""
     for (i = 1; i <= bys; i++)
-      called = called (i > 1 ? "  " : "") cell[at[by[i]]]
+      called = called (i > 1 ? "  " : "") v(by[i])
     longest = max(longest, characters(called))
     list = list (n > 1 ? ", " : "") shown(called) " " n
     instead = "none"
     for (i = 1; i <= ys; i++) {
-      value = cell[at[y[i]]]
+      value = v(y[i])
       if (over != "")
-        value = cell[at["exact"]] + 0 == 0 || !is_number(value) ? "nan" : sprintf("%.6g", value / cell[at["exact"]])
+        value = v("exact") + 0 == 0 || !is_number(value) ? "nan" : sprintf("%.6g", value / v("exact"))
       is_magnitude = is_magnitude || value ~ /^-[0-9.]/
-      sub(/^-/, "", value)
+      value = unsigned(value)
       add("", i, value, n)
       instead = fits(value, 1) ? "" : instead != "" && is_number(value) ? "0" : instead
     }

@@ -91,7 +91,7 @@ function print_plot(   i, k, block) {
       print line_of[block, k]
     print "END"
   }
-  print plots == "" ? "plot NaN notitle" : plots
+  print (plots == "" ? "plot NaN notitle" : plots)
   plots = ""
   blocks = 0
 }
@@ -104,9 +104,10 @@ function rows_of_list(entries, pixels, pixels_of_column,   beside) {
 
 function max(a, b) { return a + 0 > b + 0 ? a : b }
 function min(a, b) { return a + 0 < b + 0 ? a : b }
-function abs(v) { return v < 0 ? -v : v }
-function log10(v) { return log(v) / log(10) }
-function floor(v) { return int(v) - (int(v) > v) }
+function abs(number) { return number < 0 ? -number : number }
+function unsigned(text) { return substr(text, 1 + (text ~ /^-/)) }
+function log10(number) { return log(number) / log(10) }
+function floor(number) { return int(number) - (int(number) > number) }
 function word(k, list,   words, count) {
   count = split(list, words, " ")
   return words[(k - 1) % count + 1]
@@ -118,8 +119,8 @@ function set_range(axis, low, high) {
   low_end[axis] = low
   high_end[axis] = high
 }
-# An axis, "x" or "y", for numbers from low to high, or as wide as is asked for. A logarithmic one of few powers of ten has tics of its own, and
-# ends at the numbers, with a margin unless they are exact.
+# An axis, "x" or "y", for numbers from low to high, or as wide as is asked for; gnuplot finds the ends of a linear one that need not be exact. A
+# logarithmic one of few powers of ten has tics of its own, and ends at the numbers, with a margin unless they are exact.
 function set_axis(axis, low, high, exact,   is_long, margin) {
   exact = exact || has_range[axis]
   low = has_range[axis] ? low_end[axis] + 0 : low
@@ -135,7 +136,7 @@ function set_axis(axis, low, high, exact,   is_long, margin) {
     if (!is_long)
       print "set " axis "tics (" tics(low, high) ")"
   }
-  if (low != high)
+  if (low != high && (is_log[axis] || exact))
     printf "set %srange [%.17g:%.17g]\n", axis, low, high
 }
 # Some five, or 1, 2 and 5 of each power of ten

@@ -23,17 +23,17 @@ function choose_axes_of_map(   axis, part) {
 }
 
 # Along the axes: given[axis, i], count[axis] of them; of the nodes: number[i, j] of their region, and z[i, j], what is shown.
-function read_grid(   n, i, j, cell, modes, regime, text, nodes, kinds, least_nodes, larger, spare) {
+function read_grid(   n, i, j, modes, regime, text, nodes, kinds, least_nodes, larger, spare) {
   for (n = 1; n <= rows; n++) {
-    split(line[n], cell)
-    if (n == 1 || cell[at[by[1]]] != given["y", j]) {
-      given["y", ++j] = cell[at[by[1]]]
+    go(n)
+    if (n == 1 || v(by[1]) != given["y", j]) {
+      given["y", ++j] = v(by[1])
       i = 0
     }
-    given["x", ++i] = cell[at[x]]
-    z[i, j] = cell[at[y[1]]]
-    modes[i, j] = cell[at["modes"]]
-    regime[i, j] = cell[at["regime"]]
+    given["x", ++i] = v(x)
+    z[i, j] = v(y[1])
+    modes[i, j] = v("modes")
+    regime[i, j] = v("regime")
     has_words = has_words || !is_number(z[i, j]) && z[i, j] !~ /^(-|nan|-?inf)$/
   }
   count["x"] = i
@@ -88,7 +88,7 @@ function lay_out(axis, narrow,   i, m, half) {
 }
 function place(axis, value) { return is_log[axis] ? log10(value) : value + 0 }
 function value(axis, p) { return is_log[axis] ? 10 ^ p : p }
-function point(u, v) { return sprintf("%.10g\t%.10g", value("x", u), value("y", v)) }
+function point(across, up) { return sprintf("%.10g\t%.10g", value("x", across), value("y", up)) }
 
 # Along a row a region is one cell. Cells overlap a little: else there would be seams.
 function put_cells(   i, j, first) {
@@ -147,7 +147,7 @@ function root(n) {
     n = part[n] = part[part[n]]
   return n
 }
-function put_numbers(   i, j, m, n, far, across, up, size, best, spot, largest) {
+function put_numbers(   i, j, m, n, k, far, across, up, size, order, parts, best, spot, largest) {
   for (j = 1; j <= count["y"]; j++)
     for (i = 1; i <= count["x"]; i++) {
       n = part[i, j] = i SUBSEP j
@@ -166,18 +166,23 @@ function put_numbers(   i, j, m, n, far, across, up, size, best, spot, largest) 
       across = min(way(far["w", n], i), way(far["e", n], count["x"] + 1 - i))
       up = min(way(far["s", n], j), way(far["n", n], count["y"] + 1 - j))
       m = root(n)
-      size[m]++
+      if (size[m]++ == 0)
+        order[++parts] = m
       if (min(across, up) + 0.01 * (across + up) > best[m]) {
         best[m] = min(across, up) + 0.01 * (across + up)
         spot[m] = n
       }
     }
-  for (m in size)
+  for (k = 1; k <= parts; k++) {
+    m = order[k]
     if (size[m] > size[largest[number[m]]])
       largest[number[m]] = m
-  for (m in size)
+  }
+  for (k = 1; k <= parts; k++) {
+    m = order[k]
     if (region[number[m]] != "all others" && (size[m] > 0.02 * rows || largest[number[m]] == m))
       put_number(spot[m])
+  }
 }
 function way(far, room) { return far > 40 ? 41 : far == room ? far * 0.8 + 0.3 : far } # room: up to the edge of the map
 function put_number(n,   at_node, is_strip) {

@@ -25,7 +25,7 @@ function style_of_curve(hue, dashes) {
 }
 
 # Panels of w x h pixels, so many beside each other. Below the key stand the texts of below[].
-function print_panels(beside, w, h, x_title, y_title,   k, p, longest, has_titles, is_below, key_rows, bottom, deep) {
+function print_panels(beside, w, h, x_title, y_title,   k, p, longest, has_titles, is_below, key_rows, bottom, deep, margin) {
   deep = int((panels + beside - 1) / beside)
   for (k = 1; k <= curves; k++) {
     curve_called[k] = curve_called[k] (is_drawn[k] ? "" : " (none)")
@@ -36,7 +36,8 @@ function print_panels(beside, w, h, x_title, y_title,   k, p, longest, has_title
   key_rows = is_below ? rows_of_list(curves, beside * w, 7 * longest + 60) : 0
   bottom = 18 * key_rows + 55 + 22 * belows
   begin_picture(beside * w, deep * h + (is_below ? bottom + 25 : 100), has_titles ? 12 : 14)
-  set_axis("x", least["x"], most["x"])
+  margin = is_log["x"] || most_points > 40 ? 0 : 0.02 * (most["x"] - least["x"])
+  set_axis("x", least["x"] - margin, most["x"] + margin, !is_log["x"])
   set_axis("y", least["y"], most["y"])
   print "set grid lc rgb '#dddddd' lt 1\nset xzeroaxis lt 1 lc rgb '#999999'\nset ylabel " shown(y_title) " noenhanced\nset key off\n" extras
   if (has_titles)

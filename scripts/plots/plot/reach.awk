@@ -1,32 +1,26 @@
 # How far each series reaches: the tolerance for its relative error over T, a panel for each quantity; radii of convergence as stars; the error
 # of the best order at T; events as lines, numbered, with what happens below.
-function draw_reach(   n, k, cell, T, what, quantity, order) {
-  for (n = split("what quantity series order tolerance T error note", cell, " "); n > 0; n--)
-    need(cell[n])
+function draw_reach(   n, k, names) {
+  need_all(names, split("what quantity series order tolerance T error note", names, " "))
   is_log["x"] = is_log["y"] = 1
   for (n = 1; n <= rows; n++) {
-    split(line[n], cell)
-    T = cell[at["T"]]
-    what = cell[at["what"]]
-    quantity = cell[at["quantity"]]
-    order = cell[at["order"]]
-    if (what == "event" && fits(T, 1))
-      add_event(T, cell[at["note"]])
-    else if (what == "reach") {
-      add(quantity, cell[at["series"]] (order == "nan" ? "" : ", below T^" order), T, cell[at["tolerance"]])
-      stretch("tolerance", cell[at["tolerance"]])
-    } else if (what == "radius")
-      add(quantity, "radius of convergence", T, 1)
-    else if (what == "best") {
-      sub(/^-/, "", cell[at["error"]])
-      add(quantity, "derived, best order at T", T, cell[at["error"]])
-    }
+    go(n)
+    if (v("what") == "event" && fits(v("T"), 1))
+      add_event(v("T"), v("note"))
+    else if (v("what") == "reach") {
+      add(v("quantity"), v("series") (v("order") == "nan" ? "" : ", below T^" v("order")), v("T"), v("tolerance"))
+      stretch("tolerance", v("tolerance"))
+    } else if (v("what") == "radius")
+      add(v("quantity"), "radius of convergence", v("T"), 1)
+    else if (v("what") == "best")
+      add(v("quantity"), "derived, best order at T", v("T"), unsigned(v("error")))
   }
   if (!("x" in most))
     refuse("no row has a T that can be drawn")
   for (k = 1; k <= curves; k++)
-    style[k] = curve_called[k] ~ /^radius/ ? "with points pt 3 ps 1.5 lw 1.5 lc rgb 'black'" : \
-      curve_called[k] ~ /^derived, best/ ? "with linespoints lw 1.2 pt 1 lc rgb grey" : style_of_curve(k, k)
+    style[k] = style_of_curve(k, k)
+  style[curve_place["radius of convergence"]] = "with points pt 3 ps 1.5 lw 1.5 lc rgb 'black'"
+  style[curve_place["derived, best order at T"]] = "with linespoints lw 1.2 pt 1 lc rgb grey"
   if (!has_range["y"])
     set_range("y", "tolerance" in least ? least["tolerance"] / 3 : 1e-16, 10)
   panels = max(panels, 1) # of events alone

@@ -60,10 +60,8 @@ END {
   else if (of != "") # else a scene says all
     choose_columns()
   need(x)
-  for (i = 1; i <= ys; i++)
-    need(y[i])
-  for (i = 1; i <= bys; i++)
-    need(by[i])
+  need_all(y, ys)
+  need_all(by, bys)
   describe()
   if (picture == "map")
     draw_map()
@@ -90,6 +88,13 @@ function need(name) {
   if (name != "" && !(name in at))
     refuse("the table has no column " name)
 }
+function need_all(names, count,   i) {
+  for (i = 1; i <= count; i++)
+    need(names[i])
+}
+# Goes to a row, and what it has in a column
+function go(n) { split(line[n], cell) }
+function v(name) { return cell[at[name]] }
 
 function read_list(name, list,   count, i) {
   count = split(ENVIRON["PLOT_" name], list, / *, */)

@@ -88,4 +88,3 @@ TEST(a_limit_ends)
   assert_true(took >= 0.02);
   assert_true(answers > 0);
 }
-
