@@ -184,6 +184,14 @@ void series_answer_clear(struct series_answer *a)
   series_clear(&a->cost);
 }
 
+slong series_first_power(const struct series *s)
+{
+  slong k = s->first;
+  while (k < s->known && k < s->first + SCALLOP_MOST_TERMS && series_coefficient_is_zero(s, k))
+    k++;
+  return k;
+}
+
 /* Where the displacement begins with T^2 four terms are lost, which the expansion to an even order has to spare. NULL:
  * it is 0, or begins later. */
 static const struct series *cost_series(struct series_answer *a, const struct scallop_rational_crawler *c, slong order,
@@ -191,11 +199,9 @@ static const struct series *cost_series(struct series_answer *a, const struct sc
 {
   const struct ring ring = { order + 4, precision };
   const struct series *way = &a->steady.displacement;
-  slong first = way->first;
+  slong first = series_first_power(way);
   fmpq_t factor;
   arb_t x;
-  while (first < order && series_coefficient_is_zero(way, first))
-    first++;
   if (first >= order || !series_div(&a->cost, &a->steady.friction_work, way, &ring))
     return NULL;
   fmpq_init(factor);

@@ -144,14 +144,6 @@ static const struct series_answer *series_at(const struct at *s, enum quantity_o
   return &k->answer;
 }
 
-static slong first_power(const struct series *series)
-{
-  slong k = series->first;
-  while (k < series->known && k < series->first + SCALLOP_MOST_TERMS && series_coefficient_is_zero(series, k))
-    k++;
-  return k;
-}
-
 /* The sum of a derived series at the point. False: there is none, and s->why says why, unless the motion has no such
  * quantity. */
 static bool derived_value(arb_t value, struct at *s, const struct quantity *q, slong precision)
@@ -168,7 +160,7 @@ static bool derived_value(arb_t value, struct at *s, const struct quantity *q, s
   arb_t time;
   arb_init(time);
   arb_set_fmpq(time, s->flint->T[of], precision);
-  series_value(value, series, time, q->kind == QUANTITY_LIMIT ? first_power(series) + 1 : q->order, precision);
+  series_value(value, series, time, q->kind == QUANTITY_LIMIT ? series_first_power(series) + 1 : q->order, precision);
   arb_clear(time);
   return true;
 }
