@@ -132,6 +132,14 @@ bool published_in_balls(arb_t value, const struct scallop_formula *f, const stru
   return arb_is_finite(value);
 }
 
+slong series_first_power(const struct series *s)
+{
+  slong k = s->first;
+  while (k < s->known && k < s->first + SCALLOP_MOST_TERMS && series_coefficient_is_zero(s, k))
+    k++;
+  return k;
+}
+
 /* Where the displacement begins with T^2 four terms are lost, which the expansion to an even order has to spare. NULL:
  * it is 0, or begins later. */
 static const struct series *cost_series(struct series_answer *a, const struct scallop_rational_crawler *c, slong order,
@@ -139,9 +147,7 @@ static const struct series *cost_series(struct series_answer *a, const struct sc
 {
   const struct ring ring = { order + 4, precision };
   const struct series *way = &a->steady.displacement;
-  slong first = way->first;
-  while (first < order && series_coefficient_is_zero(way, first))
-    first++;
+  slong first = series_first_power(way);
   if (first >= order || !series_div(&a->cost, &a->steady.friction_work, way, &ring))
     return NULL;
   SCOPED(fmpq, factor);

@@ -43,6 +43,8 @@ struct series_answer {
 };
 void series_answer_init(struct series_answer *answer);
 void series_answer_clear(struct series_answer *answer);
+/* The power of its first term that is not 0; without one the first that is not known. */
+slong series_first_power(const struct series *series);
 /* All terms below T^order. */
 bool answer_in_series(struct series_answer *answer, const struct scallop_rational_crawler *crawler, enum quantity_of of,
                       enum scallop_phase_kind phase, const fmpq_t v0, slong order, slong precision);

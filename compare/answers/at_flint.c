@@ -156,14 +156,6 @@ static const struct series_answer *series_at(const struct at *s, enum motion_of_
   return &k->answer;
 }
 
-static slong first_power(const struct series *series)
-{
-  slong k = series->first;
-  while (k < series->known && k < series->first + SCALLOP_MOST_TERMS && series_coefficient_is_zero(series, k))
-    k++;
-  return k;
-}
-
 /* The sum of a derived series. False: there is none, and s->why says why, unless the motion has no such quantity. */
 static bool derived_value(arb_t value, struct at *s, const struct quantity *q, enum motion_of_point m, slong precision)
 {
@@ -176,7 +168,7 @@ static bool derived_value(arb_t value, struct at *s, const struct quantity *q, e
     return false;
   SCOPED(arb, time);
   arb_set_fmpq(time, s->flint->T, precision);
-  series_value(value, series, time, q->kind == QUANTITY_LIMIT ? first_power(series) + 1 : q->order, precision);
+  series_value(value, series, time, q->kind == QUANTITY_LIMIT ? series_first_power(series) + 1 : q->order, precision);
   return true;
 }
 

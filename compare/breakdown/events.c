@@ -17,6 +17,7 @@ static const double PROVEN = 0x1p-40;
 
 /* What a motion is made of: it changes where the expansion ends. Phases are counted, of a single phase from 0 too. */
 struct signature {
+  const struct motion *motion;
   double T;
   struct answer answer;
   int part[2][SCALLOP_MODES_KEPT]; /* of the gait, in which a mode begins, from 1 on; 0: not known */
@@ -62,6 +63,7 @@ static bool signature_at(struct signature *s, const struct motion *motion, doubl
 {
   const struct motion m = motion_at(motion, T);
   struct scallop_modes walked[2] = { { 0 } };
+  s->motion = motion;
   s->T = T;
   if (!answer_in_double(&s->answer, &m))
     return false;
@@ -105,15 +107,16 @@ static bool same(enum event_kind of, const struct signature *a, const struct sig
 
 /* Is the motion at T what the signature tells? In binary128; that a switching time leaves its part no mode shows, so
  * that doubles have to do. */
-static bool holds(enum event_kind of, const struct motion *m, double T, const struct signature *s)
+static bool holds(enum event_kind of, double T, const struct signature *s)
 {
   struct signature here;
-  return (of == CHANGE_OF_PART ? signature_at(&here, m, T) : motion_in_wide(m, T, &here.answer)) && same(of, &here, s);
+  bool known = of == CHANGE_OF_PART ? signature_at(&here, s->motion, T) : motion_in_wide(s->motion, T, &here.answer);
+  return known && same(of, &here, s);
 }
 
-static bool is_proven(enum event_kind of, const struct motion *m, double T, const struct signature *s)
+static bool is_proven(enum event_kind of, double T, const struct signature *s)
 {
-  const struct motion at = motion_at(m, T);
+  const struct motion at = motion_at(s->motion, T);
   SCOPED(ball_answer, a);
   if (of == CHANGE_OF_PART || !answer_of_doubles(&a, &at, of == CHANGE_OF_MODES ? 6 : 20))
     return false;
@@ -124,25 +127,23 @@ static bool is_proven(enum event_kind of, const struct motion *m, double T, cons
 
 /* Halves what is between the signatures until the ends are neighbours: there it changes. False: at the ends it is not
  * what doubles see. */
-static bool settle(struct event *e, const struct motion *m, const struct signature *before,
-                   const struct signature *after)
+static bool settle(struct event *e, const struct signature *before, const struct signature *after)
 {
   double low = before->T, high = after->T;
-  if (!holds(e->of, m, low, before) || !holds(e->of, m, high, after))
+  if (!holds(e->of, low, before) || !holds(e->of, high, after))
     return false;
   for (double T; halfway(&T, low, high);)
-    *(holds(e->of, m, T, before) ? &low : &high) = T;
-  bool proven = is_proven(e->of, m, low * (1 - PROVEN), before) && is_proven(e->of, m, low * (1 + PROVEN), after);
+    *(holds(e->of, T, before) ? &low : &high) = T;
+  bool proven = is_proven(e->of, low * (1 - PROVEN), before) && is_proven(e->of, low * (1 + PROVEN), after);
   e->T = low;
   e->status = proven ? "certified" : e->of == CHANGE_OF_PART ? "double" : "binary128";
   return true;
 }
 
-static void describe(struct event *e, const struct motion *m, const struct signature *before,
-                     const struct signature *after)
+static void describe(struct event *e, const struct signature *before, const struct signature *after)
 {
   struct answer was = before->answer, is = after->answer;
-  if (kind_of(m, 0) == SCALLOP_CONTRACTION) { /* the extension has no modes */
+  if (kind_of(before->motion, 0) == SCALLOP_CONTRACTION) { /* the extension has no modes */
     was.modes[1] = was.modes[0], is.modes[1] = is.modes[0];
     was.modes[0].count = is.modes[0].count = 0;
   }
@@ -150,8 +151,7 @@ static void describe(struct event *e, const struct motion *m, const struct signa
 }
 
 /* A body turns, stops or starts in another part than before. */
-static void describe_move(struct event *e, const struct motion *m, const struct signature *before,
-                          const struct signature *after)
+static void describe_move(struct event *e, const struct signature *before, const struct signature *after)
 {
   int place = moved(before, after), phase = place / SCALLOP_MODES_KEPT, i = place % SCALLOP_MODES_KEPT;
   const struct scallop_mode to = after->answer.modes[phase].kept[i],
@@ -161,8 +161,8 @@ static void describe_move(struct event *e, const struct motion *m, const struct 
                      : (body == 1 ? from.s1 : from.s2) == 0 ? "starts"
                                                             : "turns";
   snprintf(e->what, sizeof e->what, "body %d %s in the %s during piece %d of the gait, no longer during piece %d", body,
-           does, kind_of(m, phase) == SCALLOP_EXTENSION ? "extension" : "contraction", after->part[phase][i],
-           before->part[phase][i]);
+           does, kind_of(before->motion, phase) == SCALLOP_EXTENSION ? "extension" : "contraction",
+           after->part[phase][i], before->part[phase][i]);
 }
 
 /* Behind the others; without memory it is left out. */
@@ -176,23 +176,22 @@ static void add(struct event **list, long *count, const struct event *e)
 }
 
 /* What changes between two signatures. Events that doubles cannot tell apart, so close are they, are one. */
-static void search(struct events *events, const struct motion *m, const struct signature *low,
-                   const struct signature *high)
+static void search(struct events *events, const struct signature *low, const struct signature *high)
 {
   struct signature middle;
   double T = sqrt(low->T) * sqrt(high->T);
   if (same(CHANGE_OF_PART, low, high))
     return;
-  if (high->T - low->T > NARROW * high->T && signature_at(&middle, m, T)) {
-    search(events, m, low, &middle);
-    search(events, m, &middle, high);
+  if (high->T - low->T > NARROW * high->T && signature_at(&middle, low->motion, T)) {
+    search(events, low, &middle);
+    search(events, &middle, high);
     return;
   }
   bool of_modes = !same(CHANGE_OF_MODES, low, high);
   struct event e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double" };
   memcpy(e.modes, high->answer.modes, sizeof e.modes);
-  (of_modes ? describe : describe_move)(&e, m, low, high);
-  settle(&e, m, low, high);
+  (of_modes ? describe : describe_move)(&e, low, high);
+  settle(&e, low, high);
   add(&events->event, &events->count, &e);
 }
 
@@ -205,11 +204,10 @@ const struct scallop_modes *events_modes_at(const struct events *events, double 
 }
 
 /* Where the crawler turns back, if it does */
-static void find_reversal(struct events *events, const struct motion *m, const struct signature *low,
-                          const struct signature *high)
+static void find_reversal(struct events *events, const struct signature *low, const struct signature *high)
 {
   struct event e = { .of = CHANGE_OF_WAY };
-  if (way(low) * way(high) >= 0 || !settle(&e, m, low, high))
+  if (way(low) * way(high) >= 0 || !settle(&e, low, high))
     return;
   snprintf(e.what, sizeof e.what, "the direction of crawling reverses: from here on %s",
            way(high) > 0 ? "forward" : "backward");
@@ -238,8 +236,8 @@ void events_find(struct events *events, const struct motion *m, const char *limi
       progress_count(i, steps);
     going = signature_at(&high, m, events->from * exp2((double)i / PER_OCTAVE));
     if (going) {
-      search(events, m, &low, &high);
-      find_reversal(events, m, &low, &high);
+      search(events, &low, &high);
+      find_reversal(events, &low, &high);
       low = high;
     }
   }

@@ -109,15 +109,6 @@ bool series_is_about(const struct scallop_formula *f, const struct motion *m, en
              || (own == Q_CHANGE && quantity == Q_V_END));
 }
 
-/* Past its first term that is not 0, or all that is known if there is none */
-static slong past_first(const struct series *s)
-{
-  slong k = s->first;
-  while (k < s->known && k < s->first + SCALLOP_MOST_TERMS && series_coefficient_is_zero(s, k))
-    k++;
-  return k + 1;
-}
-
 int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity,
                  long order)
 {
@@ -130,7 +121,8 @@ int series_items(struct series_item items[MOST_ITEMS], const struct expansions *
                                              .formula = f };
   if (s) {
     items[count++] = (struct series_item){ FROM_DERIVED, quantity, "derived", .series = s, .before = order };
-    items[count++] = (struct series_item){ FROM_LIMIT, quantity, "limit", .series = s, .before = past_first(s) };
+    items[count++] = (struct series_item){ FROM_LIMIT, quantity, "limit", .series = s,
+                                           .before = series_first_power(s) + 1 };
   }
   return count;
 }

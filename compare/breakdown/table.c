@@ -39,10 +39,11 @@ struct row {
   const struct motion *motion;
 };
 
-static struct row row_of(const struct report *r, const char *what, enum quantity_id quantity, double T)
+static struct row row_of(const struct report *r, const char *what, enum quantity_id quantity, const char *series,
+                         double T)
 {
   const char *name = quantity < QUANTITIES ? quantity_rows[quantity].name : "-";
-  return (struct row){ what, name, "-", NAN, NAN, T, NAN, NULL, "-", "-", &r->study.motion };
+  return (struct row){ what, name, series, NAN, NAN, T, NAN, NULL, "-", "-", &r->study.motion };
 }
 
 static void put_froude(struct table *t, const struct table_column *c, const void *row)
@@ -76,8 +77,10 @@ static const struct table_column columns[] = {
   { .name = NULL },
 };
 
-static void write_row(struct report *r, const struct row *row)
+static void write_row(struct report *r, struct row *row, const char *note, const char *status)
 {
+  row->note = note;
+  row->status = status;
   table_row(&r->table, columns, row, true);
   r->rows++;
 }
@@ -87,7 +90,7 @@ static void write_limit(struct report *r)
 {
   enum { BITS = 128 };
   const struct expansions *e = &r->study.expansions;
-  struct row row = row_of(r, "event", QUANTITIES, 0);
+  struct row row = row_of(r, "event", QUANTITIES, "-", 0);
   char note[120];
   const char *ends;
   SCOPED(arb, T);
@@ -98,49 +101,43 @@ static void write_limit(struct report *r)
   snprintf(note, sizeof note, proven ? "the limit T -> 0; these modes are proven up to T = %.4g" : "the limit T -> 0",
            arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
   row.modes = r->study.events.first;
-  row.note = note;
-  row.status = proven ? "certified" : *e->derived.modes ? "derived" : "double";
-  write_row(r, &row);
+  write_row(r, &row, note, proven ? "certified" : *e->derived.modes ? "derived" : "double");
 }
 
 static void write_changes(struct report *r, const char *what, enum quantity_id of, const struct event *e, long count)
 {
   for (const struct event *end = e + count; e < end; e++) {
-    struct row row = row_of(r, what, of, e->T);
+    struct row row = row_of(r, what, of, "-", e->T);
     row.modes = e->modes;
-    row.note = e->what;
-    row.status = e->status;
-    write_row(r, &row);
+    write_row(r, &row, e->what, e->status);
   }
 }
 
 static void write_reach(struct report *r, const struct comparison *c)
 {
   char text[160];
+  const char *note = text, *status = "binary128";
   double T = comparison_reach(c);
-  struct row row = row_of(r, "reach", c->item.quantity, T);
-  row.series = c->item.name;
+  struct row row = row_of(r, "reach", c->item.quantity, c->item.name, T);
   row.order = c->item.source == FROM_DERIVED ? (double)c->item.before : NAN;
   row.tolerance = c->tolerance;
-  row.status = "binary128";
   if (isnan(T)) {
-    row.note = "there is no value: of the formula, where l'' = 0 at an end of a phase, or of the exact motion";
+    note = "there is no value: of the formula, where l'' = 0 at an end of a phase, or of the exact motion";
   } else if (isinf(T)) {
-    row.note = r->study.events.count > 0 ? "for every T up to permanent rest" : "for every T";
+    note = r->study.events.count > 0 ? "for every T up to permanent rest" : "for every T";
   } else if (T > 0) {
     row.modes = events_modes_at(&r->study.events, T);
     row.error = comparison_error(c, T);
-    row.note = study_where(&r->study, T);
-    row.status = comparison_is_proven(c, T) ? "certified" : row.status;
+    note = study_where(&r->study, T);
+    status = comparison_is_proven(c, T) ? "certified" : status;
   } else {
     row.error = comparison_limit(c);
     snprintf(text, sizeof text,
              isnan(row.error) ? "the error does not fall below the tolerance as T -> 0"
                               : "the error tends to %.6g as T -> 0, which is not below the tolerance",
              row.error);
-    row.note = text;
   }
-  write_row(r, &row);
+  write_row(r, &row, note, status);
 }
 
 static void write_reaches(struct report *r, enum quantity_id quantity)
@@ -186,12 +183,9 @@ static void write_radius(struct report *r, enum quantity_id quantity)
   else
     snprintf(note, sizeof note, "%s; the first event, T = %.6g, comes %s", radius.note, first->T,
              first->T < radius.T ? "before" : "after");
-  struct row row = row_of(r, "radius", quantity, radius.T);
-  row.series = radius.method;
+  struct row row = row_of(r, "radius", quantity, radius.method, radius.T);
   row.error = fmax(radius.high - radius.T, radius.T - radius.low); /* nan where they are infinite */
-  row.note = note;
-  row.status = radius.status;
-  write_row(r, &row);
+  write_row(r, &row, note, radius.status);
 }
 
 /* At T from a sixteenth of the first event, or of the natural time, to four times that, by steps of a square root of
@@ -208,7 +202,7 @@ static void write_best(struct report *r, enum quantity_id quantity)
 {
   enum { DIGITS = 200 };
   for (int i = 0; r->study.many.derived.value[quantity] && i < BEST; i++) {
-    struct row row = row_of(r, "best", quantity, best_time(r, i));
+    struct row row = row_of(r, "best", quantity, "derived", best_time(r, i));
     const struct motion at = motion_at(&r->study.motion, row.T);
     char note[240];
     slong order;
@@ -219,12 +213,9 @@ static void write_best(struct report *r, enum quantity_id quantity)
     snprintf(note, sizeof note, "%s%s",
              study_gains_from_more(&r->study, quantity, order) ? "more terms are better still; " : "",
              study_where(&r->study, row.T));
-    row.series = "derived";
     row.order = (double)order;
     row.modes = events_modes_at(&r->study.events, row.T);
-    row.note = note;
-    row.status = "certified";
-    write_row(r, &row);
+    write_row(r, &row, note, "certified");
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "compare/breakdown/motion.h"
 #include "compare/maps/maps.h"
-#include "compare/text/memory.h"
 #include "compare/text/progress.h"
 #include "numerics/threads.h"
 
@@ -14,84 +13,43 @@
 static const double promise = 1e-12;
 
 /* Of boundaries that meet in a cell the halves of its halves ... are looked at, so many times. */
-enum { NOWHERE = -1, MOST_CHANGES = 8, HALVINGS = 5 };
+enum { MOST_CHANGES = 8, HALVINGS = 5, MOST_NODES = 2001 };
 
-struct place { /* in the square, from 0 to 1 along both axes */
+struct place { /* in the square, from 0 to 1 along both axes: places with the same modes are of one region */
   double u, v;
-  int region; /* its number, or NOWHERE: there is no steady state */
+  bool rounded; /* known in double only */
+  struct answer answer;
 };
-struct change {
+struct change { /* at (u, v), between places that are closer than the promise */
   double u, v;
-  int before, after;
+  struct place before, after;
 };
 struct changes {
   int count;
   struct change list[4 * MOST_CHANGES];
 };
-/* Of a boundary, from a change to (u, v): the region before is on the left. */
-struct part {
-  struct change from;
-  double u, v;
-  bool is_guess; /* the end */
-};
-struct parts {
-  long count;
-  struct part *list;
-};
-
-struct region {
-  struct answer answer;
-  char modes[MOTION_MODES_TEXT];
-};
 struct boundaries {
   const struct breakdown_options *options;
   struct axis axes[2];
   int cells[2];
-  struct place *rows[2]; /* of nodes: below and above the cells that are at hand */
-  struct parts *parts;   /* of these cells */
-  struct region *regions;
-  int count;
-  bool in_double, out_of_memory;
+  struct table table;
+  struct place nodes[2][MOST_NODES]; /* of the lines of the grid with an even number, and an odd one, at hand */
 };
 
-/* By one thread at a time. */
-static int number_of(struct boundaries *b, const struct answer *a)
-{
-  for (int i = 0; i < b->count; i++)
-    if (same_modes(b->regions[i].answer.modes, a->modes))
-      return i;
-  struct region *regions = with_room(b->regions, b->count, sizeof *regions);
-  if (!regions) {
-    b->out_of_memory = true;
-    return NOWHERE;
-  }
-  b->regions = regions;
-  regions[b->count].answer = *a;
-  motion_modes_text(regions[b->count].modes, OF_STEADY, a->modes);
-  return b->count++;
-}
-
-/* In binary128, where there is one: rounding in double may choose the modes near a boundary. */
-static struct place place_at(struct boundaries *b, double u, double v)
+/* In binary128, where there is one: rounding in double may choose the modes near a boundary. Without a steady state
+ * there are no modes. */
+static struct place place_at(const struct boundaries *b, double u, double v)
 {
   const struct scallop_crawler *base = &b->options->request.point.crawler;
   const struct motion m = {
     .of = OF_STEADY, .crawler = axes_crawler(b->axes, base, axis_value(b->axes[0], u), axis_value(b->axes[1], v))
   };
-  struct place place = { u, v, NOWHERE };
-  struct answer a;
-  bool wide = answer_in_wide(&a, &m, SCALLOP_BINARY128);
-  if (!wide && !answer_in_double(&a, &m))
-    return place;
-#ifdef _OPENMP
-#pragma omp critical
-#endif
-  {
-    b->in_double |= !wide;
-    place.region = number_of(b, &a);
-  }
+  struct place place = { u, v, .rounded = false };
+  place.rounded = !answer_in_wide(&place.answer, &m, SCALLOP_BINARY128) && answer_in_double(&place.answer, &m);
   return place;
 }
+
+static bool same(const struct place *a, const struct place *b) { return same_modes(a->answer.modes, b->answer.modes); }
 
 static double apart(const struct boundaries *b, double du, double dv)
 {
@@ -99,112 +57,125 @@ static double apart(const struct boundaries *b, double du, double dv)
 }
 
 /* A region that is thinner than the promise, such as a line on which a symmetry holds, is a part of the boundary. */
-static void add_change(const struct boundaries *b, struct changes *all, struct change c)
+static void add_change(const struct boundaries *b, struct changes *all, const struct change *c)
 {
   struct change *last = all->count > 0 ? &all->list[all->count - 1] : NULL;
-  if (last && last->after == c.before && apart(b, c.u - last->u, c.v - last->v) <= 2 * promise) {
-    last->after = c.after;
-    all->count -= last->before == last->after;
-  } else if (c.before != NOWHERE && c.after != NOWHERE && all->count < MOST_CHANGES) {
-    all->list[all->count++] = c;
+  if (last && same(&last->after, &c->before) && apart(b, c->u - last->u, c->v - last->v) <= 2 * promise) {
+    last->after = c->after;
+    all->count -= same(&last->before, &last->after);
+  } else if (c->before.answer.status >= 0 && c->after.answer.status >= 0 && all->count < MOST_CHANGES) {
+    all->list[all->count++] = *c;
   }
 }
 
 /* A region between two places is seen where a half of a half ... ends in it. */
-static void find_changes(struct boundaries *b, struct changes *all, struct place from, struct place to)
+static void find_changes(const struct boundaries *b, struct changes *all, const struct place *from,
+                         const struct place *to)
 {
-  if (from.region == to.region)
+  double u = from->u + (to->u - from->u) / 2, v = from->v + (to->v - from->v) / 2;
+  if (same(from, to))
     return;
-  double u = from.u + (to.u - from.u) / 2, v = from.v + (to.v - from.v) / 2;
-  if (apart(b, to.u - from.u, to.v - from.v) <= promise) {
-    add_change(b, all, (struct change){ u, v, from.region, to.region });
+  if (apart(b, to->u - from->u, to->v - from->v) <= promise) {
+    add_change(b, all, &(struct change){ u, v, *from, *to });
     return;
   }
   const struct place middle = place_at(b, u, v);
-  find_changes(b, all, from, middle);
-  find_changes(b, all, middle, to);
+  find_changes(b, all, from, &middle);
+  find_changes(b, all, &middle, to);
 }
 
 /* Around a cell, against the clock from its corner with the least u and v. */
-static struct changes changes_around(struct boundaries *b, const struct place corner[4])
+static struct changes changes_around(const struct boundaries *b, const struct place corner[4])
 {
   struct changes all = { .count = 0 };
   for (int k = 0; k < 4; k++) {
     struct changes edge = { .count = 0 };
     bool back = k >= 2; /* the same edge is always halved from the same end */
-    find_changes(b, &edge, corner[back ? (k + 1) % 4 : k], corner[back ? k : k + 1]);
+    find_changes(b, &edge, &corner[back ? (k + 1) % 4 : k], &corner[back ? k : k + 1]);
     for (int i = 0; i < edge.count; i++) {
-      struct change c = edge.list[back ? edge.count - 1 - i : i];
+      const struct change c = edge.list[back ? edge.count - 1 - i : i];
       all.list[all.count++] = back ? (struct change){ c.u, c.v, c.after, c.before } : c;
     }
   }
   return all;
 }
 
-static void add_part(struct boundaries *b, struct parts *parts, struct part part)
+/* By the regime, and by how often a body is stuck in the modes, which become text. */
+static int sticking(char modes[MOTION_MODES_TEXT], const struct answer *a)
 {
-  struct part *list = with_room(parts->list, parts->count, sizeof *list);
-  if (!list) {
-    b->out_of_memory = true;
-    return;
-  }
-  parts->list = list;
-  parts->list[parts->count++] = part;
+  int zeros = 0;
+  motion_modes_text(modes, OF_STEADY, a->modes);
+  for (const char *mode = modes; *mode; mode++)
+    zeros += *mode == '0';
+  return (int)a->regime * MOTION_MODES_TEXT + zeros;
 }
 
-/* The changes that are left go to their middle. */
-static void add_guesses(struct boundaries *b, struct parts *parts, const struct changes *left)
+/* A part of a boundary, from a change to (u, v): from region_1 to region_2 there is more sticking. */
+static void write_part(struct boundaries *b, const struct change *from, double u, double v, bool is_guess)
 {
+  const double ends[2][2] = { { from->u, from->v }, { u, v } };
+  const struct answer *sides[] = { &from->before.answer, &from->after.answer };
+  bool rounded = from->before.rounded || from->after.rounded;
+  char modes[2][MOTION_MODES_TEXT], what[MODE_CHANGE_TEXT];
+  int more = sticking(modes[0], sides[0]) - sticking(modes[1], sides[1]);
+  bool turned = more != 0 ? more > 0 : strcmp(modes[0], modes[1]) > 0;
+  for (int i = 0; i < 4; i++)
+    table_number(&b->table, axis_value(b->axes[i % 2], ends[(i / 2) ^ turned][i % 2]));
+  table_text(&b->table, modes[turned]);
+  table_text(&b->table, modes[!turned]);
+  table_text(&b->table, mode_change_text(what, sides[turned], sides[!turned]));
+  table_text(&b->table, is_guess ? "one end is a guess: boundaries meet there" : rounded ? "in double" : "ok");
+}
+
+static void write_quarters(struct boundaries *b, const struct place corner[4], int halvings);
+
+/* A boundary that comes into a cell with the regions A and B beside it goes out with B and A. Where that leaves some
+ * changes boundaries meet: in one of the quarters, or at last about in the middle of these changes. */
+static void write_parts(struct boundaries *b, const struct place corner[4], const struct changes *around, int halvings)
+{
+  const struct change *c = around->list;
+  int partner[4 * MOST_CHANGES], left = around->count;
   double u = 0, v = 0;
-  for (int i = 0; i < left->count; i++) {
-    u += left->list[i].u / left->count;
-    v += left->list[i].v / left->count;
-  }
-  for (int i = 0; i < left->count; i++)
-    add_part(b, parts, (struct part){ left->list[i], u, v, true });
-}
-
-static void quarter(struct boundaries *b, struct parts *parts, const struct place corner[4], int halvings);
-
-/* A boundary that comes into a cell with the regions A and B beside it goes out with B and A. */
-static void find_parts(struct boundaries *b, struct parts *parts, const struct place corner[4], int halvings)
-{
-  const struct changes around = changes_around(b, corner);
-  struct changes left = { .count = 0 };
-  bool done[4 * MOST_CHANGES] = { false };
-  const long before = parts->count;
-  for (int p = 0; p < around.count; p++) {
-    const struct change *in = &around.list[p], *out;
-    for (int q = p + 1; q < around.count && !done[p]; q++) {
-      out = &around.list[q];
-      if (!done[q] && in->before == out->after && in->after == out->before) {
-        add_part(b, parts, (struct part){ *in, out->u, out->v, false });
-        done[p] = done[q] = true;
+  for (int p = 0; p < around->count; p++)
+    partner[p] = -1;
+  for (int p = 0; p < around->count; p++)
+    for (int q = p + 1; q < around->count && partner[p] < 0; q++)
+      if (partner[q] < 0 && same(&c[p].before, &c[q].after) && same(&c[p].after, &c[q].before)) {
+        partner[p] = q;
+        partner[q] = p;
+        left -= 2;
       }
-    }
-    if (!done[p])
-      left.list[left.count++] = *in;
-  }
-  if (left.count == 0 || halvings == 0) {
-    add_guesses(b, parts, &left);
+  if (left > 0 && halvings > 0) {
+    write_quarters(b, corner, halvings - 1);
     return;
   }
-  parts->count = before;
-  quarter(b, parts, corner, halvings - 1);
+  for (int p = 0; p < around->count; p++) {
+    if (partner[p] > p)
+      write_part(b, &c[p], c[partner[p]].u, c[partner[p]].v, false);
+    u += partner[p] < 0 ? c[p].u / left : 0;
+    v += partner[p] < 0 ? c[p].v / left : 0;
+  }
+  for (int p = 0; p < around->count; p++)
+    if (partner[p] < 0)
+      write_part(b, &c[p], u, v, true);
 }
 
-/* Nodes of the quarters: the corners, the middles of the edges behind each, and the centre */
-static void quarter(struct boundaries *b, struct parts *parts, const struct place corner[4], int halvings)
+static void write_quarters(struct boundaries *b, const struct place corner[4], int halvings)
 {
-  struct place middle[4];
+  struct place middle[4]; /* of the edge behind each corner */
   double u = corner[0].u + (corner[2].u - corner[0].u) / 2, v = corner[0].v + (corner[2].v - corner[0].v) / 2;
   const struct place centre = place_at(b, u, v);
   for (int k = 0; k < 4; k++)
     middle[k] = place_at(b, k % 2 ? corner[k].u : u, k % 2 ? v : corner[k].v);
-  find_parts(b, parts, (struct place[4]){ corner[0], middle[0], centre, middle[3] }, halvings);
-  find_parts(b, parts, (struct place[4]){ middle[0], corner[1], middle[1], centre }, halvings);
-  find_parts(b, parts, (struct place[4]){ centre, middle[1], corner[2], middle[2] }, halvings);
-  find_parts(b, parts, (struct place[4]){ middle[3], centre, middle[2], corner[3] }, halvings);
+  for (int k = 0; k < 4; k++) {
+    struct place quarter[4];
+    quarter[k] = corner[k];
+    quarter[(k + 1) % 4] = middle[k];
+    quarter[(k + 2) % 4] = centre;
+    quarter[(k + 3) % 4] = middle[(k + 3) % 4];
+    const struct changes around = changes_around(b, quarter);
+    write_parts(b, quarter, &around, halvings);
+  }
 }
 
 /* Line i of the grid: not at even fractions, where symmetries hold more often than elsewhere, and a little inside. */
@@ -215,58 +186,27 @@ static double grid_line(int i, int cells)
 }
 
 /* Row j of the nodes, and the boundaries between it and the one before. */
-static void find_row(struct boundaries *b, int j)
+static void write_row(struct boundaries *b, int j)
 {
-  struct place *low = b->rows[0], *high = b->rows[1];
   const int cells = b->cells[0];
+  struct place *low = b->nodes[(j + 1) % 2], *high = b->nodes[j % 2];
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, cells))
   for (int i = 0; i <= cells; i++)
     high[i] = place_at(b, grid_line(i, cells), grid_line(j, b->cells[1]));
-#pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, cells))
-  for (int i = 0; i < cells; i++) {
-    b->parts[i].count = 0;
-    if (j > 0)
-      find_parts(b, &b->parts[i], (struct place[4]){ low[i], low[i + 1], high[i + 1], high[i] }, HALVINGS);
+#pragma omp parallel for ordered schedule(dynamic) num_threads(threads_for(0, cells))
+  for (int i = 0; i < (j > 0 ? cells : 0); i++) {
+    const struct place corner[4] = { low[i], low[i + 1], high[i + 1], high[i] };
+    const struct changes around = changes_around(b, corner);
+#ifdef _OPENMP
+#pragma omp ordered
+#endif
+    write_parts(b, corner, &around, HALVINGS);
   }
 }
 
-/* The bodies that rest in the modes */
-static int rests(const char *modes)
+static void begin_table(struct boundaries *b)
 {
-  int count = 0;
-  for (; *modes; modes++)
-    count += *modes == '0';
-  return count;
-}
-
-/* From region_1 to region_2 there is more sticking. */
-static bool comes_second(const struct region *a, const struct region *b)
-{
-  int more = a->answer.regime != b->answer.regime ? (int)a->answer.regime - (int)b->answer.regime
-                                                  : rests(a->modes) - rests(b->modes);
-  return more != 0 ? more > 0 : strcmp(a->modes, b->modes) > 0;
-}
-
-static void write_part(const struct boundaries *b, struct table *t, const struct part *p)
-{
-  const struct region *left = &b->regions[p->from.before], *right = &b->regions[p->from.after];
-  double x[2] = { axis_value(b->axes[0], p->from.u), axis_value(b->axes[0], p->u) };
-  double y[2] = { axis_value(b->axes[1], p->from.v), axis_value(b->axes[1], p->v) };
-  char what[MODE_CHANGE_TEXT];
-  bool turned = comes_second(left, right);
-  const struct region *one = turned ? right : left, *two = turned ? left : right;
-  for (int i = 0; i < 2; i++) {
-    table_number(t, x[i ^ turned]);
-    table_number(t, y[i ^ turned]);
-  }
-  table_text(t, one->modes);
-  table_text(t, two->modes);
-  table_text(t, mode_change_text(what, &one->answer, &two->answer));
-  table_text(t, p->is_guess ? "one end is a guess: boundaries meet there" : b->in_double ? "in double" : "ok");
-}
-
-static void begin_table(const struct boundaries *b, struct table *t)
-{
+  struct table *t = &b->table;
   static char to[2][32];
   t->of = "boundaries";
   table_command(t, "breakdown --map %s %s --boundaries", b->axes[0].name, b->axes[1].name);
@@ -282,54 +222,29 @@ static void begin_table(const struct boundaries *b, struct table *t)
   table_begin_rows(t);
 }
 
-static enum exit_code run(struct boundaries *b, struct table *t)
-{
-  const struct progress progress = progress_begin(b->options->request.style.quiet);
-  begin_table(b, t);
-  for (int j = 0; j <= b->cells[1] && !b->out_of_memory && !table_failed(t); j++) {
-    progress_show(&progress, "row %d of %d", j, b->cells[1]);
-    find_row(b, j);
-    for (int i = 0; j > 0 && i < b->cells[0]; i++)
-      for (long k = 0; k < b->parts[i].count; k++)
-        write_part(b, t, &b->parts[i].list[k]);
-    struct place *above = b->rows[1];
-    b->rows[1] = b->rows[0];
-    b->rows[0] = above;
-  }
-  progress_end(&progress);
-  if (!b->out_of_memory)
-    return table_close(t) ? EXIT_DONE : EXIT_FILE;
-  complain("breakdown", "out of memory");
-  table_abandon(t);
-  return EXIT_UNSOLVED;
-}
-
 enum exit_code breakdown_boundaries(const struct breakdown_options *o)
 {
-  enum { LEAST = 2, MOST = 2001 };
-  struct boundaries b = { .options = o, .axes = { map_axis(o, 0), map_axis(o, 1) } };
-  struct table t;
+  static struct boundaries b; /* too large for the stack */
+  const struct progress progress = progress_begin(o->request.style.quiet);
+  b.options = o;
   for (int i = 0; i < 2; i++) {
-    long count = b.axes[i].varies->count;
-    if (count < LEAST || count > MOST) {
-      complain("breakdown", "--%c: %ld values; --boundaries takes 2 to 2001 along each axis", "xy"[i], count);
+    b.axes[i] = map_axis(o, i);
+    const struct sweep_variable *v = b.axes[i].varies;
+    if (v->count < 2 || v->count > MOST_NODES) {
+      complain("breakdown", "--%c: %ld values; --boundaries takes 2 to %d along each axis", "xy"[i], v->count, MOST_NODES);
       return EXIT_USAGE;
     }
-    if (!(b.axes[i].varies->from.number < b.axes[i].varies->to.number))
+    if (!(v->from.number < v->to.number))
       return complain("breakdown", "--%c: FROM < TO for --boundaries", "xy"[i]), EXIT_USAGE;
-    b.cells[i] = (int)count - 1;
+    b.cells[i] = (int)v->count - 1;
   }
-  const size_t nodes = (size_t)b.cells[0] + 1;
-  for (int i = 0; i < 2; i++)
-    b.rows[i] = calloc(nodes, sizeof *b.rows[i]);
-  b.parts = calloc(nodes, sizeof *b.parts);
-  b.out_of_memory = !b.rows[0] || !b.rows[1] || !b.parts;
-  enum exit_code code = table_open(&t, &o->request.style) ? run(&b, &t) : EXIT_FILE;
-  for (size_t i = 0; b.parts && i < nodes; i++)
-    free(b.parts[i].list);
-  for (int i = 0; i < 2; i++)
-    free(b.rows[i]);
-  free(b.parts);
-  free(b.regions);
-  return code;
+  if (!table_open(&b.table, &o->request.style))
+    return EXIT_FILE;
+  begin_table(&b);
+  for (int j = 0; j <= b.cells[1] && !table_failed(&b.table); j++) {
+    progress_show(&progress, "row %d of %d", j, b.cells[1]);
+    write_row(&b, j);
+  }
+  progress_end(&progress);
+  return table_close(&b.table) ? EXIT_DONE : EXIT_FILE;
 }

@@ -196,7 +196,7 @@ bool point_file_next(struct point_file *r, struct sweep_place *place, const stru
   for (int i = 0; i < r->carries; i++)
     r->cell[i] = r->column[i] < t->count ? t->cell[r->column[i]] : "";
   place->carried = r->cell;
-  r->read += (double)(t->end - t->begin + 1);
+  r->read += (double)(t->length + 1);
   return true;
 }
 
