@@ -141,7 +141,7 @@ void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawle
   for (int g = 0; gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
     c.gait = gait ? gait : scallop_gait_named(scallop_gait_name(g));
     for (int i = 0; (f = book_formula(i)); i++)
-      if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)))
+      if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)) && !ledger_expects(ledger))
         ledger_add_formula(ledger, &c, is_given, f);
   }
   scallop_rational_clear(&c);

@@ -8,6 +8,7 @@
 
 #include "compare/text/halfway.h"
 #include "compare/text/table.h"
+#include "model/exact/scoped.h"
 
 double natural_time(const struct scallop_crawler *c) { return sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L); }
 
@@ -32,12 +33,9 @@ double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
 double nearest_double(const fmpq_t x)
 {
-  arb_t ball;
-  arb_init(ball);
+  SCOPED(arb, ball);
   arb_set_fmpq(ball, x, 64);
-  double value = middle(ball);
-  arb_clear(ball);
-  return value;
+  return middle(ball);
 }
 
 /* 10^x for x in [-1, 1] by its own series: the same bits on every machine */

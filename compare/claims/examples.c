@@ -58,11 +58,9 @@ static const char v_mid_is[] =
 static const char show_v_mid[] = "v_mid, the last column, is not highest in the second row: {table} | cut -f 6,10,11";
 static const char and_phases[] =
     "steady at=x1; steady at=x2; steady at=x3; extension at=x1 v0=v_start:1; extension at=x2 v0=v_start:2; extension "
-    "at=x3 "
-    "v0=v_start:3; contraction at=x1 v0=v_mid:1; contraction at=x2 v0=v_mid:2; contraction at=x3 v0=v_mid:3";
+    "at=x3 v0=v_start:3; contraction at=x1 v0=v_mid:1; contraction at=x2 v0=v_mid:2; contraction at=x3 v0=v_mid:3";
 static const char loss_is[] = "certified: dx_C/L of the contraction is {6f dxC:7/L}, {6f dxC:8/L}, {6f dxC:9/L} there; "
-                              "of the extension {6f dxC:4/L}, "
-                              "{6f dxC:5/L}, {6f dxC:6/L}";
+                              "of the extension {6f dxC:4/L}, {6f dxC:5/L}, {6f dxC:6/L}";
 static const char show_loss[] =
     "dx_C of the contraction at the boundary: scallop phase --phase contraction{options:2} --v0 {6g "
     "v_mid:2} | cut -f 16";

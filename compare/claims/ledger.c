@@ -8,6 +8,7 @@
 #include "compare/points/point_flint.h"
 #include "compare/text/progress.h"
 #include "compare/text/memory.h"
+#include "model/exact/scoped.h"
 
 /* The order is fitted over the smallest T. */
 enum { FITTED = 12, DIGITS = 12 };
@@ -20,7 +21,7 @@ const char *claim_evidence_text(const struct claim_row *row)
   switch (row->evidence) {
   case PROVEN_FOR_ALL: return "proven for all parameters";
   case CERTIFIED_CRAWLER: return "certified for the crawler named";
-  case SAMPLED: snprintf(sampled, sizeof sampled, "sampled: %d cases", row->sampled); return sampled;
+  case SAMPLED: snprintf(sampled, sizeof sampled, "sampled: %d cases, no seed", row->sampled); return sampled;
   case MEASURED: return "measured in doubles";
   default: return "-";
   }
@@ -42,7 +43,13 @@ void ledger_add(struct ledger *ledger, const struct claim_row *row)
   }
   ledger->rows = rows;
   rows[ledger->count++] = *row;
-  progress_count(ledger->count, 0);
+  progress_count(ledger->count, ledger->expected);
+}
+
+bool ledger_expects(struct ledger *ledger)
+{
+  ledger->expected += ledger->is_forecast;
+  return ledger->is_forecast;
 }
 
 void ledger_free(struct ledger *ledger)
@@ -61,10 +68,8 @@ void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const
 
 static void set_coefficient(struct claim_row *row, const struct series *left_out, slong power)
 {
-  fmpq_t q;
-  arb_t x;
-  fmpq_init(q);
-  arb_init(x);
+  SCOPED(fmpq, q);
+  SCOPED(arb, x);
   bool is_rational = series_rational_coefficient(q, left_out, power);
   series_coefficient(x, left_out, power, 128);
   if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
@@ -78,8 +83,6 @@ static void set_coefficient(struct claim_row *row, const struct series *left_out
   }
   snprintf(row->coefficient, sizeof row->coefficient, "%s", text);
   flint_free(text);
-  fmpq_clear(q);
-  arb_clear(x);
 }
 
 static void add_reason(struct claim_row *row, const char *format, double number)

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "asymptotics/asymptotics.h"
+#include "asymptotics/derived/scoped.h"
 #include "compare/answers/answer.h"
 #include "compare/book/book.h"
 #include "compare/claims/evidence.h"
@@ -173,7 +174,7 @@ static void add_row(struct part *part, struct claimed claimed, const struct cond
   claimed.of_contraction = claimed.ours && !steady && contraction;
   snprintf(row.conditions, sizeof row.conditions, "%s", condition->text);
   name_row(row.claim, &claimed);
-  if (part->only && !formula_is_listed(part->only, row.claim))
+  if ((part->only && !formula_is_listed(part->only, row.claim)) || ledger_expects(part->ledger))
     return;
   if (f->turns != SCALLOP_TURNS_IN_BOTH && f->turns != turns_in_limit(part, condition))
     return; /* for another limit */
@@ -229,24 +230,21 @@ static const struct end_claim end_claims[] = {
 /* |l'(T-h)| without its term in h, as a series in h */
 static void speed_before_end(struct series *speed, const struct scallop_piece *last, const struct ring *ring)
 {
-  struct series back;
-  series_init(&back);
+  SCOPED(series, back);
   scallop_speed_series(speed, last, NULL, ring);
   series_set_x(&back);
   series_neg(&back, &back);
   series_compose(speed, speed, &back, ring);
   series_set_zero(speed, 1);
-  series_clear(&back);
 }
 
 /* What the claim leaves out: its first coefficient that does not vanish */
 static void prove_end(struct proof *proof, const struct end_claim *claim, const struct scallop_piece *last)
 {
   const struct ring ring = { 40, 256 };
-  struct series *left_out = &proof->left_out, one;
-  arb_t x;
-  series_init(&one);
-  arb_init(x);
+  struct series *left_out = &proof->left_out;
+  SCOPED(series, one);
+  SCOPED(arb, x);
   speed_before_end(left_out, last, &ring);
   if (!claim->velocity) {
     series_integral(left_out, left_out, &ring);
@@ -260,8 +258,7 @@ static void prove_end(struct proof *proof, const struct end_claim *claim, const 
   proof->found = proof->order < ring.length;
   series_coefficient(x, left_out, proof->order, ring.precision);
   proof->undecided = !arb_is_exact(x) && arb_contains_zero(x);
-  series_clear(&one);
-  arb_clear(x);
+  proof->for_all = !proof->undecided; /* l is L times a function of t/T: L and T are its units */
 }
 
 /* The same, measured at h = 4^-k: l' and l of the gait, and h l'' and h^2/2 l'' of an extension at its end */
@@ -309,7 +306,7 @@ static void add_ends(struct part *part)
                              .claimed_order = claim->order };
     snprintf(row.claim, sizeof row.claim, "%s", claim->name);
     snprintf(row.corrected, sizeof row.corrected, "%s", claim->corrected);
-    if (part->only && !formula_is_listed(part->only, claim->name))
+    if ((part->only && !formula_is_listed(part->only, claim->name)) || ledger_expects(part->ledger))
       continue;
     proof_init(&proof);
     prove_end(&proof, claim, last);

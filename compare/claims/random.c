@@ -140,8 +140,7 @@ const struct claim claims_at_random[] = {
     "extension" STRONGER_FIRST "; extension" STRONGER_FIRST " T=1.01*T", .needs = "sliding*sliding:2*(F1 - F2)",
     .says = "dT <= dT:2", .proven = true,
     .measured = "dT {+does not shrink with the duration for any, here}{-shrinks for one at least, the duration "
-                "growing} by 1 % ({0f "
-                "x1} crawlers)" },
+                "growing} by 1 % ({0f x1} crawlers)" },
   { "start_velocity_adds_displacement", "4.3.2", "dx_C", at_random, faster, from_rest_and_moving,
     .says = "dxC <= dxC:2", .proven = true,
     .measured = "dx_C is {+not smaller than from rest for any}{-smaller than from rest for one at least}" },

@@ -259,10 +259,12 @@ static bool is_wanted(const struct claim_row *row, const struct claims_options *
 enum exit_code claims_table(const struct claims_options *o)
 {
   struct table table;
-  struct ledger ledger = { .rows = NULL };
+  struct ledger ledger = { .is_forecast = true };
   enum exit_code code = EXIT_USAGE;
   if (!table_open(&table, &o->request.style))
     return EXIT_FILE;
+  fill(&ledger, o);
+  ledger.is_forecast = false;
   fill(&ledger, o);
   if (o->errors && ledger.count == 0) {
     const char *instead = formula_instead(o->errors);

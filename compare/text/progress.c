@@ -47,7 +47,7 @@ static void tick(int signal)
              (long)(passed * (double)(work.all - work.done) / (double)work.done + 0.5));
   else
     snprintf(part, sizeof part, " %ld s", (long)passed);
-  snprintf(line, sizeof line, "\r\033[Kscallop: %s%s", work.what, part);
+  snprintf(line, sizeof line, "\r\033[Kscallop:%s%s%s", *work.what ? " " : "", work.what, part);
   put(line);
   is_written = true;
   work.next = time + again;
