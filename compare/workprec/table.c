@@ -95,15 +95,11 @@ static void write_setting(struct table *t, const struct setting *s, int quantity
     table_number(t, NAN);
   else
     table_digits(t, s->error[quantity]);
-  table_rounded(t, time->median, "%.4g");
-  table_rounded(t, time->least, "%.4g");
-  table_rounded(t, time->q1, "%.4g");
-  table_rounded(t, time->q3, "%.4g");
+  for (int i = 0; i < 4; i++)
+    table_rounded(t, (const double[]){ time->median, time->least, time->q1, time->q3 }[i], "%.4g");
   table_rounded(t, time->repetitions, "%.0f");
-  table_number(t, a->gait_evaluations);
-  table_number(t, a->events);
-  table_number(t, a->root_iterations);
-  table_number(t, a->periods);
+  for (int i = 0; i < 4; i++)
+    table_number(t, (const double[]){ a->gait_evaluations, a->events, a->root_iterations, a->periods }[i]);
   table_text(t, !s->solved ? "-" : s->front[quantity] ? "yes" : "no");
   table_text(t, s->status);
 }
@@ -120,6 +116,8 @@ static void measure(struct run *r, struct settings *settings)
 {
   for (int i = 0; i < r->count; i++) {
     methods_add(settings, &r->references[i], r->options->quick);
+    settings->turn = i;
+    settings->turns = r->count;
     settings_measure(settings, &r->clock, r->limit, &r->progress);
     write_settings(r, settings);
     settings_clear(settings);

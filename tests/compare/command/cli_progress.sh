@@ -24,7 +24,7 @@ awk 'BEGIN { for (i = 0; i < 3000; i++) printf "%s{ name = \"f%d\"; of = \"v_end
 keep_counts_apart
 for command in "stress --cases 100000 -o none" "steady --T 1:2:900000000 -o none" "breakdown --map F1/F2 T --x 1:9:3000 --y 1:2:3000 -o none" \
   "steady --certified --points rows.tsv -o none" "breakdown --gait measured:noisy.tsv" \
-  "breakdown --gait measured:noisy.tsv --only event" "claims --gait sinusoidal" "claims --book book.cfg"; do
+  "breakdown --gait measured:noisy.tsv --only event" "workprec -o none" "claims --gait sinusoidal" "claims --book book.cfg"; do
   # shellcheck disable=SC2086
   /usr/bin/python3 watch.py "$tool" $command >said 2>&1 || note "$command: $(cat said)"
 done
