@@ -125,7 +125,7 @@ valgrind lint reproduce instructions bare release:
 check valgrind: $(programs) libraries $(tests) $(fuzz)
 lint: rooms
 reproduce: $(programs)
-instructions: $(B)/scallop-bench
+instructions: $(B)/scallop-bench $(B)/scallop
 fuzz-programs: $(fuzz)
 
 ## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/dev/rooms.txt; circles, and what is too long
