@@ -131,7 +131,7 @@ valgrind lint reproduce instructions bare release:
 check valgrind: $(program) libraries $(tests) $(fuzz)
 lint: rooms
 reproduce: $(program)
-instructions: $(B)/scallop-bench
+instructions: $(B)/scallop-bench $(program)
 fuzz-programs: $(fuzz)
 
 ## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/dev/rooms.txt; circles, and what is too long

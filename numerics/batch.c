@@ -9,10 +9,8 @@
 
 /* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be
  * held to the end of a phase, are put in a row each and solved by vector instructions; the rest, and what turns out to
- * be something else, one by one. A block is the same work whichever thread does it.
- *
- * What it saves, in instructions an answer (make instructions; else one call each): 285 for 909 for the regular modes,
- * 1136 for 1594 for stick-slip. */
+ * be something else, one by one. A block is the same work whichever thread does it. `make instructions` counts what
+ * that saves. */
 enum { BLOCK = 64 };
 
 /* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or

@@ -208,6 +208,6 @@ void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawle
 {
   const struct scallop_formula *f;
   for (int i = 0; (f = book_formula(i)); i++)
-    if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)))
+    if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)) && !ledger_expects(ledger))
       ledger_add_formula(ledger, crawler, is_given, f);
 }

@@ -1,4 +1,4 @@
-/* claims/: the ledger, in which every asymptotic and qualitative claim of the paper is decided.
+/* claims/: the ledger, in which claims of the paper are decided; docs/errata.md lists those that no row decides.
  *
  * A claim is a statement of the paper, the ledger the list of all claims with their verdicts (data/claims.tsv). A row
  * of the ledger is one claim for one gait under one set of conditions. There are two kinds of claims:
@@ -76,8 +76,11 @@ struct ledger { /* begins as { 0 }                                              
   struct claim_row *rows;
   int count;
   char contradiction[600]; /* "", or what contradicts itself (the last one), or that memory ran out */
+  bool is_forecast; /* rows are only counted, as expected, nearly: with the formulas for another limit; for progress */
+  int expected;
 };
 void ledger_add(struct ledger *ledger, const struct claim_row *row);
+bool ledger_expects(struct ledger *ledger); /* Is it a forecast? Then that counts a row. */
 void ledger_free(struct ledger *ledger);
 
 /* Adds the claims "... + O(T^n)" for the gait of the crawler, each inside and outside of its conditions, and the

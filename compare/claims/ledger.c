@@ -8,6 +8,7 @@
 
 #include "compare/text/progress.h"
 #include "compare/text/memory.h"
+#include "model/exact/scoped.h"
 
 /* The order is fitted over the smallest T. */
 enum { FITTED = 12 };
@@ -39,7 +40,13 @@ void ledger_add(struct ledger *ledger, const struct claim_row *row)
   }
   ledger->rows = rows;
   rows[ledger->count++] = *row;
-  progress_count(ledger->count, 0);
+  progress_count(ledger->count, ledger->expected);
+}
+
+bool ledger_expects(struct ledger *ledger)
+{
+  ledger->expected += ledger->is_forecast;
+  return ledger->is_forecast;
 }
 
 void ledger_free(struct ledger *ledger)

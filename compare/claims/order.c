@@ -110,7 +110,7 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
   row.quantity = formula_quantity_text(f, contraction != mirrored ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION);
   append(row.conditions, sizeof row.conditions, "%s", condition->text);
   name_row(row.claim, f, !of_paper && !steady && contraction, mirrored);
-  if (part->only && !formula_is_listed(part->only, row.claim))
+  if ((part->only && !formula_is_listed(part->only, row.claim)) || ledger_expects(part->ledger))
     return;
   if (f->turns != SCALLOP_TURNS_IN_BOTH && f->turns != turns_in_limit(part, condition))
     return; /* for another limit */
@@ -168,7 +168,7 @@ static void add_ends(struct part *part)
     row.inside = true;
     row.source = i < 2 ? OF_PAPER : OF_CORRECTED;
     append(row.conditions, sizeof row.conditions, "%s", trial.condition->text);
-    if (!part->only || formula_is_listed(part->only, row.claim))
+    if ((!part->only || formula_is_listed(part->only, row.claim)) && !ledger_expects(part->ledger))
       ledger_decide(part->ledger, &row, &trial, &ends[i], NULL);
   }
 }
@@ -196,7 +196,7 @@ void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_craw
   const int first = ledger->count;
   struct part part = { .crawler = crawler, .only = only, .ledger = ledger };
   fill(&part);
-  if (!only && scallop_gait_named(crawler->gait->name))
+  if (!only && !ledger->is_forecast && scallop_gait_named(crawler->gait->name))
     ledger_check_corrections(ledger, first);
   for (int i = 0; i < 2 * CONDITIONS; i++)
     if (part.trial[i / 2][i % 2].condition)

@@ -21,6 +21,7 @@ struct condition {
   bool exchange_forces, mirror_alpha, light_1; /* m1 a hundredth                                      */
   bool equal_forces;                           /* F2 = F1                                             */
   bool reversed;                               /* the bodies exchange their roles against the paper   */
+  bool of_units;                               /* of L and T alone: what holds once holds for all     */
 };
 
 /* One motion (trial.c): the crawler under one condition; mirrored: seen in a mirror, the bodies exchanged, so that a

@@ -114,6 +114,7 @@ static bool prove_for_all(struct proof *p, struct claim_row *row, const struct t
   SCOPED(left_out, l);
   SCOPED(fmpq, coefficient);
   char why[FORMULA_MESSAGE];
+  p->for_all = m->condition->of_units;
   if (!f->text || has_equality(f) || most >= SYMBOLIC_ORDERS
       || symbolic_left_out(&l, f, &m->crawler, m->condition->kind, m->v0, most, why))
     return true;

@@ -56,7 +56,7 @@ static const char *evidence_text(const struct claim_row *row)
   switch (row->evidence) {
   case PROVEN_FOR_ALL: return "proven for all parameters";
   case CERTIFIED_CRAWLER: return "certified for the crawler named";
-  case SAMPLED: snprintf(sampled, sizeof sampled, "sampled: %d cases", row->sampled); return sampled;
+  case SAMPLED: snprintf(sampled, sizeof sampled, "sampled: %d cases, no seed", row->sampled); return sampled;
   case MEASURED: return "measured in doubles";
   default: return "-";
   }
@@ -289,6 +289,9 @@ enum exit_code claims_table(const struct claims_options *o)
   struct report r = { .options = o };
   if (!table_open(&r.table, &o->request.style))
     return EXIT_FILE;
+  r.ledger.is_forecast = true;
+  fill(&r);
+  r.ledger.is_forecast = false;
   fill(&r);
   if (r.ledger.count == 0) {
     table_abandon(&r.table);

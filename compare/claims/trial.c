@@ -162,7 +162,8 @@ static void sample_end(struct sample *s, const struct scallop_piece *last)
 
 void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *crawler)
 {
-  static const struct condition end = { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true };
+  static const struct condition end = { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true,
+                                        .of_units = true };
   const struct ring ring = { TERMS_AT_END, 256 };
   const struct scallop_shape *shape = &crawler->gait->phase[SCALLOP_EXTENSION];
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];

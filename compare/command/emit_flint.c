@@ -127,7 +127,8 @@ bool write_failure(struct report *r, const struct motion_names *names, enum scal
   bool formulas = r->options->symbolic;
   char text[SCALLOP_BRANCH_TEXT + 240];
   why = why ? why : scallop_status_text(status);
-  r->why = r->why ? r->why : why;
+  if (!*r->why) /* it may stand in what ends with the motion */
+    snprintf(r->why, sizeof r->why, "%s", why);
   if (r->language)
     return false;
   snprintf(text, sizeof text, "no %s: %s", formulas ? "formula" : "series", why);

@@ -13,8 +13,8 @@ struct report {
   const struct scallop_rational_crawler *crawler; /* as it was written                                             */
   const fmpq *v0;
   long digits;                     /* of decimal numbers                                              */
-  const char *why;                 /* the first that could not be done: the reason                     */
   const struct language *language; /* NULL: a table                                                     */
+  char why[240];                   /* the first that could not be done: the reason                     */
   struct table table;
   struct file out;
   bool any; /* has the quantity that is being written a term yet?                */

@@ -130,9 +130,8 @@ static bool open_formulas(struct report *r)
   static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient", "modes", NULL };
   static const char *const limit_columns[] = { "phase", "in", "quantity", "power", "term", "modes", NULL };
   static const char names[] = "M = m1 + m2; L is the amplitude; l0/T^2, l3_0/T^3, k0/T^4, l5_0/T^5, ... are the "
-                              "second, third, fourth, fifth, ... "
-                              "derivative of l at the start of a phase of duration T, lT/T^2, l3_T/T^3, ... those at "
-                              "its end.";
+                              "second, third, fourth, fifth, ... derivative of l at the start of a phase of duration "
+                              "T, lT/T^2, l3_T/T^3, ... those at its end.";
   bool limit = is_from(r->options, "limit");
   const char *equation = limit ? symbolic_limit_equation(r->crawler) : NULL;
   char note[800];

@@ -191,8 +191,9 @@ void settings_measure(struct settings *settings, const struct stopwatch_clock *c
   double long_enough = stopwatch_long_enough(clock);
   for (int i = 0; i < settings->count; i++) {
     struct setting *s = &settings->list[i];
-    progress_show(progress, "%s, T = %g: %d of %d: %s, %s", s->reference->crawler.gait->name, s->reference->crawler.T,
-                  i + 1, settings->count, s->method, s->text);
+    progress_show(progress, "%s, T = %g: %s, %s:", s->reference->crawler.gait->name, s->reference->crawler.T, s->method,
+                  s->text);
+    progress_count(settings->turn * settings->count + i, settings->turns * settings->count);
     try_once(s, limit);
     plan(s, long_enough, budget_share * limit);
   }

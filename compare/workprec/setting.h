@@ -80,6 +80,7 @@ struct setting {
 struct settings {
   struct setting list[MOST_SETTINGS];
   int count;
+  int turn, turns; /* of how many references it is the turn, for progress */
 };
 
 /* Adds a setting; text is printed from format. */

@@ -95,23 +95,21 @@ static void write_setting(struct table *t, const struct setting *s, int quantity
     table_number(t, NAN);
   else
     table_digits(t, s->error[quantity]);
-  table_rounded(t, time->median, "%.4g");
-  table_rounded(t, time->least, "%.4g");
-  table_rounded(t, time->q1, "%.4g");
-  table_rounded(t, time->q3, "%.4g");
+  for (int i = 0; i < 4; i++)
+    table_rounded(t, (const double[]){ time->median, time->least, time->q1, time->q3 }[i], "%.4g");
   table_rounded(t, time->repetitions, "%.0f");
-  table_number(t, a->gait_evaluations);
-  table_number(t, a->events);
-  table_number(t, a->root_iterations);
-  table_number(t, a->periods);
+  for (int i = 0; i < 4; i++)
+    table_number(t, (const double[]){ a->gait_evaluations, a->events, a->root_iterations, a->periods }[i]);
   table_text(t, !s->solved ? "-" : s->front[quantity] ? "yes" : "no");
   table_text(t, s->status);
 }
 
-static void measure(struct run *r, const struct reference *reference)
+static void measure(struct run *r, int reference)
 {
   struct settings *all = &r->settings;
-  methods_add(all, reference, r->options->quick);
+  methods_add(all, &r->references[reference], r->options->quick);
+  all->turn = reference;
+  all->turns = r->count;
   settings_measure(all, &r->clock, r->limit, &r->progress);
   for (const struct setting *s = all->list; s < all->list + all->count; s++)
     for (int quantity = 0; quantity < COMPARED; quantity++)
@@ -134,7 +132,7 @@ enum exit_code workprec_table(const struct workprec_options *options)
     r.clock = stopwatch_clock();
     bool open = begin(&r);
     for (int i = 0; i < r.count && open; i++)
-      measure(&r, &r.references[i]);
+      measure(&r, i);
     progress_end(&r.progress);
     code = open && table_close(&r.table) ? EXIT_DONE : EXIT_FILE;
   }

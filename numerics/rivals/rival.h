@@ -130,8 +130,8 @@ struct scallop_rival *scallop_cvode_rival(double tolerance);
  *   of the solver: nothing tells that it dominates. The tolerance has to be far below delta, as a stuck body's
  *     friction is known no better than its velocity over v_delta. Where it is not, the call succeeds and the answer is
  *     wrong: by 1e-3 to 1e-2 in stick-slip at delta = 1e-6, tolerance = 1e-8. tolerance <= 1e-6 delta leaves the error
- *     of the model, down to delta = 1e-8; 300 to 1500 steps, 0.1 to 1 ms. It gives up in stick-slip where the tolerance
- *     is 100 delta: 2 crawlers of 200, after a million steps.
+ *     of the model, down to delta = 1e-8; 300 to 1500 steps. It gives up in stick-slip where the tolerance is 100
+ *     delta: 2 crawlers of 200, after a million steps.
  * No step is longer than 1/32 of a phase, so that none leaps over a crossing. */
 struct scallop_rival *scallop_smoothed_rival(double delta, double tolerance);
 

@@ -3,19 +3,28 @@
 # scripts/dev/instructions.sh BUILD. The difference of two runs, so that what comes before the passes does not count.
 set -eu
 build=$1
-counts() { # what, crawlers, gait, passes: instructions and function
-  valgrind --tool=callgrind --dump-instr=no --callgrind-out-file="$build/callgrind.out" \
-    "$build/scallop-bench" "$1" "$2" "$3" "$4" >/dev/null 2>&1
+counts() { # COMMAND...: instructions and function
+  valgrind --tool=callgrind --dump-instr=no --callgrind-out-file="$build/callgrind.out" "$@" >/dev/null 2>&1
   callgrind_annotate --auto=no --threshold=100 "$build/callgrind.out" | sed -n "1,/^-- Auto/p" | grep -E '^ *[0-9,]+ \(.*%\) ' |
     sed -E 's/^ *([0-9,]+) \([^)]*\) +/\1\t/; s/\[[^]]*\]//; s/\t.*:/\t/' | tr -d ',' | sed 's/ *$//'
 }
-table() { # what, crawlers, gait
-  counts "$1" "$2" "$3" 100 >"$build/few.tsv"
-  counts "$1" "$2" "$3" 300 >"$build/many.tsv"
-  echo "# $1, $2, $3: instructions an answer"
-  awk -F '\t' -v answers=12800 'NR == FNR { few[$2] += $1; next } { many[$2] += $1 }
+difference() { # WHAT, ANSWERS that many.tsv has more than few.tsv
+  echo "# $1"
+  awk -F '\t' -v answers="$2" 'NR == FNR { few[$2] += $1; next } { many[$2] += $1 }
     END { for (f in many) { n = (many[f] - few[f]) / answers; if (n >= 10) printf "%.0f\t%s\n", n, f } }' "$build/few.tsv" "$build/many.tsv" |
     sed 's/PROGRAM TOTALS/all/' | sort -rn
+}
+table() { # what, crawlers, gait
+  counts "$build/scallop-bench" "$1" "$2" "$3" 100 >"$build/few.tsv"
+  counts "$build/scallop-bench" "$1" "$2" "$3" 300 >"$build/many.tsv"
+  difference "$1, $2, $3: instructions an answer" 12800
+}
+rows() { # NUMBER: of seven parameters with six digits
+  awk -v n="$1" 'function part(k) { k *= 0.6180339887; return k - int(k) }
+    BEGIN { print "m1\tm2\tF1\tF2\tL\tT\talpha"
+      for (i = 1; i <= n; i++) printf "%.6f\t%.6f\t%.6f\t%.6f\t%.6f\t%.6f\t%.6f\n", 0.8 + part(i) / 2, 0.8 + part(3 * i) / 2, 3 + part(7 * i),
+        0.8 + part(11 * i) / 2, 1 + part(13 * i), 0.1 + part(17 * i) / 5, 0.6 + part(19 * i) / 4 }' >"$build/rows.tsv"
+  counts "$build/scallop" steady --points "$build/rows.tsv"
 }
 table floor regular quadratic
 table steady regular quadratic
@@ -25,3 +34,6 @@ table batch regular quadratic
 table batch stick-slip quadratic
 table period regular quadratic
 table period regular sinusoidal
+rows 1000 >"$build/few.tsv"
+rows 3000 >"$build/many.tsv"
+difference "steady --points: instructions a row" 2000

@@ -18,13 +18,13 @@ ledger() {
 echo
 echo "Tables in data/, plots in $build/plots/, all of it on a page: $build/report/index.html"
 echo
-echo "The paper's claims (data/claims.tsv has them all, and how each verdict is known; \`scallop claims --summary\` where each fails):"
+echo "The paper's claims (data/claims.tsv has their rows, and how each verdict is known; \`scallop claims --summary\` where each fails):"
 "$scallop" claims --summary 2>&1 >/dev/null | sed 's/^/  /'
 echo
 echo "How the error of the steady-state series scales with T (alpha > 1/2, F1 > F2):"
 ledger 'c["inside"] == "yes" && (c["claim"] == "text_steady_velocity" || c["claim"] == "text_steady_xC") {
-  printf "  %-13s %-6s %-11s claimed O(T^%s), proven T^%s: %s\n", c["quantity"], c["equation"], c["gait"], c["claimed_order"],
-    c["derived_order"], c["verdict"] }'
+  printf "  %-13s %-6s %-11s claimed O(T^%s), derived T^%s: %s (%s)\n", c["quantity"], c["equation"], c["gait"], c["claimed_order"],
+    c["derived_order"], c["verdict"], c["evidence"] }'
 echo
 echo "Error against run time (data/workprec.tsv, from one run of \`scallop workprec\`; displacement): how many times as long as the"
 echo "exact solver the cheapest general-purpose method takes, and the cheapest simulation; - where no setting got there"
@@ -37,7 +37,7 @@ awk -f scripts/plots/cheapest.awk data/workprec.tsv | awk -F '\t' '
 echo
 echo "Refuted under the paper's own conditions:"
 ledger 'c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] != "-" {
-  printf "  %-24s %-7s %-13s %-11s claimed %s, proven T^%s; right: %s\n", c["claim"], c["equation"], c["quantity"], c["gait"],
-    c["claimed_order"] == "inf" ? "equality" : "O(T^" c["claimed_order"] ")", c["derived_order"], c["corrected"] }
+  printf "  %-24s %-7s %-13s %-11s claimed %s, derived T^%s (%s); right: %s\n", c["claim"], c["equation"], c["quantity"], c["gait"],
+    c["claimed_order"] == "inf" ? "equality" : "O(T^" c["claimed_order"] ")", c["derived_order"], c["evidence"], c["corrected"] }
   c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] == "-" {
   printf "  %s (%s%s), %s, %s:\n      %s\n", c["claim"], c["equation"] ~ /^\(/ ? "" : "section ", c["equation"], c["gait"], c["conditions"], c["measured"] }'

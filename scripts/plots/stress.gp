@@ -1,7 +1,7 @@
 # The largest error of every family of cases of `scallop stress`, in units, beside the promise. A family has a row for each gait, or one for its own.
-eval picture(480, 560, 12)
 promised = system("sed -n 's/^# promised, in units: error \\([0-9.]*\\),.*/\\1/p' '".table."'") + 0
 families = system("grep -v '^#' '".table."' | tail -n +2 | cut -f 1 | uniq | wc -l") + 0
+eval picture(480, 110 + 19 * families, 12)
 before = ""
 line = 1
 family(name) = (line = name eq before ? line : before eq "" ? 1 : line - 1, before = name, line) # the header is line 1, outside

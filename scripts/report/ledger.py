@@ -2,10 +2,12 @@
 import re
 
 SCOPES = {
-    "paper": "under the paper’s conditions",
-    "outside": "outside of them",
+    "paper": "formulas under the paper’s conditions",
+    "words": "statements in words under them",
+    "outside": "both outside of them",
     "corrected": "formulas in place of refuted ones",
 }
+EVIDENCE = ("proven", "certified", "sampled", "measured")  # from the strongest on
 VERDICTS = {
     "holds": "hold as printed",
     "sharper": "hold, with an error that falls faster than claimed",
@@ -17,11 +19,13 @@ VERDICTS = {
 def scope(row):
     if row["source"] == "corrected":
         return "corrected"
-    return "paper" if row["inside"] == "yes" else "outside"
+    if row["inside"] != "yes":
+        return "outside"
+    return "paper" if is_formula(row) else "words"
 
 
 def is_formula(row):
-    """A formula with a remainder, whose order is proven; the other claims are statements in words."""
+    """A formula, of which a power of T is derived; the other claims are statements in words."""
     return row["derived_order"] != "-"
 
 
@@ -50,7 +54,20 @@ def counts(rows):
     return {verdict: sum(row["verdict"] == verdict for row in rows) for verdict in VERDICTS}
 
 
+def statements(rows):
+    """Of the statements in words how many fail in a row, and how many hold in all of theirs, by the weakest evidence."""
+    groups, failed, held = {}, 0, dict.fromkeys(EVIDENCE, 0)
+    for row in rows:
+        groups.setdefault(row["claim"], []).append(row)
+    for group in groups.values():
+        if any(row["verdict"] == "refuted" for row in group):
+            failed += 1
+        elif all(row["verdict"] == "holds" for row in group):
+            held[max((row["evidence"].split(":")[0].split()[0] for row in group), key=EVIDENCE.index)] += 1
+    return failed, held, len(groups)
+
+
 def holding(rows, gait):
-    """How many formulas hold for a gait, and of how many."""
+    """How many checks of formulas hold for a gait, and of how many."""
     found = [row["verdict"] for row in rows if is_formula(row) and row["gait"] == gait]
     return sum(verdict in ("holds", "sharper") for verdict in found), len(found)

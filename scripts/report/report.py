@@ -102,7 +102,7 @@ def page(options):
         drawing=lambda name: plots.drawing(options.plots / f"{name}.svg", name),
         formulas=book.read(options.book),
         ledger=ledger,
-        paper=[row for row in read["claims"].rows if ledger.scope(row) == "paper"],
+        **{scope: [row for row in read["claims"].rows if ledger.scope(row) == scope] for scope in ("paper", "words")},
         explorer=EXPLORER if (options.output.parent / EXPLORER).resolve().is_file() else None  # the page's folder may not be there yet,
     )
 

@@ -7,7 +7,7 @@
 
 #include "tests/support/reference.h"
 
-enum { QUANTITIES = 7, BOUND = 16 };
+enum { QUANTITIES = 7, BOUND = 8 };
 
 static const char *const quantities[QUANTITIES] = { "t1", "dT", "v_end", "dxC", "v_start", "v_mid", "displacement" };
 

@@ -20,7 +20,7 @@ TEST(verdicts)
     { peaks, by_ratio, true, CLAIM_HOLDS, CLAIM_REFUTED },
     { peaks, by_forces, true, CLAIM_REFUTED, CLAIM_REFUTED },
     { peaks, by_period, true, CLAIM_REFUTED, CLAIM_REFUTED },
-    { "mean_velocity_has_one_maximum", by_ratio, true, CLAIM_REFUTED, CLAIM_REFUTED },
+    { "mean_velocity_has_one_maximum", NULL, true, CLAIM_REFUTED, CLAIM_REFUTED },
     { "mean_velocity_decays_once_sticking_begins", NULL, true, CLAIM_REFUTED, CLAIM_REFUTED },
     { grows, "the paper's crawler, from rest, F1/F2 = 2, 10, 40", true, CLAIM_HOLDS, CLAIM_HOLDS },
     { grows, "the paper's crawler, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %",

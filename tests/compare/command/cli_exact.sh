@@ -148,8 +148,8 @@ refused_at_once "bound of the published" 2 "leave --source out" series --bound -
 refused_at_once "points of a closed form" 2 "of one motion" series --symbolic --source closed --points kept
 refused_at_once "bound where the limit is at rest" 3 "alpha = 1/2" series --bound --alpha 0.5
 refused_at_once "bound of equal forces" 3 "F1 = F2" series --bound --F2 4
-timeout 20 "$tool" series --source derived --order 1000 >out 2>err || note "$(cat err)"
-finish "order 1000 within its time"
+run 0 series --source derived --order 1000
+finish "order 1000 ends"
 
 # ---- certified digits ----
 for gait in quadratic sinusoidal; do

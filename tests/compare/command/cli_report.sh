@@ -108,6 +108,7 @@ if re.search(r"@import|@font-face", source):
 END
 finish 'report: nothing is loaded, and the policy forbids it'
 
+"$tool" claims --summary 2>summary >/dev/null
 python "$root/data" "$figures" <<'END'
 import os, urllib.parse
 figures = ["journey", *sys.argv[2].split()]
@@ -129,13 +130,22 @@ for name in wanted:
 ledger = read(os.path.join(sys.argv[1], "claims.tsv"))
 whole = source[source.index('id="ledger-table"'):]
 rows = re.findall(r'<tr data-verdict="(\w+)" data-scope="(\w+)">', whole)
-scope = lambda row: "corrected" if row["source"] == "corrected" else "paper" if row["inside"] == "yes" else "outside"
+scope = lambda row: "corrected" if row["source"] == "corrected" else "outside" if row["inside"] != "yes" else "paper" if row["derived_order"] != "-" else "words"
 if sorted(rows) != sorted((row["verdict"], scope(row)) for row in ledger):
     bad("the ledger has other verdicts than the table, or other rows")
-inside = [row["verdict"] for row in ledger if row["source"] == "paper" and row["inside"] == "yes"]
+inside = [row["verdict"] for row in ledger if scope(row) == "paper"]
 for verdict in ("holds", "sharper", "refuted", "undecided"):
     if not re.search(rf'<li class="{verdict}"><a [^>]*><b>{inside.count(verdict)}</b>', source):
         bad(verdict, "is not counted as", inside.count(verdict))
+# Counted as `scallop claims --summary` counts: checks of formulas, and one verdict for each statement in words
+said = " ".join("".join(page.words).split())
+checks, words = ([int(n) for n in re.findall(r"\d+", line)] for line in open("summary", encoding="utf-8") if re.search(" checks of | statements in ", line))
+wanted = "Of %d statements in words %d fail under some condition, and %d hold in all that was looked at: " % (words[0], words[1], words[3])
+wanted += "%d are proven, %d certified for one crawler, %d sampled and %d measured in doubles." % tuple(words[4:])
+if len(inside) != checks[0] or f"its formulas make {checks[0]} checks" not in said or wanted not in said:
+    bad("not", checks[0], "checks, or not:", wanted)
+if whole.count('<span class="note">(proven for all parameters)</span>') != sum(row["evidence"] == "proven for all parameters" for row in ledger):
+    bad("rows do not say how they are known")
 END
 finish 'report: every figure, every table, and the counts of the ledger'
 

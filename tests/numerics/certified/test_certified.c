@@ -6,7 +6,7 @@
 #include "tests/support/certified_balls.h"
 #include "tests/support/reference.h"
 
-enum { PHASE = 6, STEADY = 4, ULPS = 16, CONDITION_DIGITS = 50, REFERENCE_DIGITS = 45 };
+enum { PHASE = 6, STEADY = 4, ULPS = 8, CONDITION_DIGITS = 50, REFERENCE_DIGITS = 45 };
 
 /* One phase, or the steady state, and what is certified of it */
 struct problem {
