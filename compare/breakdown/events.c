@@ -100,20 +100,15 @@ static bool same(const struct motion *m, const struct signature *a, const struct
   return same_modes(a->answer.modes, b->answer.modes) && a->answer.regime == b->answer.regime && moved(m, a, b) < 0;
 }
 
-/* Has the motion these modes at T, in binary128? At most SCALLOP_MODES_KEPT are compared. */
-static bool is_in_wide(const struct motion *m, double T, const struct signature *s)
-{
-  struct answer a;
-  return motion_in_wide(m, T, &a) && same_modes(a.modes, s->answer.modes);
-}
-
 /* Halves [*low, *high] until they are neighbours. Of a change of modes in binary128; that a switching time leaves its
  * part no mode shows, so that doubles have to do. */
 static void settle(double *low, double *high, const struct motion *m, const struct signature *before, bool of_modes)
 {
+  const struct scallop_modes *modes = before->answer.modes;
   struct signature middle;
   for (double T; halfway(&T, *low, *high);) {
-    bool is_before = of_modes ? is_in_wide(m, T, before) : signature_at(&middle, m, T) && same(m, &middle, before);
+    bool is_before = of_modes ? motion_in_wide(m, T, &middle.answer) && same_modes(middle.answer.modes, modes)
+                              : signature_at(&middle, m, T) && same(m, &middle, before);
     *(is_before ? low : high) = T;
   }
 }
@@ -171,14 +166,39 @@ static void describe(struct event *e, const struct motion *m, const struct signa
   mode_change_text(e->what, &was, &is);
 }
 
-/* Something changes between low and high, which are close. Events that doubles cannot tell apart are one. */
+/* Does the body turn in the same part at these T, too, up or down from T? Where rounding decides, it does not. Of other
+ * modes nothing is said. */
+static bool stays(const struct motion *m, double T, double step, const struct signature *s)
+{
+  struct signature there;
+  int k = 1;
+  while (k <= 8 && signature_at(&there, m, T * (1 + k * step))
+         && (!same_modes(there.answer.modes, s->answer.modes) || moved(m, s, &there) < 0))
+    k++;
+  return k > 8;
+}
+
+/* Something changes between low and high, which are close. Events that doubles cannot tell apart are one, and what is
+ * none in binary128, nor somewhat farther off, is rounding. */
 static void enter(struct events *events, const struct motion *m, double low, double high)
 {
   struct signature before, after;
+  struct answer exact[2];
+  const double last = events->count > 0 ? events->event[events->count - 1].T : 0, aside = 0x1p-24;
   low *= 1 - WIDE;
   high *= 1 + WIDE;
-  if ((events->count > 0 && low <= events->event[events->count - 1].T) || !signature_at(&before, m, low)
-      || !signature_at(&after, m, high) || same(m, &before, &after))
+  if (low <= last || !signature_at(&before, m, low) || !signature_at(&after, m, high) || same(m, &before, &after))
+    return;
+  bool of_modes = !same_modes(before.answer.modes, after.answer.modes), wide = of_modes, changes = false;
+  for (double by = WIDE; wide && !changes && by < 1e-6 && low > last; by *= 4) {
+    wide = motion_in_wide(m, low, &exact[0]) && motion_in_wide(m, high, &exact[1]);
+    changes = wide && !same_modes(exact[0].modes, exact[1].modes);
+    low *= changes ? 1 : 1 - by;
+    high *= changes ? 1 : 1 + by;
+  }
+  if (wide)
+    before.answer = exact[0], after.answer = exact[1];
+  if (of_modes ? wide && !changes : !stays(m, low, -aside, &before) || !stays(m, high, aside, &after))
     return;
   struct event *larger = with_room(events->event, events->count, sizeof *larger);
   if (!larger)
@@ -188,9 +208,8 @@ static void enter(struct events *events, const struct motion *m, double low, dou
   *e = (struct event){ .T = low + (high - low) / 2, .status = "double" };
   memcpy(e->modes, after.answer.modes, sizeof e->modes);
   describe(e, m, &before, &after);
-  bool of_modes = !same_modes(before.answer.modes, after.answer.modes);
-  if (of_modes && !(is_in_wide(m, low, &before) && is_in_wide(m, high, &after)))
-    return; /* not the modes that doubles see */
+  if (of_modes && !wide)
+    return;
   settle(&low, &high, m, &before, of_modes);
   e->T = low;
   if (of_modes) {

@@ -6,6 +6,8 @@
 
 #include "compare/breakdown/radius.h"
 
+SCOPED_FLINT(fmpz_poly)
+
 /* sum over j of a_j T^(first + stride j), j < count: the terms that are not 0 by symmetry */
 struct terms {
   slong first, stride, count;
@@ -124,11 +126,9 @@ static void nearest_root(struct radius *r, const fmpz_poly_t q, const struct ter
 static bool by_poles(struct radius *r, const struct terms *t)
 {
   fmpq *a = _fmpq_vec_init(t->count);
-  fmpz_poly_t whole, common;
   bool found = true;
   SCOPED(fmpq_poly, q);
-  fmpz_poly_init(whole);
-  fmpz_poly_init(common);
+  SCOPED(fmpz_poly, whole, common);
   for (slong j = 0; j < t->count && found; j++)
     found = series_rational_coefficient(&a[j], t->series, t->first + j * t->stride);
   slong length = found ? recurrence(q, a, t->count) : -1;
@@ -142,8 +142,6 @@ static bool by_poles(struct radius *r, const struct terms *t)
     if (fmpz_poly_degree(whole) > 0)
       nearest_root(r, whole, t, length);
   }
-  fmpz_poly_clear(whole);
-  fmpz_poly_clear(common);
   _fmpq_vec_clear(a, t->count);
   return found;
 }

@@ -58,8 +58,7 @@ const char *study_where(const struct study *s, double T)
   else
     snprintf(text, sizeof text,
              "above T = %.6g, where a body turns in another piece of the gait and the series is not exact any more; "
-             "the modes "
-             "change at T = %.6g",
+             "the modes change at T = %.6g",
              e->T, modes->T);
   return text;
 }

@@ -33,7 +33,7 @@ static bool is_wanted(const struct report *r, const char *what)
 
 struct row { /* a text that is NULL is a dash */
   const char *what, *quantity, *series;
-  double order, tolerance /* 0: none */, T, error;
+  double order, tolerance /* 0: none */, T, froude, error;
   const struct scallop_modes *modes;
   const char *note, *status;
   const struct motion *motion;
@@ -45,20 +45,6 @@ static void put_text(struct table *t, const struct table_column *c, const void *
   table_text(t, text ? text : "-");
 }
 
-static void put_tolerance(struct table *t, const struct table_column *c, const void *row)
-{
-  double tolerance = ((const struct row *)row)->tolerance;
-  (void)c;
-  table_number(t, tolerance > 0 ? tolerance : NAN);
-}
-
-static void put_froude(struct table *t, const struct table_column *c, const void *row)
-{
-  const struct row *r = row;
-  (void)c;
-  table_number(t, motion_froude(r->motion, r->T));
-}
-
 static void put_modes(struct table *t, const struct table_column *c, const void *row)
 {
   const struct row *r = row;
@@ -67,23 +53,26 @@ static void put_modes(struct table *t, const struct table_column *c, const void 
   table_text(t, r->modes ? motion_modes_text(modes, r->motion->of, r->modes) : "-");
 }
 
-static const struct table_column columns[] = { { TABLE_COLUMN("what", put_text, offsetof(struct row, what)) },
-                                               { TABLE_COLUMN("quantity", put_text, offsetof(struct row, quantity)) },
-                                               { TABLE_COLUMN("series", put_text, offsetof(struct row, series)) },
-                                               { TABLE_COLUMN("order", column_number, offsetof(struct row, order)) },
-                                               { TABLE_COLUMN("tolerance", put_tolerance, 0) },
-                                               { TABLE_COLUMN("T", column_number, offsetof(struct row, T)) },
-                                               { TABLE_COLUMN("froude", put_froude, 0) },
-                                               { TABLE_COLUMN("error", column_rounded, offsetof(struct row, error)),
-                                                 .format = "%.4g" },
-                                               { TABLE_COLUMN("modes", put_modes, 0) },
-                                               { TABLE_COLUMN("note", put_text, offsetof(struct row, note)) },
-                                               { TABLE_COLUMN("status", put_text, offsetof(struct row, status)) },
-                                               { .name = NULL } };
+static const struct table_column columns[] = {
+  { TABLE_COLUMN("what", put_text, offsetof(struct row, what)) },
+  { TABLE_COLUMN("quantity", put_text, offsetof(struct row, quantity)) },
+  { TABLE_COLUMN("series", put_text, offsetof(struct row, series)) },
+  { TABLE_COLUMN("order", column_number, offsetof(struct row, order)) },
+  { TABLE_COLUMN("tolerance", column_number, offsetof(struct row, tolerance)) },
+  { TABLE_COLUMN("T", column_number, offsetof(struct row, T)) },
+  { TABLE_COLUMN("froude", column_number, offsetof(struct row, froude)) },
+  { TABLE_COLUMN("error", column_rounded, offsetof(struct row, error)), .format = "%.4g" },
+  { TABLE_COLUMN("modes", put_modes, 0) },
+  { TABLE_COLUMN("note", put_text, offsetof(struct row, note)) },
+  { TABLE_COLUMN("status", put_text, offsetof(struct row, status)) },
+  { .name = NULL }
+};
 
 static void write_row(struct report *r, struct row row)
 {
   row.motion = &r->study.motion;
+  row.froude = motion_froude(row.motion, row.T);
+  row.tolerance = row.tolerance > 0 ? row.tolerance : NAN;
   table_row(&r->table, columns, &row, true);
   r->rows++;
 }
@@ -141,15 +130,11 @@ static void write_reach(struct report *r, const struct comparison *c)
 {
   char text[160];
   double T = comparison_reach(c), limit = T == 0 ? comparison_limit(c) : NAN;
-  struct row row = { "reach",
-                     quantity_rows[c->item.quantity].name,
-                     c->item.name,
-                     c->item.source == FROM_DERIVED ? (double)c->item.before : NAN,
-                     c->tolerance,
-                     T,
-                     limit,
-                     .note = text,
-                     .status = "binary128" };
+  struct row row = { "reach", .T = T, .error = limit, .note = text, .status = "binary128" };
+  row.quantity = quantity_rows[c->item.quantity].name;
+  row.series = c->item.name;
+  row.order = c->item.source == FROM_DERIVED ? (double)c->item.before : NAN;
+  row.tolerance = c->tolerance;
   if (T > 0 && isfinite(T)) {
     row.modes = study_modes_at(&r->study, T);
     row.error = comparison_error(c, T);
@@ -213,9 +198,8 @@ static void write_radius(struct report *r, enum quantity_id quantity)
 {
   struct radius radius;
   char text[sizeof radius.note + 100];
-  struct row row = {
-    "radius", quantity_rows[quantity].name, .T = NAN, .order = NAN, .error = NAN, .note = radius.note
-  };
+  struct row row = { "radius", .T = NAN, .order = NAN, .error = NAN, .note = radius.note };
+  row.quantity = quantity_rows[quantity].name;
   if (find_radius(&radius, r, quantity)) {
     snprintf(text, sizeof text, "%s; %s", radius.note, which_first(r, radius.T));
     row.series = radius.method;
@@ -255,7 +239,7 @@ static void write_best(struct report *r, enum quantity_id quantity, const struct
     double T = best_time(r, i), error;
     slong order;
     if (study_best_order(&r->study, quantity, T, exact[i].value[quantity], &order, &error))
-      write_row(r, (struct row){ "best", quantity_rows[quantity].name, "derived", (double)order, 0, T, error,
+      write_row(r, (struct row){ "best", quantity_rows[quantity].name, "derived", (double)order, 0, T, 0, error,
                                  study_modes_at(&r->study, T), beyond(r, quantity, T, order), "certified", NULL });
   }
 }
