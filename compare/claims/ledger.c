@@ -8,6 +8,7 @@
 #include "compare/points/point_flint.h"
 #include "compare/text/progress.h"
 #include "compare/text/memory.h"
+#include "model/exact/scoped.h"
 
 /* The order is fitted over the smallest T. */
 enum { FITTED = 12, DIGITS = 12 };
@@ -61,10 +62,8 @@ void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const
 
 static void set_coefficient(struct claim_row *row, const struct series *left_out, slong power)
 {
-  fmpq_t q;
-  arb_t x;
-  fmpq_init(q);
-  arb_init(x);
+  SCOPED(fmpq, q);
+  SCOPED(arb, x);
   bool is_rational = series_rational_coefficient(q, left_out, power);
   series_coefficient(x, left_out, power, 128);
   if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
@@ -78,8 +77,6 @@ static void set_coefficient(struct claim_row *row, const struct series *left_out
   }
   snprintf(row->coefficient, sizeof row->coefficient, "%s", text);
   flint_free(text);
-  fmpq_clear(q);
-  arb_clear(x);
 }
 
 static void add_reason(struct claim_row *row, const char *format, double number)
@@ -90,11 +87,15 @@ static void add_reason(struct claim_row *row, const char *format, double number)
     snprintf(row->reason + used, sizeof row->reason - used, format, number);
 }
 
-/* An equality is not proven by finitely many coefficients, but of finite sums, or of formulas whose degree is known. */
+/* An equality is not proven by finitely many coefficients, but of finite sums, or of formulas whose degree is known. An
+ * order is proven as far as was looked at. */
 static void judge_exact(struct claim_row *row, const struct proof *proof)
 {
   const bool all = proof->known >= SERIES_ALL;
-  row->verdict = !isinf(row->claimed_order) ? CLAIM_SHARPER : all || proof->for_all ? CLAIM_HOLDS : CLAIM_UNDECIDED;
+  const bool equal = isinf(row->claimed_order) && (all || proof->for_all);
+  row->verdict = (double)proof->known > row->claimed_order             ? CLAIM_SHARPER
+                 : (double)proof->known == row->claimed_order || equal ? CLAIM_HOLDS
+                                                                       : CLAIM_UNDECIDED;
   if (all)
     add_reason(row, "every coefficient vanishes", 0);
   else

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asymptotics/derived/scoped.h"
 #include "asymptotics/published/read.h"
 #include "asymptotics/symbolic/left_out.h"
 #include "compare/answers/answer.h"
@@ -134,15 +135,13 @@ static void set_equalities(const struct condition *condition, struct scallop_rat
   const struct scallop_formula *f = condition->formula;
   enum { AGAIN = 6 };
   const char *right;
-  struct series value;
-  series_init(&value);
+  SCOPED(series, value);
   for (int again = 0; again < AGAIN; again++) /* one may need what another sets */
     for (const char *const *when = f ? f->when : NULL; when && *when; when++) {
       fmpq *parameter = parameter_set(c, *when, &right);
       if (parameter && side_value(&value, right, condition, c))
         series_rational_coefficient(parameter, &value, 0);
     }
-  series_clear(&value);
 }
 
 /* Does LEFT < RIGHT, > or = hold, proven? What depends on a function can be equal to nothing. */
@@ -150,11 +149,8 @@ static bool is_met(const char *when, const struct condition *condition, const st
 {
   const struct ring ring = { 1, PRECISION };
   struct scallop_sides sides;
-  struct series left, right;
-  arb_t difference;
-  series_init(&left);
-  series_init(&right);
-  arb_init(difference);
+  SCOPED(series, left, right);
+  SCOPED(arb, difference);
   char sign = scallop_condition_split(&sides, when);
   bool met = sign && side_value(&left, sides.left, condition, c) && side_value(&right, sides.right, condition, c);
   if (met) {
@@ -164,21 +160,15 @@ static bool is_met(const char *when, const struct condition *condition, const st
           : sign == '>' ? arb_is_positive(difference)
                         : series_coefficient_is_zero(&left, 0);
   }
-  series_clear(&left);
-  series_clear(&right);
-  arb_clear(difference);
   return met;
 }
 
 /* Is the limit of the steady state the one that the formula is for? Not where it has no expansion */
 static bool turns_there(const struct scallop_formula *f, const struct scallop_rational_crawler *c)
 {
-  struct scallop_steady_expansion limit;
-  scallop_steady_expansion_init(&limit);
+  SCOPED(scallop_steady_expansion, limit);
   bool expands = scallop_expand_steady(c, 1, MODES_PRECISION, &limit, NULL) == SCALLOP_OK;
-  bool there = expands && turns_in_modes(limit.modes) == f->turns;
-  scallop_steady_expansion_clear(&limit);
-  return there;
+  return expands && turns_in_modes(limit.modes) == f->turns;
 }
 
 bool condition_allows(const struct condition *condition, const struct scallop_rational_crawler *c)
@@ -282,20 +272,20 @@ void proof_clear(struct proof *p)
 
 slong trial_leading_power(const struct scallop_formula *f) { return f->quantity == SCALLOP_STEADY_VELOCITY ? -1 : 0; }
 
-/* derived - formula */
-static bool left_out(struct series *difference, const struct expanded *e, const struct trial *m,
-                     const struct scallop_formula *f, char why[FORMULA_MESSAGE])
+/* derived - formula, of so many terms */
+static bool left_out(struct series *difference, const struct trial *m, const struct scallop_formula *f, slong terms,
+                     char why[FORMULA_MESSAGE])
 {
-  const struct ring ring = { e->terms + 8, PRECISION };
+  const struct expanded *e = m->expanded;
+  const struct ring ring = { terms, PRECISION };
   struct scallop_symbols symbols;
-  struct series value;
+  SCOPED(series, value);
   series_set(difference, series_of(e, m, f->quantity));
   if (!f->text) {
     series_set_zero(difference, trial_leading_power(f));
     return true;
   }
   scallop_symbols_init(&symbols);
-  series_init(&value);
   scallop_symbols_set(&symbols, &e->crawler, m->condition->kind, e->v0, NULL, &ring);
   series_set(&symbols.value[SCALLOP_SYMBOL_t1], &e->phase.t1);
   series_set(&symbols.value[SCALLOP_SYMBOL_dT], &e->phase.dT);
@@ -307,7 +297,6 @@ static bool left_out(struct series *difference, const struct expanded *e, const 
     series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
   series_sub(difference, series_of(e, m, f->quantity), &value, &ring);
   scallop_symbols_clear(&symbols);
-  series_clear(&value);
   return expanded;
 }
 
@@ -322,25 +311,36 @@ static slong first_power(const struct series *s)
 
 static bool holds_zero(const struct series *s, slong power)
 {
-  arb_t x;
-  arb_init(x);
+  SCOPED(arb, x);
   series_coefficient(x, s, power, PRECISION);
-  bool zero = arb_contains_zero(x);
-  arb_clear(x);
-  return zero;
+  return arb_contains_zero(x);
+}
+
+/* One coefficient that is a ball makes balls of all. What vanishes among fewer terms, without that one, is 0. */
+static void set_zeros(struct series *difference, const struct trial *m, const struct scallop_formula *f, slong most)
+{
+  char why[FORMULA_MESSAGE];
+  SCOPED(series, fewer);
+  for (slong terms = 1; terms < most; terms++) {
+    if (!left_out(&fewer, m, f, terms, why) || first_power(&fewer) < fewer.known)
+      return;
+    for (slong k = difference->first; k < fewer.known && k < difference->known; k++)
+      series_set_zero(difference, k);
+  }
 }
 
 static bool look_for_order(struct proof *proof, const struct trial *m, const struct scallop_formula *f)
 {
   struct series *difference = &proof->left_out;
-  if (!left_out(difference, m->expanded, m, f, proof->why))
+  const slong terms = m->expanded->terms + 8;
+  if (!left_out(difference, m, f, terms, proof->why))
     return false;
+  if (difference->kind == SERIES_BALLS)
+    set_zeros(difference, m, f, terms);
   proof->order = first_power(difference);
-  proof->undecided = proof->order < difference->known && holds_zero(difference, proof->order);
-  if (proof->undecided)
-    return true;
-  proof->found = proof->order < difference->known;
   proof->known = difference->known;
+  proof->found = proof->order < proof->known && !holds_zero(difference, proof->order);
+  proof->undecided = proof->order < proof->known && !proof->found;
   return true;
 }
 
@@ -370,9 +370,8 @@ static void prove_for_all(struct proof *proof, const struct trial *m, const stru
   const slong most = proof->found ? proof->order : looked < proof->known ? looked : proof->known - 1;
   struct left_out l;
   char why[FORMULA_MESSAGE];
-  fmpq_t coefficient;
+  SCOPED(fmpq, coefficient);
   left_out_init(&l);
-  fmpq_init(coefficient);
   if (f->text && !has_equality(f) && most < SYMBOLIC_ORDERS
       && !symbolic_left_out(&l, f, &m->crawler, m->condition->kind, m->v0, most, why)) {
     proof->general = l.order <= most ? l.order : proof->order;
@@ -389,7 +388,6 @@ static void prove_for_all(struct proof *proof, const struct trial *m, const stru
       l.term = NULL;
     }
   }
-  fmpq_clear(coefficient);
   left_out_clear(&l);
 }
 
