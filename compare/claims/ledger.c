@@ -87,8 +87,7 @@ static void add_reason(struct claim_row *row, const char *format, double number)
     snprintf(row->reason + used, sizeof row->reason - used, format, number);
 }
 
-/* An equality is not proven by finitely many coefficients, but of finite sums, or of formulas whose degree is known. An
- * order is proven as far as was looked at. */
+/* Finitely many coefficients prove an order up to them, and no equality but of finite sums, or of known degree. */
 static void judge_exact(struct claim_row *row, const struct proof *proof)
 {
   const bool all = proof->known >= SERIES_ALL;
@@ -145,10 +144,12 @@ static bool is_enclosed(const struct claim_row *row, bool last)
   return enclosed;
 }
 
-/* The measured error is what is left out; of what vanishes as far as was looked at, it is 0 at the smallest T. */
+/* The measured error is what is left out; of what vanishes below a power it is 0 at the smallest T, or of that power. */
 static bool agrees(const struct claim_row *row)
 {
-  return !row->proven || (row->exact ? is_enclosed(row, true) : row->count > 0 && !(row->mismatch > AGREEMENT));
+  return !row->proven
+         || (row->exact ? is_enclosed(row, true) || row->fit.order > (double)row->derived_order - CLAIM_TOLERANCE
+                        : row->count > 0 && !(row->mismatch > AGREEMENT));
 }
 
 static void fit(struct claim_row *row)

@@ -139,7 +139,11 @@ TEST(powers_that_were_not_looked_at)
         "below T^-44" },
       { "exp(T^30) - 1 - T^30", REST, V_END, 999, "quadratic", &equal, CLAIM_UNDECIDED, 56, NULL, "below T^56" },
       { "exp(T^30) - 1 - T^30", REST, V_END, 56, "quadratic", &equal, CLAIM_HOLDS, 56, NULL, NULL },
-      { "exp(T^30) - 1 - T^30", REST, V_END, 55, "quadratic", &equal, CLAIM_SHARPER, 56, NULL, NULL });
+      { "exp(T^30) - 1 - T^30", REST, V_END, 55, "quadratic", &equal, CLAIM_SHARPER, 56, NULL, NULL },
+      { "T + sin(T)*v0*T^-40", REST, V_END, 3, "sinusoidal", &usual, CLAIM_UNDECIDED, -17, NULL, "below T^-17" },
+      { "T + sin(T)*v0*T^-40", REST, V_END, SCALLOP_EQUALITY, "sinusoidal", &usual, CLAIM_REFUTED, -17, NULL,
+        "but the certified error is not 0" },
+      { "T + sin(T)*v0*T^-12", REST, V_END, 3, "sinusoidal", &usual, CLAIM_REFUTED, 1, "2/11", NULL });
 }
 
 /* A number that no fraction is, and a power beyond what is looked at, leave the coefficients below as exact as they
