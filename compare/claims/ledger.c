@@ -144,7 +144,7 @@ static bool is_enclosed(const struct claim_row *row, bool last)
   return enclosed;
 }
 
-/* The measured error is what is left out; of what vanishes below a power it is 0 at the smallest T, or of that power. */
+/* The measured error is what is left out; of what vanishes below a power it is 0 at the smallest T, or of that. */
 static bool agrees(const struct claim_row *row)
 {
   return !row->proven
