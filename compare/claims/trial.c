@@ -324,7 +324,7 @@ static void set_zeros(struct series *difference, const struct trial *m, const st
   for (slong terms = 1; terms < most; terms++) {
     if (!left_out(&fewer, m, f, terms, why) || first_power(&fewer) < fewer.known)
       return;
-    for (slong k = difference->first; k < fewer.known && k < difference->known; k++)
+    for (slong k = difference->first, end = k + series_terms(difference); k < end && k < fewer.known; k++)
       series_set_zero(difference, k);
   }
 }

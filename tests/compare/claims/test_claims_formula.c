@@ -150,17 +150,20 @@ TEST(powers_that_were_not_looked_at)
  * are. sqrt(2)*T^3: the coefficient by hand, -2405/9603 - sqrt(2) */
 TEST(coefficients_below_a_ball)
 {
-  CHECK_VERDICTS({ "(F1-F2)/M*T + T^998", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3, "-2405/9603", NULL },
-                 { "T^998 + (F1-F2)/M*T", REST, V_END, 2, "sinusoidal", &usual, CLAIM_SHARPER, 3, NULL, "T^3" },
-                 { "(F1-F2)/M*T + exp(1)*T^100", REST, V_END, 3, "polynomial:0,0,4,-3", &usual, CLAIM_HOLDS, 3,
-                   "-10465/115236", NULL },
-                 { "(F1-F2)/M*T + exp(1)*T^5", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3, NULL, NULL },
-                 { "(F1-F2)/M*T - sqrt(2)*T^2 + sqrt(2)*T^3", REST, V_END, 3, "quadratic", &usual, CLAIM_REFUTED, 2,
-                   "[1.41421356237 +/- 3.10e-12]", NULL },
-                 { "(F1-F2)/M*T + sqrt(2)*T^3", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3,
-                   "[-1.66465613240 +/- 3.30e-12]", NULL },
-                 { "(F1-F2)/M*T + sin(pi)*T + T^998", REST, V_END, 3, "quadratic", &usual, CLAIM_UNDECIDED, 0, NULL,
-                   "T^1 cannot be told from 0" });
+  CHECK_VERDICTS(
+      { "(F1-F2)/M*T + T^998", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3, "-2405/9603", NULL },
+      { "T^998 + (F1-F2)/M*T", REST, V_END, 2, "sinusoidal", &usual, CLAIM_SHARPER, 3, NULL, "T^3" },
+      { "(F1-F2)/M*T + exp(1)*T^100", REST, V_END, 3, "polynomial:0,0,4,-3", &usual, CLAIM_HOLDS, 3, "-10465/115236",
+        NULL },
+      { "(F1-F2)/M*T + exp(1)*T^5", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3, NULL, NULL },
+      { "(F1-F2)/M*T - sqrt(2)*T^2 + sqrt(2)*T^3", REST, V_END, 3, "quadratic", &usual, CLAIM_REFUTED, 2,
+        "[1.41421356237 +/- 3.10e-12]", NULL },
+      { "(F1-F2)/M*T + sqrt(2)*T^3", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3,
+        "[-1.66465613240 +/- 3.30e-12]", NULL },
+      { "(F1-F2)/M*T + sin(pi)*T + T^998", REST, V_END, 3, "quadratic", &usual, CLAIM_UNDECIDED, 0, NULL,
+        "T^1 cannot be told from 0" },
+      { "v0 + k0*exp(1)*T^80", MOVING, SCALLOP_VELOCITY_CHANGE, 1, "quadratic", &usual, CLAIM_REFUTED, 0, NULL, NULL },
+      { "k0*exp(1)*T^80", REST, V_END, 3, "quadratic", &equal, CLAIM_SHARPER, SERIES_ALL, NULL, NULL });
 }
 
 /* The rear body is body 1 in an extension, and 2 in a contraction, also where the other one turns: from rest with F1 <
