@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "asymptotics/derived/scoped.h"
 #include "model/law.h"
 
 struct segment { /* c = a + b s in one region of one phase                                    */
@@ -24,31 +25,34 @@ static void room(arb_t gap, arb_t slope, const struct segment *g, const struct s
   }
 }
 
+/* Is it positive at all offsets of a ball? By its value in the middle and its derivative: near a curve that c almost
+ * touches, where the derivative is small, its own ball is much too wide. */
+static bool has_room(const struct segment *g, const struct scallop_piece *piece, int j, const arb_t u,
+                     const arb_t slope)
+{
+  SCOPED(arb, middle, gap, there, off);
+  arb_get_mid_arb(middle, u);
+  room(gap, there, g, piece, j, middle);
+  arb_sub(off, u, middle, g->precision);
+  arb_addmul(gap, off, slope, g->precision);
+  return arb_is_positive(gap);
+}
+
 /* c keeps off curve j between offsets lo and hi; it touches it, transversally, within the end whose flag is set. */
 static bool keeps_off(const struct segment *g, const struct scallop_piece *piece, int j, const arf_t lo, const arf_t hi,
                       bool touches_lo, bool touches_hi, int depth)
 {
-  arb_t u, gap, slope;
-  arf_t middle;
-  arb_init(u);
-  arb_init(gap);
-  arb_init(slope);
-  arf_init(middle);
+  SCOPED(arb, u, gap, slope);
+  SCOPED(arf, middle);
   arb_set_interval_arf(u, lo, hi, g->precision);
   room(gap, slope, g, piece, j, u);
-  bool off = arb_is_positive(gap) || (touches_lo && !touches_hi && arb_is_positive(slope))
-             || (touches_hi && !touches_lo && arb_is_negative(slope));
-  if (!off && depth > 0) {
-    arf_add(middle, lo, hi, ARF_PREC_EXACT, ARF_RND_DOWN);
-    arf_mul_2exp_si(middle, middle, -1);
-    off = keeps_off(g, piece, j, lo, middle, touches_lo, false, depth - 1)
-          && keeps_off(g, piece, j, middle, hi, false, touches_hi, depth - 1);
-  }
-  arb_clear(u);
-  arb_clear(gap);
-  arb_clear(slope);
-  arf_clear(middle);
-  return off;
+  if (arb_is_positive(gap) || (touches_lo && !touches_hi && arb_is_positive(slope))
+      || (touches_hi && !touches_lo && arb_is_negative(slope)) || has_room(g, piece, j, u, slope))
+    return true;
+  arf_add(middle, lo, hi, ARF_PREC_EXACT, ARF_RND_DOWN);
+  arf_mul_2exp_si(middle, middle, -1);
+  return depth > 0 && keeps_off(g, piece, j, lo, middle, touches_lo, false, depth - 1)
+         && keeps_off(g, piece, j, middle, hi, false, touches_hi, depth - 1);
 }
 
 /* One end of a segment: a crossing, or an end of the phase (curve -1) */
@@ -97,11 +101,9 @@ static bool spills(const struct edge *e, const struct phase_constants *p, bool o
 {
   const struct scallop_piece *piece = &p->shape->pieces[e->piece];
   bool forward = piece->anchor == SCALLOP_FROM_START;
-  arb_t border;
-  arb_init(border);
+  SCOPED(arb, border);
   (over_end ? scallop_ball_end : scallop_ball_begin)(border, piece, precision);
   bool inside = forward == over_end ? arb_lt(e->offset, border) : arb_gt(e->offset, border);
-  arb_clear(border);
   return e->curve >= 0 && !inside;
 }
 
@@ -113,11 +115,8 @@ static bool segment_is_clear(const struct segment *g, const struct edge *from, c
   /* a crossing on the border of two pieces may be in either */
   int touches_until = from->piece + (spills(from, g->p, true, g->precision) ? 1 : 0),
       touches_from = to->piece - (spills(to, g->p, false, g->precision) ? 1 : 0);
-  arf_t early, late;
-  arb_t border;
-  arb_init(border);
-  arf_init(early);
-  arf_init(late);
+  SCOPED(arf, early, late);
+  SCOPED(arb, border);
   for (int i = from->piece; clear && i <= to->piece; i++) {
     const struct scallop_piece *piece = &g->p->shape->pieces[i];
     bool forward = piece->anchor == SCALLOP_FROM_START;
@@ -136,9 +135,6 @@ static bool segment_is_clear(const struct segment *g, const struct edge *from, c
                         forward ? at_late : at_early, DEPTH);
     }
   }
-  arb_clear(border);
-  arf_clear(early);
-  arf_clear(late);
   return clear;
 }
 
@@ -160,9 +156,7 @@ static const char *crossing_holds(const struct edge *at, const struct phase_cons
 {
   const struct scallop_piece *piece = &p->shape->pieces[at->piece];
   const char *why = NULL;
-  arb_t along, limit;
-  arb_init(along);
-  arb_init(limit);
+  SCOPED(arb, along, limit);
   scallop_ball_rate(along, piece, at->offset, precision);
   ball_times(along, along, p->curve[at->curve], precision);
   arb_set_fmpq(limit, p->beta[into], precision);
@@ -182,8 +176,6 @@ static const char *crossing_holds(const struct edge *at, const struct phase_cons
   arb_sub(limit, at->offset, limit, precision);
   if (!goes_on && !(forward ? arb_is_nonnegative(limit) : arb_is_nonpositive(limit)))
     why = at->piece > 0 ? leaves[p->kind] : starts[p->kind];
-  arb_clear(along);
-  arb_clear(limit);
   return why;
 }
 
@@ -203,14 +195,12 @@ static double nearest_event(const struct edge *e, const struct phase_constants *
     near = fabs(u - piece->end);
     *what = last ? starts[1 - p->kind] : leaves[p->kind];
   }
-  arb_t rate;
-  arb_init(rate);
+  SCOPED(arb, rate);
   scallop_ball_rate(rate, piece, e->offset, 64);
   double along = arf_get_d(arb_midref(rate), ARF_RND_NEAR) * fmpq_get_d(p->curve[e->curve]);
   double drive = arf_get_d(arb_midref(eps), ARF_RND_NEAR);
   double margin = fmin(fabs(along - drive * fmpq_get_d(p->beta[into])),
                        fabs(along - drive * fmpq_get_d(p->beta[from])));
-  arb_clear(rate);
   if (margin / (fabs(along) + drive) < near) {
     near = margin / (fabs(along) + drive);
     *what = sticks[p->kind][e->curve];
@@ -223,8 +213,7 @@ static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
 {
   slong precision = g->precision;
   const fmpq *q = g->p->curve[at->curve];
-  arb_t s;
-  arb_init(s);
+  SCOPED(arb, s);
   series_coefficient(s, &at->offset, 0, precision);
   scallop_ball_speed(g->a, at->piece, s, precision);
   ball_times(g->a, g->a, q, precision);
@@ -233,7 +222,6 @@ static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
   arb_mul(g->b, g->b, eps, precision);
   arb_submul(g->a, g->b, s, precision);
   g->region = at->to;
-  arb_clear(s);
 }
 
 /* Why c is not shown to keep off the curves: a crossing is about to end, or a body begins or ceases to turn */
@@ -299,10 +287,7 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
 const char *limit_holds(const struct limit *l, const arb_t w, const arb_t w_mid, const arb_t eps, slong precision)
 {
   const char *why = NULL;
-  arb_t c, here, fraction;
-  arb_init(c);
-  arb_init(here);
-  arb_init(fraction);
+  SCOPED(arb, c, here, fraction);
   for (int k = 0; !why && k < 2; k++) { /* in the units of the phase */
     arb_set_fmpq(fraction, l->phase[k].fraction, precision);
     arb_mul(here, eps, fraction, precision);
@@ -310,8 +295,5 @@ const char *limit_holds(const struct limit *l, const arb_t w, const arb_t w_mid,
     arb_mul(c, k == SCALLOP_EXTENSION ? w : w_mid, fraction, precision);
     why = phase_holds(&l->branch[k], &l->phase[k], here, c, precision);
   }
-  arb_clear(c);
-  arb_clear(here);
-  arb_clear(fraction);
   return why;
 }

@@ -1,7 +1,7 @@
 /* Arithmetic of truncated Laurent series; each result knows the power from which on it is unknown. */
 #include <stdlib.h>
 
-#include "asymptotics/derived/series.h"
+#include "asymptotics/derived/scoped.h"
 
 #include <flint/fmpz_vec.h>
 
@@ -189,14 +189,25 @@ static void set_from(struct series *to, const struct series *s, slong first, enu
   to->first = first;
 }
 
-static void add_or_sub(struct series *to, const struct series *a, const struct series *b, bool sub,
+/* s, or, where it begins beyond the terms that a ring keeps of a sum with the other one, nothing: balls that do not
+ * count would make balls of all. */
+static const struct series *within(struct series *nothing, const struct series *s, const struct series *other,
+                                   const struct ring *ring)
+{
+  const slong end = other->first + ring->length;
+  if (s->first < end || series_terms(other) == 0 || series_coefficient_is_zero(other, other->first))
+    return s;
+  series_truncate(nothing, end);
+  return nothing;
+}
+
+static void add_or_sub(struct series *to, const struct series *all_of_a, const struct series *all_of_b, bool sub,
                        const struct ring *ring)
 {
+  SCOPED(series, p, q);
+  const struct series *a = within(&p, all_of_a, all_of_b, ring), *b = within(&q, all_of_b, all_of_a, ring);
   const slong first = least(a->first, b->first), known = least(a->known, b->known);
   const enum series_kind kind = common(a, b);
-  struct series p, q;
-  series_init(&p);
-  series_init(&q);
   set_from(&p, a, first, kind, ring->precision);
   set_from(&q, b, first, kind, ring->precision);
   BY_KIND(kind, (sub ? fmpq_poly_sub : fmpq_poly_add)(to->rational, p.rational, q.rational),
@@ -204,8 +215,6 @@ static void add_or_sub(struct series *to, const struct series *a, const struct s
           (sub ? arb_poly_sub : arb_poly_add)(to->ball, p.ball, q.ball, ring->precision));
   begin(to, kind, first, known);
   series_tidy(to, ring);
-  series_clear(&p);
-  series_clear(&q);
 }
 
 void series_add(struct series *sum, const struct series *a, const struct series *b, const struct ring *ring)

@@ -140,6 +140,44 @@ static bool settle(struct event *e, const struct signature *before, const struct
   return true;
 }
 
+/* Does the body turn in the same part at these T, too, up or down from there? Where rounding decides, it does not. Of
+ * other modes nothing is said. */
+static bool stays(const struct signature *s, double step)
+{
+  struct signature there;
+  int k = 1;
+  while (k <= 8 && signature_at(&there, s->motion, s->T * (1 + k * step))
+         && (!same(CHANGE_OF_MODES, s, &there) || moved(s, &there) < 0))
+    k++;
+  return k > 8;
+}
+
+/* The modes at both ends in binary128. The ends move apart, as far as behind the last event, until the modes differ.
+ * False: they do not, so that it is rounding. Where binary128 does not solve the motion the ends stay as they are. */
+static bool differ(struct signature *low, struct signature *high, double last)
+{
+  struct signature a = *low, b = *high;
+  for (double by = NARROW; by < 1e-6 && a.T > last; by *= 4) {
+    if (!motion_in_wide(a.motion, a.T, &a.answer) || !motion_in_wide(b.motion, b.T, &b.answer))
+      return true;
+    if (!same(CHANGE_OF_MODES, &a, &b)) {
+      *low = a;
+      *high = b;
+      return true;
+    }
+    a.T *= 1 - by;
+    b.T *= 1 + by;
+  }
+  return false;
+}
+
+/* Is it no event but rounding? */
+static bool is_rounding(enum event_kind of, struct signature *low, struct signature *high, double last)
+{
+  const double aside = 0x1p-24;
+  return of == CHANGE_OF_MODES ? !differ(low, high, last) : !stays(low, -aside) || !stays(high, aside);
+}
+
 static void describe(struct event *e, const struct signature *before, const struct signature *after)
 {
   struct answer was = before->answer, is = after->answer;
@@ -189,9 +227,12 @@ static void search(struct events *events, const struct signature *low, const str
   }
   bool of_modes = !same(CHANGE_OF_MODES, low, high);
   struct event e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double" };
-  memcpy(e.modes, high->answer.modes, sizeof e.modes);
-  (of_modes ? describe : describe_move)(&e, low, high);
-  settle(&e, low, high);
+  struct signature before = *low, after = *high;
+  if (is_rounding(e.of, &before, &after, events->count > 0 ? events->event[events->count - 1].T : 0))
+    return;
+  memcpy(e.modes, after.answer.modes, sizeof e.modes);
+  (of_modes ? describe : describe_move)(&e, &before, &after);
+  settle(&e, &before, &after);
   add(&events->event, &events->count, &e);
 }
 

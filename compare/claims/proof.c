@@ -26,17 +26,18 @@ struct proof {
   char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                               */
 };
 
-/* derived - formula. False: the formula has no expansion. */
-static bool set_left_out(struct proof *p, const struct trial *m, const struct scallop_formula *f)
+/* derived - formula, of so many terms. False: the formula has no expansion. */
+static bool set_left_out(struct series *left_out, const struct trial *m, const struct scallop_formula *f, slong terms,
+                         char why[FORMULA_MESSAGE])
 {
-  const struct ring ring = { m->terms + 8, PRECISION };
+  const struct ring ring = { terms, PRECISION };
   const struct scallop_phase_expansion *phase = &m->series.phase;
   const struct series *const given[] = { &phase->t1, &phase->dT, &phase->at_last };
   SCOPED(scallop_symbols, symbols);
   SCOPED(series, value);
-  series_set(p->left_out, trial_series(m, f->quantity));
+  series_set(left_out, trial_series(m, f->quantity));
   if (!f->text) {
-    series_set_zero(p->left_out, trial_leading_power(f));
+    series_set_zero(left_out, trial_leading_power(f));
     return true;
   }
   scallop_symbols_set(&symbols, &m->crawler, m->condition->kind, m->v0, NULL, &ring);
@@ -45,27 +46,47 @@ static bool set_left_out(struct proof *p, const struct trial *m, const struct sc
       series_set(&symbols.value[SCALLOP_SYMBOL_t1 + i], given[i]);
     else
       series_set_unknown(&symbols.value[SCALLOP_SYMBOL_t1 + i]);
-  if (scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring, p->why))
+  if (scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring, why))
     return false;
   if (f->quantity == SCALLOP_VELOCITY_CHANGE)
     series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
-  series_sub(p->left_out, p->left_out, &value, &ring);
+  series_sub(left_out, left_out, &value, &ring);
   return true;
+}
+
+/* The first power whose coefficient is not known to be exactly 0; known of the series if there is none. */
+static slong first_power(const struct series *s)
+{
+  slong k = s->first, end = s->first + series_terms(s);
+  while (k < end && series_coefficient_is_zero(s, k))
+    k++;
+  return k < end ? k : s->known;
+}
+
+/* One coefficient that is a ball makes balls of all. What vanishes among fewer terms, without that one, is 0. */
+static void set_zeros(struct series *left_out, const struct trial *m, const struct scallop_formula *f, slong most)
+{
+  char why[FORMULA_MESSAGE];
+  SCOPED(series, fewer);
+  for (slong terms = 1; terms < most; terms++) {
+    if (!set_left_out(&fewer, m, f, terms, why) || first_power(&fewer) < fewer.known)
+      return;
+    for (slong k = left_out->first, end = k + series_terms(left_out); k < end && k < fewer.known; k++)
+      series_set_zero(left_out, k);
+  }
 }
 
 static bool look_for_order(struct proof *p, const struct trial *m, const struct scallop_formula *f)
 {
+  const slong terms = m->terms + 8;
   SCOPED(arb, x);
-  if (!set_left_out(p, m, f))
+  if (!set_left_out(p->left_out, m, f, terms, p->why))
     return false;
-  const slong end = p->left_out->first + series_terms(p->left_out);
+  if (p->left_out->kind == SERIES_BALLS)
+    set_zeros(p->left_out, m, f, terms);
   p->known = p->left_out->known;
-  p->order = p->left_out->first;
-  while (p->order < end && series_coefficient_is_zero(p->left_out, p->order))
-    p->order++;
-  if (p->order >= end)
-    p->order = p->known;
-  else
+  p->order = first_power(p->left_out);
+  if (p->order < p->known)
     series_coefficient(x, p->left_out, p->order, PRECISION);
   p->undecided = p->order < p->known && arb_contains_zero(x);
   p->found = p->order < p->known && !p->undecided;
@@ -163,11 +184,14 @@ static void set_coefficient(struct claim_row *row, const struct series *left_out
   flint_free(text);
 }
 
-/* An equality is not proven by finitely many coefficients, but of finite sums, or of formulas whose degree is known. */
+/* Finitely many coefficients prove an order up to them, and no equality but of finite sums, or of known degree. */
 static void judge_exact(struct claim_row *row, const struct proof *p)
 {
   const bool all = p->known >= SERIES_ALL;
-  row->verdict = !isinf(row->claimed_order) ? CLAIM_SHARPER : all || p->for_all ? CLAIM_HOLDS : CLAIM_UNDECIDED;
+  const bool equal = isinf(row->claimed_order) && (all || p->for_all);
+  row->verdict = (double)p->known > row->claimed_order             ? CLAIM_SHARPER
+                 : (double)p->known == row->claimed_order || equal ? CLAIM_HOLDS
+                                                                   : CLAIM_UNDECIDED;
   if (all)
     add_reason(row, "every coefficient vanishes");
   else

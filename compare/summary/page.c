@@ -43,7 +43,7 @@ static void write_velocities(FILE *page, const struct summary *s, int digits)
           digits, value(s, Q_V_START), digits, value(s, Q_V_MID));
   if (value(s, Q_MULTIPLIER) == 0)
     fputs("  Started with a velocity near this one, it moves like this from the next period on.\n", page);
-  else
+  else if (s->answer.status == SCALLOP_OK)
     fprintf(page, "  A small deviation from this motion shrinks to %.*g of itself in each period.\n", digits,
             value(s, Q_MULTIPLIER));
 }

@@ -12,10 +12,9 @@
 /* By a short cut where there is one. */
 static void solve_motion(const struct motion_input *input, double c0, struct motion *motion)
 {
-  bool solved = input->base != 0        ? false
-                : input->shape->ramps   ? ramps_solve(input, c0, motion)
-                : input->shape->concave ? concave_solve(input, c0, motion)
-                                        : false;
+  bool ramps = input->shape->ramps, concave = input->shape->concave;
+  bool solved = input->base == 0
+                && (ramps ? ramps_solve(input, c0, motion) : concave && concave_solve(input, c0, motion));
   if (!solved)
     motion_solve(input, c0, motion, NULL, NULL);
 }

@@ -29,14 +29,15 @@ static struct bracket surely(const struct scallop_scaled *s)
                            (fmax(s->mu2 * e, s->mu1 * c) + s->eps) * margin };
 }
 
-/* No contraction, and a balance of nothing but rounding: c lies in an interval of steady states. Only
- * where l' jumps over 0 can c pass a whole period without being sheared by a curve (docs/theory.md). */
+/* No contraction, and a balance of nothing but rounding, that of the decimals included: c lies in an interval of steady
+ * states. Only where l' jumps over 0 can c pass a period without being sheared by a curve (docs/theory.md). */
 static bool flat(const struct scallop_scaled *s, double c)
 {
   struct period p;
   period_begin(&p);
   period_solve(s, c, &p);
-  return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise;
+  bool gives = p.phase[0].extra_impulse != 0 || p.phase[1].extra_impulse != 0;
+  return !p.forgets && p.balance_slope == 0 && fabs(p.balance) <= p.noise + (gives ? DBL_EPSILON : 0);
 }
 
 static bool has_jump(const struct scallop_scaled *s)

@@ -1,7 +1,10 @@
 /* The proven error bounds of the steady state's series, held against certified values; and that the modes change where
  * it is said. */
 #include <stdlib.h>
+#include <string.h>
+#include <time.h>
 
+#include "compare/points/gaits.h"
 #include "tests/support/exact.h"
 #include "tests/support/solved.h"
 
@@ -238,6 +241,39 @@ TEST(refusals)
   }
   random_exact_crawler(&s.crawler, &r, &sawtooth_gait);
   refuses(&s, 4, SCALLOP_EUNDECIDED, "");
+}
+
+/* How long the proof takes, in seconds of the processor */
+static double time_of_proof(const char *gait, const double numbers[6], double *T, const char **ends)
+{
+  const struct scallop_crawler c = { numbers[0], numbers[1], numbers[2], numbers[3],
+                                     numbers[4], 1,          numbers[5], gait_of_text(gait).gait };
+  SCOPED(scallop_rational, exact);
+  SCOPED(arb, proven);
+  scallop_rational_of(&exact, &c);
+  const clock_t begun = clock();
+  assert_int_equal(scallop_steady_modes_hold(&exact, PRECISION, proven, ends, NULL), SCALLOP_OK);
+  *T = middle(proven);
+  return (double)(clock() - begun) / CLOCKS_PER_SEC;
+}
+
+/* Where c is about to touch a curve the proof does not halve its pieces until they are as short as c is near: that took
+ * two hundred times as long as a plain proof. */
+TEST(proofs_beside_a_grazed_curve_are_short)
+{
+  static const double plain[] = { 1, 1, 4, 1, 10, 0.75 },
+                      grazes[][6] = { { 3.886, 0.1723, 0.4307, 6.761, 1.992, 0.447 },
+                                      { 2.87, 0.1327, 0.932, 4.669, 8.798, 0.355 } };
+  static const double events[] = { 0.88831012281993, 2.51802357079357 };
+  const char *ends;
+  double T, unit = time_of_proof("polynomial:0,3,-2", plain, &T, &ends);
+  for (int i = 0; i < 2; i++) {
+    double time = time_of_proof("polynomial:0,3,-2", grazes[i], &T, &ends);
+    print_message("up to T = %.12g: %.3f s, against %.3f s\n", T, time, unit);
+    assert_non_null(strstr(ends, "begins or ceases to turn in the extension"));
+    assert_true(T < events[i] && T > events[i] * (1 - 1e-8));
+    assert_true(time < 30 * fmax(unit, 0.05));
+  }
 }
 
 static void refuse_modes(const struct scallop_rational_crawler *crawler, slong precision, enum scallop_status wanted)

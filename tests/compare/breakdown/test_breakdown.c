@@ -108,6 +108,37 @@ TEST(rounding_is_no_event)
     assert_true(strcmp(events.event[i].status, "certified") == 0 || events.event[i].of != CHANGE_OF_MODES);
 }
 
+/* Where l'' = 0 at the start of a phase doubles see a mode less within 3e-10 of where its velocity vanishes, and a body
+ * that turns at a corner of l' turns on either side of it. */
+TEST(rounding_is_no_event_beside_one)
+{
+  static const struct {
+    const char *gait;
+    struct scallop_crawler crawler;
+    long count;
+    int at;
+    double T; /* of event number at: of the first by independent arithmetic of 60 digits between ...939 and ...940 */
+  } cases[] = {
+    { "polynomial:0,0,4,-3", { 0.2624, 0.2698, 9.222, 5.557, 1.192, 1, 0.869, NULL }, 9, 4, 0.58804074939761 },
+    { "polynomial:0,0,4,-3", { 2.386, 0.4319, 0.3532, 0.8713, 7.455, 1, 0.19, NULL }, 0, 0, 0 },
+    { "constant:0.001", { 2.838, 0.437, 0.6061, 0.6268, 0.6074, 1, 0.354, NULL }, 10, 0, 10.1875929395147 },
+    { "constant:0.02", { 0.3805, 2.869, 1.896, 1.111, 6.262, 1, 0.548, NULL }, 0, 0, 0 }
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct motion s = { .crawler = cases[i].crawler };
+    s.crawler.gait = gait_of_text(cases[i].gait).gait;
+    ENDED_BY(events_clear) struct events events;
+    events_find(&events, &s, "");
+    if (cases[i].count > 0) {
+      assert_int_equal(events.count, cases[i].count);
+      CHECK_RELATIVE(events.event[cases[i].at].T, cases[i].T, 1e-13);
+    }
+    assert_true(events.event[0].T > 0.01 * motion_natural_time(&s));
+    for (int k = 0; k < events.count; k++)
+      assert_true(strcmp(events.event[k].status, "certified") == 0 || events.event[k].of == CHANGE_OF_PART);
+  }
+}
+
 /* Where l' jumps, the last event is where a body that is thrown comes to rest within its phase. */
 TEST(events_where_l_jumps)
 {

@@ -131,6 +131,53 @@ TEST(high_orders)
                    "every coefficient vanishes" });
 }
 
+/* What was looked at ends below the power that is claimed: beside 1/T^100 at T^-44, and of exp(T^30) at T^56. */
+TEST(powers_that_were_not_looked_at)
+{
+  CHECK_VERDICTS(
+      { "T^-100 + (F1-F2)/M*T - T^-100 + T", REST, V_END, 3, "quadratic", &usual, CLAIM_UNDECIDED, -44, NULL,
+        "below T^-44" },
+      { "exp(T^30) - 1 - T^30", REST, V_END, 999, "quadratic", &equal, CLAIM_UNDECIDED, 56, NULL, "below T^56" },
+      { "exp(T^30) - 1 - T^30", REST, V_END, 56, "quadratic", &equal, CLAIM_HOLDS, 56, NULL, NULL },
+      { "exp(T^30) - 1 - T^30", REST, V_END, 55, "quadratic", &equal, CLAIM_SHARPER, 56, NULL, NULL },
+      { "T + sin(T)*v0*T^-40", REST, V_END, 3, "sinusoidal", &usual, CLAIM_UNDECIDED, -17, NULL, "below T^-17" },
+      { "T + sin(T)*v0*T^-40", REST, V_END, SCALLOP_EQUALITY, "sinusoidal", &usual, CLAIM_REFUTED, -17, NULL,
+        "but the certified error is not 0" },
+      { "T + sin(T)*v0*T^-12", REST, V_END, 3, "sinusoidal", &usual, CLAIM_REFUTED, 1, "2/11", NULL });
+}
+
+/* A number that no fraction is, and a power beyond what is looked at, leave the coefficients below as exact as they
+ * are. sqrt(2)*T^3: the coefficient by hand, -2405/9603 - sqrt(2) */
+TEST(coefficients_below_a_ball)
+{
+  CHECK_VERDICTS(
+      { "(F1-F2)/M*T + T^998", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3, "-2405/9603", NULL },
+      { "T^998 + (F1-F2)/M*T", REST, V_END, 2, "sinusoidal", &usual, CLAIM_SHARPER, 3, NULL, "T^3" },
+      { "(F1-F2)/M*T + exp(1)*T^100", REST, V_END, 3, "polynomial:0,0,4,-3", &usual, CLAIM_HOLDS, 3, "-10465/115236",
+        NULL },
+      { "(F1-F2)/M*T + exp(1)*T^5", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3, NULL, NULL },
+      { "(F1-F2)/M*T - sqrt(2)*T^2 + sqrt(2)*T^3", REST, V_END, 3, "quadratic", &usual, CLAIM_REFUTED, 2,
+        "[1.41421356237 +/- 3.10e-12]", NULL },
+      { "(F1-F2)/M*T + sqrt(2)*T^3", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3,
+        "[-1.66465613240 +/- 3.30e-12]", NULL },
+      { "(F1-F2)/M*T + sin(pi)*T + T^998", REST, V_END, 3, "quadratic", &usual, CLAIM_UNDECIDED, 0, NULL,
+        "T^1 cannot be told from 0" },
+      { "v0 + k0*exp(1)*T^80", MOVING, SCALLOP_VELOCITY_CHANGE, 1, "quadratic", &usual, CLAIM_REFUTED, 0, NULL, NULL },
+      { "k0*exp(1)*T^80", REST, V_END, 3, "quadratic", &equal, CLAIM_SHARPER, SERIES_ALL, NULL, NULL });
+}
+
+/* The rear body is body 1 in an extension, and 2 in a contraction, also where the other one turns: from rest with F1 <
+ * F2. Where it turns x1 = (F1 - F2)/(2 M) (T - dT)^2 - m2/M l, with dT of the order of T^3 and l = L - O(T^4). */
+TEST(the_rear_body_where_the_other_turns)
+{
+  static const struct scallop_crawler weaker = { 1.3, 0.9, 1.1, 3.7, 9.7, 1, 0.7, NULL };
+  CHECK_VERDICTS({ "0", REST, SCALLOP_REAR_AT_LAST, 1, "quadratic", &weaker, CLAIM_REFUTED, 0, "-873/220", NULL },
+                 { "-m2*L/M + (F1-F2)/(2*M)*T^2", REST, SCALLOP_REAR_AT_LAST, 4, "quadratic", &weaker, CLAIM_HOLDS, 4,
+                   NULL, NULL },
+                 { "x_switch + T^3", REST, SCALLOP_REAR_AT_LAST, 3, "quadratic", &weaker, CLAIM_HOLDS, 3, "-1", NULL },
+                 { "x_switch - T^3", REST, SCALLOP_REAR_AT_LAST, 3, "sinusoidal", &weaker, CLAIM_HOLDS, 3, "1", NULL });
+}
+
 /* Conditions are about the numbers as they are written, not about doubles. */
 TEST(conditions_are_exact)
 {

@@ -40,6 +40,7 @@ run 0 claims --formula "(F1 - F2)*(2*alpha - 1)*L*m1*m2/M/(alpha^2*F1*m1 + (1 - 
 [ "$(cells out verdict)" = holds ] || note "$(cells out verdict)"
 run 1 claims --formula "(F1-F2)/M*T" --of v_end --start v0 --claimed 2 --gait quadratic
 [ "$(cells out derived_order coefficient leading_error)" = "0 17/10 v0" ] || note "$(cells out derived_order coefficient leading_error) $(cat err)"
+[ "$(cells out measured)" = "v0=17/10" ] || note "v0 is not printed: $(cells out measured)"
 finish "claims --formula"
 # With m1 = m2 the first term of what is left out vanishes: so it does of this crawler, and of no other.
 run 0 claims --formula "(F1-F2)/M*T + (m1 - m2)*T^2" --of v_end --claimed 3 --gait quadratic --m1 1 --m2 1 --F1 4 --F2 1 --L 10 --alpha 0.75
@@ -47,6 +48,11 @@ run 0 claims --formula "(F1-F2)/M*T + (m1 - m2)*T^2" --of v_end --claimed 3 --ga
 [ "$(cells out reason)" = "of other crawlers as T^2" ] || note "the coincidence is not said: $(cells out reason)"
 run 1 claims --formula "(F1-F2)/M*T + (m1 - m2)*T^2" --of v_end --claimed 4 --gait quadratic --m1 1 --m2 1 --F1 4 --F2 1 --L 10 --alpha 0.75
 [ "$(cells out reason)" = "the error goes as T^3; of other crawlers as T^2" ] || note "$(cells out reason)"
+# A number that fits one crawler is a coincidence, unless that crawler is asked about.
+run 1 claims --formula 147537/67265 --of displacement --claimed 2 --gait quadratic
+[ "$(cells out verdict reason)" = "refuted the error goes as T^4; of other crawlers as T^0" ] || note "$(cells out verdict reason)"
+run 0 claims --formula 147537/67265 --of displacement --claimed 2 --gait quadratic --m1 1.3
+[ "$(cells out verdict reason)" = "sharper the error goes as T^4; of other crawlers as T^0" ] || note "$(cells out verdict reason)"
 finish "an order that only the given crawler has"
 
 # A crawler that a formula is not for refutes nothing, and proves nothing.

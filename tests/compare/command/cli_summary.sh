@@ -89,6 +89,11 @@ verdicts --gait sinusoidal
 verdicts --gait quadratic --alpha 0.3
 verdicts --gait trapezoidal:0.2,0.3
 
+# By mpmath: the root of the equation that series --source limit prints, with 40 digits
+run 0 summary --gait sinusoidal --format tsv --columns text_steady_velocity_limit
+awk 'END { exit !($1 - 0.0241823189774923608 < 2e-15 && 0.0241823189774923608 - $1 < 2e-15) }' out || note "$(tail -n 1 out)"
+finish "the limit of the relative error, to all digits"
+
 # ---- modes in words, in steady and phase ----
 words() { # COMMAND ARGUMENTS...: the column in each format, and not where nothing asks for it
   run 0 "$@"
@@ -144,6 +149,13 @@ says '(28) displacement = 1.875, exact -0.338202, wrong sign' 'The direction of 
 ! grep -q 'of itself [[]' out || note "errors in other units than percent"
 run 0 summary --alpha 0.3
 says 'It crawls backward (towards body 1), by 2.925 in each period'
+run 0 summary --T 4
+says 'Started with a velocity near this one, it moves like this from the next period on.'
+run 0 trajectory --T 4 --start 100 --periods 4 --samples 1 # and not with any: 10 less in each period
+[ "$(cells out v1 | tail -n 1 | cut -c 1-5)" = 59.99 ] || note "after four periods from 100: $(cells out v1 | tail -n 1)"
+run 0 summary --gait constant:0 --m1 1.8 --m2 0.105 --F1 0.006 --F2 0.15 --L 1.6 --alpha 0.52 --T 1.4
+says 'one of many steady motions: interval of steady states: v_start from -2.0216335727264862 to -0.1312335958005'
+! grep -q 'shrinks' out || note "a deviation shrinks where there are many steady motions"
 run 0 summary --T 20
 says 'one body never moves' 'exact 0 [' 'from there on the series does not describe the motion'
 run 0 summary --gait constant:0

@@ -136,6 +136,15 @@ run 4 series --symbolic --emit python -o no/such/folder/made.py
 run 0 series --symbolic --order 4 --quiet
 cells out start quantity power >got
 grep -q '^rest.dT.3' got || note "the power of a term that stands alone: $(grep 'rest.dT' got)"
+run 0 series --symbolic --order 3 --v0 1 --quiet
+cells out start quantity power >got
+[ "$(grep -c '^v0.dT.2$' got)" = 2 ] && [ "$(grep -c '^v0.t1.2$' got)" = 2 ] && [ "$(grep -c '^rest.t1.1$' got)" = 2 ] || note "--v0 1: $(grep 't1\|dT' got)"
+run 0 series --symbolic --order 2 --quiet
+cells out start quantity power >got
+[ "$(grep -c '^steady.v_start.1$' got)" = 1 ] && [ "$(grep -c '^rest.v_end.1$' got)" = 2 ] || note "--order 2: $(cat got)"
+run 0 series --symbolic --source limit --order 2 --quiet
+[ "$(cells out quantity power | sort -u)" = "U 1" ] || note "limit: $(cells out quantity power)"
+run 0 series --symbolic --order 1 --v0 1 --quiet
 finish "what has no formula is refused with its reason"
 # ---- the name of a measured gait's file, in what is emitted ----
 named() { # NAME

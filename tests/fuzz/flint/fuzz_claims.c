@@ -31,9 +31,11 @@ static void take_fraction(fmpq_t x, struct bytes *b, int below)
 
 static void take_crawler(struct scallop_rational_crawler *c, struct bytes *b)
 {
-  static const char *const gaits[] = { "quadratic",         "sinusoidal",          "trapezoidal:0.2,0.3",
-                                       "skewed:0.3",        "constant:0.1",        "minimum-jerk",
-                                       "polynomial:0,3,-2", "polynomial:0,0,4,-3", "constant:0" };
+  static const char *const gaits[] = {
+    "quadratic",    "sinusoidal",           "trapezoidal:0.2,0.3",        "skewed:0.3",
+    "constant:0.1", "minimum-jerk",         "polynomial:0,3,-2",          "polynomial:0,0,4,-3",
+    "constant:0",   "polynomial:0,12,4,-9", "trapezoidal:0.1,0.4,0.3,0.2"
+  };
   fmpq *const numbers[] = { c->m1, c->m2, c->F1, c->F2, c->L };
   c->gait = gait_of_text(gaits[take(b, sizeof gaits / sizeof *gaits)]).gait;
   for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
@@ -56,16 +58,18 @@ static const struct scallop_formula *take_formula(struct bytes *b)
 
 static void take_terms(char *text, size_t size, struct bytes *b, bool steady)
 {
-  static const char *const names[] = { "m1", "m2", "F1",    "F2", "M", "L",  "l0", "lT", "k0",
-                                       "kT", "pi", "L_kin", "T",  "7", "v0", "t1", "dT", "x_switch" };
-  enum { STEADY_NAMES = 14 };
+  static const char *const names[] = { "m1",     "m2",      "F1",     "F2", "M",     "L",  "l0",
+                                       "lT",     "k0",      "kT",     "pi", "L_kin", "T",  "7",
+                                       "exp(1)", "sqrt(2)", "sin(T)", "v0", "t1",    "dT", "x_switch" };
+  enum { STEADY_NAMES = 17 };
   const int count = steady ? STEADY_NAMES : (int)(sizeof names / sizeof *names);
   for (int i = take(b, 4); i > 0; i--) {
     size_t used = strlen(text);
     used += (size_t)snprintf(text + used, size - used, " %c %s", "+-"[take(b, 2)], names[take(b, count)]);
     for (int j = take(b, 4); j > 0; j--)
       used += (size_t)snprintf(text + used, size - used, "%c%s", "*/"[take(b, 2)], names[take(b, count)]);
-    snprintf(text + used, size - used, "*T^%d", take(b, 12) - 3);
+    const int power = take(b, 14);
+    snprintf(text + used, size - used, "*T^%d", power < 12 ? power - 3 : power == 12 ? -40 : 80);
   }
 }
 
