@@ -90,7 +90,7 @@ int fuzz_run(const struct command *command, const char *const *arguments, struct
   written_begin(written);
   if (options_read(&read, command, commands, count, list, &code) == READ_RUN
       && (code = options_book(&read)) == EXIT_DONE)
-    code = command->run(&read, &read.options);
+    code = command_make(&read);
   options_free(&read);
   written_end(written);
   return (int)code;
