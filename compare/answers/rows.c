@@ -79,6 +79,35 @@ static const char *settle(struct rows *r)
   return NULL;
 }
 
+static bool has_column(const struct column_list *all, const char *name)
+{
+  int i = 0;
+  while (i < all->count && strcmp(all->item[i].name, name) != 0)
+    i++;
+  return i < all->count;
+}
+
+/* What is drawn and not among the usual columns stands behind them. */
+static const char *add_drawn(struct rows *r)
+{
+  static char message[400];
+  const struct plot *plot = &r->request->style.plot;
+  const char *const lists[] = { plot->x, plot->y, plot->by }, *const options[] = { "x", "y", "by" };
+  char name[QUANTITY_NAME];
+  for (int i = 0; i < 3 && plot->file; i++)
+    for (const char *at = lists[i]; at && *at; at += *at == ',') {
+      size_t length = strcspn(at, ",");
+      snprintf(name, sizeof name, "%.*s", (int)length, at);
+      at += length;
+      const char *wrong = has_column(&r->sheet.columns, name) ? NULL : sheet_add(&r->sheet, name);
+      if (wrong) {
+        snprintf(message, sizeof message, "--plot-%s: %.350s", options[i], wrong);
+        return message;
+      }
+    }
+  return NULL;
+}
+
 static const char *add_columns(struct rows *r)
 {
   const struct table_choice *choice = r->choice ? r->choice : r->request->style.choice;
@@ -93,7 +122,7 @@ static const char *add_columns(struct rows *r)
   const char *const *const lists[] = { crawler_parameters, r->extra, all->carried, (const char *const *)r->own };
   for (size_t i = r->has_parameters ? 0 : 1; i < sizeof lists / sizeof *lists && !wrong; i++)
     wrong = add_all(&r->sheet, lists[i], lists[i] == all->carried ? all->carries : TABLE_COLUMNS);
-  return wrong;
+  return wrong || r->behind ? wrong : add_drawn(r);
 }
 
 const char *rows_columns(struct rows *r)
@@ -333,7 +362,7 @@ static enum exit_code make(struct rows *r, struct point_file *file)
   const char *wrong = rows_columns(r);
   if (!wrong)
     return finish(&run, rows_visit(&run, file));
-  complain(r->request->style.command, "--columns: %s", wrong);
+  complain(r->request->style.command, "%s%s", r->request->style.choice ? "--columns: " : "", wrong);
   return EXIT_USAGE;
 }
 

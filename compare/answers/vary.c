@@ -278,7 +278,8 @@ const char *vary_text(struct request *r, const char *name, const char *text)
     return wrong;
   }
   group->variable[0].kept = copy;
-  if (v.target != TARGET_LABEL && strcmp(v.name, v.sets) == 0 && !group->variable[0].from.is_formula)
+  bool is_held = v.target == TARGET_LABEL || v.target == TARGET_NUMBER || strcmp(v.name, v.sets) != 0;
+  if (!is_held && !group->variable[0].from.is_formula)
     point_set(&first, name, is_range ? values : group->variable[0].texts[0]);
   r->point = first;
   return NULL;

@@ -131,7 +131,7 @@ function stretch(what, text) {
 }
 
 # What is drawn of a table by what it is of: the picture, and x, y and by where they are not named; the axes that are logarithmic whatever their
-# values are; "|": magnitudes. "*": what varies; "relative.": the columns that begin so. The first row whose y there is, or of no y where none is
+# values are; "|": magnitudes. "*": what varies; "relative.": the columns that begin so; "?": the first number that is no parameter. The first row whose y there is, or of no y where none is
 # named.
 function kind_of_table(part,   kinds, kind, i) {
   kinds = split( \
@@ -149,7 +149,10 @@ function kind_of_table(part,   kinds, kind, i) {
     "phase             : curves   : *     : dxC                        : *                           :    \n" \
     "steady            : curves   : *     : mean_velocity              : *                           :    \n" \
     "series            : curves   : *     : relative.                  : *                           : xy|\n" \
-    "series            : curves   : *     : text_steady_xC             : *                           :    ", kind, "\n")
+    "series            : curves   : *     : text_steady_xC             : *                           :    \n" \
+    "steady            : curves   : *     : ?                          : *                           :    \n" \
+    "phase             : curves   : *     : ?                          : *                           :    \n" \
+    "series            : curves   : *     : ?                          : *                           :    ", kind, "\n")
   for (i = 1; i <= kinds; i++) {
     split(kind[i], part, / *: */)
     if (part[1] == of && (part[4] == "" ? ys == 0 : columns_of(part[4]) > 0))
@@ -158,14 +161,16 @@ function kind_of_table(part,   kinds, kind, i) {
   return split(":curves:*::*:", part, ":") * 0 # any other: y is named, and x where nothing varies
 }
 
-# The columns of a list, of which the first is there, or those that begin so, at most 8: in found. Returns how many.
+# The columns of a list, of which the first is there, or those that begin so, at most 8, or for "?" the first numbers that are no parameter: in
+# found. Returns how many.
 function columns_of(list,   i, count) {
-  if (list !~ /[.]$/) {
+  if (list !~ /[.?]$/) {
     count = split(list, found, ",")
     return found[1] in at ? count : 0
   }
-  for (i = 1; i <= columns && count < 8; i++)
-    if (index(column[i], list) == 1)
+  go(1)
+  for (i = 1; i <= columns && count < (list == "?" ? 1 : 8); i++)
+    if (list == "?" ? is_number(v(column[i])) && index("," parameters ",", "," column[i] ",") == 0 : index(column[i], list) == 1)
       found[++count] = column[i]
   return count + 0
 }
