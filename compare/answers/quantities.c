@@ -35,6 +35,7 @@ const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
 };
 
 const struct formula_row formula_rows[] = {
+  { "mean_power", "force length/time", "friction_work / T: the power that friction takes", "friction_work/T" },
   { .name = NULL },
 };
 enum { FORMULA_ROWS = sizeof formula_rows / sizeof *formula_rows - 1 };

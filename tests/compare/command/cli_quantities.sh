@@ -43,7 +43,7 @@ E2
 finish "one row of many kinds of quantities, each with the value of its own command"
 
 # ---- the same cells in every command with rows ----
-some='cost_of_transport,relative.text_steady_xC,verdict.text_steady_xC,order.text_steady_xC,first_event_T,best_order'
+some='cost_of_transport,mean_power,relative.text_steady_xC,verdict.text_steady_xC,order.text_steady_xC,first_event_T,best_order'
 of_last() { cells out $(echo "$some" | tr , ' ') | tail -n 1; }
 run 0 steady --F1 3 --columns "$some"
 cells_wanted=$(of_last)
@@ -58,9 +58,13 @@ done
 printf 'want = ( { what = "steady"; columns = [ "%s" ]; } );\n' "$(echo $some | sed 's/,/", "/g')" >some.cfg
 run 0 run some.cfg --F1 3
 [ "$(of_last)" = "$cells_wanted" ] || note "a scene: $(of_last)"
+run 0 steady --F1 3 --columns friction_work,T
+mean=$(cells out friction_work T | awk '{ printf "%.15g", $1 / $2 }')
+run 0 steady --F1 3 --columns mean_power
+[ "$(cells out mean_power | awk '{ printf "%.15g", $1 }')" = "$mean" ] || note "mean_power: $(cells out mean_power), not $mean"
 finish "the same cells in steady, phase, trajectory, series, summary, a map and a scene"
 for command in steady phase trajectory 'summary --format tsv' 'series --rows'; do
-  for name in cost_of_transport reach_1e-2.S certified.displacement first_event_T relative.S; do
+  for name in cost_of_transport mean_power reach_1e-2.S certified.displacement first_event_T relative.S; do
     "$tool" ${command%% *} --help | grep -q -F -e "$name" || note "$command --help does not list $name"
   done
   run 2 $command --columns T,cost_of_transprt
@@ -68,11 +72,11 @@ for command in steady phase trajectory 'summary --format tsv' 'series --rows'; d
 done
 finish "--help lists them, and a misspelt one is answered with the nearest"
 if command -v gnuplot >/dev/null; then
-  run 0 breakdown --map F1/F2 alpha --x 2:4:3 --y 0.6:0.8:3 --plot-y cost_of_transport --plot map.svg -o map.tsv
-  grep -q transport map.svg || note "the map of cost_of_transport"
-  run 0 steady --F1 2:4:3 --columns F1,cost_of_transport --plot curve.svg -o curve.tsv
-  grep -q transport curve.svg || note "the curve of cost_of_transport"
-  finish "cost_of_transport is drawn, as a curve and on a map"
+  run 0 breakdown --map F1/F2 alpha --x 2:4:3 --y 0.6:0.8:3 --plot-y mean_power --plot map.svg -o map.tsv
+  grep -q mean_power map.svg || note "the map of mean_power"
+  run 0 steady --F1 2:4:3 --columns F1,mean_power --plot curve.svg -o curve.tsv
+  grep -q mean_power curve.svg || note "the curve of mean_power"
+  finish "mean_power is drawn, as a curve and on a map"
 fi
 
 # ---- what varies ----
