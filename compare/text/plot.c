@@ -24,6 +24,14 @@ bool plot_kind(const char *file)
 
 static bool is_line(const char *text) { return *text && is_shown(text); }
 
+static bool is_list(const char *text)
+{
+  int count = 1;
+  for (const char *comma = strchr(text, ','); comma; comma = strchr(comma + 1, ','))
+    count++;
+  return is_line(text) && *text != ',' && text[strlen(text) - 1] != ',' && !strstr(text, ",,") && count <= 8;
+}
+
 static bool is_range(const char *text)
 {
   char *end;
@@ -40,6 +48,7 @@ static bool is_size(const char *text)
 }
 
 #define LINE is_line, "a line of UTF-8 without control characters"
+#define LIST is_list, "one to eight columns, with commas between"
 #define RANGE is_range, "FROM:TO, FROM:TO:log or FROM:TO:linear, with FROM < TO, of log > 0"
 #define TEXT(member) #member, offsetof(struct plot, member)
 /* What the script is handed as PLOT_NAME, and what an option takes */
@@ -51,8 +60,8 @@ static const struct text {
 } texts[] = {
   { "plot", TEXT(file), plot_kind, "a file name that ends in .svg, .png or .pdf" },
   { "plot-x", TEXT(x), LINE },
-  { "plot-y", TEXT(y), LINE },
-  { "plot-by", TEXT(by), LINE },
+  { "plot-y", TEXT(y), LIST },
+  { "plot-by", TEXT(by), LIST },
   { "plot-x-range", TEXT(x_range), RANGE },
   { "plot-y-range", TEXT(y_range), RANGE },
   { "plot-title", TEXT(title), LINE },

@@ -192,10 +192,10 @@ refused 2 'control characters' steady --plot no.svg --plot-title "$(printf 'a\nb
 refused 2 'does not take the option' claims --plot no.svg
 refused 4 'No such file' steady --points points.tsv --plot missing/no.svg
 [ ! -s out ] || note "a table, though its picture has no place"
-refused 2 'the table has no column speed' steady --points points.tsv --plot no.svg --plot-y speed
+refused 2 "--plot-y: there is no quantity 'speed'" steady --points points.tsv --plot no.svg --plot-y speed
 refused 2 'no parameter varies' steady --plot no.svg
 [ "$(rows out | wc -l)" = 1 ] || note "no table where there is no picture"
-refused 2 '--plot-x NAME and --plot-y NAME choose the columns of this table' steady --T 0.1:5:9 --columns displacement --plot no.svg --plot-y displacement
+refused 2 'no parameter varies' steady --T 0.1:5:9 --columns displacement --plot no.svg --plot-y displacement
 finish "refusals"
 
 # ---- the table comes without gnuplot ----
