@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "compare/command/commands.h"
-#include "compare/command/run.h"
+#include "compare/command/want.h"
 #include "compare/text/shipped.h"
 
 #define OF_SCENE "that of the figure's scene"
@@ -30,6 +30,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   if (scene) {
     struct scene_options to_output = *(const struct scene_options *)options; /* whatever file the scene names */
     to_output.request.style.has_output = to_output.no_plots = true;
+    to_output.commands = arguments->commands;
     if (!names_columns(&to_output.request.style.plot))
       to_output.request.style.plot.picture = name;
     return run_scenes(&to_output, &(struct scene_source){ .path = name, .text = scene }, 1);

@@ -6,179 +6,10 @@
 #include <string.h>
 
 #include "compare/answers/vary.h"
+#include "compare/answers/visit.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/text/plot.h"
-
-static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
-static const void *value_of(const void *options, const struct option *o) { return (const char *)options + o->field; }
-
-static const char *read_parameter(void *options, const struct option *o, const char *text)
-{
-  struct request *r = options;
-  if (vary_is_many(o->name, text))
-    return vary_text(r, o->name, text);
-  vary_hold(r, o->name);
-  return point_set(&r->point, o->name, text);
-}
-
-static const char *read_product(void *options, const struct option *o, const char *text)
-{
-  struct request *r = options;
-  (void)o, (void)text;
-  return r->sweep.products > 0 ? vary_product(r) : "nothing varies in front of it";
-}
-
-static void show_parameter(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  const struct request *r = options;
-  *text = '\0';
-  if (strcmp(o->name, "gait") == 0)
-    snprintf(text, OPTION_VALUE, "%s", r->point.crawler.gait->name);
-  else if (strcmp(o->name, "phase") == 0)
-    snprintf(text, OPTION_VALUE, "%s", r->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  else if (strcmp(o->name, "v0") == 0)
-    snprintf(text, OPTION_VALUE, "%.15g", r->point.v0);
-  else if (crawler_place(o->name) < CRAWLER_NUMBERS)
-    snprintf(text, OPTION_VALUE, "%.15g", crawler_parameter(&r->point.crawler, o->name));
-}
-
-static const char *read_flag(void *options, const struct option *o, const char *text)
-{
-  (void)text;
-  *(bool *)field_of(options, o) = true;
-  return NULL;
-}
-
-static const char *read_real(void *options, const struct option *o, const char *text)
-{
-  double value;
-  if (!read_number(text, &value) || value < o->least || value > o->most)
-    return no_number(text, o->allowed);
-  *(struct given_number *)field_of(options, o) = (struct given_number){ value, true };
-  return NULL;
-}
-
-static void show_real(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  snprintf(text, OPTION_VALUE, "%.15g", ((const struct given_number *)value_of(options, o))->value);
-}
-
-static const char *read_whole(void *options, const struct option *o, const char *text)
-{
-  struct given_count *count = field_of(options, o);
-  char allowed[80];
-  snprintf(allowed, sizeof allowed, "a whole number from %.0f to %.0f", o->least, o->most);
-  count->given = read_count(text, (long)o->least, (long)o->most, &count->value);
-  return count->given ? NULL : not_allowed(text, allowed);
-}
-
-static void show_whole(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  snprintf(text, OPTION_VALUE, "%ld", ((const struct given_count *)value_of(options, o))->value);
-}
-
-static const char *none_of(const char *text, const char *const *words)
-{
-  char list[400], allowed[600];
-  snprintf(allowed, sizeof allowed, "%s%s", joined(list, sizeof list, words, " or "),
-           did_you_mean(nearest(text, words)));
-  return not_allowed(text, allowed);
-}
-
-static const char *read_word(void *options, const struct option *o, const char *text)
-{
-  int place = word_place(text, o->words);
-  if (place < 0)
-    return none_of(text, o->words);
-  *(struct given_word *)field_of(options, o) = (struct given_word){ o->words[place], true };
-  return NULL;
-}
-
-static void show_word(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  const char *word = ((const struct given_word *)value_of(options, o))->value;
-  snprintf(text, OPTION_VALUE, "%s", word ? word : "");
-}
-
-static const char *read_text(void *options, const struct option *o, const char *text)
-{
-  const char **place = field_of(options, o);
-  for (int more = option_values(o) - 1; more > 0 && *place; more--)
-    place++;
-  *place = text;
-  return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
-}
-
-static const char *read_format(void *options, const struct option *o, const char *text)
-{
-  struct request *r = options;
-  int place = word_place(text, format_names);
-  (void)o;
-  if (place < 0)
-    return none_of(text, format_names);
-  r->style.format = (enum format)place;
-  r->style.has_format = true;
-  return NULL;
-}
-
-static const char *no_digits(const char *text, const char *range)
-{
-  char allowed[120];
-  snprintf(allowed, sizeof allowed, "a whole number %s", range);
-  return not_allowed(text, allowed);
-}
-
-static const char *read_digits(void *options, const struct option *o, const char *text)
-{
-  struct request *r = options;
-  return read_count(text, 1, (long)o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
-}
-
-bool digits_hold(const struct style *style, bool proven, const char *range)
-{
-  char number[24];
-  snprintf(number, sizeof number, "%ld", style->digits);
-  return proven || style->digits <= DOUBLE_DIGITS || complain(style->command, "--digits: %s", no_digits(number, range));
-}
-
-static const char *read_output(void *options, const struct option *o, const char *text)
-{
-  struct request *r = options;
-  (void)o;
-  if (*text == '\0')
-    return not_allowed(text, "a file name");
-  if (plot_kind(text))
-    return not_allowed(
-        text,
-        "the name of a table, not of a picture, which --plot draws (`scallop run` draws the plots of its scenes)");
-  r->style.output = strcmp(text, "-") == 0 ? NULL : text;
-  r->style.has_output = true;
-  return NULL;
-}
-
-static const char *read_plot(void *options, const struct option *o, const char *text)
-{
-  struct request *r = options;
-  return plot_set(&r->style.plot, o->name, text);
-}
-
-static const char *read_choice(void *options, const struct option *o, const char *text)
-{
-  struct request *r = options;
-  (void)o;
-  columns_free(r->style.choice);
-  return columns_read(&r->style.choice, text);
-}
-
-const char *const reference_words[] = { "exact", "certified", NULL };
-const struct option_kind parameter_option = { read_parameter, show_parameter },
-                         product_option = { read_product, NULL }, flag_option = { read_flag, NULL },
-                         number_option = { read_real, show_real }, count_option = { read_whole, show_whole },
-                         word_option = { read_word, show_word }, text_option = { read_text, NULL },
-                         format_option = { read_format, NULL }, digits_option = { read_digits, NULL },
-                         output_option = { read_output, NULL }, columns_option = { read_choice, NULL },
-                         plot_option = { read_plot, NULL };
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -384,11 +215,11 @@ static bool sweep_holds(const struct arguments *a)
     return complain(a->command->name,
                     "--%s: a list or a range and --points exclude each other: the file has a row for each point",
                     v->name);
-  return complain(
-      a->command->name,
-      "--%s: this command takes one value: a list or a range is for steady, phase, series and trajectory, which print rows "
-      "for each point",
-      v->name);
+  return complain(a->command->name,
+                  "--%s: this command takes one value: a list or a range is for steady, phase, series and trajectory, "
+                  "which print rows "
+                  "for each point",
+                  v->name);
 }
 
 bool options_are_sound(struct arguments *a)

@@ -6,7 +6,8 @@
 #include <sys/stat.h>
 
 #include "compare/command/commands.h"
-#include "compare/command/run.h"
+#include "compare/answers/visit.h"
+#include "compare/command/want.h"
 #include "compare/points/counts.h"
 #include "compare/text/file.h"
 #include "compare/text/plot.h"
@@ -242,6 +243,7 @@ enum exit_code run_scenes(const struct scene_options *o, const struct scene_sour
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
+  struct scene_options with_commands = *(const struct scene_options *)options;
   struct scene_source *sources = calloc((size_t)arguments->operand_count, sizeof *sources);
   if (!sources) {
     complain("run", "out of memory");
@@ -252,7 +254,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     sources[i] = (struct scene_source){ .path = strcmp(operand, "/dev/stdin") == 0 ? "-" : operand,
                                         .text = shipped_text(shipped_scenes, operand) };
   }
-  enum exit_code code = run_scenes(options, sources, arguments->operand_count);
+  with_commands.commands = arguments->commands;
+  enum exit_code code = run_scenes(&with_commands, sources, arguments->operand_count);
   free(sources);
   return code;
 }

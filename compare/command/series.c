@@ -20,7 +20,8 @@ static const struct option options_of_series[] = {
               languages),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_BOOK("the formulas of this book too, before the paper's"),
-  OPTION_TEXT("only", "LIST", "these series only, separated by commas: formulas by name or equation, \"(28)\", derived_8.dxC",
+  OPTION_TEXT("only", "LIST",
+              "these series only, separated by commas: formulas by name or equation, \"(28)\", derived_8.dxC",
               "all published formulas", series_options, only, "names or equations of formulas, separated by commas"),
   OPTION_POINTS,
   OPTIONS_VARY,
@@ -28,8 +29,8 @@ static const struct option options_of_series[] = {
   OPTION_TEXT("parts", "LIST", "what a row has of each series: value, exact, error, relative",
               "value; with --only value,exact,relative", series_options, parts, "names of parts, separated by commas"),
   OPTION_FLAG("orders", "the orders in T of the errors of series; T varies fastest", series_options, orders),
-  OPTION_NUMBER("expect", "P", "the order that is expected: exit code 1 unless it is met", "none is", series_options, expect,
-                FINITE),
+  OPTION_NUMBER("expect", "P", "the order that is expected: exit code 1 unless it is met", "none is", series_options,
+                expect, FINITE),
   OPTION_NUMBER("tol", "D", "how far orders may be from it", "with --orders 0.1", series_options, tolerance, POSITIVE),
   OPTIONS_ERRORS("errors in doubles, as they are"),
   OPTION_STATS,
@@ -38,46 +39,13 @@ static const struct option options_of_series[] = {
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };
-static const struct series_options initial = { .source = { "published", false },
-                                               .order = { 8, false },
-                                               .emit = { "text", false },
-                                               .tolerance = { 0.1, false } };
+static const struct series_options initial = {
+  .source = { "published", false }, .order = { 8, false }, .emit = { "text", false }, .tolerance = { 0.1, false }
+};
 static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
                                        "published", "exact",    "error", NULL };
 
-/* A formula and the motion that it is about: a kind of phase, or the period. */
-enum { PERIOD = SCALLOP_CONTRACTION + 1 };
-struct use {
-  const struct scallop_formula *formula;
-  int of;
-};
-
-/* Each formula that is asked for, once for each motion that it is about. Returns how many. */
-static int list_uses(struct use uses[MOST_SERIES], const struct series_options *o)
-{
-  int n = 0;
-  const struct scallop_formula *f;
-  for (int i = 0; (f = listed_formula(i)) && n <= MOST_SERIES - 2; i++) {
-    if (o->only && !formula_is_listed(o->only, f->name))
-      continue;
-    if (f->setting == SCALLOP_STEADY)
-      uses[n++] = (struct use){ f, PERIOD };
-    if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION)
-      uses[n++] = (struct use){ f, SCALLOP_EXTENSION };
-    if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_CONTRACTION)
-      uses[n++] = (struct use){ f, SCALLOP_CONTRACTION };
-  }
-  return n;
-}
-
-static const char *name_of_use(char name[QUANTITY_NAME], const struct use *use)
-{
-  bool is_other = use->of == SCALLOP_CONTRACTION && use->formula->setting == SCALLOP_AT_REST_START;
-  snprintf(name, QUANTITY_NAME, "%s%s", use->formula->name, is_other ? ":contraction" : "");
-  return name;
-}
-
-static void write_formula(struct table *table, const struct use *use, double published, double exact)
+static void write_formula(struct table *table, const struct series_use *use, double published, double exact)
 {
   static const char *const motions[] = { "extension", "contraction", "period" };
   const struct scallop_formula *f = use->formula;
@@ -96,8 +64,7 @@ static void write_formula(struct table *table, const struct use *use, double pub
 static bool open_table(struct table *table, const struct request *request)
 {
   /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
-  static const char no_ends[] =
-      "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
+  static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
   char v0[80] = "the exact steady velocity at the start of each phase";
   if (!table_head(table, &request->style, "series"))
     return false;
@@ -120,12 +87,12 @@ static bool open_table(struct table *table, const struct request *request)
 static enum exit_code write_formulas(struct at *at, const struct series_options *o)
 {
   struct quantities *all = &o->request.asked->quantities;
-  struct use uses[MOST_SERIES];
-  int count = list_uses(uses, o), published[MOST_SERIES], exact[MOST_SERIES];
+  struct series_use uses[MOST_SERIES];
+  int count = series_uses(uses, o), published[MOST_SERIES], exact[MOST_SERIES];
   int steady = quantity_named(all, "v_start");
   for (int i = 0; i < count; i++) {
     char name[QUANTITY_NAME], other[2 * QUANTITY_NAME];
-    snprintf(other, sizeof other, "exact.%s", name_of_use(name, &uses[i]));
+    snprintf(other, sizeof other, "exact.%s", series_use_name(name, &uses[i]));
     published[i] = quantity_named(all, name);
     exact[i] = quantity_named(all, other);
   }
@@ -156,145 +123,6 @@ static enum exit_code run_point(const struct series_options *o)
   return code;
 }
 
-/* Of a scene that says nothing of a phase the formulas of the steady state, else those of its phase and its start that
- * take nothing as given */
-static bool is_of_scene(const struct series_options *o, const struct use *use)
-{
-  const struct request *r = &o->request;
-  enum scallop_setting setting = use->formula->setting;
-  if (!r->scene->is_about_phase || setting == SCALLOP_STEADY)
-    return !r->scene->is_about_phase && setting == SCALLOP_STEADY;
-  bool rests = !r->asked->from_steady && r->point.v0 == 0 && is_held(r, "v0");
-  return use->of == (int)r->point.phase && (setting == SCALLOP_AT_REST_START) == rests
-         && !formula_takes_given(use->formula);
-}
-
-/* Each item of --only, or NULL; *rest: what is behind it */
-static char *next_item(const char **rest)
-{
-  const char *text = *rest, *comma = strchr(text, ',');
-  *rest = comma ? comma + 1 : NULL;
-  return comma ? strndup(text, (size_t)(comma - text)) : strdup(text);
-}
-
-/* The names of the series in rows */
-static int usual_names(char *names[MOST_SERIES], const struct series_options *o)
-{
-  struct use uses[MOST_SERIES];
-  char name[QUANTITY_NAME];
-  int n = 0, count = is_from(o, "published") ? list_uses(uses, o) : 0;
-  for (int i = 0; i < count; i++)
-    if (!o->request.scene || is_of_scene(o, &uses[i]))
-      names[n++] = strdup(name_of_use(name, &uses[i]));
-  bool of_phase = o->request.scene ? o->request.scene->is_about_phase : o->request.point.has_v0;
-  enum quantity_of of = of_phase ? OF_PHASE : OF_STEADY;
-  for (int q = quantity_first(of); q < (int)quantity_end(of) && !is_from(o, "published"); q++) {
-    if (!quantity_rows[q].has_series)
-      continue;
-    if (is_from(o, "derived"))
-      snprintf(name, sizeof name, "derived_%ld.%s", o->order.value, quantity_rows[q].name);
-    else
-      snprintf(name, sizeof name, "limit.%s", quantity_rows[q].name);
-    names[n++] = strdup(name);
-  }
-  return n;
-}
-
-/* Those of --only: in a scene as they stand; else the formulas as they are listed, those of a phase from rest for both
- * phases, and then the others */
-static int named(char *names[MOST_SERIES], const struct series_options *o)
-{
-  struct use uses[MOST_SERIES];
-  char name[QUANTITY_NAME];
-  int n = 0, count = o->request.scene ? 0 : list_uses(uses, o);
-  for (int i = 0; i < count; i++)
-    names[n++] = strdup(name_of_use(name, &uses[i]));
-  for (const char *rest = o->only; rest && n < MOST_SERIES;) {
-    char *item = next_item(&rest);
-    if (!item || o->request.scene || !formula_named(item))
-      names[n++] = item;
-    else
-      free(item);
-  }
-  return n;
-}
-
-/* NULL, or what is wrong */
-static const char *no_series(const struct series_options *o, const char *name)
-{
-  static char message[320];
-  struct quantities *all = &o->request.asked->quantities;
-  int place = name ? quantity_named(all, name) : -1;
-  if (!name)
-    return rows_no_memory;
-  if (place < 0)
-    return sheet_no_quantity(o->request.asked, name);
-  snprintf(message, sizeof message,
-           "%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is meant", name);
-  return quantity_is_series(&all->item[place]) ? NULL : message;
-}
-
-const char *series_names(struct series_list *list, const struct series_options *o)
-{
-  const char *wrong = NULL;
-  list->count = o->only ? named(list->name, o) : usual_names(list->name, o);
-  for (int i = 0; i < list->count && !wrong; i++)
-    wrong = no_series(o, list->name[i]);
-  return wrong;
-}
-
-void series_list_free(struct series_list *list)
-{
-  while (list->count > 0)
-    free(list->name[--list->count]);
-}
-
-static const char *const part_names[] = { "value", "exact", "error", "relative", NULL };
-
-/* Which parts a row has of each series: its value alone, or of those of --only what they should be, too. NULL, or what is
- * wrong. */
-static const char *read_parts(bool has[4], const struct series_options *o)
-{
-  const char *usual = o->only ? "value,exact,relative" : "value", *wrong = NULL;
-  for (const char *rest = o->parts ? o->parts : usual; rest && !wrong;) {
-    char *item = next_item(&rest);
-    int part = 0;
-    while (item && part_names[part] && strcmp(item, part_names[part]) != 0)
-      part++;
-    if (item && part_names[part])
-      has[part] = true;
-    else
-      wrong = not_allowed(item ? item : "", "parts of a series: value, exact, error and relative");
-    free(item);
-  }
-  return wrong;
-}
-
-/* A row for each point */
-static const char *plan(const void *options, struct rows *rows)
-{
-  static const char *const prefixes[] = { "", "exact.", "error.", "relative." };
-  const struct series_options *o = options;
-  const struct scene_head *scene = o->request.scene;
-  struct series_list list = { .count = 0 };
-  bool has[4] = { false };
-  if (!scene) {
-    rows->sheet.asked->from_steady = rows->sheet.asked->tells_no_start = !o->request.point.has_v0;
-    rows->sheet.asked->accuracy = 0;
-  }
-  if (o->orders)
-    return series_orders(o, rows);
-  rows->has_parameters = true;
-  rows->extra[0] = !scene || scene->is_about_phase ? "v0" : NULL;
-  const char *wrong = read_parts(has, o);
-  wrong = wrong ? wrong : series_names(&list, o);
-  for (int i = 0; i < list.count; i++)
-    for (int k = 0; k < 4 && !wrong; k++)
-      wrong = has[k] ? rows_own(rows, "%s%s", prefixes[k], list.name[i]) : NULL;
-  series_list_free(&list);
-  return wrong ? wrong : rows_own(rows, "status");
-}
-
 static bool has_rows(const void *options)
 {
   const struct series_options *o = options;
@@ -317,7 +145,8 @@ static const struct option_rule rules[] = {
   { "order", RULE_WITHOUT, "source=derived bound symbolic",
     "needs --source derived, or --bound: the published formulas end where they end, and the limit is one term" },
   { "bound", RULE_WITH, "source=published source=limit", "is for the derived series: leave --source out" },
-  { "only", RULE_WITH, DERIVED, "is for the published formulas, and names derived ones: leave --source and --bound out" },
+  { "only", RULE_WITH, DERIVED,
+    "is for the published formulas, and names derived ones: leave --source and --bound out" },
   { "book", RULE_WITH, DERIVED, "is for the published formulas: --source derived, limit and --bound have none" },
   { "points", RULE_WITH, "bound source=closed", "is for --source published and derived: one point at a time here" },
   { "rows orders", RULE_WITH, "symbolic bound source=closed emit=latex emit=python",
@@ -394,7 +223,7 @@ const struct command command_series = {
   .initial = &initial,
   .rules = rules,
   .is_sound = is_sound,
-  .plan = plan,
+  .plan = series_plan,
   .has_rows = has_rows,
   .run = run,
 };

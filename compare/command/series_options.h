@@ -12,11 +12,11 @@ struct series_options {
   struct given_word source; /* published, derived, limit or closed */
   struct given_count order; /* of the derived series: terms below T^order */
   bool bound, symbolic;
-  const char *only;       /* these series: names, and equations of formulas, or NULL: all */
-  const char *parts;      /* of each in a row: value, exact, error, relative; or NULL */
-  bool rows, orders;      /* a row for each point, of one point too; the orders of the errors in T */
+  const char *only;                      /* these series: names, and equations of formulas, or NULL: all */
+  const char *parts;                     /* of each in a row: value, exact, error, relative; or NULL */
+  bool rows, orders;                     /* a row for each point, of one point too; the orders of the errors in T */
   struct given_number expect, tolerance; /* of the orders */
-  struct given_word emit; /* text: a table */
+  struct given_word emit;                /* text: a table */
 };
 /* Is this the source? With --bound and --symbolic it is derived where none is given. */
 static inline bool is_from(const struct series_options *o, const char *source)
@@ -25,16 +25,19 @@ static inline bool is_from(const struct series_options *o, const char *source)
   return strcmp(derived ? "derived" : o->source.value, source) == 0;
 }
 
-/* Of rows: the names of the series that are asked for. Functions return NULL, or what is wrong. */
-enum { MOST_SERIES = 96 };
-struct series_list {
-  int count;
-  char *name[MOST_SERIES];
+/* A formula and the motion that it is about: a kind of phase, or the period. */
+enum { PERIOD = SCALLOP_CONTRACTION + 1 };
+struct series_use {
+  const struct scallop_formula *formula;
+  int of;
 };
-const char *series_names(struct series_list *list, const struct series_options *options);
-void series_list_free(struct series_list *list);
-/* --orders */
-const char *series_orders(const struct series_options *options, struct rows *rows);
+enum { MOST_SERIES = 96 };
+/* series_rows.c. Each formula that is asked for, once for each motion that it is about. Returns how many. */
+int series_uses(struct series_use uses[MOST_SERIES], const struct series_options *options);
+/* Its name as a quantity */
+const char *series_use_name(char name[QUANTITY_NAME], const struct series_use *use);
+/* Rows of points: NULL, or what is wrong */
+const char *series_plan(const void *options, struct rows *rows);
 
 /* --source derived|limit, and --bound */
 enum exit_code series_derived(const struct series_options *options);

@@ -1,0 +1,287 @@
+#include "compare/answers/visit.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "compare/points/point_file.h"
+#include "compare/text/progress.h"
+
+/* What is wrong with a point, or "" */
+static void count_point(struct rows_run *run, const char *why)
+{
+  run->points++;
+  if (*why && run->unsolved++ == 0)
+    snprintf(run->why, sizeof run->why, "%s", why);
+}
+
+/* False: a table can no longer be written. */
+static bool at_point(struct rows_run *run, struct at *at)
+{
+  char why[POINT_STATUS] = "";
+  bool fine = true;
+  for (struct rows *r = run->rows; r < run->rows + run->count; r++) {
+    at_begin_row(at);
+    if (r->visit)
+      r->visit(r, at);
+    else
+      sheet_row(&r->sheet, &r->table, at);
+    if (!*why)
+      memcpy(why, at->why, sizeof why);
+    fine &= !r->is_open || !table_failed(&r->table);
+  }
+  count_point(run, why);
+  return fine;
+}
+
+/* Rows that take long come in blocks, each by as many threads as there are processors, in order. */
+enum { BLOCK = 64, MOST_THREADS = 64 };
+
+struct block {
+  const struct rows *rows;
+  int count;
+  struct row {
+    struct sweep_place place;
+    struct table cells; /* never opened: what is written into it is kept */
+    char why[POINT_STATUS];
+  } row[BLOCK];
+  atomic_int next;
+};
+
+/* Computes rows of the block until none is left, each where it belongs. */
+struct worker {
+  pthread_t thread;
+  bool runs;
+  struct at *at;
+  struct block *block;
+};
+static void *work(void *worker)
+{
+  const struct worker *w = worker;
+  for (int i; (i = atomic_fetch_add(&w->block->next, 1)) < w->block->count;) {
+    struct row *row = &w->block->row[i];
+    sweep_place_copy(&w->at->place, &row->place);
+    at_move(w->at);
+    at_begin_row(w->at);
+    sheet_row(&w->block->rows->sheet, &row->cells, w->at);
+    memcpy(row->why, w->at->why, sizeof row->why);
+  }
+  at_end_thread(w->at);
+  return NULL;
+}
+
+/* The last of them is this thread. */
+static void compute(struct block *block, struct worker *workers, int threads)
+{
+  atomic_store(&block->next, 0);
+  for (int i = 0; i < threads - 1; i++)
+    workers[i].runs = pthread_create(&workers[i].thread, NULL, work, &workers[i]) == 0;
+  work(&workers[threads - 1]);
+  for (int i = 0; i < threads - 1; i++)
+    if (workers[i].runs)
+      pthread_join(workers[i].thread, NULL);
+}
+
+/* Writes the rows, in order. False: the table can no longer be written. */
+static bool write_block(struct rows_run *run, const struct block *block)
+{
+  struct table *t = &run->rows->table;
+  for (const struct row *row = block->row; row < block->row + block->count; row++) {
+    count_point(run, row->why);
+    table_repeat(t, &row->cells);
+  }
+  progress_count(run->points, sweep_points(&run->rows->request->sweep));
+  return !table_failed(t);
+}
+
+static bool visit_product(struct rows_run *run, struct at *at, const struct sweep_product *product, struct block *block,
+                          struct worker *workers, int threads)
+{
+  const struct request *request = run->rows->request;
+  struct sweep_cursor cursor = { .product = NULL };
+  long index[SWEEP_GROUPS] = { 0 };
+  bool more = true, fine = true;
+  while (more && fine) {
+    for (block->count = 0; more && block->count < BLOCK; block->count++) {
+      at_place(at, &cursor, &request->point, product, index);
+      sweep_place_copy(&block->row[block->count].place, &at->place);
+      more = sweep_next(product, index);
+    }
+    compute(block, workers, threads);
+    fine = write_block(run, block);
+  }
+  return fine;
+}
+
+static int processors(void)
+{
+  const char *wanted = getenv("OMP_NUM_THREADS");
+  long count = wanted && atol(wanted) > 0 ? atol(wanted) : sysconf(_SC_NPROCESSORS_ONLN);
+  return count < 1 ? 1 : count > MOST_THREADS ? MOST_THREADS : (int)count;
+}
+
+/* Visits a sweep by several threads, if that is worth it: one table whose columns need FLINT. False: nothing has been
+ * done. */
+static bool visit_in_blocks(struct rows_run *run, struct at *at)
+{
+  const struct rows *rows = run->rows;
+  const struct sweep *sweep = &rows->request->sweep;
+  const int threads = processors();
+  struct worker workers[MOST_THREADS] = { { .runs = false } };
+  if (threads == 1 || run->count > 1 || rows->visit || !asked_needs_flint(rows->sheet.asked) || sweep_points(sweep) < 8)
+    return false;
+  struct block *block = calloc(1, sizeof *block);
+  bool fine = block != NULL;
+  for (int i = 0; i < BLOCK && fine; i++) {
+    block->row[i].cells = (struct table){ .style = &rows->style };
+    sheet_head(&rows->sheet, &block->row[i].cells);
+  }
+  for (int i = 0; i < threads && fine; i++) {
+    workers[i] = (struct worker){ .at = malloc(sizeof *at), .block = block };
+    fine = workers[i].at && at_init(workers[i].at, rows->sheet.asked);
+  }
+  if (fine)
+    block->rows = rows;
+  for (int p = 0; fine && p < sweep->products; p++)
+    fine = visit_product(run, at, &sweep->product[p], block, workers, threads);
+  for (int i = 0; i < threads; i++) {
+    if (workers[i].at)
+      at_clear(workers[i].at);
+    free(workers[i].at);
+  }
+  for (int i = 0; block && i < BLOCK; i++)
+    table_abandon(&block->row[i].cells);
+  bool begun = block && block->rows;
+  free(block);
+  return begun;
+}
+
+static void visit_sweep(struct rows_run *run, struct at *at)
+{
+  const struct request *request = run->rows->request;
+  struct sweep_cursor cursor = { .product = NULL };
+  bool fine = true;
+  for (int p = 0; p < request->sweep.products && fine; p++) {
+    long index[SWEEP_GROUPS] = { 0 };
+    do {
+      at_sweep(at, &cursor, &request->point, &request->sweep.product[p], index);
+      progress_count(run->points + 1, sweep_points(&request->sweep));
+      fine = at_point(run, at);
+    } while (sweep_next(&request->sweep.product[p], index) && fine);
+  }
+}
+
+static void visit_file(struct rows_run *run, struct at *at, struct point_file *file)
+{
+  bool fine = true;
+  while (fine && point_file_next(file, &at->place, &run->rows->request->point)) {
+    progress_count(run->points + 1, point_file_rows(file, run->points + 1));
+    at_move(at);
+    fine = at_point(run, at);
+  }
+}
+
+static void visit_points(struct rows_run *run, struct at *at, struct point_file *file)
+{
+  const struct request *request = run->rows->request;
+  if (file)
+    visit_file(run, at, file);
+  else if (request->sweep.products > 0) {
+    if (!visit_in_blocks(run, at))
+      visit_sweep(run, at);
+  } else {
+    sweep_place_set(&at->place, &request->point);
+    at_move(at);
+    at_point(run, at);
+  }
+}
+
+static bool open_tables(struct rows_run *run)
+{
+  bool open = true;
+  for (int i = 0; i < run->count && open; i++)
+    open = run->rows[i].opens_late || rows_open(&run->rows[i]);
+  return open;
+}
+
+enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
+{
+  const struct style *style = &run->rows->request->style;
+  struct at *at = malloc(sizeof *at);
+  enum exit_code code = EXIT_FILE;
+  if (!at)
+    complain(style->command, "out of memory");
+  if (!at || !at_init(at, run->rows->sheet.asked))
+    code = EXIT_UNSOLVED;
+  else if (open_tables(run)) {
+    visit_points(run, at, file);
+    const char *error = file ? tsv_error(&file->tsv) : NULL;
+    code = error ? complain(style->command, "%s", error), EXIT_FILE : EXIT_DONE;
+    for (int i = 0; i < run->count; i++)
+      code = run->rows[i].cannot_open || (run->rows[i].is_open && !table_flush(&run->rows[i].table)) ? EXIT_FILE : code;
+  }
+  if (at)
+    at_clear(at);
+  free(at);
+  return code;
+}
+
+bool rows_close(struct rows_run *run, bool keep)
+{
+  bool whole = true;
+  for (struct rows *r = run->rows; r < run->rows + run->count; r++)
+    if (r->is_open && !keep && !table_failed(&r->table))
+      table_abandon(&r->table);
+    else if (r->is_open)
+      whole &= table_close(&r->table);
+  return whole;
+}
+
+static enum exit_code finish(struct rows_run *run, enum exit_code code)
+{
+  const struct request *request = run->rows->request;
+  const char *command = request->style.command;
+  bool incomplete = run->rows->opens_late && run->unsolved > 0;
+  if (!rows_close(run, code == EXIT_DONE && !incomplete))
+    return EXIT_FILE;
+  if (code != EXIT_DONE || run->unsolved == 0)
+    return code != EXIT_DONE ? code : run->rows->failed_checks > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
+  if (has_many_points(request))
+    complain(command, "%ld of %ld points could not be solved: the column 'status' says why", run->unsolved,
+             run->points);
+  else
+    complain(command, "this point could not be solved: %s", run->why);
+  return EXIT_UNSOLVED;
+}
+
+static enum exit_code make(struct rows *r, struct point_file *file)
+{
+  struct rows_run run = { .count = 1, .rows = r };
+  struct quantities *all = &r->sheet.asked->quantities;
+  all->carries = file ? file->carries : 0;
+  all->carried = file ? file->carried : NULL;
+  const char *wrong = rows_columns(r);
+  if (!wrong)
+    return finish(&run, rows_visit(&run, file));
+  complain(r->request->style.command, "%s%s", r->request->style.choice ? "--columns: " : "", wrong);
+  return EXIT_USAGE;
+}
+
+enum exit_code rows_table(struct rows *r)
+{
+  const struct request *request = r->request;
+  struct point_file *file = request->points ? calloc(1, sizeof *file) : NULL;
+  if (!request->points)
+    return make(r, NULL);
+  if (!file)
+    return complain(request->style.command, "out of memory"), EXIT_UNSOLVED;
+  file->v0_may_be_nan = r->sheet.asked->from_steady;
+  enum exit_code code = point_file_open(file, request->points, request->style.command, request->style.quiet, r->extra,
+                                        (const char *const *)r->own);
+  code = code == EXIT_DONE ? make(r, file) : code;
+  point_file_close(file);
+  free(file);
+  return code;
+}
