@@ -1,32 +1,10 @@
-/* A point, and what has been computed of it: each thing when it is first asked for, and once.
- *
- * What tables ask of a point are quantities by name (quantities.h), collected in a struct asked before the first point:
- * so that what nobody asks for is not computed, and what several tables ask for is computed once. */
+/* A point, and what has been computed of it: each thing when it is first asked for (asked.h), and once. */
 #ifndef SCALLOP_COMPARE_ANSWERS_AT_H
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
+#include "compare/answers/asked.h"
 #include "compare/answers/stretches.h"
 #include "compare/points/sweep.h"
-
-enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
-
-/* What is known before the first point */
-struct asked {
-  const char *command;   /* for messages */
-  bool from_steady;      /* a phase without a v0 starts with the velocity of the steady state; else from rest */
-  bool tells_no_start;   /* the column v0 is nan where no v0 is given */
-  bool certified_errors; /* else errors are those against the double solver */
-  double accuracy; /* of errors: below this part of the exact value they are 0; 0: they are as doubles have them */
-  long digits;     /* of certified values: the most that are wanted */
-  struct quantities quantities;
-};
-/* Errors against doubles are told down to this part of the exact value. */
-#define ACCURACY_OF_DOUBLES 1e-10
-/* With no quantities yet; NULL: no memory. */
-struct asked *asked_nothing(const char *command);
-void asked_free(struct asked *asked);
-/* What needs FLINT: the name of the first of these quantities, or NULL. */
-const char *asked_needs_flint(const struct asked *asked);
 
 /* The motions of a point: its steady state; an extension or a contraction with the start velocity of the point; and
  * either of these from rest. */
@@ -94,8 +72,8 @@ double at_formula(struct at *at, const struct formula *formula);
 /* The start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are those of
- * the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
+/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are
+ * those of the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
  * (answers/flint.h), which such quantities take for granted. */
 struct at_flint_functions {
   struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */

@@ -10,25 +10,25 @@
 #include "compare/text/values.h"
 
 enum { MOST_NOTES = 16 };
-struct asked; /* answers/at.h */
-struct scene_head { /* of the tables of a scene */
+struct asked;                /* answers/at.h */
+struct scene_head {          /* of the tables of a scene */
   const char *scene, *title; /* title: or NULL */
   int notes;
   const char *note[MOST_NOTES];
-  bool is_about_phase; /* the scene says something of a phase or of its start */
+  bool is_about_phase;       /* the scene says something of a phase or of its start */
   const struct point *given; /* on the command line, in place of what the scene says */
 };
 
 struct request {
   struct style style;
   struct point point;
-  struct sweep sweep; /* what varies; no product: one point, else point is where nothing varies */
-  const char *points; /* file name, "-" for standard input, or NULL */
-  const char *book;   /* file name of a book of formulas, or NULL     */
-  bool stats;         /* prints afterwards what was computed */
-  struct given_number accuracy; /* errors of series below this part of the exact value are 0 */
-  struct given_word reference;  /* what they are errors against: exact, or certified */
-  struct asked *asked; /* by the tables with a row for each point; NULL: by none */
+  struct sweep sweep;             /* what varies; no product: one point, else point is where nothing varies */
+  const char *points;             /* file name, "-" for standard input, or NULL */
+  const char *book;               /* file name of a book of formulas, or NULL     */
+  bool stats;                     /* prints afterwards what was computed */
+  struct given_number accuracy;   /* errors of series below this part of the exact value are 0 */
+  struct given_word reference;    /* what they are errors against: exact, or certified */
+  struct asked *asked;            /* by the tables with a row for each point; NULL: by none */
   const struct scene_head *scene; /* or NULL */
 };
 

@@ -1,4 +1,5 @@
-/* A table with a row for each point, as a command plans it: its columns, and what is done at a point. visit.h makes it. */
+/* A table with a row for each point, as a command plans it: its columns, and what is done at a point. visit.h makes
+ * it. */
 #ifndef SCALLOP_COMPARE_ANSWERS_ROWS_H
 #define SCALLOP_COMPARE_ANSWERS_ROWS_H
 

@@ -118,9 +118,8 @@ const char *sheet_add(struct sheet *s, const char *text)
 {
   const char *meaning, *own = own_text(s, text, &meaning);
   /* in the meaning of an own name there are no own names */
-  const struct column_names names = {
-    { .place = own ? quantity_place : place_of, .nearest = near_to, .context = s }, missing
-  };
+  const struct column_names names = { { .place = own ? quantity_place : place_of, .nearest = near_to, .context = s },
+                                      missing };
   text = own ? own : text;
   s->early_status |= sheet_takes(s, is_status);
   const char *wrong = column_add(&s->columns, text, &names);

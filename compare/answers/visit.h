@@ -1,5 +1,5 @@
-/* The one loop: points times quantities are tables. The tables of a scene share their points, so that what several ask for
- * is computed once. */
+/* The one loop: points times quantities are tables. The tables of a scene share their points, so that what several
+ * ask for is computed once. */
 #ifndef SCALLOP_COMPARE_ANSWERS_VISIT_H
 #define SCALLOP_COMPARE_ANSWERS_VISIT_H
 

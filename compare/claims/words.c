@@ -45,8 +45,7 @@ static void add_rows(struct ledger *ledger, const struct statement *claim, const
 {
   bool its_gait = scallop_gait_named(crawler->gait->name);
   for (; claim->name; claim++)
-    if ((of_the_paper || !claim->of_its_crawler) && (its_gait || !claim->of_its_gaits_alone)
-        && !ledger_expects(ledger))
+    if ((of_the_paper || !claim->of_its_crawler) && (its_gait || !claim->of_its_gaits_alone) && !ledger_expects(ledger))
       add_row(ledger, claim, crawler, of_the_paper);
 }
 

@@ -119,8 +119,9 @@ static const char *vary_axes(void *options)
            && strcmp(o->map[i], axes[axis[i]].variable) != 0)
       axis[i]++;
     if (axis[i] == AXES) {
-      snprintf(message, sizeof message, "--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s",
-               o->map[i], did_you_mean(nearest(o->map[i], names)));
+      snprintf(message, sizeof message,
+               "--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s", o->map[i],
+               did_you_mean(nearest(o->map[i], names)));
       return message;
     }
     o->map[i] = axes[axis[i]].name;

@@ -109,9 +109,10 @@ struct option_rule {
       OPTION_VARIES("label", "NAME=TEXT,...", "a column of texts, each for a block of rows"), \
       OPTION("and", NULL, "what varies from here on follows as rows of their own", NULL, .kind = &product_option)
 #define OPTIONS_ERRORS(otherwise) \
-  OPTION_NUMBER("accuracy", "D", "errors of series below this part of the exact value are 0; below 1e-10 they are " \
-                                 "errors against certified values", otherwise, request, accuracy, \
-                FROM_TO(1e-300, 0.999, "a number between 1e-300 and 1")), \
+  OPTION_NUMBER("accuracy", "D", \
+                "errors of series below this part of the exact value are 0; below 1e-10 they are " \
+                "errors against certified values", \
+                otherwise, request, accuracy, FROM_TO(1e-300, 0.999, "a number between 1e-300 and 1")), \
       OPTION_WORD("reference", "WHICH", "what errors of series are against: exact (in doubles) or certified", \
                   "by the accuracy", request, reference, reference_words)
 extern const char *const reference_words[];
@@ -181,8 +182,8 @@ struct command {
   const char *(*complete)(void *options);
   /* What no rule says of the options: false, the message being on stderr. NULL: nothing. */
   bool (*is_sound)(const void *options);
-  /* Plans a table with a row for each point: NULL, or what is wrong, until the next call; "": that has been said. No such function, or has_rows
-   * is false: the table of `run`. has_rows NULL: always true. */
+  /* Plans a table with a row for each point: NULL, or what is wrong, until the next call; "": that has been said. No
+   * such function, or has_rows is false: the table of `run`. has_rows NULL: always true. */
   const char *(*plan)(const void *options, struct rows *rows);
   bool (*has_rows)(const void *options);
   enum exit_code (*run)(const struct arguments *arguments, const void *options);

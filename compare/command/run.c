@@ -65,8 +65,8 @@ static enum exit_code read_scene(struct running *r, const struct scene_source *s
   return EXIT_DONE;
 }
 
-/* A path by which files are told apart, however they are spelled, to be freed; NULL: a device or a pipe, which takes any
- * number of tables, or in a folder that is not there, which opening it will say */
+/* A path by which files are told apart, however they are spelled, to be freed; NULL: a device or a pipe, which takes
+ * any number of tables, or in a folder that is not there, which opening it will say */
 static char *place_of(const char *path)
 {
   const char *slash = strrchr(path, '/');

@@ -133,8 +133,8 @@ static void names_free(struct names_of_series *list)
 
 static const char *const part_names[] = { "value", "exact", "error", "relative", NULL };
 
-/* Which parts a row has of each series: its value alone, or of those of --only what they should be, too. NULL, or what is
- * wrong. */
+/* Which parts a row has of each series: its value alone, or of those of --only what they should be, too. NULL, or
+ * what is wrong. */
 static const char *read_parts(bool has[4], const struct series_options *o)
 {
   const char *usual = o->only ? "value,exact,relative" : "value", *wrong = NULL;

@@ -231,7 +231,8 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
     b.axes[i] = map_axis(o, i);
     const struct sweep_variable *v = b.axes[i].varies;
     if (v->count < 2 || v->count > MOST_NODES) {
-      complain("breakdown", "--%c: %ld values; --boundaries takes 2 to %d along each axis", "xy"[i], v->count, MOST_NODES);
+      complain("breakdown", "--%c: %ld values; --boundaries takes 2 to %d along each axis", "xy"[i], v -> count,
+               MOST_NODES);
       return EXIT_USAGE;
     }
     if (!(v->from.number < v->to.number))

@@ -24,8 +24,8 @@ void map_head(struct table *t, const struct breakdown_options *o)
     char from[NUMBER_TEXT], to[NUMBER_TEXT];
     number_text(from, axes[i]->from.number, 0);
     number_text(to, axes[i]->to.number, 0);
-    table_note(t, "%c: %s from %s to %s, %ld values, %s", "xy"[i], o->map[i], from, to, axes[i]->count,
-               axes[i]->is_log ? "log" : "linear");
+    table_note(t, "%c: %s from %s to %s, %ld values, %s", "xy"[i], o -> map[i], from, to, axes[i] -> count,
+               axes[i] -> is_log ? "log" : "linear");
   }
   note_parameters(t, &o->request.point, (const char *const[]){ axes[0]->sets, axes[1]->sets, NULL }, false);
 }

@@ -1,5 +1,5 @@
-/* Maps over two parameters of a crawler, the axes X and Y, which are what varies in the request: Y in the first group, X
- * in the last. A row for each point of a grid, or the boundaries between the regions of the same modes. */
+/* Maps over two parameters of a crawler, the axes X and Y, which are what varies in the request: Y in the first
+ * group, X in the last. A row for each point of a grid, or the boundaries between the regions of the same modes. */
 #ifndef SCALLOP_COMPARE_MAPS_MAPS_H
 #define SCALLOP_COMPARE_MAPS_MAPS_H
 

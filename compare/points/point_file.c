@@ -95,8 +95,7 @@ static bool is_free(const struct point_file *r, const char *name, const char *co
 }
 
 /* NULL, or what is wrong with the header */
-static const char *read_columns(struct point_file *r, bool quiet, const char *const *extra,
-                                const char *const *columns)
+static const char *read_columns(struct point_file *r, bool quiet, const char *const *extra, const char *const *columns)
 {
   char unused[MESSAGE] = "";
   if (r->tsv.fault)
@@ -108,12 +107,10 @@ static const char *read_columns(struct point_file *r, bool quiet, const char *co
     if (wrong)
       return wrong;
     r->others += !r->parameter[i];
-    if (!r->parameter[i] && is_free(r, r->tsv.column[i], columns))
-      {
+    if (!r->parameter[i] && is_free(r, r->tsv.column[i], columns)) {
       r->carried[r->carries] = r->tsv.column[i];
       r->column[r->carries++] = i;
-    }
-    else if (!r->parameter[i])
+    } else if (!r->parameter[i])
       add_name(unused, r->tsv.column[i], r->others - r->carries - 1);
   }
   if (r->others == r->tsv.columns)

@@ -105,9 +105,9 @@ static bool find_item(struct series_item *item, const struct study *study, const
                                         : (enum quantity_id)series->which;
   int count = series_items(items, &study->expansions, of, series->order > 0 ? series->order : LEAST_ORDER);
   for (int i = 0; i < count; i++)
-    if (series->formula                      ? items[i].formula == series->formula
+    if (series->formula                    ? items[i].formula == series->formula
         : series->kind == QUANTITY_DERIVED ? items[i].source == FROM_DERIVED
-                                             : items[i].source == FROM_LIMIT) {
+                                           : items[i].source == FROM_LIMIT) {
       *item = items[i];
       return true;
     }

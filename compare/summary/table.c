@@ -59,8 +59,9 @@ const char *summary_plan(struct rows *rows)
 {
   static const char *const before[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
                                         "multiplier", "regime",  "modes", "motion",       NULL };
-  static const char *const behind[] = { "first_event", "first_event_T", "first_event_froude", "reversals",
-                                        "best_order",  "best_error",    "status",             NULL };
+  static const char *const behind[] = {
+    "first_event", "first_event_T", "first_event_froude", "reversals", "best_order", "best_error", "status", NULL
+  };
   const struct scallop_formula *formulas[SUMMARY_FORMULAS];
   const char *wrong = NULL;
   if (!summary_serves(rows->request))

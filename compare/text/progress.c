@@ -46,7 +46,8 @@ static void tick(int signal)
     snprintf(left, sizeof left, ", about %ld s left",
              (long)(passed * (double)(work.all - work.done) / (double)work.done + 0.5));
   }
-  snprintf(line, sizeof line, "\r\033[Kscallop:%s%s%s %ld s%s", *work.what ? " " : "", work.what, count, (long)passed, left);
+  snprintf(line, sizeof line, "\r\033[Kscallop:%s%s%s %ld s%s", *work.what ? " " : "", work.what, count, (long)passed,
+           left);
   put(line);
   is_written = true;
   work.next = time + again;

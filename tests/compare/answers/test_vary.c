@@ -138,7 +138,8 @@ TEST(what_no_point_has_of_itself)
   assert_true(sweep_variable_of_name(&label, "m1"));
   assert_null(vary_list(&r, label, (const char *const[]){ "1", "2" }, 2));
   assert_true(sweep_variable_of_name(&label, "m2"));
-  assert_non_null(strstr(vary_list(&r, label, (const char *const[]){ "1", "2", "3" }, 3), "have 2: they go on together"));
+  assert_non_null(
+      strstr(vary_list(&r, label, (const char *const[]){ "1", "2", "3" }, 3), "have 2: they go on together"));
   asked_free(r.asked);
   sweep_free(&r.sweep);
 }

@@ -79,7 +79,7 @@ TEST(ranges_are_decimal)
     struct sweep_product product = { .groups = 1, .group = { { 1, { v }, 5 } } };
     const struct point base = point_initial(NULL);
     struct sweep_cursor at = { .product = NULL };
-  struct sweep_place place = { .why = "" };
+    struct sweep_place place = { .why = "" };
     sweep_move(&at, &place, &base, &product, (const long[]){ 1 }, no_formula, NULL);
     assert_string_equal(place.point.written[6], is_log ? "0.000999974999062" : "0.15");
     sweep_move(&at, &place, &base, &product, (const long[]){ 0 }, no_formula, NULL);
