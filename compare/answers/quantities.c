@@ -253,8 +253,10 @@ static const char *read_order(struct quantity *q, const char *text)
 /* Past the tolerance of a reach, or NULL */
 static const char *read_tolerance(struct quantity *q, const char *text)
 {
-  char *end;
-  q->tolerance = *text >= '0' && *text <= '9' ? strtod(text, &end) : 0;
+  char *end = NULL;
+  q->tolerance = strtod(text, &end);
+  if (*text < '0' || *text > '9')
+    return NULL;
   return q->tolerance > 0 && *end == '.' ? end + 1 : NULL;
 }
 

@@ -202,21 +202,19 @@ static const char *list_of_text(struct request *r, struct sweep_variable *v, cha
 static const char *range_of_text(struct request *r, struct sweep_variable *v, char *text)
 {
   enum { FROM, TO, COUNT, SPACING, PARTS };
-  char *part[PARTS + 1] = { NULL };
-  int parts = 0;
+  char *part[PARTS + 1] = { text }, *colon;
+  int parts = 1;
   long count;
-  for (char *rest = text; rest && parts <= PARTS; parts++) {
-    part[parts] = rest;
-    rest = strchr(rest, ':');
-    if (rest)
-      *rest++ = '\0';
+  for (; parts <= PARTS && (colon = strchr(part[parts - 1], ':')); parts++) {
+    *colon = '\0';
+    part[parts] = colon + 1;
   }
   bool spaced = parts == PARTS && (strcmp(part[SPACING], "log") == 0 || strcmp(part[SPACING], "linear") == 0);
   if ((parts == SPACING || spaced)
       && read_count(part[COUNT], strcmp(part[FROM], part[TO]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
     return vary_range(r, *v, part[FROM], part[TO], count, spaced && strcmp(part[SPACING], "log") == 0);
-  for (int i = 1; i < parts && i <= PARTS; i++)
-    part[i][-1] = ':';
+  for (int i = 1; i < parts; i++)
+    *(part[i] - 1) = ':';
   snprintf(message, WRONG,
            "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, or "
            "1 where FROM = TO; both ends belong to it",

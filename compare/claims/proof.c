@@ -12,8 +12,6 @@
 
 enum { MANY_TERMS = 48, PRECISION = 1400, MOST_OF_EQUALITY = 11, DIGITS = 12 };
 
-SCOPED_KIND(left_out, struct left_out)
-
 struct proof {
   struct series *left_out;
   slong order;               /* of the first coefficient that is not 0; known if there is none                      */
@@ -132,9 +130,10 @@ static bool prove_for_all(struct proof *p, struct claim_row *row, const struct t
 {
   const slong looked = f->remainder > MOST_OF_EQUALITY ? f->remainder : MOST_OF_EQUALITY;
   const slong most = p->found ? p->order : looked < p->known ? looked : p->known - 1;
-  SCOPED(left_out, l);
+  ENDED_BY(left_out_clear) struct left_out l;
   SCOPED(fmpq, coefficient);
   char why[FORMULA_MESSAGE];
+  left_out_init(&l);
   p->for_all = m->condition->of_units;
   if (!f->text || has_equality(f) || most >= SYMBOLIC_ORDERS
       || symbolic_left_out(&l, f, &m->crawler, m->condition->kind, m->v0, most, why))

@@ -53,8 +53,10 @@ const char *column_add(struct column_list *list, const char *text, const struct 
   int length;
   const char *formula = column_formula(text, &length);
   struct column *grown = realloc(list->item, (size_t)(list->count + 1) * sizeof *grown);
-  list->item = grown ? grown : list->item;
-  char *name = grown ? strndup(text, (size_t)length) : NULL;
+  if (!grown)
+    return no_memory;
+  list->item = grown;
+  char *name = strndup(text, (size_t)length);
   if (!name)
     return no_memory;
   struct column *c = &grown[list->count++];

@@ -189,7 +189,8 @@ bool point_file_next(struct point_file *r, struct sweep_place *place, const stru
   sweep_place_set(place, base);
   if (!tsv_next(&r->tsv))
     return false;
-  place->is_unread = read_row(r, &place->point, place->why) != NULL;
+  const char *wrong = read_row(r, &place->point, place->why);
+  place->is_unread = wrong != NULL;
   for (int i = 0; i < r->carries; i++)
     r->cell[i] = r->column[i] < t->count ? t->cell[r->column[i]] : "";
   place->carried = r->cell;

@@ -120,7 +120,9 @@ static int by_crawler(const void *a, const void *b)
   double p[CRAWLER_NUMBERS], q[CRAWLER_NUMBERS];
   crawler_numbers(&x->crawler, p);
   crawler_numbers(&y->crawler, q);
-  int order = memcmp(p, q, sizeof p);
+  int order = 0;
+  for (int i = 0; i < CRAWLER_NUMBERS && order == 0; i++)
+    order = (p[i] > q[i]) - (p[i] < q[i]);
   order = order != 0 ? order : (x->crawler.gait > y->crawler.gait) - (x->crawler.gait < y->crawler.gait);
   return order != 0 ? order : (x->of > y->of) - (x->of < y->of);
 }
@@ -193,8 +195,6 @@ static double number(struct at *at, const struct quantity *q)
   const struct quantity *series = q->series >= 0 ? &at->asked->quantities.item[q->series] : NULL;
   if (q->which == STUDIED_REACH)
     return reach(at, q);
-  if (q->which == STUDIED_ORDER)
-    return order_of(claim_of(at, series->formula));
   if (q->which == STUDIED_BEST_ORDER || q->which == STUDIED_BEST_ERROR)
     return best(at, (enum studied)q->which);
   if (q->which == STUDIED_EVENT_T || q->which == STUDIED_EVENT_FROUDE) {
@@ -202,6 +202,10 @@ static double number(struct at *at, const struct quantity *q)
     double T = e && e->count > 0 ? e->event[0].T : NAN;
     return q->which == STUDIED_EVENT_T || isnan(T) ? T : motion_froude(&at->study->study.motion, T);
   }
+  if (!series)
+    return NAN;
+  if (q->which == STUDIED_ORDER)
+    return order_of(claim_of(at, series->formula));
   struct study *study = study_at(at);
   struct comparison c = { .expansions = study ? &study->expansions : NULL, .cache = study ? study->cache : NULL };
   if (!study || !find_item(&c.item, study, series))
