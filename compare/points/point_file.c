@@ -133,8 +133,8 @@ static const char *set_cell(const struct point_file *r, struct point *point, int
   return point_set(point, name, cell);
 }
 
-/* Reads the current row into point. Returns NULL, or in status what is wrong with it. */
-static const char *read_row(struct point_file *r, struct point *point, char *status)
+/* Reads the current row into point. False: status says what is wrong with it. */
+static bool read_row(struct point_file *r, struct point *point, char *status)
 {
   const struct tsv *t = &r->tsv;
   const char *wrong = t->fault;
@@ -144,14 +144,14 @@ static const char *read_row(struct point_file *r, struct point *point, char *sta
   if (!wrong)
     point_complete(point);
   if (!wrong && t->count == t->columns)
-    return NULL;
+    return true;
   int used = snprintf(status, POINT_STATUS, "line %ld: ", t->number);
   if (!wrong)
     snprintf(status + used, POINT_STATUS - (size_t)used, "%d columns where the header has %d", t->count, t->columns);
   else
     snprintf(status + used, POINT_STATUS - (size_t)used, "%s%s%s", i > 0 ? r->parameter[i - 1] : "", i > 0 ? ": " : "",
              wrong);
-  return status;
+  return false;
 }
 
 /* The bytes that are not read yet, of a regular file; else 0 */
@@ -189,8 +189,7 @@ bool point_file_next(struct point_file *r, struct sweep_place *place, const stru
   sweep_place_set(place, base);
   if (!tsv_next(&r->tsv))
     return false;
-  const char *wrong = read_row(r, &place->point, place->why);
-  place->is_unread = wrong != NULL;
+  place->is_unread = !read_row(r, &place->point, place->why);
   for (int i = 0; i < r->carries; i++)
     r->cell[i] = r->column[i] < t->count ? t->cell[r->column[i]] : "";
   place->carried = r->cell;
