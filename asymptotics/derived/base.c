@@ -1,5 +1,6 @@
 /* The base point of a branch in balls, followed from crossing to crossing. */
 #include "asymptotics/derived/branch.h"
+#include "asymptotics/derived/scoped.h"
 
 #include <math.h>
 
@@ -29,14 +30,10 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
                     slong precision)
 {
   enum { TRIES = 60, STEPS = 40 };
-  arb_t gap, slope, wide, next, given;
   bool inside = false;
-  arb_init(given);
+  SCOPED(arb, given);
   arb_set(given, u);
-  arb_init(gap);
-  arb_init(slope);
-  arb_init(wide);
-  arb_init(next);
+  SCOPED(arb, gap, slope, wide, next);
   for (int i = 0; i < STEPS; i++) { /* the middle of u, for the middle of the line */
     mag_zero(arb_radref(u));
     gap_at(gap, slope, at->piece, q, line->a, line->b, u, precision);
@@ -65,11 +62,6 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
   }
   if (inside)
     arb_set(u, next);
-  arb_clear(gap);
-  arb_clear(slope);
-  arb_clear(wide);
-  arb_clear(next);
-  arb_clear(given);
   return inside;
 }
 
@@ -77,10 +69,8 @@ static bool enclose(arb_t u, const struct crossing *at, const fmpq_t q, const st
 static void bend(struct base *base, struct straight *line, const struct phase_constants *p, int r, int to,
                  const arb_t eps, const arb_t s, const arb_t s_slope, slong precision)
 {
-  arb_t term;
-  fmpq_t drop;
-  arb_init(term);
-  fmpq_init(drop);
+  SCOPED(arb, term);
+  SCOPED(fmpq, drop);
   fmpq_sub(drop, p->beta[r], p->beta[to]);
   ball_times(term, s, drop, precision);
   arb_add(base->balance, base->balance, term, precision);
@@ -89,8 +79,6 @@ static void bend(struct base *base, struct straight *line, const struct phase_co
   arb_add(base->balance_slope, base->balance_slope, term, precision);
   arb_addmul(line->a_slope, term, eps, precision);
   ball_times(line->b, eps, p->beta[to], precision);
-  arb_clear(term);
-  fmpq_clear(drop);
 }
 
 bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,

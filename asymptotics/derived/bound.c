@@ -6,6 +6,7 @@
 #include <stddef.h>
 
 #include "asymptotics/derived/holds.h"
+#include "asymptotics/derived/scoped.h"
 
 enum { LEAST_PRECISION = 32 };
 
@@ -62,11 +63,8 @@ static void around_clear(struct around *a)
 static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps, slong terms, slong precision)
 {
   const struct ring ring = { terms, precision };
-  struct series eps_series, x;
-  arb_t w;
-  arb_init(w);
-  series_init(&eps_series);
-  series_init(&x);
+  SCOPED(arb, w);
+  SCOPED(series, eps_series, x);
   series_set_x(&x);
   series_set_ball(&eps_series, eps);
   series_add(&eps_series, &eps_series, &x, &ring);
@@ -75,21 +73,15 @@ static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps
   if (found)
     series_set_ball(&l->w, w);
   found = found && steady_lift(lifted, l, &eps_series, &ring);
-  arb_clear(w);
-  series_clear(&eps_series);
-  series_clear(&x);
   return found;
 }
 
 /* First the middle, which is near where l is; l ends enclosing all of it. */
 static bool lift_around(struct around *a, struct limit *l, const arb_t eps, slong terms, slong precision)
 {
-  arb_t middle;
-  arb_init(middle);
+  SCOPED(arb, middle);
   arb_get_mid_arb(middle, eps);
-  bool found = lift_at(&a->middle, l, middle, terms, precision) && lift_at(&a->all, l, eps, terms, precision);
-  arb_clear(middle);
-  return found;
+  return lift_at(&a->middle, l, middle, terms, precision) && lift_at(&a->all, l, eps, terms, precision);
 }
 
 /* The coefficient c_n at eps + h, |h| <= r: sum over k < MORE of binomial(n + k, n) c_(n+k) h^k, from the middle, and
@@ -97,12 +89,8 @@ static bool lift_around(struct around *a, struct limit *l, const arb_t eps, slon
 static void carry(arb_t value, const struct series *middle, const struct series *all, slong n, const mag_t r,
                   slong precision)
 {
-  arb_t h, power, term;
-  fmpz_t ways;
-  fmpz_init(ways);
-  arb_init(h);
-  arb_init(power);
-  arb_init(term);
+  SCOPED(fmpz, ways);
+  SCOPED(arb, h, power, term);
   mag_set(arb_radref(h), r);
   arb_one(power);
   arb_zero(value);
@@ -113,22 +101,15 @@ static void carry(arb_t value, const struct series *middle, const struct series 
     arb_addmul(value, term, power, precision);
     arb_mul(power, power, h, precision);
   }
-  fmpz_clear(ways);
-  arb_clear(h);
-  arb_clear(power);
-  arb_clear(term);
 }
 
 /* A ball for all of them becomes as narrow as the expansion says. False: the two exclude each other, so one is of
  * another branch. */
 static bool narrow(arb_t ball, const struct series *middle, const struct series *all, const mag_t r, slong precision)
 {
-  arb_t value;
-  arb_init(value);
+  SCOPED(arb, value);
   carry(value, middle, all, 0, r, precision);
-  bool meet = arb_intersection(ball, ball, value, precision);
-  arb_clear(value);
-  return meet;
+  return arb_intersection(ball, ball, value, precision);
 }
 
 static const char *const not_smooth = "the steady state is not shown to be smooth in T";
@@ -138,10 +119,7 @@ static const char *const not_smooth = "the steady state is not shown to be smoot
 static const char *modes_around(const struct around *a, struct limit *l, const arb_t eps, slong precision)
 {
   const mag_struct *r = arb_radref(eps);
-  arb_t u, w, w_mid;
-  arb_init(u);
-  arb_init(w);
-  arb_init(w_mid);
+  SCOPED(arb, u, w, w_mid);
   series_coefficient(w, &a->all.w, 0, precision);
   series_coefficient(w_mid, &a->all.w_mid, 0, precision);
   bool meet = narrow(w, &a->middle.w, &a->all.w, r, precision);
@@ -157,11 +135,7 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
                        precision);
       series_set_ball(&at->offset, u);
     }
-  const char *why = meet ? limit_holds(l, w, w_mid, eps, precision) : not_smooth;
-  arb_clear(u);
-  arb_clear(w);
-  arb_clear(w_mid);
-  return why;
+  return meet ? limit_holds(l, w, w_mid, eps, precision) : not_smooth;
 }
 
 /* The largest eps up to which the modes are shown to be those of the branch, by steps down to 2^FINEST of it and
@@ -171,16 +145,14 @@ static void find_end(arf_t end, const char **ends, const struct limit *from,
 {
   enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4, MOST_FINE = 64 };
   int failures = 0, fine = 0;
-  struct limit here, trial;
-  struct around around;
-  arf_t step, next;
-  arb_t eps;
+  ENDED_BY(around_clear) struct around around;
   around_init(&around);
+  ENDED_BY(limit_clear) struct limit here;
   limit_init(&here, crawler);
+  ENDED_BY(limit_clear) struct limit trial;
   limit_init(&trial, crawler);
-  arf_init(step);
-  arf_init(next);
-  arb_init(eps);
+  SCOPED(arf, step, next);
+  SCOPED(arb, eps);
   copy_branches(&here, from);
   arf_zero(end);
   arf_one(step);
@@ -208,12 +180,6 @@ static void find_end(arf_t end, const char **ends, const struct limit *from,
     if (arf_cmp(step, next) < 0 && (failures >= FAILURES || fine > MOST_FINE))
       break;
   }
-  around_clear(&around);
-  limit_clear(&here);
-  limit_clear(&trial);
-  arf_clear(step);
-  arf_clear(next);
-  arb_clear(eps);
 }
 
 struct cover {
@@ -228,7 +194,7 @@ struct cover {
 static bool coefficients(struct cover *cover, arb_t value[2], const arb_t eps)
 {
   slong most = cover->power[0] > cover->power[1] ? cover->power[0] : cover->power[1];
-  struct around a;
+  ENDED_BY(around_clear) struct around a;
   around_init(&a);
   copy_branches(&cover->trial, &cover->here);
   bool found = lift_around(&a, &cover->trial, eps, most + MORE + 1, cover->precision)
@@ -241,7 +207,6 @@ static bool coefficients(struct cover *cover, arb_t value[2], const arb_t eps)
   }
   if (found)
     copy_branches(&cover->here, &cover->trial);
-  around_clear(&a);
   return found;
 }
 
@@ -249,8 +214,7 @@ static bool coefficients(struct cover *cover, arb_t value[2], const arb_t eps)
 static void take_points(struct cover *cover, arb_t value[2], const arf_t end)
 {
   enum { POINTS = 16 };
-  arb_t eps;
-  arb_init(eps);
+  SCOPED(arb, eps);
   for (ulong i = 1; i <= POINTS; i++) {
     arf_mul_ui(arb_midref(eps), end, i, cover->precision, ARF_RND_DOWN);
     arf_mul_2exp_si(arb_midref(eps), arb_midref(eps), -4);
@@ -258,15 +222,12 @@ static void take_points(struct cover *cover, arb_t value[2], const arf_t end)
       for (int k = 0; k < 2; k++)
         arb_max(cover->most[k], cover->most[k], value[k], cover->precision);
   }
-  arb_clear(eps);
 }
 
 /* value <= 2 most, or it is nothing beside a function of size 1 on [0, end]: some coefficients vanish identically */
 static bool is_tight(const arb_t value, const arb_t most, const arf_t end, slong n, slong precision)
 {
-  arb_t room, size;
-  arb_init(room);
-  arb_init(size);
+  SCOPED(arb, room, size);
   arb_mul_2exp_si(room, most, 1);
   arb_sub(room, room, value, precision);
   arb_set_arf(size, end);
@@ -274,10 +235,7 @@ static bool is_tight(const arb_t value, const arb_t most, const arf_t end, slong
   arb_mul(size, size, value, precision);
   bool nothing = mag_cmp_2exp_si(arb_radref(size), -precision / 2) < 0
                  && arf_cmpabs_2exp_si(arb_midref(size), -precision / 2) < 0;
-  bool tight = arb_is_nonnegative(room) || nothing;
-  arb_clear(room);
-  arb_clear(size);
-  return tight;
+  return arb_is_nonnegative(room) || nothing;
 }
 
 /* Covers [0, end] by intervals, which are halved while they are wide or their balls are: more than twice the value at
@@ -285,14 +243,9 @@ static bool is_tight(const arb_t value, const arb_t most, const arf_t end, slong
 static bool take_intervals(struct cover *cover, arb_t value[2], const arf_t end)
 {
   enum { MOST = 6000, NARROW = -11 };
-  arf_t lo, hi, step, narrow;
-  arb_t eps;
   bool found = true;
-  arf_init(lo);
-  arf_init(hi);
-  arf_init(step);
-  arf_init(narrow);
-  arb_init(eps);
+  SCOPED(arf, lo, hi, step, narrow);
+  SCOPED(arb, eps);
   arf_mul_2exp_si(step, end, -4);
   arf_mul_2exp_si(narrow, end, NARROW);
   for (int i = 0; found && arf_cmp(lo, end) < 0; i++) {
@@ -312,11 +265,6 @@ static bool take_intervals(struct cover *cover, arb_t value[2], const arf_t end)
     } else
       arf_mul_2exp_si(step, step, -1);
   }
-  arf_clear(lo);
-  arf_clear(hi);
-  arf_clear(step);
-  arf_clear(narrow);
-  arb_clear(eps);
   return found;
 }
 
@@ -351,16 +299,12 @@ static bool largest_coefficients(arb_t most[2], const slong power[2], const arf_
 /* (F1 + F2)/(M L): eps / T^2 */
 static void eps_over_T2(arb_t kappa, const struct scallop_rational_crawler *c, slong precision)
 {
-  fmpq_t q, M;
-  fmpq_init(q);
-  fmpq_init(M);
+  SCOPED(fmpq, q, M);
   fmpq_add(M, c->m1, c->m2);
   fmpq_add(q, c->F1, c->F2);
   fmpq_div(q, q, M);
   fmpq_div(q, q, c->L);
   arb_set_fmpq(kappa, q, precision);
-  fmpq_clear(q);
-  fmpq_clear(M);
 }
 
 static void time_of(arb_t T, const arf_t eps, const arb_t kappa, slong precision)
@@ -378,10 +322,8 @@ static enum scallop_status bounds_from(const struct limit *l, const struct scall
     of_displacement += of_displacement % 2;
   const slong power[2] = { order / 2 + 1, of_displacement };
   const char *ends = not_smooth;
-  arf_t end, eps0;
   arb_t kappa, most[2];
-  arf_init(end);
-  arf_init(eps0);
+  SCOPED(arf, end, eps0);
   arb_init(kappa);
   arb_init(most[0]);
   arb_init(most[1]);
@@ -404,8 +346,6 @@ static enum scallop_status bounds_from(const struct limit *l, const struct scall
   if (!found && why)
     *why = "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary";
   /* GCOVR_EXCL_STOP */
-  arf_clear(end);
-  arf_clear(eps0);
   arb_clear(kappa);
   arb_clear(most[0]);
   arb_clear(most[1]);
@@ -424,42 +364,37 @@ static const char *outside(const struct scallop_rational_crawler *crawler, slong
 enum scallop_status scallop_steady_modes_hold(const struct scallop_rational_crawler *crawler, slong precision, arb_t T,
                                               const char **ends, const char **why)
 {
-  struct limit l;
   const char *reason = outside(crawler, 1, precision);
   if (reason) {
     if (why)
       *why = reason;
     return SCALLOP_EDOMAIN;
   }
+  ENDED_BY(limit_clear) struct limit l;
   limit_init(&l, crawler);
   enum scallop_status status = limit_find(&l, crawler, precision, &reason);
   if (status == SCALLOP_OK) {
-    arf_t end;
-    arb_t kappa;
-    arf_init(end);
-    arb_init(kappa);
+    SCOPED(arf, end);
+    SCOPED(arb, kappa);
     *ends = not_smooth;
     eps_over_T2(kappa, crawler, precision);
     find_end(end, ends, &l, crawler, precision);
     time_of(T, end, kappa, precision);
-    arf_clear(end);
-    arb_clear(kappa);
   } else if (why)
     *why = reason;
-  limit_clear(&l);
   return status;
 }
 
 enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler *crawler, slong order, slong precision,
                                           struct scallop_bound bounds[2], const char **why)
 {
-  struct limit l;
   const char *reason = outside(crawler, order, precision);
   if (reason) {
     if (why)
       *why = reason;
     return SCALLOP_EDOMAIN;
   }
+  ENDED_BY(limit_clear) struct limit l;
   limit_init(&l, crawler);
   enum scallop_status status = limit_find(&l, crawler, precision, &reason);
   if (status == SCALLOP_OK && series_coefficient_is_zero(&l.w, 0)) {
@@ -470,6 +405,5 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
     status = bounds_from(&l, crawler, order, precision, bounds, &reason);
   if (status != SCALLOP_OK && why)
     *why = reason;
-  limit_clear(&l);
   return status;
 }

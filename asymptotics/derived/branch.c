@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "asymptotics/derived/scoped.h"
+
 void ball_times(arb_t product, const arb_t x, const fmpq_t q, slong precision)
 {
   arb_mul_fmpz(product, x, fmpq_numref(q), precision);
@@ -21,8 +23,7 @@ void time_of_offset(arb_t time, const struct scallop_piece *piece, const arb_t u
 void gap_at(arb_t gap, arb_t slope, const struct scallop_piece *piece, const fmpq_t q, const arb_t a, const arb_t b,
             const arb_t u, slong precision)
 {
-  arb_t s;
-  arb_init(s);
+  SCOPED(arb, s);
   time_of_offset(s, piece, u, precision);
   scallop_ball_speed(gap, piece, u, precision);
   ball_times(gap, gap, q, precision);
@@ -33,15 +34,13 @@ void gap_at(arb_t gap, arb_t slope, const struct scallop_piece *piece, const fmp
   arb_sub(slope, slope, b, precision);
   if (piece->anchor == SCALLOP_FROM_END)
     arb_neg(slope, slope);
-  arb_clear(s);
 }
 
 void phase_constants_init(struct phase_constants *p, const struct scallop_rational_crawler *c,
                           enum scallop_phase_kind kind)
 {
   bool extension = kind == SCALLOP_EXTENSION;
-  fmpq_t total;
-  fmpq_init(total);
+  SCOPED(fmpq, total);
   fmpq_init(p->fraction);
   p->kind = kind;
   p->shape = &c->gait->phase[kind];
@@ -58,7 +57,6 @@ void phase_constants_init(struct phase_constants *p, const struct scallop_ration
   fmpq_div(p->beta[1], p->beta[1], total);
   fmpq_set_si(p->beta[0], -1, 1);
   fmpq_set_si(p->beta[2], 1, 1);
-  fmpq_clear(total);
 }
 
 void phase_constants_clear(struct phase_constants *p)
@@ -97,15 +95,10 @@ typedef void piece_place(arb_t u, const struct scallop_piece *piece, slong preci
 
 static bool is_zero_at(piece_function *f, const struct scallop_piece *piece, piece_place *place)
 {
-  arb_t u, value;
-  arb_init(u);
-  arb_init(value);
+  SCOPED(arb, u, value);
   place(u, piece, 64);
   f(value, piece, u, 64);
-  bool zero = arb_contains_zero(value);
-  arb_clear(u);
-  arb_clear(value);
-  return zero;
+  return arb_contains_zero(value);
 }
 
 const char *const branch_impossible =
@@ -160,16 +153,12 @@ static bool add_release(struct branch *b, const struct scallop_piece *piece, int
   if (sign == 0 || !is_zero_at(scallop_ball_speed, piece, scallop_ball_begin)
       || !is_zero_at(scallop_ball_rate, piece, scallop_ball_begin))
     return true;
-  fmpq_poly_t speed;
-  fmpq_t start;
-  fmpq_poly_init(speed);
-  fmpq_init(start);
+  SCOPED(fmpq_poly, speed);
+  SCOPED(fmpq, start);
   bool parabolic = piece->begin == 0 && scallop_rational_speed_series(speed, piece, start, 3, NULL)
                    && fmpq_poly_length(speed) == 3 && fmpz_is_zero(fmpq_poly_numref(speed) + 1);
   if (parabolic)
     add_crossing(b, piece, sign > 0 ? 0 : 1, 1, true);
-  fmpq_poly_clear(speed);
-  fmpq_clear(start);
   return parabolic;
 }
 

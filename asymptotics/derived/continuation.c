@@ -1,12 +1,13 @@
 /* The equations of a branch at complex z, their derivatives, and Newton's method for them. */
 #include "asymptotics/derived/continuation.h"
 
+#include "asymptotics/derived/scoped.h"
+
 /* before: the crossing before in the same phase, of to[-1], that it may be joined with; or NULL. */
 static void set_law(struct continued_crossing *to, const struct crossing *at, const struct crossing *before,
                     slong precision)
 {
   const struct scallop_piece *piece = at->piece;
-  arb_t u;
   bool turned;
   to->sine = piece->law && piece->law->kind == SCALLOP_LAW_SINE;
   to->joined = before && before->curve == at->curve && scallop_piece_goes_on(before->piece, piece, &turned);
@@ -18,13 +19,12 @@ static void set_law(struct continued_crossing *to, const struct crossing *at, co
   }
   if (to->joined || to->sine)
     return;
-  arb_init(u);
+  SCOPED(arb, u);
   series_coefficient(u, &at->offset, 0, precision);
   mag_zero(arb_radref(u));
   slong degree = piece->law && piece->law->degree > 1 ? piece->law->degree : 1;
   scallop_ball_speed_series(to->law, piece, u, degree + 1, precision);
   time_of_offset(to->base, piece, u, precision);
-  arb_clear(u);
 }
 
 static void set_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t value, slong precision)
@@ -35,15 +35,11 @@ static void set_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t va
 /* += a b: a share of the slope of c, and what it is multiplied by */
 static void add_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t a, const fmpq_t b, slong precision)
 {
-  fmpq_t product;
-  acb_t ball;
-  fmpq_init(product);
-  acb_init(ball);
+  SCOPED(fmpq, product);
+  SCOPED(acb, ball);
   fmpq_mul(product, a, b);
   acb_set_fmpq(ball, product, precision);
   acb_add(acb_mat_entry(matrix, row, column), acb_mat_entry(matrix, row, column), ball, precision);
-  fmpq_clear(product);
-  acb_clear(ball);
 }
 
 /* Adds share times what c has gained over eps, up to crossing `until` of the phase (its count: up to the end), to a
@@ -52,15 +48,13 @@ static void add_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t a,
 static void add_gain(struct continuation *c, acb_mat_t matrix, slong row, const struct branch *b,
                      const struct phase_constants *p, slong first, slong until, const fmpq_t share, slong precision)
 {
-  fmpq_t drop;
-  fmpq_init(drop);
+  SCOPED(fmpq, drop);
   for (slong j = 0; j < until; j++) {
     fmpq_sub(drop, p->beta[branch_region(b, (int)j)], p->beta[b->crossing[j].to]);
     add_entry(matrix, row, 1 + first + j, share, drop, precision);
   }
   slong column = until < b->count ? 1 + first + until : c->n + 1;
   add_entry(matrix, row, column, share, p->beta[branch_region(b, (int)until)], precision);
-  fmpq_clear(drop);
 }
 
 /* The rows of a phase whose crossings are those from `first` on; c at its start is fraction w, and what the phase
@@ -68,9 +62,7 @@ static void add_gain(struct continuation *c, acb_mat_t matrix, slong row, const 
 static void add_phase(struct continuation *c, const struct branch *b, const struct phase_constants *p, slong first,
                       slong count, const fmpq_t fraction, bool join, slong precision)
 {
-  fmpq_t square, drop;
-  fmpq_init(square);
-  fmpq_init(drop);
+  SCOPED(fmpq, square, drop);
   fmpq_mul(square, fraction, fraction);
   for (slong i = 0; i < count; i++) {
     struct continued_crossing *to = &c->crossing[first + i];
@@ -91,8 +83,6 @@ static void add_phase(struct continuation *c, const struct branch *b, const stru
     series_coefficient(time, &at->offset, 0, precision);
     time_of_offset(time, at->piece, time, precision);
   }
-  fmpq_clear(square);
-  fmpq_clear(drop);
 }
 
 /* With z so that kappa is near 1 */
@@ -116,8 +106,7 @@ void continue_steady(struct continuation *c, const struct limit *l, const fmpq_t
 {
   const fmpq *f0 = l->phase[0].fraction, *f1 = l->phase[1].fraction;
   slong first = l->branch[0].count;
-  fmpq_t product;
-  fmpq_init(product);
+  SCOPED(fmpq, product);
   begin(c, first + l->branch[1].count, 1, kappa, precision);
   c->first_phase = first;
   series_coefficient(acb_realref(c->start), &l->w, 0, precision);
@@ -132,14 +121,12 @@ void continue_steady(struct continuation *c, const struct limit *l, const fmpq_t
   for (slong i = first; i < c->m; i++) /* what the first phase has added */
     if (!c->crossing[i].joined)
       add_gain(c, c->per_eps, i, &l->branch[0], &l->phase[0], 0, first, product, precision);
-  fmpq_clear(product);
 }
 
 void continue_phase(struct continuation *c, const struct branch *b, const struct phase_constants *p, slong m,
                     const fmpq_t velocity, const fmpq_t kappa, bool join, slong precision)
 {
-  fmpq_t one;
-  fmpq_init(one);
+  SCOPED(fmpq, one);
   fmpq_one(one);
   begin(c, m, 2, kappa, precision);
   c->first_phase = m;
@@ -150,7 +137,6 @@ void continue_phase(struct continuation *c, const struct branch *b, const struct
   acb_ptr share = acb_mat_entry(c->fixed, m, c->n);
   acb_neg(share, share);
   acb_mul_2exp_si(share, share, c->scale);
-  fmpq_clear(one);
 }
 
 void continuation_clear(struct continuation *c)
@@ -197,10 +183,8 @@ static void law_at(acb_ptr jet, const struct continuation *c, slong i, acb_srcpt
 
 void continued_residual(acb_mat_t f, const struct continuation *c, acb_srcptr v, slong precision)
 {
-  acb_t eps, term;
   acb_ptr jet = _acb_vec_init(JET);
-  acb_init(eps);
-  acb_init(term);
+  SCOPED(acb, eps, term);
   continued_eps(eps, c, v + c->n, 0, precision);
   for (slong i = 0; i < c->n; i++) {
     acb_ptr value = acb_mat_entry(f, i, 0);
@@ -213,18 +197,13 @@ void continued_residual(acb_mat_t f, const struct continuation *c, acb_srcptr v,
       acb_add(value, value, jet + JET_VALUE, precision);
     }
   }
-  acb_clear(eps);
-  acb_clear(term);
   _acb_vec_clear(jet, JET);
 }
 
 void continued_jacobian(acb_mat_t to, const struct continuation *c, acb_srcptr v, slong precision)
 {
-  acb_t eps, rate, term;
   acb_ptr jet = _acb_vec_init(JET);
-  acb_init(eps);
-  acb_init(rate);
-  acb_init(term);
+  SCOPED(acb, eps, rate, term);
   continued_eps(eps, c, v + c->n, 0, precision);
   continued_eps(rate, c, v + c->n, 1, precision);
   for (slong i = 0; i < c->n; i++) {
@@ -241,21 +220,15 @@ void continued_jacobian(acb_mat_t to, const struct continuation *c, acb_srcptr v
       acb_add(acb_mat_entry(to, i, i + 1), acb_mat_entry(to, i, i + 1), jet + JET_B, precision);
     }
   }
-  acb_clear(eps);
-  acb_clear(rate);
-  acb_clear(term);
   _acb_vec_clear(jet, JET);
 }
 
 /* -(law_aa u_a^2 + 2 law_ab u_a u_b + law_bb u_b^2) + 2 eps' u_z per_eps u + eps'' u_z^2 per_eps (v, 1) */
 void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, acb_srcptr u, slong precision)
 {
-  acb_t rate, change, term;
   acb_ptr jet = _acb_vec_init(JET);
   acb_srcptr z = v + c->n, dz = u + c->n;
-  acb_init(rate);
-  acb_init(change);
-  acb_init(term);
+  SCOPED(acb, rate, change, term);
   continued_eps(rate, c, z, 1, precision);
   acb_mul(rate, rate, dz, precision);
   acb_mul_2exp_si(rate, rate, 1);
@@ -278,9 +251,6 @@ void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, 
     acb_addmul(term, jet + JET_AB, u + i + 1, precision);
     acb_submul(to, term, u + i, precision);
   }
-  acb_clear(rate);
-  acb_clear(change);
-  acb_clear(term);
   _acb_vec_clear(jet, JET);
 }
 
@@ -290,10 +260,8 @@ void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, 
 void continued_gain(acb_t gain, const struct continuation *c, enum continued_value value, acb_srcptr v, acb_srcptr u,
                     slong precision)
 {
-  acb_t eps, share;
   slong count = value == TRAVEL ? c->m : value == AFTER_FIRST_PHASE ? c->first_phase : 0;
-  acb_init(eps);
-  acb_init(share);
+  SCOPED(acb, eps, share);
   continued_eps(eps, c, v + c->n, 0, precision);
   acb_set(gain, value == LAST_CROSSING ? u + c->m : u);
   for (slong i = 0; i < count; i++) {
@@ -310,6 +278,4 @@ void continued_gain(acb_t gain, const struct continuation *c, enum continued_val
     acb_mul_arb(share, share, fraction, precision);
     acb_addmul(gain, share, eps, precision);
   }
-  acb_clear(eps);
-  acb_clear(share);
 }

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "asymptotics/derived/continuation.h"
+#include "asymptotics/derived/scoped.h"
 
 enum { NEIGHBOURHOOD_BITS = 64 };
 
@@ -25,9 +26,7 @@ void fold_clear(struct fold *f)
 static slong steepest(acb_srcptr first, slong n)
 {
   slong best = 0;
-  mag_t most, here;
-  mag_init(most);
-  mag_init(here);
+  SCOPED(mag, most, here);
   for (slong j = 0; j < n; j++) {
     acb_get_mag(here, first + j);
     if (mag_cmp(here, most) > 0) {
@@ -35,8 +34,6 @@ static slong steepest(acb_srcptr first, slong n)
       best = j;
     }
   }
-  mag_clear(most);
-  mag_clear(here);
   return best;
 }
 
@@ -49,22 +46,17 @@ static bool enclose(struct fold *f, acb_t second, slong precision)
 
 static double size_of(const acb_t z)
 {
-  mag_t size;
-  mag_init(size);
+  SCOPED(mag, size);
   acb_get_mag(size, z);
-  double d = mag_get_d(size);
-  mag_clear(size);
-  return d;
+  return mag_get_d(size);
 }
 
 /* t -= z'/z'' until that is of no size; v, first and second are then at that place. */
 static bool approach(struct fold *f, acb_t second, double far, slong precision)
 {
   enum { STEPS = 40 };
-  acb_t step, began;
   bool sound = true, close = false;
-  acb_init(step);
-  acb_init(began);
+  SCOPED(acb, step, began);
   acb_get_mid(began, f->v + f->c->n);
   for (int i = 0; i < STEPS && sound && !close; i++) {
     acb_get_mid(f->v + f->p, f->v + f->p);
@@ -77,8 +69,6 @@ static bool approach(struct fold *f, acb_t second, double far, slong precision)
     if (sound && !close)
       acb_sub(f->v + f->p, f->v + f->p, step, precision);
   }
-  acb_clear(step);
-  acb_clear(began);
   return close;
 }
 
@@ -86,11 +76,8 @@ static bool approach(struct fold *f, acb_t second, double far, slong precision)
  * z'. */
 static bool prove(struct fold *f, acb_t second, slong precision)
 {
-  acb_t zero, rate;
-  mag_t size;
-  acb_init(zero);
-  acb_init(rate);
-  mag_init(size);
+  SCOPED(acb, zero, rate);
+  SCOPED(mag, size);
   acb_set(zero, f->v + f->p);
   acb_set(rate, f->first + f->c->n);
   mag_set_ui_2exp_si(size, 1, -precision / 3);
@@ -101,9 +88,6 @@ static bool prove(struct fold *f, acb_t second, slong precision)
   proven = proven && acb_is_finite(zero) && acb_contains_interior(f->v + f->p, zero);
   acb_set(f->v + f->p, zero);
   proven = proven && enclose(f, second, precision);
-  acb_clear(zero);
-  acb_clear(rate);
-  mag_clear(size);
   return proven;
 }
 
@@ -113,12 +97,9 @@ static double clearance(acb_ptr around, const struct fold *f, double size)
 {
   slong n = f->c->n;
   acb_ptr v = _acb_vec_init(n + 1), first = _acb_vec_init(n + 1);
-  acb_t second;
-  arf_t least;
-  mag_t half;
-  acb_init(second);
-  arf_init(least);
-  mag_init(half);
+  SCOPED(acb, second);
+  SCOPED(arf, least);
+  SCOPED(mag, half);
   _acb_vec_set(v, f->v, n + 1);
   mag_set_d(half, size);
   acb_add_error_mag(v + f->p, half);
@@ -129,9 +110,6 @@ static double clearance(acb_ptr around, const struct fold *f, double size)
                  * (1 - 0x1p-20); /* t* is known to far less than that */
   _acb_vec_clear(v, n + 1);
   _acb_vec_clear(first, n + 1);
-  acb_clear(second);
-  arf_clear(least);
-  mag_clear(half);
   return clear > 0 ? clear : 0;
 }
 
@@ -157,24 +135,20 @@ static bool set_neighbourhood(struct fold *f)
 
 bool fold_find(struct fold *f, acb_srcptr v, double far, slong precision)
 {
-  acb_t second;
-  acb_init(second);
+  SCOPED(acb, second);
   _acb_vec_set(f->v, v, f->c->n + 1);
   bool found = continuation_derivatives(f->first, second, f->c, f->v, f->c->n, precision);
   f->p = steepest(f->first, f->c->n);
   found = found && approach(f, second, far, precision) && prove(f, second, precision) && set_neighbourhood(f);
-  acb_clear(second);
   return found;
 }
 
 bool fold_holds(const struct fold *f, acb_srcptr v)
 {
-  acb_t way;
-  acb_init(way);
+  SCOPED(acb, way);
   acb_sub(way, v + f->p, f->v + f->p, NEIGHBOURHOOD_BITS);
   bool holds = size_of(way) < f->size;
   for (slong j = 0; j <= f->c->n; j++)
     holds = holds && (j == f->p || acb_contains(f->around + j, v + j));
-  acb_clear(way);
   return holds;
 }

@@ -1,5 +1,6 @@
 /* The curves of a branch at complex times. */
 #include "asymptotics/derived/continuation.h"
+#include "asymptotics/derived/scoped.h"
 
 /* As many terms of the sum over k of y^k/(2k + 1)! as leave out less than 2^-precision of it and of its first two
  * derivatives. *rest: what they leave out, at most twice k^2 max(1, |y|)^k/(2k)! of the first term, for |y| < 400,
@@ -8,9 +9,7 @@ static slong terms_needed(mag_t rest, const acb_t y, slong precision)
 {
   enum { LEAST = 8, BOUND = 400, ENOUGH = 16 };
   slong k = LEAST;
-  mag_t size, factorial;
-  mag_init(size);
-  mag_init(factorial);
+  SCOPED(mag, size, factorial);
   acb_get_mag(size, y);
   if (mag_cmp_2exp_si(size, 0) < 0)
     mag_one(size);
@@ -25,16 +24,13 @@ static slong terms_needed(mag_t rest, const acb_t y, slong precision)
   mag_set_ui(factorial, BOUND);
   if (mag_cmp(size, factorial) > 0)
     mag_inf(rest);
-  mag_clear(size);
-  mag_clear(factorial);
   return k;
 }
 
 /* g[k]: the k-th derivative of g(y) = sum of y^k/(2k + 1)!, k = 0, 1, 2; sin(x)/x = g(-x^2) */
 static void sine_quotient(acb_ptr g, const acb_t y, slong precision)
 {
-  mag_t rest;
-  mag_init(rest);
+  SCOPED(mag, rest);
   slong terms = terms_needed(rest, y, precision);
   _acb_vec_zero(g, 3);
   acb_one(g);
@@ -49,15 +45,13 @@ static void sine_quotient(acb_ptr g, const acb_t y, slong precision)
   }
   for (slong j = 0; j < 3; j++)
     acb_add_error_mag(g + j, rest);
-  mag_clear(rest);
 }
 
 /* S(h) = sin(pi h)/(pi h) = g(y), y = -pi^2 h^2, and S' = -2 pi^2 h g', S'' = -2 pi^2 (g' + 2 y g'') */
 static void sine_quotient_jet(acb_ptr S, const acb_t h, const arb_t pi_squared, slong precision)
 {
   acb_ptr g = _acb_vec_init(3);
-  acb_t y;
-  acb_init(y);
+  SCOPED(acb, y);
   acb_mul(y, h, h, precision);
   acb_mul_arb(y, y, pi_squared, precision);
   acb_neg(y, y);
@@ -71,7 +65,6 @@ static void sine_quotient_jet(acb_ptr S, const acb_t h, const arb_t pi_squared, 
     acb_mul_arb(S + k, S + k, pi_squared, precision);
     acb_mul_si(S + k, S + k, -2, precision);
   }
-  acb_clear(y);
   _acb_vec_clear(g, 3);
 }
 
@@ -81,9 +74,7 @@ static void joined_sine(acb_ptr jet, const acb_t a, const acb_t b, slong precisi
 {
   acb_ptr S = _acb_vec_init(3), t = _acb_vec_init(7);
   acb_ptr m = t, h = t + 1, sine = t + 2, cosine = t + 3, by_m = t + 4, by_mm = t + 5, by_mh = t + 6;
-  arb_t pi, square;
-  arb_init(pi);
-  arb_init(square);
+  SCOPED(arb, pi, square);
   arb_const_pi(pi, precision);
   arb_mul(square, pi, pi, precision);
   acb_add(m, a, b, precision);
@@ -111,23 +102,19 @@ static void joined_sine(acb_ptr jet, const acb_t a, const acb_t b, slong precisi
   acb_add(jet + JET_BB, by_mm, by_mh, precision);
   for (int k = JET_A; k < JET; k++)
     acb_mul_2exp_si(jet + k, jet + k, k < JET_AA ? -1 : -2);
-  arb_clear(pi);
-  arb_clear(square);
   _acb_vec_clear(S, 3);
   _acb_vec_clear(t, 7);
 }
 
 static void lone_sine(acb_ptr jet, const acb_t b, slong precision)
 {
-  arb_t pi;
-  arb_init(pi);
+  SCOPED(arb, pi);
   arb_const_pi(pi, precision);
   acb_sin_cos_pi(jet + JET_VALUE, jet + JET_B, b, precision);
   acb_mul_arb(jet + JET_B, jet + JET_B, pi, precision);
   arb_mul(pi, pi, pi, precision);
   acb_mul_arb(jet + JET_BB, jet + JET_VALUE, pi, precision);
   acb_neg(jet + JET_BB, jet + JET_BB);
-  arb_clear(pi);
 }
 
 /* Horner's rule for the law at b, f = c + b f, and for its divided difference, d = f + a d, with their derivatives */
@@ -166,8 +153,7 @@ static void polynomial(acb_ptr jet, const struct continued_crossing *at, const a
 
 void continued_law(acb_ptr jet, const struct continued_crossing *at, const acb_t a, const acb_t b, slong precision)
 {
-  arb_t factor;
-  arb_init(factor);
+  SCOPED(arb, factor);
   _acb_vec_zero(jet, JET);
   if (at->sine) { /* (pi/2) sin(pi s) */
     arb_const_pi(factor, precision);
@@ -178,16 +164,11 @@ void continued_law(acb_ptr jet, const struct continued_crossing *at, const acb_t
     else
       lone_sine(jet, b, precision);
   } else {
-    acb_t x, y;
-    acb_init(x);
-    acb_init(y);
+    SCOPED(acb, x, y);
     acb_sub_arb(x, a, at->base, precision);
     acb_sub_arb(y, b, at->base, precision);
     polynomial(jet, at, x, y, precision);
     arb_set(factor, at->q);
-    acb_clear(x);
-    acb_clear(y);
   }
   _acb_vec_scalar_mul_arb(jet, jet, JET, factor, precision);
-  arb_clear(factor);
 }

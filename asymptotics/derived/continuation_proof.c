@@ -6,6 +6,7 @@
  * If K(V) lies inside V, F has exactly one zero in V for each v_p. 1 - C J(V) is summed from differences to the middle,
  * so that what the entries of J share cancels before it becomes a width. */
 #include "asymptotics/derived/continuation.h"
+#include "asymptotics/derived/scoped.h"
 
 struct krawczyk {
   const struct continuation *c;
@@ -58,8 +59,7 @@ static void drop_column(acb_mat_t others, acb_mat_t dropped, const struct krawcz
 /* One step of Newton's method; its size. False: not finite */
 static bool newton_step(struct krawczyk *k, acb_ptr v, mag_t size)
 {
-  mag_t here;
-  mag_init(here);
+  SCOPED(mag, here);
   continued_jacobian(k->middle, k->c, v, k->precision);
   continued_residual(k->residual, k->c, v, k->precision);
   drop_column(k->others, k->drive, k, k->middle);
@@ -75,7 +75,6 @@ static bool newton_step(struct krawczyk *k, acb_ptr v, mag_t size)
     acb_get_mid(to, to);
     sound = acb_is_finite(to);
   }
-  mag_clear(here);
   return sound;
 }
 
@@ -84,18 +83,14 @@ static bool newton_step(struct krawczyk *k, acb_ptr v, mag_t size)
 static bool find_middle(struct krawczyk *k, acb_ptr v)
 {
   enum { STEPS = 20, SMALL = 3 };
-  mag_t size, enough;
   bool close = false;
-  mag_init(size);
-  mag_init(enough);
+  SCOPED(mag, size, enough);
   mag_max(enough, arb_radref(acb_realref(v + k->p)), arb_radref(acb_imagref(v + k->p)));
   mag_mul_2exp_si(enough, enough, -SMALL);
   for (slong j = 0; j <= k->n; j++)
     acb_get_mid(v + j, v + j);
   for (int i = 0; i < STEPS && !close && newton_step(k, v, size); i++)
     close = mag_cmp(size, enough) < 0 || mag_cmp_2exp_si(size, -k->precision / 2) < 0;
-  mag_clear(size);
-  mag_clear(enough);
   return close;
 }
 
@@ -121,8 +116,7 @@ static void prepare(struct krawczyk *k, acb_srcptr middle, const acb_t whole)
 /* next = m - C F(m) - C dF/dv_p (v_p - m_p) */
 static void first_guess(acb_ptr next, struct krawczyk *k, acb_srcptr middle, const acb_t whole)
 {
-  acb_t way;
-  acb_init(way);
+  SCOPED(acb, way);
   acb_sub(way, whole, middle + k->p, k->precision);
   for (slong j = 0; j < k->n; j++) {
     acb_ptr to = next + other(k, j);
@@ -130,7 +124,6 @@ static void first_guess(acb_ptr next, struct krawczyk *k, acb_srcptr middle, con
     acb_submul(to, acb_mat_entry(k->drive, j, 0), way, k->precision);
   }
   acb_set(next + k->p, whole);
-  acb_clear(way);
 }
 
 /* to -= C (J(V) - J(m)) (V - m), row by row: of the curves C_il (their change), of eps the change times C per_eps */
@@ -195,11 +188,8 @@ static void map(acb_ptr next, struct krawczyk *k, acb_srcptr middle, acb_srcptr 
 /* A box around middle, a little more than what next needs */
 static void widen(acb_ptr around, const struct krawczyk *k, acb_srcptr middle, acb_srcptr next)
 {
-  mag_t size, least;
-  acb_t way;
-  mag_init(size);
-  mag_init(least);
-  acb_init(way);
+  SCOPED(mag, size, least);
+  SCOPED(acb, way);
   mag_set_ui_2exp_si(least, 1, 8 - k->precision);
   for (slong j = 0; j < k->n; j++) {
     acb_ptr to = around + other(k, j);
@@ -211,9 +201,6 @@ static void widen(acb_ptr around, const struct krawczyk *k, acb_srcptr middle, a
     acb_set(to, middle + other(k, j));
     acb_add_error_mag(to, size);
   }
-  mag_clear(size);
-  mag_clear(least);
-  acb_clear(way);
 }
 
 static bool lies_inside(const struct krawczyk *k, acb_srcptr around, acb_srcptr next)
@@ -227,8 +214,8 @@ static bool lies_inside(const struct krawczyk *k, acb_srcptr around, acb_srcptr 
 bool continuation_enclose(acb_ptr v, acb_ptr around, const struct continuation *c, slong p, slong precision)
 {
   enum { TRIES = 4 };
-  struct krawczyk k;
   acb_ptr middle = _acb_vec_init(c->n + 1), next = _acb_vec_init(c->n + 1);
+  ENDED_BY(krawczyk_clear) struct krawczyk k;
   krawczyk_init(&k, c, p, precision);
   _acb_vec_set(middle, v, c->n + 1);
   bool sound = find_middle(&k, middle), inside = false;
@@ -244,7 +231,6 @@ bool continuation_enclose(acb_ptr v, acb_ptr around, const struct continuation *
   }
   if (inside)
     _acb_vec_set(v, next, c->n + 1);
-  krawczyk_clear(&k);
   _acb_vec_clear(middle, c->n + 1);
   _acb_vec_clear(next, c->n + 1);
   return inside;
@@ -253,7 +239,7 @@ bool continuation_enclose(acb_ptr v, acb_ptr around, const struct continuation *
 bool continuation_derivatives(acb_ptr first, acb_t second, const struct continuation *c, acb_srcptr v, slong p,
                               slong precision)
 {
-  struct krawczyk k;
+  ENDED_BY(krawczyk_clear) struct krawczyk k;
   krawczyk_init(&k, c, p, precision);
   continued_jacobian(k.jacobian, c, v, precision);
   drop_column(k.others, k.drive, &k, k.jacobian);
@@ -268,6 +254,5 @@ bool continuation_derivatives(acb_ptr first, acb_t second, const struct continua
     acb_zero(second);
   else
     acb_set(second, acb_mat_entry(k.step, c->n - 1, 0));
-  krawczyk_clear(&k);
   return solved;
 }

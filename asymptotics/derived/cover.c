@@ -4,15 +4,13 @@
 
 #include <math.h>
 
+#include "asymptotics/derived/scoped.h"
+
 /* The box of all r e^(i pi t) */
 static void polar(acb_t z, double r0, double r1, double t0, double t1)
 {
-  arf_t lo, hi;
-  arb_t r, t;
-  arf_init(lo);
-  arf_init(hi);
-  arb_init(r);
-  arb_init(t);
+  SCOPED(arf, lo, hi);
+  SCOPED(arb, r, t);
   arf_set_d(lo, r0);
   arf_set_d(hi, r1);
   arb_set_interval_arf(r, lo, hi, CELL_BITS);
@@ -21,10 +19,6 @@ static void polar(acb_t z, double r0, double r1, double t0, double t1)
   arb_set_interval_arf(t, lo, hi, CELL_BITS);
   arb_sin_cos_pi(acb_imagref(z), acb_realref(z), t, CELL_BITS);
   acb_mul_arb(z, z, r, CELL_BITS);
-  arf_clear(lo);
-  arf_clear(hi);
-  arb_clear(r);
-  arb_clear(t);
 }
 
 static bool is_within(acb_srcptr around, acb_srcptr v, slong count)
@@ -40,10 +34,8 @@ static bool is_within(acb_srcptr around, acb_srcptr v, slong count)
 static const struct continuation *equations_at(const struct search *s, acb_srcptr v)
 {
   const struct continuation *use = s->apart;
-  acb_t way;
-  mag_t size;
-  acb_init(way);
-  mag_init(size);
+  SCOPED(acb, way);
+  SCOPED(mag, size);
   for (slong i = 1; i < s->joined->m; i++)
     if (s->joined->crossing[i].joined) {
       acb_sub(way, v + i + 1, v + i, CELL_BITS);
@@ -51,8 +43,6 @@ static const struct continuation *equations_at(const struct search *s, acb_srcpt
       if (mag_cmp_2exp_si(size, -2) < 0)
         use = s->joined;
     }
-  acb_clear(way);
-  mag_clear(size);
   return use;
 }
 
@@ -148,16 +138,11 @@ static bool split(struct search *s, int i)
 
 static double upper_size(const acb_t z)
 {
-  arb_t size;
-  arf_t end;
-  arb_init(size);
-  arf_init(end);
+  SCOPED(arb, size);
+  SCOPED(arf, end);
   acb_abs(size, z, CELL_BITS);
   arb_get_ubound_arf(end, size, CELL_BITS);
-  double d = arf_get_d(end, ARF_RND_CEIL);
-  arb_clear(size);
-  arf_clear(end);
-  return d;
+  return arf_get_d(end, ARF_RND_CEIL);
 }
 
 /* Not found before; and from now on it is. */
@@ -218,15 +203,13 @@ static void look_for_fold(struct search *s, struct sector *sector)
 static bool ends_in_fold(const struct search *s, const struct sector *sector)
 {
   bool ends = false;
-  acb_t way;
-  acb_init(way);
+  SCOPED(acb, way);
   for (int i = 0; i < s->folds && !ends; i++) {
     const struct fold *f = &s->fold[i];
     polar(way, sector->r, s->reach, sector->from, sector->to);
     acb_sub(way, way, f->v + s->n, CELL_BITS);
     ends = upper_size(way) < f->clear && fold_holds(f, sector->at);
   }
-  acb_clear(way);
   return ends;
 }
 

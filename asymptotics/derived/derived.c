@@ -6,6 +6,7 @@
 
 #include "asymptotics/derived/evaluate.h"
 #include "asymptotics/derived/limit.h"
+#include "asymptotics/derived/scoped.h"
 
 static void modes_text(char *text, size_t size, const struct branch *b, enum scallop_phase_kind kind)
 {
@@ -48,9 +49,7 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
 {
   const struct scallop_piece *piece = b->crossing[i].piece;
   bool at_end = piece->anchor == SCALLOP_FROM_END;
-  struct series one, speed;
-  series_init(&one);
-  series_init(&speed);
+  SCOPED(series, one, speed);
   scallop_speed_series(&speed, piece, pi_squared, ring);
   series_integral(&speed, &speed, ring);
   series_set_si(&one, at_end ? 1 : 0);
@@ -60,8 +59,6 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
     series_add(way, way, &one, ring);
   } else
     series_compose(way, &speed, &l->when[i], ring);
-  series_clear(&one);
-  series_clear(&speed);
 }
 
 /* L (travel - q_0 way): the rear body goes back while the separation grows, and so does its counterpart in a
@@ -70,35 +67,28 @@ static void rear_position(struct series *to, const struct lift *l, int i, const 
                           const struct phase_constants *p, const fmpq_t L, const fmpq_t pi_squared,
                           const struct ring *ring)
 {
-  struct series way;
-  series_init(&way);
+  SCOPED(series, way);
   way_to(&way, l, i, b, pi_squared, ring);
   series_scale(&way, &way, p->curve[0], ring);
   series_sub(to, &l->travel_to[i], &way, ring);
   series_scale(to, to, L, ring);
-  series_clear(&way);
 }
 
 /* L (travel + share), share in L: what a point moves against the centre of mass */
 static void add_share(struct series *to, const struct series *travel, const fmpq_t share, const fmpq_t L,
                       const struct ring *ring)
 {
-  struct series constant;
-  series_init(&constant);
+  SCOPED(series, constant);
   series_set_rational(&constant, share);
   series_add(to, travel, &constant, ring);
   series_scale(to, to, L, ring);
-  series_clear(&constant);
 }
 
 static void displacements(struct scallop_phase_expansion *e, const struct lift *l, const struct phase_constants *p,
                           const fmpq_t L, const struct ring *ring)
 {
   bool extension = p->kind == SCALLOP_EXTENSION;
-  fmpq_t rear, front, centre;
-  fmpq_init(rear);
-  fmpq_init(front);
-  fmpq_init(centre);
+  SCOPED(fmpq, rear, front, centre);
   fmpq_neg(rear, p->curve[0]);
   fmpq_neg(front, p->curve[1]);
   fmpq_add(centre, rear, front);
@@ -106,18 +96,13 @@ static void displacements(struct scallop_phase_expansion *e, const struct lift *
   add_share(extension ? &e->dx1 : &e->dx2, &l->travel, rear, L, ring);
   add_share(extension ? &e->dx2 : &e->dx1, &l->travel, front, L, ring);
   add_share(&e->dxC, &l->travel, centre, L, ring);
-  fmpq_clear(rear);
-  fmpq_clear(front);
-  fmpq_clear(centre);
 }
 
 /* c at the start is v0 T/L and eps is T^2 (F1 + F2)/(M L), both in units of the phase. */
 static void start_series(struct series *c, struct series *eps, const struct scallop_rational_crawler *crawler,
                          const fmpq_t v0, const struct ring *ring)
 {
-  fmpq_t q, M;
-  fmpq_init(q);
-  fmpq_init(M);
+  SCOPED(fmpq, q, M);
   series_set_x(c);
   fmpq_div(q, v0, crawler->L);
   series_scale(c, c, q, ring);
@@ -128,20 +113,15 @@ static void start_series(struct series *c, struct series *eps, const struct scal
   fmpq_div(q, q, M);
   fmpq_div(q, q, crawler->L);
   series_scale(eps, eps, q, ring);
-  fmpq_clear(q);
-  fmpq_clear(M);
 }
 
 static bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_constants *p,
                           const struct scallop_rational_crawler *crawler, const fmpq_t v0, const fmpq_t pi_squared,
                           const struct ring *ring)
 {
-  struct lift l;
-  struct series c, eps, none;
+  ENDED_BY(lift_clear) struct lift l;
   lift_init(&l);
-  series_init(&c);
-  series_init(&eps);
-  series_init(&none);
+  SCOPED(series, c, eps, none);
   start_series(&c, &eps, crawler, v0, ring);
   series_set_si(&none, 1);
   bool lifted = lift_phase(&l, b, p, &eps, &c, &none, pi_squared, ring);
@@ -159,10 +139,6 @@ static bool expand_branch(struct scallop_phase_expansion *e, const struct branch
     }
     modes_text(e->modes, sizeof e->modes, b, p->kind);
   }
-  lift_clear(&l);
-  series_clear(&c);
-  series_clear(&eps);
-  series_clear(&none);
   return lifted;
 }
 
@@ -192,18 +168,16 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
                                          struct scallop_phase_expansion *expansion, const char **why)
 {
   enum scallop_status status = check(crawler, order, precision, why);
-  struct phase_constants p;
-  struct branch b;
   if (status != SCALLOP_OK)
     return status;
   const struct ring ring = { order + 2, precision };
+  ENDED_BY(phase_constants_clear) struct phase_constants p;
   phase_constants_init(&p, crawler, kind);
+  ENDED_BY(branch_clear) struct branch b;
   branch_init(&b);
   int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
   if (!branch_from_ends(&b, &p, at_start, at_end) || !expand_branch(expansion, &b, &p, crawler, v0, pi_squared, &ring))
     status = refuse(why, branch_without_ends);
-  branch_clear(&b);
-  phase_constants_clear(&p);
   return status;
 }
 
@@ -246,14 +220,10 @@ static void use_symmetries(struct series *travel, const struct limit *l, slong t
 
 static void set_eps(struct series *eps, const struct scallop_rational_crawler *crawler, const struct ring *ring)
 {
-  struct series unused;
-  fmpq_t zero;
-  fmpq_init(zero);
-  series_init(&unused);
+  SCOPED(fmpq, zero);
+  SCOPED(series, unused);
   start_series(&unused, eps, crawler, zero, ring); /* kappa T^2 */
   series_shift(eps, eps, -1);                      /* the variable is T^2 here */
-  series_clear(&unused);
-  fmpq_clear(zero);
 }
 
 enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler *crawler, slong order, slong precision,
@@ -261,17 +231,15 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
 {
   const char *reason = NULL;
   enum scallop_status status = check(crawler, order, precision, why);
-  struct limit l;
-  struct steady_lift s;
-  struct series eps;
   if (status != SCALLOP_OK)
     return status;
   const struct ring ring = { order / 2 + 2, precision };
-  fmpq_t energy;
-  fmpq_init(energy);
+  SCOPED(fmpq, energy);
+  ENDED_BY(limit_clear) struct limit l;
   limit_init(&l, crawler);
+  ENDED_BY(steady_lift_clear) struct steady_lift s;
   steady_lift_init(&s);
-  series_init(&eps);
+  SCOPED(series, eps);
   set_eps(&eps, crawler, &ring);
   status = limit_find(&l, crawler, precision, &reason);
   if (status == SCALLOP_OK && !l.at_rest && !steady_lift(&s, &l, &eps, &ring)) {
@@ -296,10 +264,6 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
     snprintf(e->modes, sizeof e->modes, "%s | %s", modes[0], modes[1]);
   } else if (why)
     *why = reason;
-  fmpq_clear(energy);
-  series_clear(&eps);
-  steady_lift_clear(&s);
-  limit_clear(&l);
   return status;
 }
 

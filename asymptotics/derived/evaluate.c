@@ -2,6 +2,7 @@
 #include "asymptotics/derived/evaluate.h"
 
 #include "asymptotics/derived/formula_flint.h"
+#include "asymptotics/derived/scoped.h"
 #include "asymptotics/published/read.h"
 
 void scallop_symbols_init(struct scallop_symbols *s)
@@ -21,11 +22,9 @@ bool scallop_exact_speed_series(struct series *speed, const struct scallop_piece
 {
   const struct scallop_law *law = piece->law;
   const bool whole = law ? law->kind == SCALLOP_LAW_POLYNOMIAL && law->degree < ring->length : ring->length > 1;
-  fmpq_t one;
-  fmpq_poly_t terms;
-  fmpq_init(one);
+  SCOPED(fmpq, one);
   fmpq_one(one);
-  fmpq_poly_init(terms);
+  SCOPED(fmpq_poly, terms);
   bool rational = scallop_rational_speed_series(terms, piece, u, ring->length, pi_squared);
   bool exact = rational
                || (ring->length <= SERIES_PI_TERMS
@@ -34,29 +33,21 @@ bool scallop_exact_speed_series(struct series *speed, const struct scallop_piece
     series_set_rational_poly(speed, terms, whole ? SERIES_ALL : ring->length);
   else if (exact)
     series_set_pi_poly(speed, terms, 1, 1, ring->length); /* the term in x^k has pi^(k + 1) */
-  fmpq_clear(one);
-  fmpq_poly_clear(terms);
   return exact;
 }
 
 void scallop_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t pi_squared,
                           const struct ring *ring)
 {
-  fmpq_t anchor;
-  fmpq_init(anchor);
+  SCOPED(fmpq, anchor);
   if (scallop_exact_speed_series(speed, piece, anchor, pi_squared, ring))
     series_truncate(speed, ring->length);
   else {
-    arb_t u;
-    arb_poly_t balls;
-    arb_init(u);
-    arb_poly_init(balls);
+    SCOPED(arb, u);
+    SCOPED(arb_poly, balls);
     scallop_ball_speed_series(balls, piece, u, ring->length, ring->precision);
     series_set_ball_poly(speed, balls, ring->length);
-    arb_clear(u);
-    arb_poly_clear(balls);
   }
-  fmpq_clear(anchor);
 }
 
 /* l0, lT, k0, kT: l'' T^2 and l'''' T^4 at the start and the end */
@@ -65,10 +56,8 @@ static void set_shape(struct series *value, const struct scallop_shape *shape, c
 {
   const struct ring four = { 4, ring->precision };
   const struct scallop_piece *ends[2] = { &shape->pieces[0], &shape->pieces[shape->count - 1] };
-  struct series speed;
-  fmpq_t factor;
-  fmpq_init(factor);
-  series_init(&speed);
+  SCOPED(fmpq, factor);
+  SCOPED(series, speed);
   for (int i = 0; i < 2; i++) {
     scallop_speed_series(&speed, ends[i], pi_squared, &four);
     fmpq_mul_si(factor, L, ends[i]->direction);
@@ -79,8 +68,6 @@ static void set_shape(struct series *value, const struct scallop_shape *shape, c
     series_set_coefficient(fourth, &speed, 3);
     series_scale_si(fourth, fourth, 6, ring);
   }
-  series_clear(&speed);
-  fmpq_clear(factor);
 }
 
 /* l_0 l_T / (2 (l_T - l_0)) of an extension, minus that of a contraction; 0 where l0 and lT vanish, and nothing is said
@@ -88,14 +75,12 @@ static void set_shape(struct series *value, const struct scallop_shape *shape, c
 static void set_kinematic_length(struct series *value, enum scallop_phase_kind kind, const struct ring *ring)
 {
   struct series *L_kin = &value[SCALLOP_SYMBOL_L_kin];
-  struct series difference;
-  series_init(&difference);
+  SCOPED(series, difference);
   series_sub(&difference, &value[SCALLOP_SYMBOL_lT], &value[SCALLOP_SYMBOL_l0], ring);
   series_scale_si(&difference, &difference, kind == SCALLOP_EXTENSION ? 2 : -2, ring);
   series_mul(L_kin, &value[SCALLOP_SYMBOL_l0], &value[SCALLOP_SYMBOL_lT], ring);
   if (!series_div(L_kin, L_kin, &difference, ring))
     series_set_unknown(L_kin);
-  series_clear(&difference);
 }
 
 void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *c,
@@ -139,13 +124,11 @@ const char *scallop_formula_expand(struct series *value, const struct scallop_fo
   int places[FORMULA_STEPS];
   if (scallop_formula_text(&formula, f, NULL, message))
     return message;
-  struct scallop_symbols meant;
+  ENDED_BY(scallop_symbols_clear) struct scallop_symbols meant;
   scallop_symbols_init(&meant);
   for (int i = 0, count = formula_places(&formula, places); i < count; i++)
     set_meant(&meant.value[places[i]], s, places[i], scallop_formula_is_exchanged(f, kind));
-  const char *wrong = formula_series(value, &formula, meant.value, ring, message);
-  scallop_symbols_clear(&meant);
-  return wrong;
+  return formula_series(value, &formula, meant.value, ring, message);
 }
 
 /* The balls that a formula takes for its names. exchanged: for the other phase, with the bodies exchanged */
@@ -174,13 +157,12 @@ void scallop_formula_in_balls(arb_t value, const struct formula *read, const str
   const bool is_steady = formula->setting == SCALLOP_STEADY;
   const enum scallop_phase_kind phase = is_steady ? SCALLOP_EXTENSION : kind;
   const struct ring ring = { 1, precision };
-  struct scallop_symbols symbols;
   arb_ptr values = _arb_vec_init(SCALLOP_SYMBOLS);
+  ENDED_BY(scallop_symbols_clear) struct scallop_symbols symbols;
   scallop_symbols_init(&symbols);
   scallop_symbols_set(&symbols, crawler, phase, is_steady ? NULL : v0, NULL, &ring);
   series_set_rational(&symbols.value[SCALLOP_SYMBOL_T], T);
   set_names(values, &symbols, given, scallop_formula_is_exchanged(formula, phase), precision);
   formula_ball(value, read, values, precision);
-  scallop_symbols_clear(&symbols);
   _arb_vec_clear(values, SCALLOP_SYMBOLS);
 }

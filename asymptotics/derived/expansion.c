@@ -3,6 +3,7 @@
 
 #include "asymptotics/derived/derived.h"
 #include "asymptotics/derived/evaluate.h"
+#include "asymptotics/derived/scoped.h"
 #include "asymptotics/published/read.h"
 
 struct scallop_series {
@@ -120,12 +121,10 @@ enum scallop_status scallop_formula_ball(arb_t value, const struct scallop_read_
   if (!scallop_rational_is_valid(crawler) || fmpq_sgn(crawler->T) <= 0 || !scallop_gait_is_exact(crawler->gait)
       || precision < 2)
     return SCALLOP_EDOMAIN;
-  fmpq_t T;
-  fmpq_init(T);
+  SCOPED(fmpq, T);
   fmpq_set(T, crawler->T);
   if (!is_steady)
     scallop_rational_duration(T, crawler, kind);
   scallop_formula_in_balls(value, &read->operations, &read->formula, crawler, kind, v0, T, given, precision);
-  fmpq_clear(T);
   return SCALLOP_OK;
 }

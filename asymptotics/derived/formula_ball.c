@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "asymptotics/derived/scoped.h"
 #include "model/exact/ball.h"
 
 static void set_log10(arb_t value, const arb_t x, slong precision) { arb_log_base_ui(value, x, 10, precision); }
@@ -43,11 +44,9 @@ static void set_operand(arb_t value, const struct formula_step *s, arb_srcptr va
   else if (s->operation == FORMULA_PI)
     arb_const_pi(value, precision);
   else {
-    fmpq_t number;
-    fmpq_init(number);
+    SCOPED(fmpq, number);
     formula_number(number, s);
     arb_set_fmpq(value, number, precision);
-    fmpq_clear(number);
   }
 }
 

@@ -1,5 +1,6 @@
 /* The operations of a formula on series in T. */
 #include "asymptotics/derived/formula_flint.h"
+#include "asymptotics/derived/scoped.h"
 
 static const char *set_operand(struct series *value, const struct formula_step *s, const struct series *values)
 {
@@ -10,11 +11,9 @@ static const char *set_operand(struct series *value, const struct formula_step *
   else if (s->operation == FORMULA_PI)
     series_set_pi(value);
   else {
-    fmpq_t number;
-    fmpq_init(number);
+    SCOPED(fmpq, number);
     formula_number(number, s);
     series_set_rational(value, number);
-    fmpq_clear(number);
   }
   return NULL;
 }

@@ -1,6 +1,7 @@
 /* The energy that friction takes in a period of the steady state, as a series. By the energy balance, not by the
  * lengths of paths, which numerics/ adds up. */
 #include "asymptotics/derived/limit.h"
+#include "asymptotics/derived/scoped.h"
 
 /* The power of friction in a region, over F1 + F2, less what the centre of mass pays for from its energy, is this times
  * |l'|. */
@@ -46,13 +47,8 @@ static void add_friction_work(struct series *work, const struct branch *b, const
                               const struct lift *lift, struct series *c, const struct series *eps,
                               const struct ring *ring)
 {
-  struct series since, term, way;
-  fmpq_t power, next;
-  series_init(&since);
-  series_init(&term);
-  series_init(&way);
-  fmpq_init(power);
-  fmpq_init(next);
+  SCOPED(series, since, term, way);
+  SCOPED(fmpq, power, next);
   power_of_region(power, p, b->first_region);
   for (int i = 0; i < b->count; i++) {
     const struct crossing *at = &b->crossing[i];
@@ -76,19 +72,12 @@ static void add_friction_work(struct series *work, const struct branch *b, const
   }
   series_set_rational(&term, power); /* up to the end |l'| covers 1 */
   series_add(work, work, &term, ring);
-  series_clear(&since);
-  series_clear(&term);
-  series_clear(&way);
-  fmpq_clear(power);
-  fmpq_clear(next);
 }
 
 void steady_friction_work(struct series *work, const struct limit *l, const struct steady_lift *s,
                           const struct series *eps, const struct ring *ring)
 {
-  struct series c, here;
-  series_init(&c);
-  series_init(&here);
+  SCOPED(series, c, here);
   series_set_si(work, 0);
   for (int k = 0; k < 2; k++) {
     const struct phase_constants *p = &l->phase[k];
@@ -97,6 +86,4 @@ void steady_friction_work(struct series *work, const struct limit *l, const stru
     series_scale(&here, &here, p->fraction, ring);
     add_friction_work(work, &l->branch[k], p, &s->phase[k], &c, &here, ring);
   }
-  series_clear(&c);
-  series_clear(&here);
 }

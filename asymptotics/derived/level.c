@@ -1,5 +1,6 @@
 /* Where |l'| takes a value: the crossings of a branch at given c, every root isolated. */
 #include "asymptotics/derived/branch.h"
+#include "asymptotics/derived/scoped.h"
 
 #include <math.h>
 
@@ -17,11 +18,8 @@ static void approach(arb_t u, const struct scallop_piece *p, const arb_t level, 
                      int sign_lo, slong precision)
 {
   enum { HALVINGS = 24 };
-  arf_t a, b;
-  arb_t f;
-  arf_init(a);
-  arf_init(b);
-  arb_init(f);
+  SCOPED(arf, a, b);
+  SCOPED(arb, f);
   arf_set(a, lo);
   arf_set(b, hi);
   for (int i = 0; i < HALVINGS; i++) {
@@ -32,8 +30,7 @@ static void approach(arb_t u, const struct scallop_piece *p, const arb_t level, 
     arf_set(arf_sgn(arb_midref(f)) == sign_lo ? a : b, arb_midref(u));
   }
   for (slong bits = HALVINGS; bits < 2 * precision; bits *= 2) {
-    arb_t rate;
-    arb_init(rate);
+    SCOPED(arb, rate);
     excess(f, p, u, level, precision);
     scallop_ball_rate(rate, p, u, precision);
     if (p->anchor == SCALLOP_FROM_END)
@@ -41,11 +38,7 @@ static void approach(arb_t u, const struct scallop_piece *p, const arb_t level, 
     arb_div(f, f, rate, precision);
     arb_sub(u, u, f, precision);
     mag_zero(arb_radref(u));
-    arb_clear(rate);
   }
-  arf_clear(a);
-  arf_clear(b);
-  arb_clear(f);
 }
 
 struct search {
@@ -65,11 +58,9 @@ static bool add_root(struct search *s, const arf_t lo, const arf_t hi, int sign_
   at->to = branch_region(s->branch, s->branch->count) == 1 ? s->outer : 1;
   at->curve = s->outer == 0 ? 0 : 1;
   at->piece = s->piece;
-  arb_t u;
-  arb_init(u);
+  SCOPED(arb, u);
   approach(u, s->piece, s->level, lo, hi, sign_lo, s->precision);
   series_set_ball(&at->offset, u);
-  arb_clear(u);
   s->branch->count++;
   return true;
 }
@@ -78,12 +69,8 @@ static bool add_root(struct search *s, const arf_t lo, const arf_t hi, int sign_
  * monotone and changes it. */
 static bool search_between(struct search *s, const arf_t lo, const arf_t hi, int depth)
 {
-  arb_t u, f, rate;
-  arf_t middle;
-  arb_init(u);
-  arb_init(f);
-  arb_init(rate);
-  arf_init(middle);
+  SCOPED(arb, u, f, rate);
+  SCOPED(arf, middle);
   bool found = false;
   arb_set_interval_arf(u, lo, hi, s->precision);
   excess(f, s->piece, u, s->level, s->precision);
@@ -106,25 +93,16 @@ static bool search_between(struct search *s, const arf_t lo, const arf_t hi, int
     found = search_between(s, forward ? lo : middle, forward ? middle : hi, depth - 1)
             && search_between(s, forward ? middle : lo, forward ? hi : middle, depth - 1);
   }
-  arb_clear(u);
-  arb_clear(f);
-  arb_clear(rate);
-  arf_clear(middle);
   return found;
 }
 
 /* The side of the level on which a phase begins: -1 below it, where the bodies move alike. */
 static int side_at_start(const struct search *s)
 {
-  arb_t u, f;
-  arb_init(u);
-  arb_init(f);
+  SCOPED(arb, u, f);
   scallop_ball_begin(u, &s->constants->shape->pieces[0], s->precision);
   excess(f, &s->constants->shape->pieces[0], u, s->level, s->precision);
-  int side = definite_sign(f);
-  arb_clear(u);
-  arb_clear(f);
-  return side;
+  return definite_sign(f);
 }
 
 bool branch_of_level(struct branch *b, const struct phase_constants *p, const arb_t c, slong precision)
@@ -132,14 +110,11 @@ bool branch_of_level(struct branch *b, const struct phase_constants *p, const ar
   enum { DEPTH = 40 };
   int sign = definite_sign(c);
   struct search s = { .branch = b, .constants = p, .outer = sign > 0 ? 0 : 2, .precision = precision };
-  arf_t lo, hi;
   if (sign == 0)
     return false;
-  arb_t border;
-  arb_init(border);
+  SCOPED(arb, border);
   arb_init(s.level);
-  arf_init(lo);
-  arf_init(hi);
+  SCOPED(arf, lo, hi);
   arb_div_fmpz(s.level, c, fmpq_numref(p->curve[sign > 0 ? 0 : 1]), precision);
   arb_mul_fmpz(s.level, s.level, fmpq_denref(p->curve[sign > 0 ? 0 : 1]), precision);
   int side = side_at_start(&s);
@@ -155,9 +130,6 @@ bool branch_of_level(struct branch *b, const struct phase_constants *p, const ar
     arf_set(hi, arb_midref(border));
     found = search_between(&s, lo, hi, DEPTH);
   }
-  arb_clear(border);
   arb_clear(s.level);
-  arf_clear(lo);
-  arf_clear(hi);
   return found;
 }

@@ -2,6 +2,7 @@
 #include "asymptotics/derived/branch.h"
 
 #include "asymptotics/derived/evaluate.h"
+#include "asymptotics/derived/scoped.h"
 
 void lift_init(struct lift *l)
 {
@@ -62,8 +63,7 @@ static void curve_at(struct curve *curve, const struct crossing *at, const struc
                      const fmpq_t pi_squared, const struct ring *ring)
 {
   const struct ring longer = { ring->length + 1, ring->precision }; /* one more, for the derivative */
-  fmpq_t u;
-  fmpq_init(u);
+  SCOPED(fmpq, u);
   curve->at = at;
   curve->q = p->curve[at->curve];
   curve->exact = series_rational_coefficient(u, &at->offset, 0)
@@ -72,7 +72,6 @@ static void curve_at(struct curve *curve, const struct crossing *at, const struc
     series_scale(&curve->value, &curve->value, curve->q, &longer);
     series_derivative(&curve->rate, &curve->value, ring);
   }
-  fmpq_clear(u);
 }
 
 /* The curve and its derivative at time x after the base point, x a series */
@@ -84,12 +83,8 @@ static void curve_along(struct series *value, struct series *rate, const struct 
     series_compose(rate, &curve->rate, x, ring);
     return;
   }
-  arb_t u;
-  arb_poly_t time, speed, slope;
-  arb_init(u);
-  arb_poly_init(time);
-  arb_poly_init(speed);
-  arb_poly_init(slope);
+  SCOPED(arb, u);
+  SCOPED(arb_poly, time, speed, slope);
   series_coefficient(u, &curve->at->offset, 0, ring->precision);
   series_get_ball_poly(time, x, ring->length, ring->precision);
   scallop_ball_speed_along(speed, slope, curve->at->piece, u, time, ring->length, ring->precision);
@@ -97,10 +92,6 @@ static void curve_along(struct series *value, struct series *rate, const struct 
   series_set_ball_poly(rate, slope, value->known);
   series_scale(value, value, curve->q, ring);
   series_scale(rate, rate, curve->q, ring);
-  arb_clear(u);
-  arb_poly_clear(time);
-  arb_poly_clear(speed);
-  arb_poly_clear(slope);
 }
 
 /* The time of the base point since the start of the phase */
@@ -108,11 +99,9 @@ static void base_time(struct series *time, const struct crossing *at, const stru
 {
   series_set(time, &at->offset);
   if (at->piece->anchor == SCALLOP_FROM_END) {
-    struct series one;
-    series_init(&one);
+    SCOPED(series, one);
     series_set_si(&one, 1);
     series_sub(time, &one, time, ring);
-    series_clear(&one);
   }
 }
 
@@ -120,10 +109,8 @@ static void base_time(struct series *time, const struct crossing *at, const stru
 static bool solve_crossing(struct series *x, struct series *closing, const struct curve *curve, const struct line *line,
                            const struct series *base, const struct ring *ring)
 {
-  struct series gap, term;
   bool solved = true, last = false;
-  series_init(&gap);
-  series_init(&term);
+  SCOPED(series, gap, term);
   series_set_si(x, 0);
   for (slong length = 2; solved && !last; length *= 2) {
     last = length >= ring->length;
@@ -142,8 +129,6 @@ static bool solve_crossing(struct series *x, struct series *closing, const struc
     series_sub(x, x, &gap, &part);
   }
   series_truncate(x, ring->length);
-  series_clear(&gap);
-  series_clear(&term);
   return solved;
 }
 
@@ -152,11 +137,8 @@ static bool leave_curve(struct series *x, struct line *line, struct series *way,
                         const struct ring *ring)
 {
   const struct ring longer = { ring->length + 1, ring->precision };
-  struct series bend, gap, slope;
   bool solved = curve->exact, last = false;
-  series_init(&bend);
-  series_init(&gap);
-  series_init(&slope);
+  SCOPED(series, bend, gap, slope);
   series_set_si(x, 0);
   if (solved)
     series_derivative(&bend, &curve->rate, ring);
@@ -179,9 +161,6 @@ static bool leave_curve(struct series *x, struct line *line, struct series *way,
     series_integral(way, &curve->value, &longer);
     series_compose(way, way, x, ring);
   }
-  series_clear(&bend);
-  series_clear(&gap);
-  series_clear(&slope);
   return solved;
 }
 
@@ -189,21 +168,15 @@ static bool leave_curve(struct series *x, struct line *line, struct series *way,
 static void travel_between(struct series *way, const struct line *line, const struct series *s, const struct series *t,
                            const struct ring *ring)
 {
-  struct series duration, middle;
-  fmpq_t half;
-  fmpq_init(half);
+  SCOPED(fmpq, half);
   fmpq_set_si(half, 1, 2);
-  series_init(&duration);
-  series_init(&middle);
+  SCOPED(series, duration, middle);
   series_sub(&duration, t, s, ring);
   series_add(&middle, t, s, ring);
   series_mul(&middle, &middle, &line->b, ring);
   series_scale(&middle, &middle, half, ring);
   series_add(&middle, &middle, &line->a, ring);
   series_mul(way, &duration, &middle, ring);
-  series_clear(&duration);
-  series_clear(&middle);
-  fmpq_clear(half);
 }
 
 /* From region r to region `to` at time s: a and its derivative, and the two balances, take in the change of slope. */
@@ -211,11 +184,8 @@ static void change_region(struct lift *l, struct line *line, const struct phase_
                           const struct series *eps, const struct series *s, const struct series *s_slope,
                           const struct ring *ring)
 {
-  struct series term, change;
-  fmpq_t drop;
-  fmpq_init(drop);
-  series_init(&term);
-  series_init(&change);
+  SCOPED(fmpq, drop);
+  SCOPED(series, term, change);
   fmpq_sub(drop, p->beta[r], p->beta[to]);
   series_scale(&term, s, drop, ring);
   series_add(&l->balance, &l->balance, &term, ring);
@@ -226,27 +196,21 @@ static void change_region(struct lift *l, struct line *line, const struct phase_
   series_mul(&change, &term, eps, ring);
   series_add(&line->a_slope, &line->a_slope, &change, ring);
   series_scale(&line->b, eps, p->beta[to], ring);
-  series_clear(&term);
-  series_clear(&change);
-  fmpq_clear(drop);
 }
 
 static void set_time(struct lift *l, int i, const struct series *base, const struct series *x, const struct ring *ring)
 {
-  struct series one;
-  series_init(&one);
+  SCOPED(series, one);
   series_set_si(&one, 1);
   series_add(&l->when[i], base, x, ring);
   series_sub(&l->left[i], &one, base, ring); /* first, so that an exact 1 - 1 is 0 */
   series_sub(&l->left[i], &l->left[i], x, ring);
-  series_clear(&one);
 }
 
 static void finish(struct lift *l, const struct line *line, const struct phase_constants *p, int region,
                    const struct series *since, const struct ring *ring)
 {
-  struct series one;
-  series_init(&one);
+  SCOPED(series, one);
   series_set_si(&one, 1);
   travel_between(&l->c_end, line, since, &one, ring);
   series_add(&l->travel, &l->travel, &l->c_end, ring);
@@ -254,17 +218,16 @@ static void finish(struct lift *l, const struct line *line, const struct phase_c
   series_set(&l->c_end_slope, &line->a_slope);
   series_set_rational(&one, p->beta[region]);
   series_add(&l->balance, &l->balance, &one, ring);
-  series_clear(&one);
 }
 
 bool lift_phase(struct lift *l, const struct branch *b, const struct phase_constants *p, const struct series *eps,
                 const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring)
 {
-  struct line line;
   struct curve curve;
   struct series x, closing, base, since;
   struct series *const work[] = { &curve.value, &curve.rate, &x, &closing, &base, &since };
   bool transversal = true;
+  ENDED_BY(line_clear) struct line line;
   line_init(&line);
   for (size_t i = 0; i < sizeof work / sizeof *work; i++)
     series_init(work[i]);
@@ -299,6 +262,5 @@ bool lift_phase(struct lift *l, const struct branch *b, const struct phase_const
     finish(l, &line, p, branch_region(b, b->count), &since, ring);
   for (size_t i = 0; i < sizeof work / sizeof *work; i++)
     series_clear(work[i]);
-  line_clear(&line);
   return transversal;
 }

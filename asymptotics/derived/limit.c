@@ -2,6 +2,7 @@
 #include "asymptotics/derived/limit.h"
 
 #include "asymptotics/derived/holds.h"
+#include "asymptotics/derived/scoped.h"
 
 #include <stddef.h>
 
@@ -32,21 +33,17 @@ void limit_clear(struct limit *l)
 static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, const arb_t eps, bool same,
                    slong precision)
 {
-  struct base base;
-  arb_t c, c_slope, here;
   bool followed = true;
+  ENDED_BY(base_clear) struct base base;
   base_init(&base);
-  arb_init(c);
-  arb_init(c_slope);
-  arb_init(here);
+  SCOPED(arb, c, c_slope, here);
   arb_set(c, w);
   arb_one(c_slope);
   arb_zero(balance);
   arb_zero(slope);
   for (int k = 0; followed && k < 2; k++) { /* c and c_slope in units of L and the period between the phases */
     struct phase_constants *p = &l->phase[k];
-    arb_t fraction;
-    arb_init(fraction);
+    SCOPED(arb, fraction);
     arb_set_fmpq(fraction, p->fraction, precision);
     arb_mul(here, eps, fraction, precision);
     arb_mul(here, here, fraction, precision);
@@ -57,12 +54,7 @@ static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, c
     arb_div(c_slope, base.c_end_slope, fraction, precision);
     arb_addmul(balance, base.balance, fraction, precision);
     arb_addmul(slope, base.balance_slope, fraction, precision);
-    arb_clear(fraction);
   }
-  base_clear(&base);
-  arb_clear(c);
-  arb_clear(c_slope);
-  arb_clear(here);
   return followed;
 }
 
@@ -103,9 +95,8 @@ static void put_offsets(struct limit *l, const struct offsets *o)
 static bool middle_of_branch(struct limit *l, arb_t w, arb_t balance, arb_t slope, const arb_t eps, slong precision)
 {
   enum { STEPS = 60 };
-  arb_t step;
   bool sound = true, settled = false;
-  arb_init(step);
+  SCOPED(arb, step);
   for (int i = 0; sound && !settled && i < STEPS; i++) {
     mag_zero(arb_radref(w));
     sound = follow(l, balance, slope, w, eps, false, precision);
@@ -115,22 +106,18 @@ static bool middle_of_branch(struct limit *l, arb_t w, arb_t balance, arb_t slop
     if (sound && !settled)
       arf_sub(arb_midref(w), arb_midref(w), arb_midref(step), precision, ARF_RND_NEAR);
   }
-  arb_clear(step);
   return settled;
 }
 
 bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision)
 {
   enum { TRIES = 40 };
-  struct offsets before, middle;
-  arb_t balance, slope, wide, next;
   bool inside = false;
+  ENDED_BY(offsets_clear) struct offsets before;
   offsets_init(&before);
+  ENDED_BY(offsets_clear) struct offsets middle;
   offsets_init(&middle);
-  arb_init(balance);
-  arb_init(slope);
-  arb_init(wide);
-  arb_init(next);
+  SCOPED(arb, balance, slope, wide, next);
   keep_offsets(&before, l, precision);
   bool sound = middle_of_branch(l, w, balance, slope, eps, precision);
   keep_offsets(&middle, l, precision);
@@ -149,29 +136,19 @@ bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision)
     arb_set(w, next); /* the offsets are those for wide, which holds it */
   else
     put_offsets(l, &before);
-  offsets_clear(&before);
-  offsets_clear(&middle);
-  arb_clear(balance);
-  arb_clear(slope);
-  arb_clear(wide);
-  arb_clear(next);
   return inside;
 }
 
 /* The branches of the level w, and its balance and slope there. */
 static bool balance_of_level(struct limit *l, arb_t balance, arb_t slope, const arb_t w, slong precision)
 {
-  arb_t c, eps;
   bool found = true;
-  arb_init(c);
-  arb_init(eps);
+  SCOPED(arb, c, eps);
   for (int k = 0; found && k < 2; k++) {
     ball_times(c, w, l->phase[k].fraction, precision);
     found = branch_of_level(&l->branch[k], &l->phase[k], c, precision);
   }
   found = found && follow(l, balance, slope, w, eps, false, precision);
-  arb_clear(c);
-  arb_clear(eps);
   return found;
 }
 
@@ -190,14 +167,9 @@ static void bracket(arf_t high, const struct limit *l)
 static bool approach_limit(struct limit *l, arb_t w, int sign, slong precision)
 {
   enum { STEPS = 200, CLOSE = 30 };
-  arf_t lo, hi, step;
-  arb_t balance, slope;
   bool close = false;
-  arf_init(lo);
-  arf_init(hi);
-  arf_init(step);
-  arb_init(balance);
-  arb_init(slope);
+  SCOPED(arf, lo, hi, step);
+  SCOPED(arb, balance, slope);
   bracket(hi, l);
   arb_set_arf(w, hi);
   arb_mul_2exp_si(w, w, -3);
@@ -224,11 +196,6 @@ static bool approach_limit(struct limit *l, arb_t w, int sign, slong precision)
   }
   arb_mul_si(w, w, sign, precision);
   close = close && balance_of_level(l, balance, slope, w, precision);
-  arf_clear(lo);
-  arf_clear(hi);
-  arf_clear(step);
-  arb_clear(balance);
-  arb_clear(slope);
   return close;
 }
 
@@ -249,12 +216,8 @@ static bool crossings_are_linear(const struct limit *l)
 /* The offset at which q |l'| = w fraction, |l'| being a + b (time) in the piece */
 static void exact_offset(struct crossing *at, const struct phase_constants *p, const fmpq_t w)
 {
-  fmpq_t u, a, b;
-  fmpq_poly_t speed;
-  fmpq_init(u);
-  fmpq_init(a);
-  fmpq_init(b);
-  fmpq_poly_init(speed);
+  SCOPED(fmpq, u, a, b);
+  SCOPED(fmpq_poly, speed);
   scallop_rational_speed_series(speed, at->piece, u, 2, NULL);
   fmpq_poly_get_coeff_fmpq(a, speed, 0);
   fmpq_poly_get_coeff_fmpq(b, speed, 1);
@@ -265,10 +228,6 @@ static void exact_offset(struct crossing *at, const struct phase_constants *p, c
   if (at->piece->anchor == SCALLOP_FROM_END)
     fmpq_neg(u, u);
   series_set_rational(&at->offset, u);
-  fmpq_clear(u);
-  fmpq_clear(a);
-  fmpq_clear(b);
-  fmpq_poly_clear(speed);
 }
 
 static void exact_offsets(struct limit *l, const fmpq_t w)
@@ -283,24 +242,17 @@ static void exact_offsets(struct limit *l, const fmpq_t w)
 static bool make_exact(struct limit *l, const arb_t near)
 {
   const struct ring ring = { 1, 64 };
-  struct steady_lift lifted;
-  struct series zero;
-  fmpq_t w;
-  fmpq_init(w);
-  series_init(&zero);
+  SCOPED(fmpq, w);
+  SCOPED(series, zero);
+  ENDED_BY(steady_lift_clear) struct steady_lift lifted;
   steady_lift_init(&lifted);
-  arf_t few;
-  arf_init(few);
+  SCOPED(arf, few);
   arf_set_round(few, arb_midref(near), 30, ARF_RND_NEAR);
   arf_get_fmpq(w, few);
   exact_offsets(l, w);
   bool exact = steady_lift(&lifted, l, &zero, &ring) && series_rational_coefficient(w, &lifted.w, 0);
   if (exact)
     exact_offsets(l, w);
-  arf_clear(few);
-  steady_lift_clear(&lifted);
-  series_clear(&zero);
-  fmpq_clear(w);
   return exact;
 }
 
@@ -322,11 +274,9 @@ static enum scallop_status from_ends(struct limit *l, int sign, const char **why
 enum scallop_status limit_find(struct limit *l, const struct scallop_rational_crawler *crawler, slong precision,
                                const char **why)
 {
-  fmpq_t driven;
-  fmpq_init(driven);
+  SCOPED(fmpq, driven);
   fmpq_sub(driven, l->phase[0].fraction, l->phase[1].fraction);
   int difference = fmpq_sgn(l->phase[0].beta[1]), sign = difference * fmpq_sgn(driven);
-  fmpq_clear(driven);
   if (!scallop_gait_is_exact(crawler->gait)) {
     *why = "the gait has no exact law";
     return SCALLOP_EDOMAIN;
@@ -337,9 +287,7 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
   }
   if (sign == 0) /* w = 0: from there c is of the order of eps, and at 0 throughout if F1 = F2 */
     return from_ends(l, l->at_rest ? 0 : difference, why);
-  arb_t w, eps;
-  arb_init(w);
-  arb_init(eps);
+  SCOPED(arb, w, eps);
   bool found = approach_limit(l, w, sign, precision);
   if (found && scallop_gait_is_rational(crawler->gait) && crossings_are_linear(l))
     found = make_exact(l, w);
@@ -351,8 +299,6 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
     series_coefficient(w, &l->w, 0, precision);
     found = !limit_holds(l, w, w, eps, precision);
   }
-  arb_clear(w);
-  arb_clear(eps);
   if (found)
     return SCALLOP_OK;
   *why = "in the limit T -> 0 a body touches v = 0 without turning, or too nearly to tell";

@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "asymptotics/derived/scoped.h"
+
 static slong least(slong a, slong b) { return a < b ? a : b; }
 
 void pi_poly_init(struct pi_poly *p) { *p = (struct pi_poly){ .length = 0 }; }
@@ -54,15 +56,14 @@ void pi_poly_zero_coeff(struct pi_poly *p, slong k)
 /* The coefficients from x^from on, times x^by, one in `spread` places */
 static void place(struct pi_poly *to, const struct pi_poly *a, slong from, slong by, slong spread)
 {
-  struct pi_poly made;
   slong length = a->length > from ? (a->length - from - 1) * spread + 1 + by : 0;
+  ENDED_BY(pi_poly_clear) struct pi_poly made;
   pi_poly_init(&made);
   make_room(&made, length);
   for (slong k = from; k < a->length; k++)
     fmpz_poly_q_set(&made.coeffs[(k - from) * spread + by], &a->coeffs[k]);
   made.length = length;
   swap(to, &made);
-  pi_poly_clear(&made);
 }
 
 void pi_poly_set(struct pi_poly *to, const struct pi_poly *a)
@@ -95,9 +96,7 @@ void pi_poly_get_ball(arb_t value, const struct pi_poly *a, slong k, slong preci
 {
   enum { SPARE = 16 };
   const fmpz_poly_q_struct *c = &a->coeffs[k];
-  arb_t pi, under;
-  arb_init(pi);
-  arb_init(under);
+  SCOPED(arb, pi, under);
   arb_zero(value);
   for (slong bits = precision + SPARE; !fmpz_poly_q_is_zero(c); bits *= 2) {
     arb_const_pi(pi, bits);
@@ -108,8 +107,6 @@ void pi_poly_get_ball(arb_t value, const struct pi_poly *a, slong k, slong preci
       break;
   }
   arb_set_round(value, value, precision);
-  arb_clear(pi);
-  arb_clear(under);
 }
 
 void pi_poly_get_arb_poly(arb_poly_t to, const struct pi_poly *a, slong precision)
@@ -154,8 +151,8 @@ void pi_poly_neg(struct pi_poly *to, const struct pi_poly *a)
 static void add_or_sub(struct pi_poly *to, const struct pi_poly *a, const struct pi_poly *b,
                        void (*combine)(fmpz_poly_q_t, const fmpz_poly_q_t))
 {
-  struct pi_poly sum;
   slong length = a->length > b->length ? a->length : b->length;
+  ENDED_BY(pi_poly_clear) struct pi_poly sum;
   pi_poly_init(&sum);
   pi_poly_set(&sum, a);
   make_room(&sum, length);
@@ -163,7 +160,6 @@ static void add_or_sub(struct pi_poly *to, const struct pi_poly *a, const struct
     combine(&sum.coeffs[k], &b->coeffs[k]);
   set_length(&sum, length);
   swap(to, &sum);
-  pi_poly_clear(&sum);
 }
 
 void pi_poly_add(struct pi_poly *to, const struct pi_poly *a, const struct pi_poly *b)
@@ -191,20 +187,19 @@ static void convolve(fmpz_poly_q_t sum, const struct pi_poly *a, const struct pi
 
 void pi_poly_mullow(struct pi_poly *to, const struct pi_poly *a, const struct pi_poly *b, slong length)
 {
-  struct pi_poly product;
   length = a->length && b->length ? least(length, a->length + b->length - 1) : 0;
+  ENDED_BY(pi_poly_clear) struct pi_poly product;
   pi_poly_init(&product);
   make_room(&product, length);
   for (slong k = 0; k < length; k++)
     convolve(&product.coeffs[k], a, b, k, 0);
   set_length(&product, length);
   swap(to, &product);
-  pi_poly_clear(&product);
 }
 
 void pi_poly_div_series(struct pi_poly *to, const struct pi_poly *a, const struct pi_poly *b, slong length)
 {
-  struct pi_poly quotient;
+  ENDED_BY(pi_poly_clear) struct pi_poly quotient;
   pi_poly_init(&quotient);
   if (b->length == 1 && a->length < length)
     length = a->length;
@@ -220,13 +215,13 @@ void pi_poly_div_series(struct pi_poly *to, const struct pi_poly *a, const struc
   }
   set_length(&quotient, length);
   swap(to, &quotient);
-  pi_poly_clear(&quotient);
 }
 
 void pi_poly_compose_series(struct pi_poly *to, const struct pi_poly *outer, const struct pi_poly *inner, slong length)
 {
-  struct pi_poly sum, term;
+  ENDED_BY(pi_poly_clear) struct pi_poly sum;
   pi_poly_init(&sum);
+  ENDED_BY(pi_poly_clear) struct pi_poly term;
   pi_poly_init(&term);
   for (slong k = least(outer->length, length) - 1; k >= 0; k--) { /* Horner */
     pi_poly_mullow(&sum, &sum, inner, length - k);
@@ -236,8 +231,6 @@ void pi_poly_compose_series(struct pi_poly *to, const struct pi_poly *outer, con
     pi_poly_add(&sum, &sum, &term);
   }
   swap(to, &sum);
-  pi_poly_clear(&sum);
-  pi_poly_clear(&term);
 }
 
 void pi_poly_integral(struct pi_poly *to, const struct pi_poly *a)

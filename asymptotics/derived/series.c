@@ -256,20 +256,16 @@ void series_neg(struct series *to, const struct series *a)
 
 void series_scale(struct series *to, const struct series *a, const fmpq_t factor, const struct ring *ring)
 {
-  struct series constant;
-  series_init(&constant);
+  SCOPED(series, constant);
   series_set_rational(&constant, factor);
   series_mul(to, a, &constant, ring);
-  series_clear(&constant);
 }
 
 void series_scale_si(struct series *to, const struct series *a, slong factor, const struct ring *ring)
 {
-  struct series constant;
-  series_init(&constant);
+  SCOPED(series, constant);
   series_set_si(&constant, factor);
   series_mul(to, a, &constant, ring);
-  series_clear(&constant);
 }
 
 bool series_div(struct series *quotient, const struct series *a, const struct series *b, const struct ring *ring)
@@ -319,8 +315,7 @@ void series_inflate(struct series *to, const struct series *a, slong power)
     pi_poly_inflate(&to->in_pi, &to->in_pi, power);
   else if (to->kind == SERIES_FRACTIONS) {
     fmpq_poly_t spread;
-    fmpq_t c;
-    fmpq_init(c);
+    SCOPED(fmpq, c);
     fmpq_poly_init(spread);
     for (slong k = 0; k < fmpq_poly_length(to->rational); k++) {
       fmpq_poly_get_coeff_fmpq(c, to->rational, k);
@@ -328,7 +323,6 @@ void series_inflate(struct series *to, const struct series *a, slong power)
     }
     fmpq_poly_swap(to->rational, spread);
     fmpq_poly_clear(spread);
-    fmpq_clear(c);
   } else {
     arb_poly_t spread;
     arb_poly_init(spread);
@@ -342,9 +336,7 @@ void series_inflate(struct series *to, const struct series *a, slong power)
 void series_compose(struct series *to, const struct series *outer, const struct series *inner, const struct ring *ring)
 {
   const enum series_kind kind = common(outer, inner);
-  struct series f, g;
-  series_init(&f);
-  series_init(&g);
+  SCOPED(series, f, g);
   set_from(&f, outer, 0, kind, ring->precision);
   set_from(&g, inner, 0, kind, ring->precision);
   slong known = least(least(f.known, g.known), ring->length);
@@ -353,8 +345,6 @@ void series_compose(struct series *to, const struct series *outer, const struct 
           arb_poly_compose_series(to->ball, f.ball, g.ball, known, ring->precision));
   begin(to, kind, 0, known);
   series_tidy(to, ring);
-  series_clear(&f);
-  series_clear(&g);
 }
 
 void series_integral(struct series *to, const struct series *a, const struct ring *ring)
@@ -384,11 +374,9 @@ void series_coefficient(arb_t value, const struct series *s, slong power, slong 
   else if (s->kind == SERIES_IN_PI)
     pi_poly_get_ball(value, &s->in_pi, power - s->first, precision);
   else {
-    fmpq_t c;
-    fmpq_init(c);
+    SCOPED(fmpq, c);
     fmpq_poly_get_coeff_fmpq(c, s->rational, power - s->first);
     arb_set_fmpq(value, c, precision);
-    fmpq_clear(c);
   }
 }
 
@@ -424,21 +412,16 @@ void series_set_zero(struct series *s, slong power)
 
 void series_get_ball_poly(arb_poly_t poly, const struct series *s, slong length, slong precision)
 {
-  struct series spare;
-  series_init(&spare);
+  SCOPED(series, spare);
   arb_poly_set_round(poly, as_kind(&spare, s, SERIES_BALLS, precision)->ball, precision);
   arb_poly_shift_left(poly, poly, s->first);
   arb_poly_truncate(poly, length);
-  series_clear(&spare);
 }
 
 void series_value(arb_t value, const struct series *s, const arb_t x, slong before, slong precision)
 {
-  struct series cut, spare;
-  arb_t power;
-  series_init(&cut);
-  series_init(&spare);
-  arb_init(power);
+  SCOPED(series, cut, spare);
+  SCOPED(arb, power);
   series_set(&cut, s);
   series_truncate(&cut, before);
   arb_poly_evaluate(value, as_kind(&spare, &cut, SERIES_BALLS, precision)->ball, x, precision);
@@ -447,9 +430,6 @@ void series_value(arb_t value, const struct series *s, const arb_t x, slong befo
     arb_inv(power, power, precision);
   arb_pow_ui(power, power, (ulong)(cut.first < 0 ? -cut.first : cut.first), precision);
   arb_mul(value, value, power, precision);
-  arb_clear(power);
-  series_clear(&cut);
-  series_clear(&spare);
 }
 
 slong series_bits(const struct series *s)

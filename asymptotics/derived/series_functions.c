@@ -1,6 +1,7 @@
 /* Functions of truncated Laurent series, for x -> 0 from above. */
 #include <stdlib.h>
 
+#include "asymptotics/derived/scoped.h"
 #include "asymptotics/derived/series.h"
 
 static const char MAY_VANISH[] = "of what may be 0", IS_NEGATIVE[] = "of what is negative", IS_LARGE[] = "is too large",
@@ -25,13 +26,11 @@ static void copy_tidy(struct series *to, const struct series *a, const struct ri
 static const char *not_positive(const struct series *a, slong precision)
 {
   const char *wrong = MAY_VANISH;
-  arb_t leading;
-  arb_init(leading);
+  SCOPED(arb, leading);
   if (series_terms(a) > 0) {
     series_coefficient(leading, a, a->first, precision);
     wrong = arb_is_positive(leading) ? NULL : arb_is_negative(leading) ? IS_NEGATIVE : MAY_VANISH;
   }
-  arb_clear(leading);
   return wrong;
 }
 
@@ -53,18 +52,14 @@ static const char *not_for_log(const struct series *a, slong precision)
 static const char *not_for_asin(const struct series *a, slong precision)
 {
   const char *wrong = not_entire(a, precision);
-  arb_t constant, one;
   if (wrong)
     return wrong;
-  arb_init(constant);
-  arb_init(one);
+  SCOPED(arb, constant, one);
   arb_one(one);
   series_coefficient(constant, a, 0, precision);
   arb_abs(constant, constant);
   if (!arb_lt(constant, one) && !(is_constant(a) && arb_le(constant, one)))
     wrong = "of what may be -1, 1 or beyond at T = 0";
-  arb_clear(constant);
-  arb_clear(one);
   return wrong;
 }
 
@@ -72,9 +67,7 @@ static const char *not_for_asin(const struct series *a, slong precision)
  * large fractions. */
 static void set_asin(fmpq_poly_t to, const fmpq_poly_t f, slong terms)
 {
-  fmpq_poly_t root, one;
-  fmpq_poly_init(root);
-  fmpq_poly_init(one);
+  SCOPED(fmpq_poly, root, one);
   fmpq_poly_one(one);
   fmpq_poly_mullow(root, f, f, terms);
   fmpq_poly_sub(root, one, root);
@@ -82,8 +75,6 @@ static void set_asin(fmpq_poly_t to, const fmpq_poly_t f, slong terms)
   fmpq_poly_derivative(to, f);
   fmpq_poly_mullow(to, to, root, terms - 1);
   fmpq_poly_integral(to, to);
-  fmpq_poly_clear(root);
-  fmpq_poly_clear(one);
 }
 
 struct function {
@@ -123,8 +114,7 @@ static const char *set_terms(struct series *to, const struct series *a, const st
 {
   const char *wrong = NULL;
   slong known = is_constant(a) ? SERIES_ALL : least(a->known, terms);
-  fmpq_t constant;
-  fmpq_init(constant);
+  SCOPED(fmpq, constant);
   if (a->kind == SERIES_FRACTIONS && series_rational_coefficient(constant, a, 0)
       && fmpq_equal_si(constant, f->exact_at)) {
     fmpq_poly_t poly;
@@ -141,7 +131,6 @@ static const char *set_terms(struct series *to, const struct series *a, const st
     wrong = set_finite(to, poly, known);
     arb_poly_clear(poly);
   }
-  fmpq_clear(constant);
   return wrong;
 }
 
@@ -197,15 +186,11 @@ const char *series_log10(struct series *to, const struct series *a, const struct
   const char *wrong = series_log(to, a, ring);
   if (wrong)
     return wrong;
-  struct series unit;
-  arb_t log_10;
-  series_init(&unit);
-  arb_init(log_10);
+  SCOPED(series, unit);
+  SCOPED(arb, log_10);
   arb_const_log10(log_10, ring->precision);
   series_set_ball(&unit, log_10);
   series_div(to, to, &unit, ring);
-  arb_clear(log_10);
-  series_clear(&unit);
   return NULL;
 }
 
@@ -241,22 +226,16 @@ static const char *set_larger(struct series *to, const struct series *a, const s
 
 const char *series_max(struct series *to, const struct series *a, const struct series *b, const struct ring *ring)
 {
-  struct series difference;
-  series_init(&difference);
+  SCOPED(series, difference);
   series_sub(&difference, a, b, ring);
-  const char *wrong = set_larger(to, a, b, &difference, ring);
-  series_clear(&difference);
-  return wrong;
+  return set_larger(to, a, b, &difference, ring);
 }
 
 const char *series_min(struct series *to, const struct series *a, const struct series *b, const struct ring *ring)
 {
-  struct series difference;
-  series_init(&difference);
+  SCOPED(series, difference);
   series_sub(&difference, b, a, ring);
-  const char *wrong = set_larger(to, a, b, &difference, ring);
-  series_clear(&difference);
-  return wrong;
+  return set_larger(to, a, b, &difference, ring);
 }
 
 /* Below, a power of x is taken off a series, whose constant term is then positive. */
@@ -280,11 +259,8 @@ static bool set_exact_power(struct series *to, const struct series *a, const fmp
 {
   if (a->kind != SERIES_FRACTIONS || !is_small(power))
     return false;
-  fmpq_poly_t poly;
-  fmpq_t constant, root;
-  fmpq_init(constant);
-  fmpq_init(root);
-  fmpq_poly_init(poly);
+  SCOPED(fmpq, constant, root);
+  SCOPED(fmpq_poly, poly);
   series_rational_coefficient(constant, a, 0);
   bool possible = get_root(root, constant, fmpq_denref(power));
   if (possible) {
@@ -296,9 +272,6 @@ static bool set_exact_power(struct series *to, const struct series *a, const fmp
     fmpq_poly_scalar_mul_fmpq(poly, poly, root);
     series_set_rational_poly(to, poly, known);
   }
-  fmpq_poly_clear(poly);
-  fmpq_clear(root);
-  fmpq_clear(constant);
   return possible;
 }
 
@@ -308,46 +281,36 @@ static const char *set_real_power(struct series *to, const struct series *a, con
 {
   slong known = is_constant(a) ? SERIES_ALL : least(a->known, ring->length);
   const char *wrong = NULL;
-  fmpq_t power;
-  fmpq_init(power);
+  SCOPED(fmpq, power);
   if (!series_rational_coefficient(power, exponent, 0) || !set_exact_power(to, a, power, known, ring->length)) {
-    arb_poly_t poly;
-    arb_t ball;
-    arb_init(ball);
-    arb_poly_init(poly);
+    SCOPED(arb, ball);
+    SCOPED(arb_poly, poly);
     series_coefficient(ball, exponent, 0, ring->precision);
     series_get_ball_poly(poly, a, ring->length, ring->precision);
     arb_poly_pow_arb_series(poly, poly, ball, ring->length, ring->precision);
     wrong = set_finite(to, poly, known);
-    arb_poly_clear(poly);
-    arb_clear(ball);
   }
-  fmpq_clear(power);
   return wrong;
 }
 
 /* The power of x that (x^first)^exponent is */
 static const char *get_first(slong *power, slong first, const struct series *exponent)
 {
-  fmpq_t product;
-  fmpq_init(product);
+  SCOPED(fmpq, product);
   bool whole = first == 0 || series_rational_coefficient(product, exponent, 0);
   fmpq_mul_si(product, product, first);
   whole = whole && fmpz_is_one(fmpq_denref(product));
   bool near = is_within(fmpq_numref(product), SERIES_FARTHEST);
   *power = whole && near ? fmpz_get_si(fmpq_numref(product)) : 0;
-  fmpq_clear(product);
   return !whole ? "gives a power of T that is not whole" : near ? NULL : IS_FAR;
 }
 
 /* Is it a whole number? odd: an odd one? */
 static bool is_whole(const struct series *constant, bool *odd)
 {
-  fmpq_t value;
-  fmpq_init(value);
+  SCOPED(fmpq, value);
   bool whole = series_rational_coefficient(value, constant, 0) && fmpz_is_one(fmpq_denref(value));
   *odd = whole && fmpz_is_odd(fmpq_numref(value));
-  fmpq_clear(value);
   return whole;
 }
 
@@ -385,9 +348,7 @@ static const char *set_small_power(struct series *to, const struct series *base,
 {
   if (!is_constant(base) && labs(base->first * power) > SERIES_FARTHEST)
     return IS_FAR;
-  struct series one, product;
-  series_init(&one);
-  series_init(&product);
+  SCOPED(series, one, product);
   series_set_si(&one, 1);
   series_set_si(&product, 1);
   for (slong i = 0; i < labs(power); i++)
@@ -395,8 +356,6 @@ static const char *set_small_power(struct series *to, const struct series *base,
   bool raised = power >= 0 || series_div(&product, &one, &product, ring);
   if (raised)
     series_set(to, &product);
-  series_clear(&one);
-  series_clear(&product);
   return raised ? NULL : "divides by what may be 0";
 }
 
@@ -409,12 +368,10 @@ static const char *set_power(struct series *to, struct series *base, const struc
       series_mul(base, base, exponent, ring);
     return wrong ? wrong : series_exp(to, base, ring);
   }
-  fmpq_t value;
-  fmpq_init(value);
+  SCOPED(fmpq, value);
   bool small = series_rational_coefficient(value, exponent, 0) && is_small(value);
   bool by_products = small && fmpz_is_one(fmpq_denref(value));
   slong power = small ? fmpz_get_si(fmpq_numref(value)) : 0, root = small ? fmpz_get_si(fmpq_denref(value)) : 1;
-  fmpq_clear(value);
   if (series_bits(base) * labs(power) / root > SERIES_BITS)
     return IS_LARGE;
   return by_products ? set_small_power(to, base, power, ring) : set_constant_power(to, base, exponent, ring);
@@ -434,14 +391,9 @@ const char *series_power(struct series *to, const struct series *base, const str
 
 const char *series_sqrt(struct series *to, const struct series *a, const struct ring *ring)
 {
-  struct series half;
-  fmpq_t value;
-  fmpq_init(value);
-  series_init(&half);
+  SCOPED(fmpq, value);
+  SCOPED(series, half);
   fmpq_set_si(value, 1, 2);
   series_set_rational(&half, value);
-  const char *wrong = series_power(to, a, &half, ring);
-  series_clear(&half);
-  fmpq_clear(value);
-  return wrong;
+  return series_power(to, a, &half, ring);
 }

@@ -2,6 +2,7 @@
 #include "asymptotics/derived/singularity.h"
 
 #include "asymptotics/derived/cover.h"
+#include "asymptotics/derived/scoped.h"
 
 void scallop_singularity_init(struct scallop_singularity *s)
 {
@@ -21,22 +22,19 @@ void scallop_singularity_clear(struct scallop_singularity *s)
  * other way round. */
 static void add_shown(struct scallop_singularity *to, const struct search *s, const struct fold *f)
 {
-  acb_t gain;
-  acb_init(gain);
+  SCOPED(acb, gain);
   for (int k = 0; k < CONTINUED_VALUES; k++) {
     continued_gain(gain, s->apart, (enum continued_value)k, f->v, f->first, s->precision);
     to->shows[k] = to->shows[k] || !acb_contains_zero(gain);
   }
   if (to->even)
     to->shows[AT_START] = to->shows[AFTER_FIRST_PHASE] = to->shows[AT_START] || to->shows[AFTER_FIRST_PHASE];
-  acb_clear(gain);
 }
 
 /* The folds of which none is shown to be nearer than another */
 static void set_place(struct scallop_singularity *to, const struct search *s)
 {
-  arb_t size;
-  arb_init(size);
+  SCOPED(arb, size);
   arb_pos_inf(to->T);
   for (int i = 0; i < s->folds; i++) {
     acb_abs(size, s->fold[i].v + s->n, s->precision);
@@ -50,7 +48,6 @@ static void set_place(struct scallop_singularity *to, const struct search *s)
     if (arb_overlaps(size, to->T))
       add_shown(to, s, &s->fold[i]);
   }
-  arb_clear(size);
 }
 
 /* From z to T */
@@ -94,38 +91,33 @@ static void find(struct scallop_singularity *to, const struct continuation both[
 /* eps/T^2 = (F1 + F2)/(M L) */
 static void set_kappa(fmpq_t kappa, const struct scallop_rational_crawler *c)
 {
-  fmpq_t M;
-  fmpq_init(M);
+  SCOPED(fmpq, M);
   fmpq_add(M, c->m1, c->m2);
   fmpq_add(kappa, c->F1, c->F2);
   fmpq_div(kappa, kappa, M);
   fmpq_div(kappa, kappa, c->L);
-  fmpq_clear(M);
 }
 
 enum scallop_status scallop_steady_singularity(struct scallop_singularity *s,
                                                const struct scallop_rational_crawler *crawler, slong precision,
                                                const char **why)
 {
-  struct limit l;
   const char *reason = NULL;
+  ENDED_BY(limit_clear) struct limit l;
   limit_init(&l, crawler);
   enum scallop_status status = limit_find(&l, crawler, precision, &reason);
   nothing_found(s, 2, l.even);
   if (status == SCALLOP_OK && !l.at_rest) {
     struct continuation both[2];
-    fmpq_t kappa;
-    fmpq_init(kappa);
+    SCOPED(fmpq, kappa);
     set_kappa(kappa, crawler);
     for (int join = 0; join < 2; join++)
       continue_steady(&both[join], &l, kappa, join, precision);
     find(s, both, l.even, precision);
     for (int join = 0; join < 2; join++)
       continuation_clear(&both[join]);
-    fmpq_clear(kappa);
   } else if (status != SCALLOP_OK && why)
     *why = reason;
-  limit_clear(&l);
   return status;
 }
 
@@ -134,9 +126,9 @@ enum scallop_status scallop_phase_singularity(struct scallop_singularity *s,
                                               enum scallop_phase_kind kind, const fmpq_t v0, int crossings,
                                               slong precision, const char **why)
 {
-  struct phase_constants p;
-  struct branch b;
+  ENDED_BY(phase_constants_clear) struct phase_constants p;
   phase_constants_init(&p, crawler, kind);
+  ENDED_BY(branch_clear) struct branch b;
   branch_init(&b);
   int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
   bool possible = branch_is_possible(crawler->gait), has_ends = possible && branch_from_ends(&b, &p, at_start, at_end);
@@ -145,9 +137,7 @@ enum scallop_status scallop_phase_singularity(struct scallop_singularity *s,
     *why = possible ? branch_without_ends : branch_impossible;
   if (has_ends && b.count > 0) {
     struct continuation both[2];
-    fmpq_t kappa, velocity;
-    fmpq_init(kappa);
-    fmpq_init(velocity);
+    SCOPED(fmpq, kappa, velocity);
     set_kappa(kappa, crawler);
     fmpq_div(velocity, v0, crawler->L);
     for (int join = 0; join < 2; join++)
@@ -155,10 +145,6 @@ enum scallop_status scallop_phase_singularity(struct scallop_singularity *s,
     find(s, both, false, precision);
     for (int join = 0; join < 2; join++)
       continuation_clear(&both[join]);
-    fmpq_clear(kappa);
-    fmpq_clear(velocity);
   }
-  branch_clear(&b);
-  phase_constants_clear(&p);
   return has_ends ? SCALLOP_OK : SCALLOP_EDOMAIN;
 }

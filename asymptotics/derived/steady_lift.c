@@ -1,5 +1,6 @@
 /* The steady state as a series around its limit. */
 #include "asymptotics/derived/limit.h"
+#include "asymptotics/derived/scoped.h"
 
 #include <math.h>
 
@@ -25,13 +26,9 @@ void steady_lift_clear(struct steady_lift *s)
 static bool lift_period(struct steady_lift *s, const struct limit *l, const struct series *eps, struct series *balance,
                         struct series *slope, const struct ring *ring)
 {
-  struct series c, c_slope, here;
-  fmpq_t inverse;
   bool lifted = true;
-  fmpq_init(inverse);
-  series_init(&c);
-  series_init(&c_slope);
-  series_init(&here);
+  SCOPED(fmpq, inverse);
+  SCOPED(series, c, c_slope, here);
   series_set(&c, &s->w);
   series_set_si(&c_slope, 1);
   series_set_si(balance, 0);
@@ -56,19 +53,13 @@ static bool lift_period(struct steady_lift *s, const struct limit *l, const stru
     series_add(slope, slope, &here, ring);
     series_add(&s->travel, &s->travel, &phase->travel, ring);
   }
-  fmpq_clear(inverse);
-  series_clear(&c);
-  series_clear(&c_slope);
-  series_clear(&here);
   return lifted;
 }
 
 bool steady_lift(struct steady_lift *s, const struct limit *l, const struct series *eps, const struct ring *ring)
 {
-  struct series balance, slope;
   bool lifted = true, last = false;
-  series_init(&balance);
-  series_init(&slope);
+  SCOPED(series, balance, slope);
   series_set(&s->w, &l->w);
   for (slong length = ring->length > 1 ? 2 : 1; lifted && !last; length *= 2) {
     last = length >= ring->length;
@@ -83,7 +74,5 @@ bool steady_lift(struct steady_lift *s, const struct limit *l, const struct seri
   }
   if (lifted && ring->length > 1) /* once more, for what depends on w */
     lifted = lift_period(s, l, eps, &balance, &slope, ring);
-  series_clear(&balance);
-  series_clear(&slope);
   return lifted;
 }

@@ -1,6 +1,8 @@
 /* Bodies, and where one of them turns near an end of a phase, as symbols and series. */
 #include "asymptotics/symbolic/crossing.h"
 
+#include "asymptotics/derived/scoped.h"
+
 struct bodies bodies_of(struct symbols *s, enum scallop_phase_kind kind)
 {
   bool extension = kind == SCALLOP_EXTENSION;
@@ -19,19 +21,13 @@ symbolic bodies_curve(struct symbols *s, const struct bodies *bodies, int curve)
 
 void add_derivatives(struct symbols *s, const struct scallop_piece *piece, enum scallop_phase_kind kind, slong order)
 {
-  fmpq_poly_t speed;
-  fmpq_t at_anchor, one;
-  fmpq_poly_init(speed);
-  fmpq_init(at_anchor);
-  fmpq_init(one);
+  SCOPED(fmpq_poly, speed);
+  SCOPED(fmpq, at_anchor, one);
   fmpq_one(one);
   scallop_rational_speed_series(speed, piece, at_anchor, order > 2 ? order : 2, one);
   for (slong k = 1; k == 1 || k < order - 1; k++)
     if (k < fmpq_poly_length(speed) && !fmpz_is_zero(fmpq_poly_numref(speed) + k))
       symbols_add(s, piece->anchor == SCALLOP_FROM_START ? NAMED_AT_START : NAMED_AT_END, (int)k + 1, kind);
-  fmpq_poly_clear(speed);
-  fmpq_clear(at_anchor);
-  fmpq_clear(one);
 }
 
 struct end end_of(struct symbols *s, bool last, symbolic mu, enum scallop_phase_kind kind)

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "asymptotics/derived/formula_flint.h"
+#include "asymptotics/derived/scoped.h"
 
 enum { MOST_TERMS = 200, MOST_DEGREE = 2000, MOST_BITS = 20000, MOST_POWER = 64, MOST_FIRST = 4096 };
 
@@ -120,8 +121,7 @@ static const char *divide(struct symbolic_laurent *a, const struct symbolic_laur
 /* Is it a whole number from -MOST_POWER to MOST_POWER? */
 static bool is_whole(slong *whole, const struct symbolic_laurent *b, struct symbols *s)
 {
-  fmpz_t number;
-  fmpz_init(number);
+  SCOPED(fmpz, number);
   bool is_constant = b->first + b->count >= SYMBOLIC_TERMS && (b->count == 0 || b->first == 0);
   for (slong k = 1; k < b->count && is_constant; k++)
     is_constant = symbolic_is_zero(b->term[k], s);
@@ -132,7 +132,6 @@ static bool is_whole(slong *whole, const struct symbolic_laurent *b, struct symb
   }
   bool is = is_constant && fmpz_cmpabs(number, (fmpz[]){ MOST_POWER }) <= 0;
   *whole = is ? fmpz_get_si(number) : 0;
-  fmpz_clear(number);
   return is;
 }
 
@@ -183,11 +182,9 @@ static const char *set_operand(struct symbolic_laurent *value, const struct form
     *value = *values[step->place];
     return NULL;
   }
-  fmpq_t number;
-  fmpq_init(number);
+  SCOPED(fmpq, number);
   formula_number(number, step);
   *value = symbolic_laurent_set(s, symbolic_fraction(s, number), 0);
-  fmpq_clear(number);
   return NULL;
 }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asymptotics/derived/scoped.h"
 #include "asymptotics/published/read.h"
 #include "asymptotics/symbolic/formula_symbolic.h"
 #include "asymptotics/symbolic/language.h"
@@ -49,13 +50,11 @@ static symbolic derivative_value(struct motion *m, const struct derivative *d)
 {
   const struct symbol symbol = { .meaning = d->meaning, .derivative = d->derivative, .kind = m->kind };
   struct symbols *s = &m->symbols;
-  fmpq_t value;
-  fmpq_init(value);
+  SCOPED(fmpq, value);
   in_amplitudes(value, &symbol, m->crawler);
   int place = symbols_place(s, d->meaning, d->derivative, m->kind);
   symbolic in_L = place >= 0 ? symbolic_place(s, place)
                              : symbolic_mul(s, symbolic_fraction(s, value), symbolic_named(s, NAMED_L));
-  fmpq_clear(value);
   return in_L;
 }
 
@@ -73,8 +72,7 @@ static void list_symbols(struct motion *m, const struct formula *formula)
 {
   static const enum symbol_meaning first[] = { NAMED_m1, NAMED_m2, NAMED_M, NAMED_F1, NAMED_F2, NAMED_L, NAMED_v0 };
   int places[FORMULA_STEPS], count = formula_places(formula, places);
-  fmpq_t value;
-  fmpq_init(value);
+  SCOPED(fmpq, value);
   for (size_t i = 0; i < sizeof first / sizeof *first; i++)
     symbols_add(&m->symbols, first[i], 0, m->kind);
   for (int i = 0; i < count; i++) {
@@ -88,7 +86,6 @@ static void list_symbols(struct motion *m, const struct formula *formula)
         symbols_add(&m->symbols, d->meaning, d->derivative, m->kind);
     }
   }
-  fmpq_clear(value);
 }
 
 /* How many terms of a phase are needed: formulas divide what is given by powers of T. */

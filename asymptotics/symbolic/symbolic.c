@@ -4,6 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "asymptotics/derived/scoped.h"
+
 void symbols_init(struct symbols *s)
 {
   s->count = 0;
@@ -65,12 +67,9 @@ static void derivative_value(fmpq_t value, const struct symbol *symbol, const st
 {
   const struct scallop_shape *shape = &crawler->gait->phase[symbol->kind];
   const struct scallop_piece *piece = &shape->pieces[symbol->meaning == NAMED_AT_START ? 0 : shape->count - 1];
-  fmpq_poly_t speed;
-  fmpq_t zero;
-  fmpz_t factorial;
-  fmpq_poly_init(speed);
-  fmpq_init(zero);
-  fmpz_init(factorial);
+  SCOPED(fmpq_poly, speed);
+  SCOPED(fmpq, zero);
+  SCOPED(fmpz, factorial);
   scallop_rational_speed_series(speed, piece, zero, symbol->derivative, pi_squared);
   fmpq_poly_get_coeff_fmpq(value, speed, symbol->derivative - 1);
   fmpz_fac_ui(factorial, (ulong)symbol->derivative - 1);
@@ -78,9 +77,6 @@ static void derivative_value(fmpq_t value, const struct symbol *symbol, const st
   fmpq_mul(value, value, crawler->L);
   if (symbol->kind == SCALLOP_CONTRACTION)
     fmpq_neg(value, value);
-  fmpq_poly_clear(speed);
-  fmpq_clear(zero);
-  fmpz_clear(factorial);
 }
 
 void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler,
@@ -270,11 +266,8 @@ bool symbolic_is_zero(symbolic a, const struct symbols *s) { return fmpz_mpoly_i
 static void value_of(fmpq_t value, const fmpz_mpoly_t polynomial, const struct symbols *s, const fmpq *values)
 {
   ulong powers[MOST_SYMBOLS];
-  fmpq_t term, power;
-  fmpz_t coefficient;
-  fmpq_init(term);
-  fmpq_init(power);
-  fmpz_init(coefficient);
+  SCOPED(fmpq, term, power);
+  SCOPED(fmpz, coefficient);
   fmpq_zero(value);
   for (slong i = 0; i < fmpz_mpoly_length(polynomial, s->ring); i++) {
     fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, s->ring);
@@ -288,21 +281,16 @@ static void value_of(fmpq_t value, const fmpz_mpoly_t polynomial, const struct s
     }
     fmpq_add(value, value, term);
   }
-  fmpq_clear(term);
-  fmpq_clear(power);
-  fmpz_clear(coefficient);
 }
 
 bool symbolic_value(fmpq_t value, symbolic a, const struct symbols *s, const fmpq *values)
 {
-  fmpq_t under;
-  fmpq_init(under);
+  SCOPED(fmpq, under);
   value_of(under, a->under, s, values);
   bool defined = !fmpq_is_zero(under);
   if (defined) {
     value_of(value, a->over, s, values);
     fmpq_div(value, value, under);
   }
-  fmpq_clear(under);
   return defined;
 }

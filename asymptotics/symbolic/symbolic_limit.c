@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "asymptotics/derived/limit.h"
+#include "asymptotics/derived/scoped.h"
 #include "asymptotics/symbolic/crossing.h"
 
 /* Of all sums and products, each of some hundred bytes while it is made: ten seconds, and half a gigabyte */
@@ -149,11 +150,9 @@ static bool is_sine(const struct scallop_gait *gait)
 /* Of (F1 - F2)(2 alpha - 1) */
 static int sign_of(const struct scallop_rational_crawler *crawler)
 {
-  fmpq_t half;
-  fmpq_init(half);
+  SCOPED(fmpq, half);
   fmpq_set_si(half, 1, 2);
   int sign = fmpq_cmp(crawler->alpha, half) * fmpq_cmp(crawler->F1, crawler->F2);
-  fmpq_clear(half);
   return (sign > 0) - (sign < 0);
 }
 
@@ -183,13 +182,11 @@ static bool has_ends(const struct scallop_rational_crawler *crawler)
 {
   bool rises = true;
   for (int kind = 0; kind < 2; kind++) {
-    struct phase_constants p;
-    struct branch b;
+    ENDED_BY(phase_constants_clear) struct phase_constants p;
     phase_constants_init(&p, crawler, (enum scallop_phase_kind)kind);
+    ENDED_BY(branch_clear) struct branch b;
     branch_init(&b);
     rises = rises && branch_from_ends(&b, &p, 1, 1) && b.count == 2;
-    branch_clear(&b);
-    phase_constants_clear(&p);
   }
   return rises;
 }

@@ -6,6 +6,7 @@
  * units. */
 #include <stdio.h>
 
+#include "asymptotics/derived/scoped.h"
 #include "asymptotics/symbolic/crossing.h"
 
 static void list_symbols(struct symbols *s, const struct branch *b, enum scallop_phase_kind kind, slong order)
@@ -110,17 +111,15 @@ enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallo
                                           struct symbolic_phase *phase, const char **why)
 {
   enum { PRECISION = 64 };
-  struct scallop_phase_expansion numeric;
   struct phase_constants p;
   struct branch b;
-  fmpq_t pi_squared;
   if (order < 1 || order > SYMBOLIC_ORDERS) {
     if (why)
       *why = "the order of a formula is outside of 1 to 16";
     return SCALLOP_EDOMAIN;
   }
-  scallop_phase_expansion_init(&numeric);
-  fmpq_init(pi_squared);
+  SCOPED(scallop_phase_expansion, numeric);
+  SCOPED(fmpq, pi_squared);
   fmpq_one(pi_squared);
   enum scallop_status status = scallop_expand_phase(crawler, kind, v0, 1, PRECISION, pi_squared, &numeric, why);
   if (status == SCALLOP_OK) {
@@ -140,7 +139,5 @@ enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallo
     branch_clear(&b);
     phase_constants_clear(&p);
   }
-  scallop_phase_expansion_clear(&numeric);
-  fmpq_clear(pi_squared);
   return status;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "asymptotics/derived/limit.h"
+#include "asymptotics/derived/scoped.h"
 #include "asymptotics/symbolic/crossing.h"
 
 struct affine { /* slope times the unknown, plus constant                                                */
@@ -34,31 +35,24 @@ struct linear_law {
 static bool is_linear(fmpq_poly_t speed, const struct scallop_piece *piece)
 {
   enum { LENGTH = 4 };
-  fmpq_t at_anchor;
-  fmpq_init(at_anchor);
-  bool linear = scallop_rational_speed_series(speed, piece, at_anchor, LENGTH, NULL) && fmpq_poly_length(speed) <= 2;
-  fmpq_clear(at_anchor);
-  return linear;
+  SCOPED(fmpq, at_anchor);
+  return scallop_rational_speed_series(speed, piece, at_anchor, LENGTH, NULL) && fmpq_poly_length(speed) <= 2;
 }
 
 static bool crossings_are_linear(const struct branch *b)
 {
-  fmpq_poly_t speed;
-  fmpq_poly_init(speed);
+  SCOPED(fmpq_poly, speed);
   bool linear = true;
   for (int i = 0; linear && i < b->count; i++)
     linear = is_linear(speed, b->crossing[i].piece);
-  fmpq_poly_clear(speed);
   return linear;
 }
 
 static struct linear_law law_of(struct symbols *s, const struct scallop_piece *piece)
 {
   struct linear_law law = { .last = piece->anchor == SCALLOP_FROM_END };
-  fmpq_poly_t speed;
-  fmpq_t coefficient;
-  fmpq_poly_init(speed);
-  fmpq_init(coefficient);
+  SCOPED(fmpq_poly, speed);
+  SCOPED(fmpq, coefficient);
   is_linear(speed, piece);
   fmpq_poly_get_coeff_fmpq(coefficient, speed, 0);
   law.a = symbolic_fraction(s, coefficient);
@@ -66,8 +60,6 @@ static struct linear_law law_of(struct symbols *s, const struct scallop_piece *p
   if (law.last)
     fmpq_neg(coefficient, coefficient);
   law.b = symbolic_fraction(s, coefficient);
-  fmpq_poly_clear(speed);
-  fmpq_clear(coefficient);
   return law;
 }
 
@@ -150,9 +142,8 @@ enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallo
   static const enum symbol_meaning names[] = { NAMED_m1, NAMED_m2,    NAMED_M,    NAMED_F1, NAMED_F2,
                                                NAMED_L,  NAMED_alpha, NAMED_beta, NAMED_T };
   enum { PRECISION = 128 };
-  struct scallop_steady_expansion numeric;
   struct limit limit;
-  scallop_steady_expansion_init(&numeric);
+  SCOPED(scallop_steady_expansion, numeric);
   enum scallop_status status = scallop_expand_steady(crawler, 1, PRECISION, &numeric, why);
   if (status == SCALLOP_OK) {
     limit_init(&limit, crawler);
@@ -173,6 +164,5 @@ enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallo
     }
     limit_clear(&limit);
   }
-  scallop_steady_expansion_clear(&numeric);
   return status;
 }

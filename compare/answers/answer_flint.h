@@ -2,7 +2,7 @@
 #ifndef SCALLOP_COMPARE_ANSWERS_ANSWER_FLINT_H
 #define SCALLOP_COMPARE_ANSWERS_ANSWER_FLINT_H
 
-#include "asymptotics/derived/derived.h"
+#include "asymptotics/derived/scoped.h"
 #include "compare/answers/answer.h"
 #include "numerics/certified/certified.h"
 
@@ -18,6 +18,7 @@ struct ball_answer {
 };
 void ball_answer_init(struct ball_answer *answer);
 void ball_answer_clear(struct ball_answer *answer);
+SCOPED_KIND(ball_answer, struct ball_answer)
 /* The motion in fractions: the crawler as it was written, or exactly the doubles of a motion. v0: NULL of a steady
  * state. */
 bool answer_in_balls(struct ball_answer *answer, const struct scallop_rational_crawler *crawler, enum quantity_of of,
@@ -43,6 +44,7 @@ struct series_answer {
 };
 void series_answer_init(struct series_answer *answer);
 void series_answer_clear(struct series_answer *answer);
+SCOPED_KIND(series_answer, struct series_answer)
 /* The power of its first term that is not 0; without one the first that is not known. */
 slong series_first_power(const struct series *series);
 /* All terms below T^order. */

@@ -17,8 +17,6 @@ enum {
   STUDY_MANY_BITS = 1024
 };
 
-SCOPED_KIND(ball_answer, struct ball_answer)
-
 /* series.c. The motion at T. A phase is the half of a period: its duration is then exactly T. */
 struct motion motion_at(const struct motion *motion, double T);
 /* The answer in binary128 at T. A displacement that is 0 in double is 0. */

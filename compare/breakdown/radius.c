@@ -5,8 +5,6 @@
 
 #include "compare/breakdown/motion.h"
 
-SCOPED_FLINT(fmpz_poly)
-
 enum { MOST_POLES = 12, CONFIRMED = 4 };
 
 /* Euclid's algorithm for z^count and the polynomial with `count` coefficients: of the Pade approximants p/q, which have

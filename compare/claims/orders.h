@@ -8,9 +8,6 @@
 #include "compare/answers/answer_flint.h"
 #include "compare/claims/claims.h"
 
-SCOPED_KIND(ball_answer, struct ball_answer)
-SCOPED_KIND(scallop_symbols, struct scallop_symbols)
-
 /* Under which a formula is tested */
 struct condition {
   enum scallop_setting setting; /* SCALLOP_MOVING_EXTENSION stands for any phase with a start velocity */

@@ -15,8 +15,6 @@
 #include "compare/stress/stress.h"
 #include "model/exact/scoped.h"
 
-SCOPED_KIND(ball_answer, struct ball_answer)
-
 /* The middle of a ball; 0 where the ball holds 0. */
 struct scallop_wide ball_middle(const arb_t x);
 

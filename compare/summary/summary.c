@@ -40,8 +40,7 @@ static struct summary_series examine(const struct summary *s, const struct serie
   struct summary_series made = { .item = *item };
   struct comparison c = { &s->study.expansions, *item, s->study.cache, .tolerance = 0 };
   double T = s->motion.crawler.T;
-  arb_t value;
-  arb_init(value);
+  SCOPED(arb, value);
   series_item_value(value, item, &s->study.expansions, T, BREAKDOWN_BITS);
   made.value = arb_is_finite(value) ? arf_get_d(arb_midref(value), ARF_RND_NEAR) : NAN;
   made.error = comparison_error(&c, T);
@@ -50,7 +49,6 @@ static struct summary_series examine(const struct summary *s, const struct serie
     made.reach[i] = comparison_reach(&c);
   }
   made.limit = comparison_limit(&c);
-  arb_clear(value);
   return made;
 }
 

@@ -7,8 +7,6 @@
 #include "compare/workprec/setting.h"
 #include "model/exact/scoped.h"
 
-SCOPED_KIND(series_answer, struct series_answer)
-
 static int place(const struct scallop_formula *formula)
 {
   return formula->quantity == SCALLOP_STEADY_VELOCITY ? VELOCITY : DISPLACEMENT;

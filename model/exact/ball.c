@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "model/exact/fractions.h"
+#include "model/exact/scoped.h"
 #include "model/law.h"
 
 static fmpq *fields(struct scallop_rational_crawler *c, int i)
@@ -38,11 +39,9 @@ void scallop_rational_copy(struct scallop_rational_crawler *to, const struct sca
 
 void scallop_rational_set_double(fmpq_t x, double value)
 {
-  arf_t exact;
-  arf_init(exact);
+  SCOPED(arf, exact);
   arf_set_d(exact, value);
   arf_get_fmpq(x, exact);
-  arf_clear(exact);
 }
 
 void scallop_rational_of(struct scallop_rational_crawler *exact, const struct scallop_crawler *c)
@@ -80,15 +79,13 @@ void scallop_rational_duration(fmpq_t duration, const struct scallop_rational_cr
 /* x = digits base^exponent */
 static void scale_by_power(fmpq_t x, const fmpz_t digits, ulong base, slong exponent)
 {
-  fmpz_t power;
-  fmpz_init(power);
+  SCOPED(fmpz, power);
   fmpz_ui_pow_ui(power, base, (ulong)labs(exponent));
   fmpq_set_fmpz(x, digits);
   if (exponent >= 0)
     fmpq_mul_fmpz(x, x, power);
   else
     fmpq_div_fmpz(x, x, power);
-  fmpz_clear(power);
 }
 
 /* Digits with at most one point among them, all in the given base. Returns their end, or NULL; *places: how many after
@@ -123,8 +120,7 @@ bool scallop_rational_parse(fmpq_t x, const char *text)
   int base = hexadecimal ? 16 : 10;
   slong places, exponent = 0;
   char *digits = malloc(strlen(text) + 1), *end = NULL;
-  fmpz_t mantissa;
-  fmpz_init(mantissa);
+  SCOPED(fmpz, mantissa);
   const char *after = digits ? read_digits(text, base, digits, &places) : NULL;
   if (after && tolower((unsigned char)*after) == (hexadecimal ? 'p' : 'e')
       && (isdigit((unsigned char)after[1]) || strchr("+-", after[1]))) {
@@ -139,7 +135,6 @@ bool scallop_rational_parse(fmpq_t x, const char *text)
       fmpq_neg(x, x);
     read = true;
   }
-  fmpz_clear(mantissa);
   free(digits);
   return read;
 }
@@ -179,36 +174,29 @@ static void view_close(struct view *view)
 static void polynomial_of_time(fmpq_poly_t law, const struct scallop_piece *p, int sign, const fmpq_t start)
 {
   struct view view;
-  fmpq_t offset;
-  fmpq_poly_t shifted;
-  fmpq_init(offset);
-  fmpq_poly_init(shifted);
+  SCOPED(fmpq, offset);
+  SCOPED(fmpq_poly, shifted);
   view_open(&view, p);
   fmpq_sub(offset, start, view.of->origin);
   fmpq_poly_set_coeff_si(shifted, 1, sign);
   fmpq_poly_set_coeff_fmpq(shifted, 0, offset);
   fmpq_poly_compose(law, view.of->speed, shifted);
   view_close(&view);
-  fmpq_clear(offset);
-  fmpq_poly_clear(shifted);
 }
 
 /* x = u - origin */
 static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
 {
-  arb_t o;
-  arb_init(o);
+  SCOPED(arb, o);
   arb_set_fmpq(o, origin, precision);
   arb_sub(x, u, o, precision);
-  arb_clear(o);
 }
 
 /* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on; Horner's rule. */
 static void evaluate(arb_t value, const struct scallop_fractions *f, int order, const arb_t u, slong precision)
 {
   arb_ptr t = _arb_vec_init(2), x = t, sum = t + 1;
-  fmpz_t c;
-  fmpz_init(c);
+  SCOPED(fmpz, c);
   shift(x, u, f->origin, precision);
   for (slong k = fmpq_poly_degree(f->speed); k >= FLINT_MAX(order, 0); k--) {
     fmpz_set(c, fmpq_poly_numref(f->speed) + k);
@@ -226,7 +214,6 @@ static void evaluate(arb_t value, const struct scallop_fractions *f, int order, 
   if (order < 0)
     arb_mul(sum, sum, x, precision);
   arb_div_fmpz(value, sum, fmpq_poly_denref(f->speed), precision);
-  fmpz_clear(c);
   _arb_vec_clear(t, 2);
 }
 
@@ -242,11 +229,9 @@ static void evaluate_piece(arb_t value, const struct scallop_piece *p, int order
 static void set_place(arb_t u, const struct scallop_piece *p, void (*place)(fmpq_t, const struct scallop_piece *),
                       slong precision)
 {
-  fmpq_t exact;
-  fmpq_init(exact);
+  SCOPED(fmpq, exact);
   place(exact, p);
   arb_set_fmpq(u, exact, precision);
-  fmpq_clear(exact);
 }
 
 void scallop_ball_begin(arb_t u, const struct scallop_piece *p, slong precision)
@@ -262,13 +247,11 @@ void scallop_ball_end(arb_t u, const struct scallop_piece *p, slong precision)
 void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t u, slong precision)
 {
   if (law_is_sine(p)) { /* (pi/2) sin(pi u) */
-    arb_t half_pi;
-    arb_init(half_pi);
+    SCOPED(arb, half_pi);
     arb_const_pi(half_pi, precision);
     arb_mul_2exp_si(half_pi, half_pi, -1);
     arb_sin_pi(speed, u, precision);
     arb_mul(speed, speed, half_pi, precision);
-    arb_clear(half_pi);
     return;
   }
   evaluate_piece(speed, p, 0, u, precision);
@@ -277,14 +260,12 @@ void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t 
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u, slong precision)
 {
   if (law_is_sine(p)) { /* (pi^2/2) cos(pi u) */
-    arb_t pi;
-    arb_init(pi);
+    SCOPED(arb, pi);
     arb_const_pi(pi, precision);
     arb_mul(pi, pi, pi, precision);
     arb_mul_2exp_si(pi, pi, -1);
     arb_cos_pi(rate, u, precision);
     arb_mul(rate, rate, pi, precision);
-    arb_clear(pi);
   } else
     evaluate_piece(rate, p, 1, u, precision);
   arb_mul_si(rate, rate, law_sense(p), precision);
@@ -292,9 +273,7 @@ void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u,
 
 void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, const arb_t v, slong precision)
 {
-  arb_t a, b;
-  arb_init(a);
-  arb_init(b);
+  SCOPED(arb, a, b);
   if (law_is_sine(p)) { /* (cos(pi u) - cos(pi v))/2 = sin(pi (u + v)/2) sin(pi (v - u)/2) */
     arb_add(a, u, v, precision);
     arb_sub(b, v, u, precision);
@@ -312,17 +291,13 @@ void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, c
     arb_sub(way, b, a, precision);
   }
   arb_mul_si(way, way, law_sense(p), precision);
-  arb_clear(a);
-  arb_clear(b);
 }
 
 void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p, const arb_t u, slong length,
                                slong precision)
 {
-  arb_t s;
-  arb_poly_t time;
-  arb_init(s);
-  arb_poly_init(time);
+  SCOPED(arb, s);
+  SCOPED(arb_poly, time);
   arb_set_si(s, law_sense(p));
   arb_poly_set_coeff_arb(time, 1, s);
   arb_poly_set_coeff_arb(time, 0, u);
@@ -341,20 +316,14 @@ void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p,
     arb_poly_truncate(series, length);
     view_close(&view);
   }
-  arb_clear(s);
-  arb_poly_clear(time);
 }
 
 /* A polynomial of a series, by Horner's rule */
 static void evaluate_along(arb_poly_t value, const fmpq_poly_t law, const arb_poly_t x, slong length, slong precision)
 {
-  fmpq_t c;
-  arb_t ball, constant;
-  arb_poly_t sum;
-  fmpq_init(c);
-  arb_init(ball);
-  arb_init(constant);
-  arb_poly_init(sum);
+  SCOPED(fmpq, c);
+  SCOPED(arb, ball, constant);
+  SCOPED(arb_poly, sum);
   for (slong k = fmpq_poly_degree(law); k >= 0; k--) {
     arb_poly_mullow(sum, sum, x, length, precision);
     fmpq_poly_get_coeff_fmpq(c, law, k);
@@ -364,19 +333,13 @@ static void evaluate_along(arb_poly_t value, const fmpq_poly_t law, const arb_po
     arb_poly_set_coeff_arb(sum, 0, ball);
   }
   arb_poly_swap(value, sum);
-  fmpq_clear(c);
-  arb_clear(ball);
-  arb_clear(constant);
-  arb_poly_clear(sum);
 }
 
 void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct scallop_piece *p, const arb_t u,
                               const arb_poly_t time, slong length, slong precision)
 {
-  arb_t pi;
-  arb_poly_t offset;
-  arb_init(pi);
-  arb_poly_init(offset);
+  SCOPED(arb, pi);
+  SCOPED(arb_poly, offset);
   arb_poly_set(offset, time);
   if (law_sense(p) < 0)
     arb_poly_neg(offset, offset);
@@ -391,8 +354,7 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
     arb_poly_scalar_mul(rate, rate, pi, precision);
   } else {
     struct view view;
-    fmpq_poly_t slope;
-    fmpq_poly_init(slope);
+    SCOPED(fmpq_poly, slope);
     view_open(&view, p);
     shift(pi, u, view.of->origin, precision);
     arb_poly_set_coeff_arb(offset, 0, pi);
@@ -400,12 +362,9 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
     fmpq_poly_derivative(slope, view.of->speed);
     evaluate_along(rate, slope, offset, length, precision);
     view_close(&view);
-    fmpq_poly_clear(slope);
   }
   if (law_sense(p) < 0)
     arb_poly_neg(rate, rate);
-  arb_clear(pi);
-  arb_poly_clear(offset);
 }
 
 bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
@@ -413,26 +372,18 @@ bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_p
   *turned = p->anchor != next->anchor;
   if (law_is_sine(p) || law_is_sine(next))
     return law_is_sine(p) && law_is_sine(next);
-  fmpq_t start;
-  fmpq_poly_t here, there;
-  fmpq_init(start);
-  fmpq_poly_init(here);
-  fmpq_poly_init(there);
+  SCOPED(fmpq, start);
+  SCOPED(fmpq_poly, here, there);
   polynomial_of_time(here, p, 1, start);
   fmpq_set_si(start, *turned, 1);
   polynomial_of_time(there, next, *turned ? -1 : 1, start);
-  bool same = p->direction == next->direction && fmpq_poly_equal(here, there);
-  fmpq_poly_clear(here);
-  fmpq_poly_clear(there);
-  fmpq_clear(start);
-  return same;
+  return p->direction == next->direction && fmpq_poly_equal(here, there);
 }
 
 /* (1/2) sum over k of (-1)^k pi^(2k+2) u^(2k+1) / (2k+1)! */
 static void sine_at_its_zero(fmpq_poly_t series, slong length, const fmpq_t pi_squared)
 {
-  fmpq_t c;
-  fmpq_init(c);
+  SCOPED(fmpq, c);
   fmpq_poly_zero(series);
   fmpq_div_2exp(c, pi_squared, 1);
   for (slong k = 1; k < length; k += 2) {
@@ -442,7 +393,6 @@ static void sine_at_its_zero(fmpq_poly_t series, slong length, const fmpq_t pi_s
     fmpz_mul_ui(fmpq_denref(c), fmpq_denref(c), (ulong)((k + 1) * (k + 2)));
     fmpq_canonicalise(c);
   }
-  fmpq_clear(c);
 }
 
 bool scallop_rational_speed_series(fmpq_poly_t series, const struct scallop_piece *p, const fmpq_t u, slong length,
@@ -451,12 +401,10 @@ bool scallop_rational_speed_series(fmpq_poly_t series, const struct scallop_piec
   if (law_is_sine(p) && (!pi_squared || !fmpq_is_zero(u)))
     return false;
   if (law_is_sine(p)) {
-    fmpq_poly_t time;
-    fmpq_poly_init(time);
+    SCOPED(fmpq_poly, time);
     fmpq_poly_set_coeff_si(time, 1, law_sense(p));
     sine_at_its_zero(series, length, pi_squared);
     fmpq_poly_compose(series, series, time);
-    fmpq_poly_clear(time);
   } else
     polynomial_of_time(series, p, law_sense(p), u);
   fmpq_poly_truncate(series, length);

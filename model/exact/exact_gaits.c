@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "model/exact/fractions.h"
+#include "model/exact/scoped.h"
 
 static struct scallop_piece *piece_of(struct scallop_exact_gait *e, int kind, int i)
 {
@@ -94,8 +95,7 @@ static void set_straight(struct scallop_fractions *f, const struct scallop_shape
                          const fmpq_t down, const fmpq_t height)
 {
   enum part here = part_of(&shape->pieces[i]);
-  fmpq_t steep;
-  fmpq_init(steep);
+  SCOPED(fmpq, steep);
   fmpq_zero(f->origin);
   fmpq_poly_zero(f->speed);
   set_most(f, shape, i, up, down);
@@ -112,16 +112,13 @@ static void set_straight(struct scallop_fractions *f, const struct scallop_shape
   }
   if (here != STAYS)
     fmpq_poly_set_coeff_fmpq(f->speed, 1, steep);
-  fmpq_clear(steep);
 }
 
 static void set_straight_phase(struct scallop_exact_gait *e, int kind, const fmpq_t up, const fmpq_t down)
 {
   const struct scallop_shape *shape = &e->gait.phase[kind];
   bool stays = false;
-  fmpq_t fall, height;
-  fmpq_init(fall);
-  fmpq_init(height);
+  SCOPED(fmpq, fall, height);
   for (int i = 0; i < shape->count; i++)
     stays = stays || part_of(&shape->pieces[i]) == STAYS;
   fmpq_add(height, up, down);
@@ -135,8 +132,6 @@ static void set_straight_phase(struct scallop_exact_gait *e, int kind, const fmp
   fmpq_inv(height, height);
   for (int i = 0; i < shape->count; i++)
     set_straight(fractions_of(e, kind, i), shape, i, up, fall, height);
-  fmpq_clear(fall);
-  fmpq_clear(height);
 }
 
 /* up: of each phase; down: likewise, `apart` numbers from one phase to the next */
@@ -178,9 +173,7 @@ static bool never_turns(const struct scallop_gait *gait)
 /* l' from the start, and as seen from the end; false: it is not 0 at both ends. */
 static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int degree)
 {
-  fmpq_t sum, at_end;
-  fmpq_init(sum);
-  fmpq_init(at_end);
+  SCOPED(fmpq, sum, at_end);
   fmpq_poly_zero(forward);
   for (int k = 0; k < degree; k++) {
     fmpq_add(sum, sum, c + k);
@@ -196,8 +189,6 @@ static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int
   fmpq_poly_get_coeff_fmpq(sum, forward, 0);
   fmpq_poly_get_coeff_fmpq(at_end, back, 0);
   right = right && fmpq_is_zero(sum) && fmpq_is_zero(at_end);
-  fmpq_clear(sum);
-  fmpq_clear(at_end);
   return right;
 }
 
@@ -205,9 +196,7 @@ static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int
  * zeros are no fractions. */
 static bool exact_polynomial(struct scallop_exact_gait *e, const fmpq *c, int degree)
 {
-  fmpq_poly_t forward, back;
-  fmpq_poly_init(forward);
-  fmpq_poly_init(back);
+  SCOPED(fmpq_poly, forward, back);
   bool right = never_turns(&e->gait) && set_speeds(forward, back, c, degree);
   for (int i = 0; right && i < e->count; i++) {
     fmpq_zero(e->fractions[i].origin);
@@ -215,8 +204,6 @@ static bool exact_polynomial(struct scallop_exact_gait *e, const fmpq *c, int de
   }
   if (right)
     share(e);
-  fmpq_poly_clear(forward);
-  fmpq_poly_clear(back);
   return right;
 }
 

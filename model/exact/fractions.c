@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "model/exact/ball.h"
+#include "model/exact/scoped.h"
 #include "model/law.h"
 
 void fractions_init(struct scallop_fractions *f)
@@ -24,26 +25,20 @@ void fractions_clear(struct scallop_fractions *f)
 
 static void set_coefficient(fmpq_poly_t law, int k, double value)
 {
-  fmpq_t c;
-  fmpq_init(c);
+  SCOPED(fmpq, c);
   scallop_rational_set_double(c, value);
   fmpq_poly_set_coeff_fmpq(law, k, c);
-  fmpq_clear(c);
 }
 
 /* law / (values[0] + values[1] + ...) */
 static void divide_by_sum(fmpq_poly_t law, const double *values, int count)
 {
-  fmpq_t sum, value;
-  fmpq_init(sum);
-  fmpq_init(value);
+  SCOPED(fmpq, sum, value);
   for (int i = 0; i < count; i++) {
     scallop_rational_set_double(value, values[i]);
     fmpq_add(sum, sum, value);
   }
   fmpq_poly_scalar_div_fmpq(law, law, sum);
-  fmpq_clear(sum);
-  fmpq_clear(value);
 }
 
 /* The coefficients b[j] of a Bernstein law, from near to far, whose distance is range */
@@ -51,9 +46,7 @@ static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const
 {
   const struct scallop_bernstein_law *given = &law->bernstein;
   int n = law->degree, implied = given->implied;
-  fmpq_t others, more;
-  fmpq_init(others);
-  fmpq_init(more);
+  SCOPED(fmpq, others, more);
   for (int j = 0; j <= n; j++) {
     scallop_rational_set_double(b + j, j == implied ? given->way : given->b[j]);
     if (j != implied)
@@ -66,8 +59,6 @@ static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const
   fmpq_mul_si(b + implied, b + implied, n + 1);
   fmpq_div(b + implied, b + implied, range);
   fmpq_sub(b + implied, b + implied, others);
-  fmpq_clear(others);
-  fmpq_clear(more);
 }
 
 /* In powers of u - near: of ((u - near)/range)^k stands binomial(n, k) times the k-th forward difference of b at its
@@ -76,12 +67,8 @@ static void bernstein(fmpq_poly_t polynomial, fmpq_t origin, const struct scallo
 {
   int n = law->degree;
   fmpq *b = _fmpq_vec_init(n + 1);
-  fmpq_t range, power, c;
-  fmpz_t binomial;
-  fmpq_init(range);
-  fmpq_init(power);
-  fmpq_init(c);
-  fmpz_init(binomial);
+  SCOPED(fmpq, range, power, c);
+  SCOPED(fmpz, binomial);
   scallop_rational_set_double(origin, law->bernstein.near);
   scallop_rational_set_double(range, law->bernstein.far);
   fmpq_sub(range, range, origin);
@@ -97,10 +84,6 @@ static void bernstein(fmpq_poly_t polynomial, fmpq_t origin, const struct scallo
     fmpq_mul(power, power, range);
   }
   _fmpq_vec_clear(b, n + 1);
-  fmpq_clear(range);
-  fmpq_clear(power);
-  fmpq_clear(c);
-  fmpz_clear(binomial);
 }
 
 void fractions_of_doubles(struct scallop_fractions *f, const struct scallop_piece *p)

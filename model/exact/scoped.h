@@ -50,8 +50,10 @@ SCOPED_FLINT(fmpq)
 SCOPED_FLINT(fmpz)
 SCOPED_FLINT(fmpq_poly)
 SCOPED_FLINT(arf)
+SCOPED_FLINT(mag)
 SCOPED_FLINT(arb)
 SCOPED_FLINT(arb_poly)
+SCOPED_FLINT(fmpz_poly)
 SCOPED_KIND(scallop_rational, struct scallop_rational_crawler)
 
 #endif

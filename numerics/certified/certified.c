@@ -1,3 +1,4 @@
+#include "model/exact/scoped.h"
 #include "numerics/certified/certify.h"
 
 #include <stdlib.h>
@@ -43,13 +44,11 @@ slong certified_lost_bits(const struct scallop_rational_crawler *c)
               - FLINT_MAX(log2_size(c->m1), log2_size(c->m2));
   slong lost = 64 + 2 * labs(eps) + labs(log2_size(c->F1) - log2_size(c->F2))
                + labs(log2_size(c->m1) - log2_size(c->m2));
-  fmpq_t fraction;
-  fmpq_init(fraction);
+  SCOPED(fmpq, fraction);
   for (int kind = 0; kind < 2; kind++) {
     scallop_rational_fraction(fraction, c, (enum scallop_phase_kind)kind);
     lost += 4 * labs(log2_size(fraction));
   }
-  fmpq_clear(fraction);
   return lost;
 }
 
@@ -61,16 +60,11 @@ bool certified_is_accurate(const arb_t x, const arb_t size, slong bits)
 {
   if (!arb_contains_zero(x))
     return arb_rel_accuracy_bits(x) >= bits;
-  mag_t most, allowed;
-  mag_init(most);
-  mag_init(allowed);
+  SCOPED(mag, most, allowed);
   arb_get_mag(most, x);
   arb_get_mag_lower(allowed, size);
   mag_mul_2exp_si(allowed, allowed, -bits);
-  bool accurate = mag_cmp(most, allowed) <= 0;
-  mag_clear(most);
-  mag_clear(allowed);
-  return accurate;
+  return mag_cmp(most, allowed) <= 0;
 }
 
 enum scallop_regime certified_regime(bool sticks, bool both_move)
@@ -126,17 +120,14 @@ enum scallop_status scallop_certified_phase(const struct scallop_rational_crawle
 {
   if (!certified_domain(crawler, digits))
     return SCALLOP_EDOMAIN;
-  struct scallop_certified_phase result;
-  struct scallop_forces forces;
-  struct scallop_march march;
-  fmpq_t tau, scaled;
-  arb_t start;
+  ENDED_BY(scallop_certified_phase_clear) struct scallop_certified_phase result;
   scallop_certified_phase_init(&result);
+  ENDED_BY(scallop_forces_clear) struct scallop_forces forces;
   scallop_forces_init(&forces);
+  ENDED_BY(scallop_march_clear) struct scallop_march march;
   scallop_march_init(&march);
-  fmpq_init(tau);
-  fmpq_init(scaled);
-  arb_init(start);
+  SCOPED(fmpq, tau, scaled);
+  SCOPED(arb, start);
   scallop_forces_of(&forces, crawler, kind);
   scallop_rational_duration(tau, crawler, kind);
   fmpq_mul(scaled, v0, tau);
@@ -156,11 +147,5 @@ enum scallop_status scallop_certified_phase(const struct scallop_rational_crawle
     result = before;
   } else
     certified_say(why, reason);
-  arb_clear(start);
-  fmpq_clear(scaled);
-  fmpq_clear(tau);
-  scallop_march_clear(&march);
-  scallop_forces_clear(&forces);
-  scallop_certified_phase_clear(&result);
   return done ? SCALLOP_OK : SCALLOP_EUNDECIDED;
 }

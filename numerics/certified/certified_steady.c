@@ -1,6 +1,7 @@
 /* The steady state in ball arithmetic: found by Newton's method, and then proven. */
 #include <stdlib.h>
 
+#include "model/exact/scoped.h"
 #include "numerics/certified/certify.h"
 
 enum { STEADY_BALLS = 7 };
@@ -28,15 +29,10 @@ void scallop_certified_steady_clear(struct scallop_certified_steady *r)
 
 static bool is_zero_at(const struct scallop_piece *piece, double u)
 {
-  arb_t at, speed;
-  arb_init(at);
-  arb_init(speed);
+  SCOPED(arb, at, speed);
   arb_set_d(at, u);
   scallop_ball_speed(speed, piece, at, 2 * FLINT_BITS);
-  bool zero = arb_is_zero(speed);
-  arb_clear(at);
-  arb_clear(speed);
-  return zero;
+  return arb_is_zero(speed);
 }
 
 static bool is_zero_at_end(const struct scallop_shape *shape)
@@ -105,9 +101,7 @@ static void period_clear(struct period *period)
 static bool march_phase(struct period *period, int kind, arb_t after, const arb_t before, slong precision)
 {
   struct scallop_march *march = &period->march[kind];
-  arb_t fraction, start;
-  arb_init(fraction);
-  arb_init(start);
+  SCOPED(arb, fraction, start);
   arb_set_fmpq(fraction, period->fraction[kind], precision);
   arb_mul(start, before, fraction, precision);
   bool decided = scallop_march_phase(march, &period->forces[kind], start, precision);
@@ -115,8 +109,6 @@ static bool march_phase(struct period *period, int kind, arb_t after, const arb_
     arb_div(after, march->v_end, fraction, precision);
   else
     period->why = march->why;
-  arb_clear(fraction);
-  arb_clear(start);
   return decided;
 }
 
@@ -165,8 +157,7 @@ static void search_clear(struct search *s)
 static void bracket(struct search *s, const struct scallop_rational_crawler *c)
 {
   enum { ROUGH = 64 };
-  arb_t term;
-  arb_init(term);
+  SCOPED(arb, term);
   arb_one(s->high);
   for (int kind = 0; kind < 2; kind++) {
     const struct scallop_forces *forces = &s->period.forces[kind];
@@ -185,7 +176,6 @@ static void bracket(struct search *s, const struct scallop_rational_crawler *c)
   mag_zero(arb_radref(s->high));
   arb_neg(s->low, s->high);
   arb_zero(s->v);
-  arb_clear(term);
 }
 
 /* P(v) - v at s->v, where v is exact. Narrows the bracket: P does not fall, so it maps what is on one side of its fixed
@@ -227,8 +217,7 @@ static void middle(arb_t v, const struct search *s, slong precision)
 static bool step(struct search *s, mag_t last, slong precision)
 {
   arb_ptr t = _arb_vec_init(2);
-  mag_t size;
-  mag_init(size);
+  SCOPED(mag, size);
   arb_div(t, s->gain, s->fall, precision);
   arb_get_mag(size, t);
   mag_mul_2exp_si(size, size, 1);
@@ -245,7 +234,6 @@ static bool step(struct search *s, mag_t last, slong precision)
   bool same = arb_equal(t, s->v);
   s->known = same ? s->known : 0;
   arb_swap(s->v, t);
-  mag_clear(size);
   _arb_vec_clear(t, 2);
   return same;
 }
@@ -255,8 +243,7 @@ static bool step(struct search *s, mag_t last, slong precision)
 static void polish(struct search *s, slong precision)
 {
   enum { MOST_NUDGES = 8 };
-  mag_t last;
-  mag_init(last);
+  SCOPED(mag, last);
   mag_inf(last);
   int nudges = 0;
   for (slong i = 0; i < 4 * precision; i++) {
@@ -273,7 +260,6 @@ static void polish(struct search *s, slong precision)
       arb_get_mid_arb(s->v, s->v);
     }
   }
-  mag_clear(last);
 }
 
 static bool has_sign_at(struct search *s, const arb_t v, int sign, slong precision)
@@ -368,14 +354,12 @@ static bool is_mirrored(const struct scallop_rational_crawler *c, const struct p
  * phase. */
 static void froude_number(arb_t froude, const struct period *period, slong precision)
 {
-  fmpq_t number;
-  fmpq_init(number);
+  SCOPED(fmpq, number);
   fmpq_add(number, period->forces[0].friction[0], period->forces[0].friction[1]);
   fmpq_div(number, number, period->fraction[0]);
   fmpq_div(number, number, period->fraction[0]);
   fmpq_inv(number, number);
   arb_set_fmpq(froude, number, precision);
-  fmpq_clear(number);
 }
 
 /* In units of (F1 + F2) L */
@@ -384,8 +368,7 @@ static void friction_work(arb_t work, const struct period *period, slong precisi
   const struct scallop_march *m = period->march;
   const fmpq *friction[2] = { period->forces[0].friction[0], period->forces[0].friction[1] };
   arb_ptr t = _arb_vec_init(2), path = t, force = t + 1;
-  fmpq_t sum;
-  fmpq_init(sum);
+  SCOPED(fmpq, sum);
   fmpq_add(sum, friction[0], friction[1]);
   arb_zero(work);
   for (int i = 0; i < 2; i++) {
@@ -395,7 +378,6 @@ static void friction_work(arb_t work, const struct period *period, slong precisi
   }
   arb_set_fmpq(force, sum, precision);
   arb_div(work, work, force, precision);
-  fmpq_clear(sum);
   _arb_vec_clear(t, 2);
 }
 
@@ -442,12 +424,11 @@ enum scallop_status scallop_certified_steady(const struct scallop_rational_crawl
 {
   if (!certified_domain(crawler, digits) || !is_told_of_jumps(crawler->gait))
     return SCALLOP_EDOMAIN;
-  struct scallop_certified_steady result;
-  struct search search;
-  arb_t v;
+  ENDED_BY(scallop_certified_steady_clear) struct scallop_certified_steady result;
   scallop_certified_steady_init(&result);
+  ENDED_BY(search_clear) struct search search;
   search_init(&search, crawler);
-  arb_init(v);
+  SCOPED(arb, v);
   bracket(&search, crawler);
   slong bits = certified_bits(digits), rough = certified_lost_bits(crawler) + 64,
         first = bits + certified_lost_bits(crawler);
@@ -464,8 +445,5 @@ enum scallop_status scallop_certified_steady(const struct scallop_rational_crawl
     result = before;
   } else
     certified_say(why, reason);
-  arb_clear(v);
-  search_clear(&search);
-  scallop_certified_steady_clear(&result);
   return done ? SCALLOP_OK : SCALLOP_EUNDECIDED;
 }

@@ -1,11 +1,11 @@
 #include "numerics/certified/enclose.h"
 
 #include "model/exact/fractions.h"
+#include "model/exact/scoped.h"
 
 void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const arb_t s, int order, slong precision)
 {
-  arb_t u;
-  arb_init(u);
+  SCOPED(arb, u);
   arb_set(u, s);
   if (piece->anchor == SCALLOP_FROM_END) {
     arb_sub_ui(u, u, 1, precision);
@@ -16,28 +16,23 @@ void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const 
   else if (order == 1)
     scallop_ball_rate(value, piece, u, precision);
   else {
-    arb_poly_t series;
-    arb_poly_init(series);
+    SCOPED(arb_poly, series);
     scallop_ball_speed_series(series, piece, u, 3, precision);
     arb_poly_get_coeff_arb(value, series, 2);
     arb_mul_2exp_si(value, value, 1);
-    arb_poly_clear(series);
   }
   arb_mul_si(value, value, piece->direction, precision);
-  arb_clear(u);
 }
 
 void scallop_enclose_end(arb_t s, const struct scallop_piece *piece, slong precision)
 {
-  fmpq_t u;
-  fmpq_init(u);
+  SCOPED(fmpq, u);
   scallop_rational_end(u, piece);
   if (piece->anchor == SCALLOP_FROM_END) {
     fmpq_sub_si(u, u, 1);
     fmpq_neg(u, u);
   }
   arb_set_fmpq(s, u, precision);
-  fmpq_clear(u);
 }
 
 void scallop_track_init(struct scallop_track *f)
@@ -72,14 +67,11 @@ enum { FEW = 128 };
 
 static int sign_over(const struct scallop_track *f, const arb_t s, int derivative, slong precision)
 {
-  arb_t value;
-  arb_init(value);
+  SCOPED(arb, value);
   enclose(value, f, s, derivative, FLINT_MIN(FEW, precision));
   if (precision > FEW && arb_contains_zero(value))
     enclose(value, f, s, derivative, precision);
-  int sign = arb_sgn_nonzero(value);
-  arb_clear(value);
-  return sign;
+  return arb_sgn_nonzero(value);
 }
 
 /* f over the ball s by the mean value theorem: where the slope is small, so is the excess. */
@@ -99,16 +91,10 @@ static int sign_by_mean_value(const struct scallop_track *f, const arb_t s, slon
 /* One half of the ball, the earlier one or the later one. */
 static void halve(arb_t x, bool earlier, slong precision)
 {
-  arf_t low, middle, high;
-  arf_init(low);
-  arf_init(middle);
-  arf_init(high);
+  SCOPED(arf, low, middle, high);
   arf_set(middle, arb_midref(x));
   arb_get_interval_arf(low, high, x, precision);
   arb_set_interval_arf(x, earlier ? low : middle, earlier ? middle : high, precision);
-  arf_clear(low);
-  arf_clear(middle);
-  arf_clear(high);
 }
 
 /* Newton's method for the only zero in a ball over which f is monotone, until rounding is all that is left. Besides,
@@ -117,8 +103,7 @@ static void halve(arb_t x, bool earlier, slong precision)
 static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
 {
   arb_ptr t = _arb_vec_init(3), middle = t, value = t + 1, slope = t + 2;
-  mag_t enough;
-  mag_init(enough);
+  SCOPED(mag, enough);
   bool right = true, going = true;
   slong bits = FLINT_MIN(FEW, precision);
   while (right && (going || bits < precision)) {
@@ -138,7 +123,6 @@ static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
       right = arb_intersection(zero, zero, middle, precision);
     going = mag_cmp(arb_radref(zero), enough) < 0;
   }
-  mag_clear(enough);
   _arb_vec_clear(t, 3);
   return right && arb_is_finite(zero);
 }
@@ -149,34 +133,26 @@ enum judgement { NOTHING, ZERO, UNKNOWN, UNKNOWN_AT_END };
  * exactly. */
 static bool gait_ends_in_zero(const struct scallop_piece *piece, int order)
 {
-  fmpq_t u;
-  fmpq_poly_t series;
-  fmpq_init(u);
-  fmpq_poly_init(series);
+  SCOPED(fmpq, u);
+  SCOPED(fmpq_poly, series);
   scallop_rational_end(u, piece);
   bool rational = scallop_rational_speed_series(series, piece, u, order + 1, NULL);
   fmpq_poly_get_coeff_fmpq(u, series, order);
-  bool zero = rational && fmpq_is_zero(u);
-  fmpq_poly_clear(series);
-  fmpq_clear(u);
-  return zero;
+  return rational && fmpq_is_zero(u);
 }
 
 /* A margin that is 0 exactly where a piece ends is looked at again by the next piece, and what happens at the end of
  * the phase does not matter to it: equal forces while l'' goes to 0. So such an end can be left out of the stretch. */
 static bool ends_in_zero(const struct scallop_track *f, const arb_t end, slong precision)
 {
-  arb_t value;
-  arb_init(value);
+  SCOPED(arb, value);
   scallop_enclose_end(value, f->piece, precision);
   if (arb_equal(value, end) && gait_ends_in_zero(f->piece, f->order)) {
     arb_mul(value, f->slope, end, precision);
     arb_add(value, value, f->constant, precision);
   } else
     enclose(value, f, end, 0, precision);
-  bool zero = arb_is_zero(value) && (f->order == 1 || arb_is_one(end));
-  arb_clear(value);
-  return zero;
+  return arb_is_zero(value) && (f->order == 1 || arb_is_one(end));
 }
 
 /* What is certain about (begin, end] as a whole; over is the ball of it. */

@@ -1,3 +1,4 @@
+#include "model/exact/scoped.h"
 #include "numerics/certified/march_mode.h"
 
 static const char *const grazing[] = { "body 1 touches zero velocity without turning, or almost: grazing",
@@ -112,29 +113,25 @@ static bool begin_dwell(struct scallop_march *m)
 /* l' jumps, and the velocities with it. */
 static bool jump(struct scallop_march *m)
 {
-  arb_t rate;
-  arb_init(rate);
+  SCOPED(arb, rate);
   scallop_enclose_gait(rate, m->piece, m->now, 0, m->precision);
   arb_sub(m->rate, rate, m->rate, m->precision);
   arb_addmul(m->v[0], m->share[0], m->rate, m->precision);
   arb_addmul(m->v[1], m->share[1], m->rate, m->precision);
   arb_swap(m->rate, rate);
-  arb_clear(rate);
   return m->piece->direction == 0 ? begin_dwell(m) : set_directions(m);
 }
 
 /* Whether l'' is constant over the piece and rational; bend is l'' then. */
 static bool is_even(fmpq_t bend, const struct scallop_piece *piece)
 {
-  fmpq_poly_t law;
-  fmpq_poly_init(law);
+  SCOPED(fmpq_poly, law);
   fmpq_zero(bend);
   bool even = scallop_rational_speed_series(law, piece, bend, WORD_MAX, NULL) && fmpq_poly_degree(law) <= 1;
   if (even) {
     fmpq_poly_get_coeff_fmpq(bend, law, 1);
     fmpq_mul_si(bend, bend, piece->direction);
   }
-  fmpq_poly_clear(law);
   return even;
 }
 
@@ -142,15 +139,10 @@ static bool is_even(fmpq_t bend, const struct scallop_piece *piece)
  * the ends of phases. */
 static bool begins_at_zero(const struct scallop_piece *piece)
 {
-  fmpq_t u;
-  fmpq_poly_t speed;
-  fmpq_init(u);
-  fmpq_poly_init(speed);
+  SCOPED(fmpq, u);
+  SCOPED(fmpq_poly, speed);
   scallop_rational_begin(u, piece);
-  bool zero = scallop_rational_speed_series(speed, piece, u, 1, NULL) && fmpq_poly_is_zero(speed);
-  fmpq_clear(u);
-  fmpq_poly_clear(speed);
-  return zero;
+  return scallop_rational_speed_series(speed, piece, u, 1, NULL) && fmpq_poly_is_zero(speed);
 }
 
 /* l' is 0 now and both bodies are at rest, without having turned back. From the right: the rear one would have done so
@@ -180,10 +172,8 @@ static void set_piece(struct scallop_march *m, const struct scallop_piece *piece
 /* From a piece to the next one where l' is 0 in between: what does not go on in one direction comes to rest. */
 static bool pass_zero(struct scallop_march *m, const struct scallop_piece *next)
 {
-  arb_t rate;
-  arb_init(rate);
+  SCOPED(arb, rate);
   march_settle_at(m, rate);
-  arb_clear(rate);
   bool alike = m->s[0] == m->s[1] && m->s[0] != 0;
   bool decided = alike || is_at_rest(m) || undecided(m, at_end[arb_is_zero(m->v[0]) ? 1 : 0]);
   decided = decided && (alike || m->piece->direction == 0 || turn_back(m));
@@ -237,8 +227,7 @@ static bool earlier(struct scallop_march *m, const struct scallop_track *f, cons
                     arb_t when, int *which)
 {
   enum scallop_found found[2] = { SCALLOP_GRAZES, SCALLOP_GRAZES };
-  arb_t until;
-  arb_init(until);
+  SCOPED(arb, until);
   arb_set(until, end);
   *which = -1;
   for (int pass = 0; pass < 3; pass++) {
@@ -256,7 +245,6 @@ static bool earlier(struct scallop_march *m, const struct scallop_track *f, cons
   }
   arb_set(when, until);
   bool stopped = *which >= 0 && !arb_lt(when, end);
-  arb_clear(until);
   for (int i = 0; i < 2; i++)
     if (found[i] == SCALLOP_GRAZES || found[i] == SCALLOP_AT_END || (stopped && *which == i)) {
       int body = is_stuck(m) ? the_stuck(m) : i;
@@ -291,9 +279,7 @@ static bool next_change(struct scallop_march *m, const arb_t end, arb_t when, in
 /* While l' stays 0: v' = -s (F1 + F2) until both are at rest, if they move at all. */
 static bool march_dwell(struct scallop_march *m, const arb_t end)
 {
-  arb_t stop, drag;
-  arb_init(stop);
-  arb_init(drag);
+  SCOPED(arb, stop, drag);
   bool decided = true;
   if (m->s[0] != 0) {
     march_friction_sum(drag, m, m->s[0], m->s[1]);
@@ -314,16 +300,12 @@ static bool march_dwell(struct scallop_march *m, const arb_t end)
   }
   if (decided)
     march_advance(m, end);
-  arb_clear(stop);
-  arb_clear(drag);
   return decided;
 }
 
 static bool march_piece(struct scallop_march *m)
 {
-  arb_t end, when;
-  arb_init(end);
-  arb_init(when);
+  SCOPED(arb, end, when);
   scallop_enclose_end(end, m->piece, m->precision);
   bool moves = m->piece->direction != 0, decided = moves || march_dwell(m, end);
   int which = moves ? 0 : -1;
@@ -336,8 +318,6 @@ static bool march_piece(struct scallop_march *m)
     else if (decided && which >= 0)
       decided = turn(m, which);
   }
-  arb_clear(end);
-  arb_clear(when);
   return decided;
 }
 

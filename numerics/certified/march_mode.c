@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "model/exact/scoped.h"
+
 void scallop_forces_init(struct scallop_forces *forces)
 {
   scallop_exact_init(&forces->exact);
@@ -23,9 +25,7 @@ void scallop_forces_clear(struct scallop_forces *forces)
 void scallop_forces_of(struct scallop_forces *forces, const struct scallop_rational_crawler *c,
                        enum scallop_phase_kind kind)
 {
-  fmpq_t M, unit;
-  fmpq_init(M);
-  fmpq_init(unit);
+  SCOPED(fmpq, M, unit);
   forces->kind = kind;
   scallop_exact_of(&forces->exact, c->gait);
   fmpq_add(M, c->m1, c->m2);
@@ -38,8 +38,6 @@ void scallop_forces_of(struct scallop_forces *forces, const struct scallop_ratio
   fmpq_div(unit, unit, c->L);
   fmpq_mul(forces->friction[0], c->F1, unit);
   fmpq_mul(forces->friction[1], c->F2, unit);
-  fmpq_clear(M);
-  fmpq_clear(unit);
 }
 
 enum { BALLS = 19 };
@@ -91,69 +89,53 @@ static int rear(const struct scallop_march *m) { return m->forces->kind == SCALL
 /* n1 F1 + n2 F2 */
 static void friction(fmpq_t sum, const struct scallop_march *m, int n1, int n2)
 {
-  fmpq_t term;
-  fmpq_init(term);
+  SCOPED(fmpq, term);
   fmpq_mul_si(sum, m->forces->friction[0], n1);
   fmpq_mul_si(term, m->forces->friction[1], n2);
   fmpq_add(sum, sum, term);
-  fmpq_clear(term);
 }
 
 void march_friction_sum(arb_t sum, const struct scallop_march *m, int n1, int n2)
 {
-  fmpq_t exact;
-  fmpq_init(exact);
+  SCOPED(fmpq, exact);
   friction(exact, m, n1, n2);
   arb_set_fmpq(sum, exact, m->precision);
-  fmpq_clear(exact);
 }
 
 /* x_body'' now if it goes in direction s and the other body as it goes; where l'' is even, rounded once. */
 static void acceleration(arb_t value, struct scallop_march *m, int body, int s)
 {
-  fmpq_t drag, exact;
-  fmpq_init(drag);
-  fmpq_init(exact);
+  SCOPED(fmpq, drag, exact);
   friction(drag, m, body == 0 ? s : m->s[0], body == 0 ? m->s[1] : s);
   if (m->even) {
     fmpq_mul(exact, m->forces->share[body], m->bend);
     fmpq_sub(exact, exact, drag);
     arb_set_fmpq(value, exact, m->precision);
   } else {
-    arb_t force;
-    arb_init(force);
+    SCOPED(arb, force);
     scallop_enclose_gait(value, m->piece, m->now, 1, m->precision);
     arb_mul(value, value, m->share[body], m->precision);
     arb_set_fmpq(force, drag, m->precision);
     arb_sub(value, value, force, m->precision);
-    arb_clear(force);
   }
-  fmpq_clear(drag);
-  fmpq_clear(exact);
 }
 
 enum hold march_hold_against(struct scallop_march *m, int body, int side)
 {
-  arb_t value;
-  arb_init(value);
+  SCOPED(arb, value);
   acceleration(value, m, body, side);
   int sign = arb_sgn_nonzero(value);
   bool at_its_limit = m->even && arb_is_zero(value);
-  arb_clear(value);
   return sign == side ? PULLED : sign == -side || at_its_limit ? HELD : UNDECIDED;
 }
 
 void march_shear(struct scallop_march *m, int body, int s)
 {
-  arb_t before, after;
-  arb_init(before);
-  arb_init(after);
+  SCOPED(arb, before, after);
   acceleration(before, m, body, s);
   acceleration(after, m, body, -s);
   arb_div(after, after, before, m->precision);
   arb_mul(m->multiplier, m->multiplier, after, m->precision);
-  arb_clear(before);
-  arb_clear(after);
 }
 
 void march_advance(struct scallop_march *m, const arb_t to)
@@ -226,11 +208,9 @@ void march_settle_at(struct scallop_march *m, const arb_t rate)
 
 void march_settle(struct scallop_march *m)
 {
-  arb_t rate;
-  arb_init(rate);
+  SCOPED(arb, rate);
   scallop_enclose_gait(rate, m->piece, m->now, 0, m->precision);
   march_settle_at(m, rate);
-  arb_clear(rate);
 }
 
 void march_take_down(struct scallop_march *m)

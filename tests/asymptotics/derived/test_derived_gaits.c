@@ -5,8 +5,6 @@
 #include "tests/support/odd_gaits.h"
 #include "tests/support/solved.h"
 
-SCOPED_KIND(scallop_symbols, struct scallop_symbols)
-
 enum { DIGITS = 40 };
 
 struct subject {

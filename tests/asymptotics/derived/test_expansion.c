@@ -8,8 +8,6 @@
 
 enum { MANY = 12 };
 
-SCOPED_KIND(scallop_symbols, struct scallop_symbols)
-
 static void end_series(struct scallop_series **series) { scallop_series_free(*series); }
 
 /* The coefficient of a quantity by the face, beside the one of the series inside: the fraction, where there is one, and

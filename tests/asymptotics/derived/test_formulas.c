@@ -8,8 +8,6 @@
 #include "model/gaits.h"
 #include "tests/support/exact.h"
 
-SCOPED_KIND(scallop_symbols, struct scallop_symbols)
-
 enum { PRECISION = 300, LENGTH = 24 };
 static const struct ring ring = { LENGTH, PRECISION };
 

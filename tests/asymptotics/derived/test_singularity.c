@@ -7,8 +7,6 @@
 #include "tests/support/exact.h"
 #include "tests/support/solved.h"
 
-SCOPED_FLINT(acb)
-
 enum { PRECISION = 128 };
 
 struct subject {
