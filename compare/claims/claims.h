@@ -6,7 +6,7 @@
  *     or in a book. order.c and book.c go through these under their conditions, trial.c expands and samples the motion,
  *     proof.c finds what the formula leaves out, ledger.c holds one against the other (orders.h);
  *   - in words: one row and one function in random.c (every crawler), examples.c, families.c (crawlers that differ in
- *     one number) or figures.c. statement.[ch] has what these are made of, words.c adds the rows.
+ *     one number) or figures.c. statement.[ch] has what these are made of, and adds the rows.
  *
  * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not
  * hold 0; for all parameters where the coefficients are known in names, else for the crawler of the row. A claim in

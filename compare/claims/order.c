@@ -191,13 +191,30 @@ static void fill(struct part *part)
       add_formula(part, f, TURNED);
 }
 
+/* Every formula that a row from `first` on names as right where another is wrong has its row for the same conditions,
+ * and holds; if not, it is noted. */
+static void check_corrections(struct ledger *ledger, int first)
+{
+  for (int i = first; i < ledger->count; i++) {
+    const struct claim_row *wrong = &ledger->rows[i];
+    bool stands = !*wrong->corrected;
+    for (int j = first; j < ledger->count && !stands; j++) {
+      const struct claim_row *row = &ledger->rows[j];
+      stands = (row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER)
+               && strcmp(row->claim, wrong->corrected) == 0 && strcmp(row->conditions, wrong->conditions) == 0;
+    }
+    if (!stands)
+      ledger_contradict(ledger, wrong, "%s, which is to take its place, has no row that holds", wrong->corrected);
+  }
+}
+
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const char *only)
 {
   const int first = ledger->count;
   struct part part = { .crawler = crawler, .only = only, .ledger = ledger };
   fill(&part);
   if (!only && !ledger->is_forecast && scallop_gait_named(crawler->gait->name))
-    ledger_check_corrections(ledger, first);
+    check_corrections(ledger, first);
   for (int i = 0; i < 2 * CONDITIONS; i++)
     if (part.trial[i / 2][i % 2].condition)
       trial_clear(&part.trial[i / 2][i % 2]);

@@ -60,17 +60,10 @@ struct claim_row row_of_formula(const struct scallop_formula *f, const struct sc
  * NULL. */
 void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *formula,
                    const char *why);
-/* Fits the order to the points of the row, holds it against the derived one, and adds the row. What contradicts itself
- * is noted. */
-void ledger_enter(struct ledger *ledger, struct claim_row *row);
-/* Behind other reasons; behind what the text holds, as far as there is room */
-void add_reason(struct claim_row *row, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Behind what the text holds, as far as there is room */
 void append(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* Notes what cannot be. */
 void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* Every formula that a row from `first` on names as right where another is wrong has its row for the same conditions,
- * and holds; if not, it is noted. */
-void ledger_check_corrections(struct ledger *ledger, int first);
 
 #endif

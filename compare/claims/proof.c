@@ -1,5 +1,6 @@
 /* What a formula leaves out, the derived expansion minus the formula, by numbers and in names; and the verdict. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -25,6 +26,16 @@ struct proof {
   slong for_all_below;       /* where nothing was found: lower coefficients vanish for all parameters; 0: not known */
   char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                               */
 };
+
+__attribute__((format(printf, 2, 3))) static void add_reason(struct claim_row *row, const char *format, ...)
+{
+  char reason[sizeof row->reason];
+  va_list values;
+  va_start(values, format);
+  vsnprintf(reason, sizeof reason, format, values);
+  va_end(values);
+  append(row->reason, sizeof row->reason, "%s%s", *row->reason ? "; " : "", reason);
+}
 
 /* derived - formula, of so many terms. False: the formula has no expansion. */
 static bool set_left_out(struct series *left_out, const struct trial *m, const struct scallop_formula *f, slong terms,
@@ -231,6 +242,62 @@ static void judge(struct claim_row *row, const struct proof *p)
   }
 }
 
+/* The row in the ledger */
+
+/* Is the error enclosed by 0 at every T, or, last, at the smallest? */
+static bool is_enclosed(const struct claim_row *row, bool last)
+{
+  bool enclosed = row->count > 0;
+  for (int i = last ? row->count - 1 : 0; i >= 0 && i < row->count; i++)
+    enclosed = enclosed && fabs(row->points[i].err) <= row->points[i].noise;
+  return enclosed;
+}
+
+/* The order is fitted over the smallest T. */
+static void fit(struct claim_row *row)
+{
+  struct scallop_order_point *points = row->points;
+  enum { FITTED = 12 };
+  int tail = row->count < FITTED ? row->count : FITTED;
+  for (int i = 0; i < row->count; i++) {
+    points[i].pairwise = i + 1 < row->count
+                             ? log(fabs(points[i].err / points[i + 1].err)) / log(points[i].h / points[i + 1].h)
+                             : NAN;
+    points[i].use = row->exact ? SCALLOP_ORDER_ZERO : SCALLOP_ORDER_COARSE;
+  }
+  struct scallop_order_wanted wanted = { .order = NAN, .tolerance = CLAIM_TOLERANCE };
+  scallop_order(points + row->count - tail, &tail, &wanted, &row->fit);
+}
+
+/* Fits the order to the points of the row, and holds it against the derived one. */
+static void enter(struct ledger *ledger, struct claim_row *row)
+{
+  static const double agreement = 1e-6; /* what is left of the next terms at the smallest T, many times over */
+  fit(row);
+  if (row->exact && isinf(row->claimed_order) && row->count > 0 && !is_enclosed(row, false)) {
+    row->verdict = CLAIM_REFUTED;
+    row->evidence = CERTIFIED_CRAWLER;
+    add_reason(row, "but the certified error is not 0 at every T");
+  }
+  const bool beyond = row->fit.order > (double)row->derived_order - CLAIM_TOLERANCE; /* of what was looked at */
+  /* the measured error is what is left out; of what vanishes below a power it is 0 at the smallest T, or of that */
+  if (row->proven && row->count == 0)
+    ledger_contradict(ledger, row, "no exact motion has the modes of the expansion");
+  else if (row->proven && row->exact && !is_enclosed(row, true) && !beyond)
+    ledger_contradict(ledger, row, "nothing is left out, and the certified error is not 0");
+  else if (row->proven && !row->exact && row->mismatch > agreement)
+    ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",
+                      row->mismatch);
+  if (row->proven && !row->exact && fabs(row->fit.order - (double)row->derived_order) > CLAIM_TOLERANCE)
+    add_reason(row, "at the T that were measured it goes as T^%.3g", row->fit.order);
+  if (row->verdict != CLAIM_REFUTED)
+    *row->corrected = '\0';
+  /* the corrections are for the gaits of the paper: with others there may be none */
+  else if (!*row->corrected && row->source != OF_BOOK && scallop_gait_named(row->gait))
+    ledger_contradict(ledger, row, "refuted, and nothing is named that holds");
+  ledger_add(ledger, row);
+}
+
 void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *f,
                    const char *why)
 {
@@ -250,5 +317,5 @@ void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m
                *why ? why : "no expansion in powers of T is known for this motion");
     row->verdict = CLAIM_UNDECIDED;
   }
-  ledger_enter(ledger, row);
+  enter(ledger, row);
 }
