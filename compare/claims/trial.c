@@ -2,7 +2,6 @@
  * with the errors of formulas there. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "compare/claims/orders.h"
@@ -68,23 +67,18 @@ struct sample {
   struct ball_answer exact;
 };
 
-/* Not yet solved. False: out of memory */
-static bool begin_samples(struct trial *m, const fmpq_t T0)
+static struct sample *sample_at(const struct trial *m, const fmpq_t T0, int k)
 {
-  m->samples = calloc(CLAIM_POINTS, sizeof *m->samples);
-  for (int k = 0; m->samples && k < CLAIM_POINTS; k++) {
-    fmpq_init(m->samples[k].T);
-    fmpq_div_2exp(m->samples[k].T, T0, 2 * (ulong)k);
-    ball_answer_init(&m->samples[k].exact);
-  }
-  return m->samples;
+  fmpq_div_2exp(m->samples[k].T, T0, 2 * (ulong)k);
+  return &m->samples[k];
 }
 
-static void solve_sample(struct sample *s, const struct trial *m)
+static void solve_sample(struct sample *s, const struct trial *m, long digits)
 {
   char modes[MOTION_MODES_TEXT];
   SCOPED(scallop_rational, crawler);
   SCOPED(fmpq, fraction);
+  s->digits = digits;
   scallop_rational_copy(&crawler, &m->crawler);
   fmpq_one(fraction);
   if (!trial_is_steady(m))
@@ -104,30 +98,29 @@ static void take_samples(struct trial *m)
   double apart = fmin(m1, m2) / (m1 + m2) * force / (F1 + F2), decades = apart < 0.001 ? ceil(-log10(apart)) : 0;
   SCOPED(fmpq, T0);
   set_rounded(T0, sqrt((m1 + m2) * fmpq_get_d(c->L) / (F1 + F2)) * pow(10, -decades));
-  if (!begin_samples(m, T0))
-    return;
-  for (int k = 0; k < CLAIM_POINTS; k++) {
-    /* of c T^p, p <= 9 or so, c of size 1, ten are left */
-    m->samples[k].digits = 40 + (long)(10 * (0.602 * k + 1.5 * decades));
-    solve_sample(&m->samples[k], m);
-  }
+  for (int k = 0; k < CLAIM_POINTS; k++) /* of c T^p, p <= 9 or so, c of size 1, ten digits are left */
+    solve_sample(sample_at(m, T0, k), m, 40 + (long)(10 * (0.602 * k + 1.5 * decades)));
 }
 
 void trial_init(struct trial *m)
 {
-  *m = (struct trial){ .condition = NULL };
+  *m = (struct trial){ .samples = flint_calloc(CLAIM_POINTS, sizeof *m->samples) };
   fmpq_init(m->v0);
   scallop_rational_init(&m->crawler);
   series_answer_init(&m->series);
+  for (int k = 0; k < CLAIM_POINTS; k++) {
+    fmpq_init(m->samples[k].T);
+    ball_answer_init(&m->samples[k].exact);
+  }
 }
 
 void trial_clear(struct trial *m)
 {
-  for (int k = 0; m->samples && k < CLAIM_POINTS; k++) {
+  for (int k = 0; k < CLAIM_POINTS; k++) {
     fmpq_clear(m->samples[k].T);
     ball_answer_clear(&m->samples[k].exact);
   }
-  free(m->samples);
+  flint_free(m->samples);
   series_answer_clear(&m->series);
   scallop_rational_clear(&m->crawler);
   fmpq_clear(m->v0);
@@ -148,14 +141,14 @@ void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler
 
 static void sample_end(struct sample *s, const struct scallop_piece *last)
 {
+  struct scallop_certified_phase *phase = &s->exact.phase;
   SCOPED(arb, before, end);
   arb_set_fmpq(before, s->T, PRECISION);
-  scallop_ball_speed(s->exact.phase.dx1, last, before, PRECISION);
-  scallop_ball_way(s->exact.phase.dx2, last, before, end, PRECISION);
-  arb_sub_ui(s->exact.phase.dx2, s->exact.phase.dx2, 1, PRECISION);
-  arb_neg(s->exact.phase.dx2, s->exact.phase.dx2);
-  s->exact.value[Q_DX1] = s->exact.phase.dx1;
-  s->exact.value[Q_DX2] = s->exact.phase.dx2;
+  scallop_ball_speed(phase->dx1, last, before, PRECISION);
+  scallop_ball_way(phase->dx2, last, end, before, PRECISION);
+  arb_add_ui(phase->dx2, phase->dx2, 1, PRECISION);
+  s->exact.value[Q_DX1] = phase->dx1;
+  s->exact.value[Q_DX2] = phase->dx2;
   s->digits = (PRECISION - 64) / 4;
   s->solved = true;
 }
@@ -170,9 +163,9 @@ void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *
   struct series *speed = &m->series.phase.dx1, *length = &m->series.phase.dx2;
   SCOPED(series, back);
   SCOPED(fmpq, one);
+  fmpq_one(one);
   m->condition = &end;
   scallop_rational_copy(&m->crawler, crawler);
-  fmpq_one(one);
   fmpq_one(m->crawler.L);
   scallop_speed_series(speed, last, NULL, &ring);
   series_set_x(&back);
@@ -186,9 +179,8 @@ void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *
   m->series.value[Q_DX1] = speed;
   m->series.value[Q_DX2] = length;
   m->terms = SCALLOP_MOST_TERMS; /* no more to be had */
-  if (begin_samples(m, one))
-    for (int k = 1; k < CLAIM_POINTS; k++)
-      sample_end(&m->samples[k], last);
+  for (int k = 1; k < CLAIM_POINTS; k++)
+    sample_end(sample_at(m, one, k), last);
 }
 
 /* Errors */
@@ -245,7 +237,7 @@ void trial_measure(struct claim_row *row, const struct trial *m, const struct sc
 {
   enum { ACCURATE = 20 };
   SCOPED(arb, error);
-  for (const struct sample *s = m->samples; s && s < m->samples + CLAIM_POINTS; s++)
+  for (const struct sample *s = m->samples; s < m->samples + CLAIM_POINTS; s++)
     if (error_at(error, s, m, f)) {
       if (arb_rel_accuracy_bits(error) >= ACCURATE)
         row->mismatch = mismatch_at(error, left_out, s->T, 4 * s->digits + 64);
