@@ -336,8 +336,8 @@ static const char decays[] = "mean_velocity_decays_once_sticking_begins", speed[
 const struct statement statements_of_families[] = {
   { changes, "4.4", "v_start", BY_RATIO, .decide = changes_sign, .varied = VARY_RATIO },
   { peaks, "4.4", speed, BY_RATIO, .decide = peaks_at_boundary, .varied = VARY_RATIO },
-  { "mean_velocity_has_one_maximum", "4.5", speed,
-    BY_RATIO ": \"increases to a maximum and then decays to zero\"", .decide = has_one_maximum, .varied = VARY_RATIO },
+  { "mean_velocity_has_one_maximum", "4.5", speed, BY_RATIO ": \"increases to a maximum and then decays to zero\"",
+    .decide = has_one_maximum, .varied = VARY_RATIO },
   { decays, "4.5", speed, BY_RATIO ", where a body sticks: \"then decays to zero as the asymmetry increases\"",
     .decide = decays_once_sticking, .varied = VARY_RATIO },
   { changes, "4.4", "v_start", BY_FORCES, .decide = changes_sign, .varied = VARY_FORCES },

@@ -177,9 +177,7 @@ struct alphas { /* in hundredths, from first on by 8; one of them to name; seen 
 
 static double velocity_by_27(struct scallop_crawler c, bool mirrored)
 {
-  const struct scallop_crawler exchanged = { c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
-  const double v = printed(mirrored ? exchanged : c, "text_steady_velocity").value;
-  return mirrored ? -v : v;
+  return mirrored ? -velocity_by_27(exchanged(c), false) : printed(c, "text_steady_velocity").value;
 }
 
 static void in_the_limit(struct question *q, struct scallop_crawler c)

@@ -12,24 +12,15 @@
 
 enum { RANDOM_CRAWLERS = 400 };
 
-/* 10^x for x in [-1, 1] by its own series: the same bits on every machine */
-static double power_of_ten(double x)
-{
-  double y = x * 2.302585092994046 / 64, p = 1 + y * (1 + y / 2 * (1 + y / 3 * (1 + y / 4 * (1 + y / 5))));
-  for (int i = 0; i < 6; i++)
-    p *= p;
-  return p;
-}
-
 /* Of a Sobol sequence: L = 1, eps from 0.01 to 10 */
 static struct scallop_crawler next_crawler(gsl_qrng *sequence, const struct scallop_gait *gait)
 {
   double u[6];
   gsl_qrng_get(sequence, u);
   struct scallop_crawler c = { .L = 1, .gait = gait, .alpha = 0.05 + 0.9 * u[4] };
-  c.m1 = power_of_ten(2 * u[0] - 1), c.m2 = power_of_ten(2 * u[1] - 1);
-  c.F1 = power_of_ten(2 * u[2] - 1), c.F2 = power_of_ten(2 * u[3] - 1);
-  c.T = sqrt((c.m1 + c.m2) / (c.F1 + c.F2)) * power_of_ten(1.5 * u[5] - 1);
+  c.m1 = pow(10, 2 * u[0] - 1), c.m2 = pow(10, 2 * u[1] - 1);
+  c.F1 = pow(10, 2 * u[2] - 1), c.F2 = pow(10, 2 * u[3] - 1);
+  c.T = sqrt((c.m1 + c.m2) / (c.F1 + c.F2)) * pow(10, 1.5 * u[5] - 1);
   return c;
 }
 
@@ -51,15 +42,14 @@ enum { MULTIPLIER, SLIDES_BACKWARD, STICKS_BACKWARD, BOTH_REST, EXCHANGED };
 
 static void steady_state(struct question *q, struct scallop_crawler c, double x[RANDOM_NUMBERS])
 {
-  const struct scallop_crawler exchanged = { c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
   const struct solved s = steady(q, c);
-  const double moved = s.displacement, backward = forwards(moved, &c) * (c.alpha > 0.5 ? -1 : 1);
+  const double backward = forwards(s.displacement, &c) * (c.alpha > 0.5 ? -1 : 1);
   const bool slides = s.regime == SCALLOP_SLIDING;
   x[MULTIPLIER] = s.multiplier;
   x[SLIDES_BACKWARD] = slides ? backward : -INFINITY;
   x[STICKS_BACKWARD] = slides ? -INFINITY : backward;
   x[BOTH_REST] = strstr(s.modes, "00") != NULL;
-  x[EXCHANGED] = fabs(moved + steady(q, exchanged).displacement);
+  x[EXCHANGED] = fabs(s.displacement + steady(q, exchanged(c)).displacement);
 }
 
 enum { EQUAL_FORCES_MOVE, EQUAL_FORCES_AGREE, EQUAL_TIMES_MOVE, EQUAL_TIMES_FORWARD, QUICK_BACKWARD };
@@ -140,13 +130,13 @@ double at_random(struct question *q, struct scallop_crawler any)
     const struct scallop_crawler c = next_crawler(sequence, any.gait);
     claim->measure(q, c, x);
     const double number = x[claim->number];
-    meant += !(number == -INFINITY);
-    held += number > -INFINITY && number <= claim->limit;
+    if (number == -INFINITY)
+      continue;
+    meant++;
+    held += number <= claim->limit;
     failed += number > claim->limit;
-    if (number > largest) {
-      largest = number;
-      q->crawler = c;
-    }
+    q->crawler = number > largest ? c : q->crawler;
+    largest = fmax(largest, number);
   }
   gsl_qrng_free(sequence);
   if (failed > 0) {

@@ -83,6 +83,11 @@ struct solved contraction(struct question *q, struct scallop_crawler c, double v
   return solve(q, &(struct motion){ .of = OF_PHASE, .crawler = c, .phase = SCALLOP_CONTRACTION, .v0 = v0 });
 }
 
+struct scallop_crawler exchanged(struct scallop_crawler c)
+{
+  return (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
+}
+
 int compare(double a, double b)
 {
   const double roundings = 16 * DBL_EPSILON * fmax(fabs(a), fabs(b));

@@ -68,6 +68,7 @@ struct solved in_double(const struct motion *m);
 struct solved steady(struct question *q, struct scallop_crawler c);
 struct solved extension(struct question *q, struct scallop_crawler c, double v0);
 struct solved contraction(struct question *q, struct scallop_crawler c, double v0);
+struct scallop_crawler exchanged(struct scallop_crawler c); /* the names of its bodies */
 double middle(const arb_t x);
 double certain(const arb_t x);
 enum { EVIDENCE_DIGITS = 30, EVIDENCE_BITS = 160 };
