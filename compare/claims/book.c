@@ -140,9 +140,8 @@ static const char *const turns_text[] = { "a body turns in both phases", "no bod
                                           "no body turns in the extension" };
 
 /* "alpha > 1/2, F1 > F2", behind the motion */
-static void write_conditions(struct claim_row *row, const char *motion, const struct scallop_formula *f)
+static void write_conditions(struct claim_row *row, const struct scallop_formula *f)
 {
-  append(row->conditions, sizeof row->conditions, "%s", motion);
   for (const char *const *when = f->when; when && *when; when++)
     append(row->conditions, sizeof row->conditions, ", %s", *when);
   if (f->turns != SCALLOP_TURNS_IN_BOTH)
@@ -187,14 +186,13 @@ void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_cra
                         const struct scallop_formula *f)
 {
   const struct condition condition = condition_of(f);
-  struct claim_row row = row_of_formula(f, crawler->gait);
+  struct claim_row row = row_of_formula(f, crawler->gait, &condition);
   SCOPED(scallop_rational, before, now);
   ENDED_BY(trial_clear) struct trial trial;
   trial_init(&trial);
-  row.quantity = formula_quantity_text(f, condition.kind);
   row.source = OF_BOOK;
   row.any_crawler = !is_given;
-  write_conditions(&row, condition.text, f);
+  write_conditions(&row, f);
   scallop_rational_copy(&before, crawler);
   scallop_rational_copy(&now, crawler);
   row.inside = is_given ? is_for(f, &now) : fit(f, &now);

@@ -191,12 +191,8 @@ static void show_members(struct question *q, const struct family *f, const doubl
       append(rows, sizeof rows, "\\t%.10g", c.F2);
     append(rows, sizeof rows, "\\n");
   }
-  if (f->varied == VARY_PERIOD)
-    others.T = usual.T;
-  else
-    others.F1 = usual.F1;
-  if (f->varied == VARY_FORCES)
-    others.F2 = usual.F2;
+  *(f->varied == VARY_PERIOD ? &others.T : &others.F1) = f->varied == VARY_PERIOD ? usual.T : usual.F1;
+  others.F2 = f->varied == VARY_FORCES ? usual.F2 : others.F2;
   show(q, "%s: printf '%s%s' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
        options(q, others), texts[f->varied].columns, quantities);
 }

@@ -60,13 +60,17 @@ void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const
   append(ledger->contradiction, sizeof ledger->contradiction, " (%s, %s, %s)", row->claim, row->gait, row->conditions);
 }
 
-struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait)
+struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
+                                const struct condition *condition)
 {
   struct claim_row row = { .equation = f->equation,
+                           .quantity = formula_quantity_text(f, condition->kind),
                            .gait = gait->name,
+                           .inside = condition->inside,
                            .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder,
                            .mismatch = NAN };
   append(row.claim, sizeof row.claim, "%s", f->name);
   append(row.corrected, sizeof row.corrected, "%s", f->corrected ? f->corrected : "");
+  append(row.conditions, sizeof row.conditions, "%s", condition->text);
   return row;
 }

@@ -8,31 +8,28 @@
 #include "compare/book/book.h"
 #include "compare/claims/orders.h"
 
-#define EXTENSION_AT_REST SCALLOP_AT_REST_START, SCALLOP_EXTENSION
-#define CONTRACTION_AT_REST SCALLOP_AT_REST_START, SCALLOP_CONTRACTION
-#define MOVING_EXTENSION SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION
-#define MOVING_CONTRACTION SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION
-#define STEADY SCALLOP_STEADY, SCALLOP_EXTENSION
-
 static const struct condition conditions[] = {
-  { EXTENSION_AT_REST, "extension from rest, F1 > F2", .inside = true },
-  { EXTENSION_AT_REST, "extension from rest, F1 < F2", .exchange_forces = true, .reversed = true },
-  { CONTRACTION_AT_REST, "contraction from rest, F2 > F1", .inside = true,
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 > F2", .inside = true },
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 < F2", .exchange_forces = true,
+    .reversed = true },
+  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 > F1", .inside = true,
     .exchange_forces = true }, /* bodies exchanged */
-  { CONTRACTION_AT_REST, "contraction from rest, F2 < F1", .reversed = true },
-  { EXTENSION_AT_REST, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
-  { CONTRACTION_AT_REST, "contraction from rest, F2 = F1", .inside = true, .equal_forces = true },
-  { MOVING_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { MOVING_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
-  { MOVING_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
-  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
-  { MOVING_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
-  { STEADY, "alpha > 1/2, F1 > F2", .inside = true },
-  { STEADY, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
-  { STEADY, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
-  { STEADY, "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
-  { STEADY, "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
+  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 < F1", .reversed = true },
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
+  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 = F1", .inside = true,
+    .equal_forces = true },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED,
+    .exchange_forces = true },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2", .inside = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
 };
 enum { CONDITIONS = sizeof conditions / sizeof *conditions };
 
@@ -103,12 +100,10 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
                     bool of_paper, bool mirrored)
 {
   bool steady = f->setting == SCALLOP_STEADY, contraction = condition->kind == SCALLOP_CONTRACTION;
-  struct claim_row row = row_of_formula(f, part->crawler->gait);
-  row.inside = condition->inside;
+  struct claim_row row = row_of_formula(f, part->crawler->gait, condition);
   row.source = of_paper && !mirrored ? OF_PAPER : OF_CORRECTED;
-  /* seen in a mirror the other body is the one that turns */
-  row.quantity = formula_quantity_text(f, contraction != mirrored ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION);
-  append(row.conditions, sizeof row.conditions, "%s", condition->text);
+  if (mirrored) /* the other body is the one that turns */
+    row.quantity = formula_quantity_text(f, contraction ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION);
   name_row(row.claim, f, !of_paper && !steady && contraction, mirrored);
   if ((part->only && !formula_is_listed(part->only, row.claim)) || ledger_expects(part->ledger))
     return;
@@ -163,11 +158,9 @@ static void add_ends(struct part *part)
   trial_init(&trial);
   trial_begin_at_end(&trial, part->crawler);
   for (int i = 0; i < 3; i++) {
-    struct claim_row row = row_of_formula(&ends[i], part->crawler->gait);
+    struct claim_row row = row_of_formula(&ends[i], part->crawler->gait, trial.condition);
     row.quantity = i == 0 ? "l'(T-h)" : "l(T-h)";
-    row.inside = true;
     row.source = i < 2 ? OF_PAPER : OF_CORRECTED;
-    append(row.conditions, sizeof row.conditions, "%s", trial.condition->text);
     if ((!part->only || formula_is_listed(part->only, row.claim)) && !ledger_expects(part->ledger))
       ledger_decide(part->ledger, &row, &trial, &ends[i], NULL);
   }

@@ -1,5 +1,5 @@
-/* How a claim about an order is decided: the motion that it is about is expanded as T -> 0 and sampled, and what a
- * formula leaves out of that is a row of the ledger. Needs FLINT. Not public. */
+/* How a claim about an order is decided: the motion is expanded as T -> 0 and sampled, and what a formula leaves out of
+ * that is a row of the ledger. Needs FLINT. Not public. */
 #ifndef SCALLOP_COMPARE_CLAIMS_ORDERS_H
 #define SCALLOP_COMPARE_CLAIMS_ORDERS_H
 
@@ -24,8 +24,8 @@ struct condition {
   bool of_units;                               /* of L and T alone: what holds once holds for all     */
 };
 
-/* One motion (trial.c): the crawler under one condition; mirrored: seen in a mirror, the bodies exchanged, so that a
- * reversed motion becomes one that the paper's formulas are for. */
+/* The crawler under one condition (trial.c); mirrored: seen in a mirror, the bodies exchanged, so that a reversed
+ * motion becomes one that the paper's formulas are for. */
 struct trial {
   const struct condition *condition;
   bool mirrored;
@@ -37,11 +37,11 @@ struct trial {
 };
 void trial_init(struct trial *m);
 void trial_clear(struct trial *m);
-/* Expands the motion, and samples it: once. */
+/* Expands the motion, and samples it. */
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
                  bool mirrored);
-/* In the place of a motion l' and l before the end of an extension, T = L = 1: T is the time before the end,
- * SCALLOP_REAR_AT_END l', and SCALLOP_FRONT_AT_END l. */
+/* In place of a motion l' and l before the end of an extension, T = L = 1, at the time T before that:
+ * SCALLOP_REAR_AT_END is l', and SCALLOP_FRONT_AT_END l. */
 void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *crawler);
 bool trial_expand(struct trial *m, slong terms);
 bool trial_is_steady(const struct trial *m);
@@ -53,11 +53,10 @@ slong trial_leading_power(const struct scallop_formula *formula);
 void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula,
                    const struct series *left_out);
 
-/* A row with what the formula says of itself */
-struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait);
-/* Adds the row (proof.c), with the verdict from what the formula leaves out of the motion: the leading term of the
- * expansion, of a formula without a text. why: nothing can be said of that, for this reason, "" where none is known; or
- * NULL. */
+struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
+                                const struct condition *condition);
+/* Adds the row (proof.c), with the verdict from what the formula leaves out of the motion. why: nothing can be said of
+ * that, for this reason, "" where none is known; or NULL. */
 void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *formula,
                    const char *why);
 /* Behind what the text holds, as far as there is room */

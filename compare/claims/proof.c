@@ -244,13 +244,13 @@ static void judge(struct claim_row *row, const struct proof *p)
 
 /* The row in the ledger */
 
-/* Is the error enclosed by 0 at every T, or, last, at the smallest? */
-static bool is_enclosed(const struct claim_row *row, bool last)
+/* The points, from the smallest T on, at which 0 is within the error */
+static int points_at_0(const struct claim_row *row)
 {
-  bool enclosed = row->count > 0;
-  for (int i = last ? row->count - 1 : 0; i >= 0 && i < row->count; i++)
-    enclosed = enclosed && fabs(row->points[i].err) <= row->points[i].noise;
-  return enclosed;
+  int count = 0;
+  for (int i = row->count - 1; i >= 0 && fabs(row->points[i].err) <= row->points[i].noise; i--)
+    count++;
+  return count;
 }
 
 /* The order is fitted over the smallest T. */
@@ -274,7 +274,7 @@ static void enter(struct ledger *ledger, struct claim_row *row)
 {
   static const double agreement = 1e-6; /* what is left of the next terms at the smallest T, many times over */
   fit(row);
-  if (row->exact && isinf(row->claimed_order) && row->count > 0 && !is_enclosed(row, false)) {
+  if (row->exact && isinf(row->claimed_order) && points_at_0(row) < row->count) {
     row->verdict = CLAIM_REFUTED;
     row->evidence = CERTIFIED_CRAWLER;
     add_reason(row, "but the certified error is not 0 at every T");
@@ -283,7 +283,7 @@ static void enter(struct ledger *ledger, struct claim_row *row)
   /* the measured error is what is left out; of what vanishes below a power it is 0 at the smallest T, or of that */
   if (row->proven && row->count == 0)
     ledger_contradict(ledger, row, "no exact motion has the modes of the expansion");
-  else if (row->proven && row->exact && !is_enclosed(row, true) && !beyond)
+  else if (row->proven && row->exact && points_at_0(row) == 0 && !beyond)
     ledger_contradict(ledger, row, "nothing is left out, and the certified error is not 0");
   else if (row->proven && !row->exact && row->mismatch > agreement)
     ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",

@@ -101,7 +101,7 @@ static void stronger_first(struct question *q, struct scallop_crawler c, double 
 }
 
 /* The counterexample as it is printed, with four digits, certified; or, if that is none, in doubles */
-static double certify(struct question *q, double found)
+static void certify(struct question *q)
 {
   const struct statement *claim = q->claim;
   struct scallop_crawler c = q->crawler;
@@ -112,19 +112,20 @@ static double certify(struct question *q, double found)
   claim->measure(q, c, x);
   if (compare(x[claim->number], claim->limit) > 0) {
     q->crawler = c;
-    return x[claim->number];
+    q->largest = x[claim->number];
+  } else {
+    q->by = MEASURED;
+    q->solved = true;
   }
-  q->by = MEASURED;
-  q->solved = true;
-  return found;
 }
 
-double at_random(struct question *q, struct scallop_crawler any)
+void at_random(struct question *q, struct scallop_crawler any)
 {
   const struct statement *claim = q->claim;
   gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, 6);
   int meant = 0, held = 0, failed = 0;
-  double x[RANDOM_NUMBERS], largest = -INFINITY;
+  double x[RANDOM_NUMBERS], *const largest = &q->largest;
+  *largest = -INFINITY;
   q->by = MEASURED;
   for (int i = 0; sequence && i < RANDOM_CRAWLERS; i++) {
     const struct scallop_crawler c = next_crawler(sequence, any.gait);
@@ -135,35 +136,34 @@ double at_random(struct question *q, struct scallop_crawler any)
     meant++;
     held += number <= claim->limit;
     failed += number > claim->limit;
-    q->crawler = number > largest ? c : q->crawler;
-    largest = fmax(largest, number);
+    q->crawler = number > *largest ? c : q->crawler;
+    *largest = fmax(*largest, number);
   }
   gsl_qrng_free(sequence);
   if (failed > 0) {
-    largest = certify(q, largest);
-    conclude(q, -1, "not so for %d of %d crawlers, by up to %.3g", failed, meant, largest - claim->limit);
+    certify(q);
+    conclude(q, -1, "not so for %d of %d crawlers, by up to %.3g", failed, meant, *largest - claim->limit);
   } else {
     q->by = SAMPLED;
     conclude(q, held > 0 && held == meant, claim->holds, meant);
   }
   q->row.sampled = meant;
-  return largest;
 }
 
 static void attracts(struct question *q, struct scallop_crawler c)
 {
-  const double largest = at_random(q, c);
+  at_random(q, c);
   if (q->row.verdict == CLAIM_HOLDS)
-    conclude(q, 1, "largest multiplier of the period map: %.4f", largest);
+    conclude(q, 1, "largest multiplier of the period map: %.4f", q->largest);
 }
 
 static void moves_forward(struct question *q, struct scallop_crawler c)
 {
-  const double largest = at_random(q, c);
+  at_random(q, c);
   if (q->row.verdict != CLAIM_REFUTED)
     return;
   c = q->crawler;
-  conclude(q, -1, "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g", largest);
+  conclude(q, -1, "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g", q->largest);
   show(q, "scallop steady --m1 %.4g --m2 %.4g --F1 %.4g --F2 %.4g --L 1 --T %.4g --alpha %.4g --gait %s", c.m1, c.m2,
        c.F1, c.F2, c.T, c.alpha, c.gait->name);
 }

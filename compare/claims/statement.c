@@ -222,10 +222,7 @@ static void add_row(struct ledger *ledger, const struct statement *claim, const 
   append(q.row.claim, sizeof q.row.claim, "%s", claim->name);
   append(q.row.conditions, sizeof q.row.conditions, claim->conditions,
          of_the_paper ? "the paper's crawler" : "the ledger's crawler");
-  if (claim->decide)
-    claim->decide(&q, q.crawler);
-  else
-    at_random(&q, q.crawler);
+  (claim->decide ? claim->decide : at_random)(&q, q.crawler);
   ledger_add(ledger, &q.row);
 }
 

@@ -224,25 +224,17 @@ static double mismatch_at(const arb_t error, const struct series *left_out, cons
   return mismatch;
 }
 
-/* fmpq_get_d does not round to nearest. */
-static double nearest_double(const fmpq_t x)
-{
-  SCOPED(arb, ball);
-  arb_set_fmpq(ball, x, 64);
-  return middle(ball);
-}
-
 void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
                    const struct series *left_out)
 {
   enum { ACCURATE = 20 };
-  SCOPED(arb, error);
+  SCOPED(arb, error, T);
   for (const struct sample *s = m->samples; s < m->samples + CLAIM_POINTS; s++)
     if (error_at(error, s, m, f)) {
       if (arb_rel_accuracy_bits(error) >= ACCURATE)
         row->mismatch = mismatch_at(error, left_out, s->T, 4 * s->digits + 64);
-      row->points[row->count++] = (struct scallop_order_point){ .h = nearest_double(s->T),
-                                                                .err = middle(error),
-                                                                .noise = mag_get_d(arb_radref(error)) };
+      arb_set_fmpq(T, s->T, 64); /* fmpq_get_d does not round to nearest */
+      row->points[row->count++] =
+          (struct scallop_order_point){ .h = middle(T), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
     }
 }
