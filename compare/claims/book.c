@@ -5,8 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asymptotics/published/read.h"
-#include "compare/book/book.h"
 #include "compare/claims/orders.h"
 #include "compare/points/point_flint.h"
 
@@ -130,10 +128,7 @@ static struct condition condition_of(const struct scallop_formula *f)
   static const char *const texts[] = { "extension from rest", "extension, v0 > 0 fixed", "contraction, v0 > 0 fixed",
                                        "steady state" };
   bool moving = f->setting == SCALLOP_MOVING_EXTENSION || f->setting == SCALLOP_MOVING_CONTRACTION;
-  return (struct condition){ .setting = moving ? SCALLOP_MOVING_EXTENSION : f->setting,
-                             .kind = phase_of(f),
-                             .text = texts[f->setting],
-                             .v0 = moving ? CLAIM_SPEED : 0 };
+  return (struct condition){ f->setting, phase_of(f), texts[f->setting], .v0 = moving ? CLAIM_SPEED : 0 };
 }
 
 static const char *const turns_text[] = { "a body turns in both phases", "no body turns in the contraction",

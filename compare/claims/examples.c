@@ -3,7 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/book/book.h"
 #include "compare/claims/statement.h"
 
 /* Single phases */

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
 

@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/answer.h"
-#include "compare/book/book.h"
 #include "compare/claims/orders.h"
 
 static const struct condition conditions[] = {
@@ -21,10 +19,10 @@ static const struct condition conditions[] = {
   { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
   { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
   { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
-  { SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED,
+  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
+  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED,
     .exchange_forces = true },
-  { SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
+  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
   { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2", .inside = true },
   { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
   { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
@@ -119,14 +117,9 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
 /* Is the formula for such a motion? One of ours for an extension is for a contraction too. */
 static bool is_for(const struct scallop_formula *f, const struct condition *condition, bool ours)
 {
-  bool moving = condition->setting == SCALLOP_MOVING_EXTENSION, extension = condition->kind == SCALLOP_EXTENSION;
-  if (condition->equal_forces != (f->when != NULL)) /* the paper's only other condition is F1 = F2 */
-    return false;
-  if (f->setting == SCALLOP_MOVING_CONTRACTION)
-    return moving && !extension;
-  if (f->setting == SCALLOP_MOVING_EXTENSION)
-    return moving && (extension || ours);
-  return condition->setting == f->setting;
+  bool turns_over = ours && f->setting == SCALLOP_MOVING_EXTENSION && condition->setting == SCALLOP_MOVING_CONTRACTION;
+  /* the paper's only other condition is F1 = F2 */
+  return (condition->setting == f->setting || turns_over) && condition->equal_forces == (f->when != NULL);
 }
 
 /* A formula under all conditions that it is for; `turned`: only where the bodies' roles are reversed, in a mirror;

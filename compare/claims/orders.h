@@ -13,7 +13,7 @@ SCOPED_KIND(scallop_symbols, struct scallop_symbols)
 
 /* Under which a formula is tested */
 struct condition {
-  enum scallop_setting setting; /* SCALLOP_MOVING_EXTENSION stands for any phase with a start velocity */
+  enum scallop_setting setting;
   enum scallop_phase_kind kind;
   const char *text;
   bool inside;                                 /* assumed by the paper                                */

@@ -4,10 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asymptotics/published/read.h"
 #include "asymptotics/symbolic/left_out.h"
-#include "compare/book/book.h"
-#include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
 

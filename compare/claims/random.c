@@ -3,7 +3,6 @@
  * each is from failing. */
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_qrng.h>

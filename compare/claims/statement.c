@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/book/book.h"
-#include "compare/claims/orders.h"
 #include "compare/points/point_flint.h"
 #include "compare/text/halfway.h"
 #include "compare/text/table.h"

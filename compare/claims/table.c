@@ -3,9 +3,6 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "compare/answers/request.h"
-#include "compare/book/book.h"
-#include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
 

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
 
 enum { TERMS = 14, TERMS_AT_END = 40, PRECISION = 1400 };
