@@ -164,16 +164,15 @@ static const char *undecided(const struct scallop_formula *f, const struct trial
   static _Thread_local char text[240];
   if (!is_met)
     return "no crawler was found for which the conditions hold";
-  *text = '\0';
   if (trial->series.status != SCALLOP_OK) {
-    append(text, sizeof text, "no expansion in powers of T is known for this motion: %s", trial->series.why);
+    snprintf(text, sizeof text, "no expansion in powers of T is known for this motion: %s", trial->series.why);
     return text;
   }
   enum scallop_turns found = turns_in_modes(trial->series.modes);
   if (!trial_is_steady(trial) || !f->turns || found == f->turns)
     return NULL;
-  append(text, sizeof text, "the formula is for crawlers of which, as T -> 0, %s; of this crawler %s",
-         turns_text[f->turns], turns_text[found]);
+  snprintf(text, sizeof text, "the formula is for crawlers of which, as T -> 0, %s; of this crawler %s",
+           turns_text[f->turns], turns_text[found]);
   return text;
 }
 

@@ -73,7 +73,7 @@ struct claim_row {
 struct ledger { /* begins as { 0 }                                                                */
   struct claim_row *rows;
   int count;
-  char contradiction[600]; /* "", or what contradicts itself (the last one), or that memory ran out */
+  char contradiction[600]; /* "", or what contradicts itself (the last one) */
   bool is_forecast; /* rows are only counted, as expected, nearly: with the formulas for another limit; for progress */
   int expected;
 };

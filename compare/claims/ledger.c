@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "compare/text/progress.h"
-#include "compare/text/memory.h"
 
 void append(char *text, size_t size, const char *format, ...)
 {
@@ -26,14 +25,8 @@ const char *claim_verdict_text(enum claim_verdict verdict)
 
 void ledger_add(struct ledger *ledger, const struct claim_row *row)
 {
-  struct claim_row *rows = with_room(ledger->rows, ledger->count, sizeof *rows);
-  if (!rows) {
-    snprintf(ledger->contradiction, sizeof ledger->contradiction, "out of memory");
-    free(row->leading_error);
-    return;
-  }
-  ledger->rows = rows;
-  rows[ledger->count++] = *row;
+  ledger->rows = flint_realloc(ledger->rows, (size_t)(ledger->count + 1) * sizeof *row);
+  ledger->rows[ledger->count++] = *row;
   progress_count(ledger->count, ledger->expected);
 }
 
@@ -47,7 +40,7 @@ void ledger_free(struct ledger *ledger)
 {
   for (int i = 0; i < ledger->count; i++)
     free(ledger->rows[i].leading_error);
-  free(ledger->rows);
+  flint_free(ledger->rows);
   *ledger = (struct ledger){ .rows = NULL };
 }
 
