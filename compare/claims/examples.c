@@ -142,9 +142,9 @@ static void opposes_motion(struct question *q, struct scallop_crawler c)
 
 static double displacement_at(const void *crawler, double F1)
 {
-  struct motion m = { .crawler = *(const struct scallop_crawler *)crawler };
-  m.crawler.F1 = F1;
-  return in_double(&m).displacement;
+  struct scallop_crawler c = *(const struct scallop_crawler *)crawler;
+  c.F1 = F1;
+  return steady(NULL, c).displacement;
 }
 
 /* Both asymmetries, sliding, and no displacement: it is continuous, so where it changes its sign it is 0. */

@@ -54,7 +54,7 @@ static struct scallop_crawler member(const struct family *f, double x)
 
 static struct place place_at(const struct family *f, double x)
 {
-  const struct solved s = in_double(&(struct motion){ .crawler = member(f, x) });
+  const struct solved s = steady(NULL, member(f, x));
   const double speed = s.mean_velocity * f->crawler.T / f->crawler.L;
   return (struct place){ x, speed, s.v_start, isfinite(speed) && s.regime == SCALLOP_SLIDING };
 }

@@ -45,7 +45,7 @@ static bool solve_in_balls(struct solved *s, const struct motion *m)
   return done;
 }
 
-struct solved in_double(const struct motion *m)
+static struct solved in_double(const struct motion *m)
 {
   struct answer a;
   answer_in_double(&a, m);
@@ -59,10 +59,9 @@ struct solved in_double(const struct motion *m)
 static struct solved solve(struct question *q, const struct motion *m)
 {
   struct solved s = { .regime = SCALLOP_SLIDING };
-  if (q->by == CERTIFIED_CRAWLER)
-    q->solved = solve_in_balls(&s, m) && q->solved;
-  else
-    s = in_double(m);
+  if (!q || q->by != CERTIFIED_CRAWLER)
+    return in_double(m);
+  q->solved = solve_in_balls(&s, m) && q->solved;
   return s;
 }
 

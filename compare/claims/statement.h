@@ -64,8 +64,7 @@ struct solved {
   char modes[MOTION_MODES_TEXT]; /* "++ -+ ++ | ++ +- ++" */
   bool single;                   /* in doubles: there is one steady state */
 };
-struct solved in_double(const struct motion *m);
-struct solved steady(struct question *q, struct scallop_crawler c);
+struct solved steady(struct question *q, struct scallop_crawler c); /* q NULL: in doubles */
 struct solved extension(struct question *q, struct scallop_crawler c, double v0);
 struct solved contraction(struct question *q, struct scallop_crawler c, double v0);
 struct scallop_crawler exchanged(struct scallop_crawler c); /* the names of its bodies */
