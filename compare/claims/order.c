@@ -28,17 +28,26 @@ static const struct condition conditions[] = {
   { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
   { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
   { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true, .at_end = true },
 };
-enum { CONDITIONS = sizeof conditions / sizeof *conditions };
+enum { CONDITIONS = sizeof conditions / sizeof *conditions, AT_END = CONDITIONS - 1 };
 
-/* Claims that no text of asymptotics stands for: that x1(t1) is of order 2, and the limit of the steady state as it is
- * derived */
+/* Claims that no text of asymptotics stands for: that x1(t1) is of order 2; the limit of the steady state as it is
+ * derived; and l' and l near the end of an extension, h = T before it */
 static const struct scallop_formula size_of_first_switch = {
   "A_x1_first_switch_size", "(A.7)", SCALLOP_MOVING_EXTENSION, SCALLOP_REAR_AT_FIRST, 2, .text = "0"
 };
 static const struct scallop_formula limits[] = {
   { "limit_steady_velocity", "(26), (27)", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1, .text = NULL },
   { "limit_steady_xC", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, .text = NULL },
+};
+static const char *const when[] = { "T = 1", NULL };
+static const struct scallop_formula ends[] = {
+  { "A_dl_near_end", "(A.11)", .quantity = SCALLOP_REAR_AT_END, .remainder = 2, .text = "-T*lT", .when = when },
+  { "A_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "T^2/2*lT", .when = when,
+    .corrected = "corrected_l_near_end" },
+  { "corrected_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "L + T^2/2*lT",
+    .when = when },
 };
 
 /* A formula that is not the paper's, and is for an extension, has rows about contractions too, the bodies exchanged;
@@ -102,12 +111,15 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
   row.source = of_paper && !mirrored ? OF_PAPER : OF_CORRECTED;
   if (mirrored) /* the other body is the one that turns */
     row.quantity = formula_quantity_text(f, contraction ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION);
+  if (condition->at_end)
+    row.quantity = f->quantity == SCALLOP_REAR_AT_END ? "l'(T-h)" : "l(T-h)";
   name_row(row.claim, f, !of_paper && !steady && contraction, mirrored);
   if ((part->only && !formula_is_listed(part->only, row.claim)) || ledger_expects(part->ledger))
     return;
   if (f->turns != SCALLOP_TURNS_IN_BOTH && f->turns != turns_in_limit(part, condition))
     return; /* for another limit */
-  name_correction(row.corrected, part, f, condition);
+  if (!condition->at_end)
+    name_correction(row.corrected, part, f, condition);
   if (strcmp(row.corrected, row.claim) == 0)
     *row.corrected = '\0';
   struct trial *trial = solve(part, condition, mirrored);
@@ -131,32 +143,9 @@ static void add_formula(struct part *part, const struct scallop_formula *f, enum
   bool of_paper = f->text && seen != CORRECTED;
   if (f->remainder == 0 && seen != CORRECTED)
     return;
-  for (const struct condition *c = conditions; c < conditions + CONDITIONS; c++)
+  for (const struct condition *c = conditions; c < conditions + AT_END; c++)
     if (is_for(f, c, seen == CORRECTED) && (seen != TURNED || c->reversed))
       add_row(part, f, c, of_paper, seen != AS_IT_STANDS && c->reversed);
-}
-
-/* l' and l near the end of an extension: here T is the time before it. */
-static void add_ends(struct part *part)
-{
-  static const char *const when[] = { "T = 1", NULL };
-  static const struct scallop_formula ends[] = {
-    { "A_dl_near_end", "(A.11)", .quantity = SCALLOP_REAR_AT_END, .remainder = 2, .text = "-T*lT", .when = when },
-    { "A_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "T^2/2*lT", .when = when,
-      .corrected = "corrected_l_near_end" },
-    { "corrected_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "L + T^2/2*lT",
-      .when = when },
-  };
-  ENDED_BY(trial_clear) struct trial trial;
-  trial_init(&trial);
-  trial_begin_at_end(&trial, part->crawler);
-  for (int i = 0; i < 3; i++) {
-    struct claim_row row = row_of_formula(&ends[i], part->crawler->gait, trial.condition);
-    row.quantity = i == 0 ? "l'(T-h)" : "l(T-h)";
-    row.source = i < 2 ? OF_PAPER : OF_CORRECTED;
-    if ((!part->only || formula_is_listed(part->only, row.claim)) && !ledger_expects(part->ledger))
-      ledger_decide(part->ledger, &row, &trial, &ends[i], NULL);
-  }
 }
 
 static void fill(struct part *part)
@@ -166,7 +155,8 @@ static void fill(struct part *part)
     if (strcmp(f->name, "A_x1_first_switch") == 0)
       add_formula(part, &size_of_first_switch, AS_IT_STANDS);
   }
-  add_ends(part);
+  for (int i = 0; i < 3; i++)
+    add_row(part, &ends[i], &conditions[AT_END], i < 2, false);
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     if (f->setting != SCALLOP_STEADY || has_closed_limit(part))
       add_formula(part, f, CORRECTED);

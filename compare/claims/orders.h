@@ -21,7 +21,9 @@ struct condition {
   bool exchange_forces, mirror_alpha, light_1; /* m1 a hundredth                                      */
   bool equal_forces;                           /* F2 = F1                                             */
   bool reversed;                               /* the bodies exchange their roles against the paper   */
-  bool of_units;                               /* of L and T alone: what holds once holds for all     */
+  /* In place of a motion l' and l before the end of an extension, T = L = 1, at the time T before that: REAR_AT_END is
+   * l', and FRONT_AT_END l. What holds for one crawler holds for all. */
+  bool at_end;
 };
 
 /* The crawler under one condition (trial.c); mirrored: seen in a mirror, the bodies exchanged, so that a reversed
@@ -40,9 +42,6 @@ void trial_clear(struct trial *m);
 /* Expands the motion, and samples it. */
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
                  bool mirrored);
-/* In place of a motion l' and l before the end of an extension, T = L = 1, at the time T before that:
- * SCALLOP_REAR_AT_END is l', and SCALLOP_FRONT_AT_END l. */
-void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *crawler);
 bool trial_expand(struct trial *m, slong terms);
 bool trial_is_steady(const struct trial *m);
 /* The expansion of a quantity, NULL: it has none. Of a formula without a text its leading term */

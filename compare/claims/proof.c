@@ -149,7 +149,7 @@ static bool prove_for_all(struct proof *p)
   SCOPED(left_out, l);
   SCOPED(fmpq, coefficient);
   char why[FORMULA_MESSAGE];
-  p->for_all = p->m->condition->of_units;
+  p->for_all = p->m->condition->at_end;
   if (!f->text || has_equality(f) || most >= SYMBOLIC_ORDERS
       || symbolic_left_out(&l, f, crawler, p->m->condition->kind, p->m->v0, most, why))
     return true;

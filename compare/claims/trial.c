@@ -125,17 +125,6 @@ void trial_clear(struct trial *m)
   fmpq_clear(m->v0);
 }
 
-void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
-                 bool mirrored)
-{
-  m->condition = condition;
-  m->mirrored = mirrored;
-  scallop_rational_copy(&m->crawler, crawler);
-  set_condition(m);
-  if (trial_expand(m, TERMS))
-    take_samples(m);
-}
-
 /* The end of an extension */
 
 static void sample_end(struct sample *s, const struct scallop_piece *last)
@@ -152,19 +141,16 @@ static void sample_end(struct sample *s, const struct scallop_piece *last)
   s->solved = true;
 }
 
-void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *crawler)
+/* T = L = 1 */
+static void begin_at_end(struct trial *m)
 {
-  static const struct condition end = { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true,
-                                        .of_units = true };
   const struct ring ring = { TERMS_AT_END, 256 };
-  const struct scallop_shape *shape = &crawler->gait->phase[SCALLOP_EXTENSION];
+  const struct scallop_shape *shape = &m->crawler.gait->phase[SCALLOP_EXTENSION];
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];
   struct series *speed = &m->series.phase.dx1, *length = &m->series.phase.dx2;
   SCOPED(series, back);
   SCOPED(fmpq, one);
   fmpq_one(one);
-  m->condition = &end;
-  scallop_rational_copy(&m->crawler, crawler);
   fmpq_one(m->crawler.L);
   scallop_speed_series(speed, last, NULL, &ring);
   series_set_x(&back);
@@ -177,9 +163,25 @@ void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *
   series_truncate(length, TERMS_AT_END);
   m->series.value[Q_DX1] = speed;
   m->series.value[Q_DX2] = length;
+  m->series.status = SCALLOP_OK;
   m->terms = SCALLOP_MOST_TERMS; /* no more to be had */
   for (int k = 1; k < CLAIM_POINTS; k++)
     sample_end(sample_at(m, one, k), last);
+}
+
+void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
+                 bool mirrored)
+{
+  m->condition = condition;
+  m->mirrored = mirrored;
+  scallop_rational_copy(&m->crawler, crawler);
+  if (condition->at_end) {
+    begin_at_end(m);
+    return;
+  }
+  set_condition(m);
+  if (trial_expand(m, TERMS))
+    take_samples(m);
 }
 
 /* Errors */
