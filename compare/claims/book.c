@@ -5,8 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "asymptotics/published/read.h"
-#include "compare/book/book.h"
 #include "compare/claims/orders.h"
 #include "compare/points/point_flint.h"
 
@@ -130,19 +128,15 @@ static struct condition condition_of(const struct scallop_formula *f)
   static const char *const texts[] = { "extension from rest", "extension, v0 > 0 fixed", "contraction, v0 > 0 fixed",
                                        "steady state" };
   bool moving = f->setting == SCALLOP_MOVING_EXTENSION || f->setting == SCALLOP_MOVING_CONTRACTION;
-  return (struct condition){ .setting = moving ? SCALLOP_MOVING_EXTENSION : f->setting,
-                             .kind = phase_of(f),
-                             .text = texts[f->setting],
-                             .v0 = moving ? CLAIM_SPEED : 0 };
+  return (struct condition){ f->setting, phase_of(f), texts[f->setting], .v0 = moving ? CLAIM_SPEED : 0 };
 }
 
 static const char *const turns_text[] = { "a body turns in both phases", "no body turns in the contraction",
                                           "no body turns in the extension" };
 
 /* "alpha > 1/2, F1 > F2", behind the motion */
-static void write_conditions(struct claim_row *row, const char *motion, const struct scallop_formula *f)
+static void write_conditions(struct claim_row *row, const struct scallop_formula *f)
 {
-  append(row->conditions, sizeof row->conditions, "%s", motion);
   for (const char *const *when = f->when; when && *when; when++)
     append(row->conditions, sizeof row->conditions, ", %s", *when);
   if (f->turns != SCALLOP_TURNS_IN_BOTH)
@@ -170,16 +164,15 @@ static const char *undecided(const struct scallop_formula *f, const struct trial
   static _Thread_local char text[240];
   if (!is_met)
     return "no crawler was found for which the conditions hold";
-  *text = '\0';
   if (trial->series.status != SCALLOP_OK) {
-    append(text, sizeof text, "no expansion in powers of T is known for this motion: %s", trial->series.why);
+    snprintf(text, sizeof text, "no expansion in powers of T is known for this motion: %s", trial->series.why);
     return text;
   }
   enum scallop_turns found = turns_in_modes(trial->series.modes);
   if (!trial_is_steady(trial) || !f->turns || found == f->turns)
     return NULL;
-  append(text, sizeof text, "the formula is for crawlers of which, as T -> 0, %s; of this crawler %s",
-         turns_text[f->turns], turns_text[found]);
+  snprintf(text, sizeof text, "the formula is for crawlers of which, as T -> 0, %s; of this crawler %s",
+           turns_text[f->turns], turns_text[found]);
   return text;
 }
 
@@ -187,14 +180,13 @@ void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_cra
                         const struct scallop_formula *f)
 {
   const struct condition condition = condition_of(f);
-  struct claim_row row = row_of_formula(f, crawler->gait);
+  struct claim_row row = row_of_formula(f, crawler->gait, &condition);
   SCOPED(scallop_rational, before, now);
   ENDED_BY(trial_clear) struct trial trial;
   trial_init(&trial);
-  row.quantity = formula_quantity_text(f, condition.kind);
   row.source = OF_BOOK;
   row.any_crawler = !is_given;
-  write_conditions(&row, condition.text, f);
+  write_conditions(&row, f);
   scallop_rational_copy(&before, crawler);
   scallop_rational_copy(&now, crawler);
   row.inside = is_given ? is_for(f, &now) : fit(f, &now);

@@ -1,20 +1,18 @@
-/* claims/: the ledger, in which claims of the paper are decided; docs/errata.md lists those that no row decides.
+/* claims/: the ledger of the paper's claims, with verdicts (data/claims.tsv); docs/errata.md lists what no row decides.
  *
- * A claim is a statement of the paper, the ledger the list of all claims with their verdicts (data/claims.tsv). A row
- * of the ledger is one claim for one gait under one set of conditions. There are two kinds of claims:
- *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas (scallop_published and its neighbours),
- *     or in a book. order.c and book.c go through these under their conditions, trial.c expands and samples the motion,
- *     proof.c finds what the formula leaves out, ledger.c holds one against the other (orders.h);
+ * A row is one claim for one gait under one set of conditions. There are two kinds of claims:
+ *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas, or in a book. order.c and book.c go
+ *     through these under their conditions, trial.c expands and samples the motion, proof.c finds what the formula
+ *     leaves out, and holds the two against each other (orders.h);
  *   - in words: one row and one function in random.c (every crawler), examples.c, families.c (crawlers that differ in
- *     one number) or figures.c. statement.[ch] has what these are made of, words.c adds the rows.
+ *     one number) or figures.c, made of what statement.[ch] has.
  *
- * What the ledger promises. A verdict on an order is proven: every coefficient is exact, or in a ball that does not
- * hold 0; for all parameters where the coefficients are known in names, else for the crawler of the row. A claim in
- * words is proven in docs/theory.md, decided by a certified example, or rests on random crawlers or a scan in doubles.
- * `evidence` says which. What is neither shown nor refuted is undecided. A refuted order names the formula that holds
- * instead. A row that contradicts itself (a measured error that is not what is left out, a correction that does not
- * hold) is an error of the ledger, not a verdict.
- */
+ * A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0; for all parameters
+ * where the coefficients are known in names, else for the crawler of the row. A claim in words is proven in
+ * docs/theory.md, decided by a certified example, or rests on random crawlers or a scan in doubles: `evidence` says
+ * which. What is neither shown nor refuted is undecided. A refuted order names the formula that holds instead. A row
+ * that contradicts itself (a measured error that is not what is left out, a correction that does not hold) is an error
+ * of the ledger, not a verdict. */
 #ifndef SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 #define SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 
@@ -47,27 +45,27 @@ enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
 struct claim_row {
   char claim[CLAIM_NAME];
   const char *equation, *quantity, *gait;
-  char conditions[240]; /* under which it was tested                                            */
-  bool inside;          /* these are the conditions that the paper assumes                  */
+  char conditions[240];
+  bool inside; /* these are the conditions that the paper assumes                  */
   enum claim_source source;
   bool any_crawler;     /* that it is tested for stands for all: what holds for it by coincidence is refuted */
   double claimed_order; /* nan: not a claim about an order                                  */
-  bool proven;          /* derived_order and coefficient are there                          */
+  bool proven;          /* derived_order and coefficient, the first of what is left out, are there */
   bool exact;           /* every coefficient that was looked at vanishes                    */
-  long derived_order;   /* of the first coefficient of what is left out                     */
+  long derived_order;
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
-  char *leading_error;  /* of a book's formula proven for all: that term as a formula; the ledger's own, or NULL  */
+  char *leading_error;  /* of a formula proven for all: that term as a formula; the ledger's own, or NULL  */
   /* between the certified error and what is left out, summed, over the former, at the smallest T where it has digits;
    * nan if there is none */
   double mismatch;
   struct scallop_order_result fit;
-  struct scallop_order_point points[CLAIM_POINTS]; /* what was measured, from the largest T               */
+  struct scallop_order_point points[CLAIM_POINTS]; /* from the largest T                           */
   int count;
   enum claim_verdict verdict;
-  enum claim_evidence evidence; /* none where the verdict is undecided                            */
+  enum claim_evidence evidence;
   int sampled;
   bool in_words;
-  char corrected[CLAIM_NAME]; /* of a refuted formula: the row of the one that holds, or ""       */
+  char corrected[CLAIM_NAME]; /* of a refuted formula: the claim that holds, or ""                */
   char measured[200];         /* of a claim in words: the figure that decides                     */
   char reason[320];           /* of a verdict: why; of a refutation in words: an example to paste */
 };
@@ -75,7 +73,7 @@ struct claim_row {
 struct ledger { /* begins as { 0 }                                                                */
   struct claim_row *rows;
   int count;
-  char contradiction[600]; /* "", or what contradicts itself (the last one), or that memory ran out */
+  char contradiction[600]; /* "", or what contradicts itself (the last one) */
   bool is_forecast; /* rows are only counted, as expected, nearly: with the formulas for another limit; for progress */
   int expected;
 };

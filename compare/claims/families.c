@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
 
@@ -55,7 +54,7 @@ static struct scallop_crawler member(const struct family *f, double x)
 
 static struct place place_at(const struct family *f, double x)
 {
-  const struct solved s = in_double(&(struct motion){ .crawler = member(f, x) });
+  const struct solved s = steady(NULL, member(f, x));
   const double speed = s.mean_velocity * f->crawler.T / f->crawler.L;
   return (struct place){ x, speed, s.v_start, isfinite(speed) && s.regime == SCALLOP_SLIDING };
 }
@@ -191,12 +190,8 @@ static void show_members(struct question *q, const struct family *f, const doubl
       append(rows, sizeof rows, "\\t%.10g", c.F2);
     append(rows, sizeof rows, "\\n");
   }
-  if (f->varied == VARY_PERIOD)
-    others.T = usual.T;
-  else
-    others.F1 = usual.F1;
-  if (f->varied == VARY_FORCES)
-    others.F2 = usual.F2;
+  *(f->varied == VARY_PERIOD ? &others.T : &others.F1) = f->varied == VARY_PERIOD ? usual.T : usual.F1;
+  others.F2 = f->varied == VARY_FORCES ? usual.F2 : others.F2;
   show(q, "%s: printf '%s%s' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
        options(q, others), texts[f->varied].columns, quantities);
 }

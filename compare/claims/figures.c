@@ -9,27 +9,25 @@
 
 static const double ratios[] = { 2, 10, 40 };
 
-static struct solved extension_at(double T, struct scallop_crawler c, double v0)
+static struct solved extension_at(const void *crawler, double T)
 {
+  struct scallop_crawler c = *(const struct scallop_crawler *)crawler;
   c.T = T;
-  return in_double(&(struct motion){ .of = OF_PHASE, .crawler = c, .phase = SCALLOP_EXTENSION, .v0 = v0 });
+  return extension(NULL, c, 0);
 }
 
-static double v_end_at(const void *crawler, double T)
-{
-  return extension_at(T, *(const struct scallop_crawler *)crawler, 0).v_end;
-}
+static double v_end_at(const void *crawler, double T) { return extension_at(crawler, T).v_end; }
 
 /* The least d(dx_C) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
 static double least_growth(const struct scallop_crawler *c)
 {
   enum { STEPS = 400 };
   const double onset = sticking_onset(c), growth = (c->F1 - c->F2) / (8 * (c->m1 + c->m2));
-  double T = onset / (10 * STEPS), dxC = extension_at(T, *c, 0).dxC, least = INFINITY;
+  double T = onset / (10 * STEPS), dxC = extension_at(c, T).dxC, least = INFINITY;
   for (int j = 1; j <= STEPS; j++) {
     const double before = T, moved = dxC;
     T = onset * j / STEPS;
-    dxC = extension_at(T, *c, 0).dxC;
+    dxC = extension_at(c, T).dxC;
     least = fmin(least, (dxC - moved) / (growth * (T - before) * (T + before)));
   }
   return least;
@@ -73,7 +71,7 @@ static void find_fall(struct fall *fall, struct scallop_crawler c, double v0)
   double most = -INFINITY, at = 0.05;
   c.T = at;
   for (int i = 0; i < PERIODS; i++, c.T *= 1.02) {
-    double x = extension_at(c.T, c, v0).dxC / c.L;
+    double x = extension(NULL, c, v0).dxC / c.L;
     if (most - x > fall->size)
       *fall = (struct fall){ most - x, v0, c.F1, { short_number(at, 4), short_number(c.T, 4) } };
     if (x > most) {
@@ -177,9 +175,7 @@ struct alphas { /* in hundredths, from first on by 8; one of them to name; seen 
 
 static double velocity_by_27(struct scallop_crawler c, bool mirrored)
 {
-  const struct scallop_crawler exchanged = { c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
-  const double v = printed(mirrored ? exchanged : c, "text_steady_velocity").value;
-  return mirrored ? -v : v;
+  return mirrored ? -velocity_by_27(exchanged(c), false) : printed(c, "text_steady_velocity").value;
 }
 
 static void in_the_limit(struct question *q, struct scallop_crawler c)
@@ -221,7 +217,7 @@ static void several_states(struct question *q, struct scallop_crawler c, double 
 static int periods_until(const struct scallop_crawler *c, double near)
 {
   struct scallop_period_result p = { .v_end = 0 };
-  double v = in_double(&(struct motion){ .crawler = *c }).v_start;
+  double v = steady(NULL, *c).v_start;
   for (int n = 1; n <= 1000 && scallop_period(c, p.v_end, &p) >= 0; n++)
     if (fabs(p.v_end - v) <= near * c->L / c->T)
       return n;

@@ -4,46 +4,50 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/answer.h"
-#include "compare/book/book.h"
 #include "compare/claims/orders.h"
 
-#define EXTENSION_AT_REST SCALLOP_AT_REST_START, SCALLOP_EXTENSION
-#define CONTRACTION_AT_REST SCALLOP_AT_REST_START, SCALLOP_CONTRACTION
-#define MOVING_EXTENSION SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION
-#define MOVING_CONTRACTION SCALLOP_MOVING_EXTENSION, SCALLOP_CONTRACTION
-#define STEADY SCALLOP_STEADY, SCALLOP_EXTENSION
-
 static const struct condition conditions[] = {
-  { EXTENSION_AT_REST, "extension from rest, F1 > F2", .inside = true },
-  { EXTENSION_AT_REST, "extension from rest, F1 < F2", .exchange_forces = true, .reversed = true },
-  { CONTRACTION_AT_REST, "contraction from rest, F2 > F1", .inside = true,
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 > F2", .inside = true },
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 < F2", .exchange_forces = true,
+    .reversed = true },
+  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 > F1", .inside = true,
     .exchange_forces = true }, /* bodies exchanged */
-  { CONTRACTION_AT_REST, "contraction from rest, F2 < F1", .reversed = true },
-  { EXTENSION_AT_REST, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
-  { CONTRACTION_AT_REST, "contraction from rest, F2 = F1", .inside = true, .equal_forces = true },
-  { MOVING_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { MOVING_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
-  { MOVING_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
-  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { MOVING_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
-  { MOVING_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
-  { STEADY, "alpha > 1/2, F1 > F2", .inside = true },
-  { STEADY, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
-  { STEADY, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
-  { STEADY, "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
-  { STEADY, "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
+  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 < F1", .reversed = true },
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
+  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 = F1", .inside = true,
+    .equal_forces = true },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
+  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
+  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED,
+    .exchange_forces = true },
+  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2", .inside = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true, .at_end = true },
 };
-enum { CONDITIONS = sizeof conditions / sizeof *conditions };
+enum { CONDITIONS = sizeof conditions / sizeof *conditions, AT_END = CONDITIONS - 1 };
 
-/* Claims that no text of asymptotics stands for: that x1(t1) is of order 2, and the limit of the steady state as it is
- * derived */
+/* Claims that no text of asymptotics stands for: that x1(t1) is of order 2; the limit of the steady state as it is
+ * derived; and l' and l near the end of an extension, h = T before it */
 static const struct scallop_formula size_of_first_switch = {
   "A_x1_first_switch_size", "(A.7)", SCALLOP_MOVING_EXTENSION, SCALLOP_REAR_AT_FIRST, 2, .text = "0"
 };
 static const struct scallop_formula limits[] = {
   { "limit_steady_velocity", "(26), (27)", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1, .text = NULL },
   { "limit_steady_xC", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, .text = NULL },
+};
+static const char *const when[] = { "T = 1", NULL };
+static const struct scallop_formula ends[] = {
+  { "A_dl_near_end", "(A.11)", .quantity = SCALLOP_REAR_AT_END, .remainder = 2, .text = "-T*lT", .when = when },
+  { "A_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "T^2/2*lT", .when = when,
+    .corrected = "corrected_l_near_end" },
+  { "corrected_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "L + T^2/2*lT",
+    .when = when },
 };
 
 /* A formula that is not the paper's, and is for an extension, has rows about contractions too, the bodies exchanged;
@@ -103,18 +107,19 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
                     bool of_paper, bool mirrored)
 {
   bool steady = f->setting == SCALLOP_STEADY, contraction = condition->kind == SCALLOP_CONTRACTION;
-  struct claim_row row = row_of_formula(f, part->crawler->gait);
-  row.inside = condition->inside;
+  struct claim_row row = row_of_formula(f, part->crawler->gait, condition);
   row.source = of_paper && !mirrored ? OF_PAPER : OF_CORRECTED;
-  /* seen in a mirror the other body is the one that turns */
-  row.quantity = formula_quantity_text(f, contraction != mirrored ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION);
-  append(row.conditions, sizeof row.conditions, "%s", condition->text);
+  if (mirrored) /* the other body is the one that turns */
+    row.quantity = formula_quantity_text(f, contraction ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION);
+  if (condition->at_end)
+    row.quantity = f->quantity == SCALLOP_REAR_AT_END ? "l'(T-h)" : "l(T-h)";
   name_row(row.claim, f, !of_paper && !steady && contraction, mirrored);
   if ((part->only && !formula_is_listed(part->only, row.claim)) || ledger_expects(part->ledger))
     return;
   if (f->turns != SCALLOP_TURNS_IN_BOTH && f->turns != turns_in_limit(part, condition))
     return; /* for another limit */
-  name_correction(row.corrected, part, f, condition);
+  if (!condition->at_end)
+    name_correction(row.corrected, part, f, condition);
   if (strcmp(row.corrected, row.claim) == 0)
     *row.corrected = '\0';
   struct trial *trial = solve(part, condition, mirrored);
@@ -124,14 +129,9 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
 /* Is the formula for such a motion? One of ours for an extension is for a contraction too. */
 static bool is_for(const struct scallop_formula *f, const struct condition *condition, bool ours)
 {
-  bool moving = condition->setting == SCALLOP_MOVING_EXTENSION, extension = condition->kind == SCALLOP_EXTENSION;
-  if (condition->equal_forces != (f->when != NULL)) /* the paper's only other condition is F1 = F2 */
-    return false;
-  if (f->setting == SCALLOP_MOVING_CONTRACTION)
-    return moving && !extension;
-  if (f->setting == SCALLOP_MOVING_EXTENSION)
-    return moving && (extension || ours);
-  return condition->setting == f->setting;
+  bool turns_over = ours && f->setting == SCALLOP_MOVING_EXTENSION && condition->setting == SCALLOP_MOVING_CONTRACTION;
+  /* the paper's only other condition is F1 = F2 */
+  return (condition->setting == f->setting || turns_over) && condition->equal_forces == (f->when != NULL);
 }
 
 /* A formula under all conditions that it is for; `turned`: only where the bodies' roles are reversed, in a mirror;
@@ -143,34 +143,9 @@ static void add_formula(struct part *part, const struct scallop_formula *f, enum
   bool of_paper = f->text && seen != CORRECTED;
   if (f->remainder == 0 && seen != CORRECTED)
     return;
-  for (const struct condition *c = conditions; c < conditions + CONDITIONS; c++)
+  for (const struct condition *c = conditions; c < conditions + AT_END; c++)
     if (is_for(f, c, seen == CORRECTED) && (seen != TURNED || c->reversed))
       add_row(part, f, c, of_paper, seen != AS_IT_STANDS && c->reversed);
-}
-
-/* l' and l near the end of an extension: here T is the time before it. */
-static void add_ends(struct part *part)
-{
-  static const char *const when[] = { "T = 1", NULL };
-  static const struct scallop_formula ends[] = {
-    { "A_dl_near_end", "(A.11)", .quantity = SCALLOP_REAR_AT_END, .remainder = 2, .text = "-T*lT", .when = when },
-    { "A_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "T^2/2*lT", .when = when,
-      .corrected = "corrected_l_near_end" },
-    { "corrected_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "L + T^2/2*lT",
-      .when = when },
-  };
-  ENDED_BY(trial_clear) struct trial trial;
-  trial_init(&trial);
-  trial_begin_at_end(&trial, part->crawler);
-  for (int i = 0; i < 3; i++) {
-    struct claim_row row = row_of_formula(&ends[i], part->crawler->gait);
-    row.quantity = i == 0 ? "l'(T-h)" : "l(T-h)";
-    row.inside = true;
-    row.source = i < 2 ? OF_PAPER : OF_CORRECTED;
-    append(row.conditions, sizeof row.conditions, "%s", trial.condition->text);
-    if ((!part->only || formula_is_listed(part->only, row.claim)) && !ledger_expects(part->ledger))
-      ledger_decide(part->ledger, &row, &trial, &ends[i], NULL);
-  }
 }
 
 static void fill(struct part *part)
@@ -180,7 +155,8 @@ static void fill(struct part *part)
     if (strcmp(f->name, "A_x1_first_switch") == 0)
       add_formula(part, &size_of_first_switch, AS_IT_STANDS);
   }
-  add_ends(part);
+  for (int i = 0; i < 3; i++)
+    add_row(part, &ends[i], &conditions[AT_END], i < 2, false);
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     if (f->setting != SCALLOP_STEADY || has_closed_limit(part))
       add_formula(part, f, CORRECTED);
@@ -191,13 +167,30 @@ static void fill(struct part *part)
       add_formula(part, f, TURNED);
 }
 
+/* Every formula that a row from `first` on names as right where another is wrong has its row for the same conditions,
+ * and holds; if not, it is noted. */
+static void check_corrections(struct ledger *ledger, int first)
+{
+  for (int i = first; i < ledger->count; i++) {
+    const struct claim_row *wrong = &ledger->rows[i];
+    bool stands = !*wrong->corrected;
+    for (int j = first; j < ledger->count && !stands; j++) {
+      const struct claim_row *row = &ledger->rows[j];
+      stands = (row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER)
+               && strcmp(row->claim, wrong->corrected) == 0 && strcmp(row->conditions, wrong->conditions) == 0;
+    }
+    if (!stands)
+      ledger_contradict(ledger, wrong, "%s, which is to take its place, has no row that holds", wrong->corrected);
+  }
+}
+
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const char *only)
 {
   const int first = ledger->count;
   struct part part = { .crawler = crawler, .only = only, .ledger = ledger };
   fill(&part);
   if (!only && !ledger->is_forecast && scallop_gait_named(crawler->gait->name))
-    ledger_check_corrections(ledger, first);
+    check_corrections(ledger, first);
   for (int i = 0; i < 2 * CONDITIONS; i++)
     if (part.trial[i / 2][i % 2].condition)
       trial_clear(&part.trial[i / 2][i % 2]);

@@ -1,5 +1,5 @@
-/* How a claim about an order is decided: the motion that it is about is expanded as T -> 0 and sampled, and what a
- * formula leaves out of that is a row of the ledger. Needs FLINT. Not public. */
+/* How a claim about an order is decided: the motion is expanded as T -> 0 and sampled, and what a formula leaves out of
+ * that is a row of the ledger. Needs FLINT. Not public. */
 #ifndef SCALLOP_COMPARE_CLAIMS_ORDERS_H
 #define SCALLOP_COMPARE_CLAIMS_ORDERS_H
 
@@ -10,7 +10,7 @@
 
 /* Under which a formula is tested */
 struct condition {
-  enum scallop_setting setting; /* SCALLOP_MOVING_EXTENSION stands for any phase with a start velocity */
+  enum scallop_setting setting;
   enum scallop_phase_kind kind;
   const char *text;
   bool inside;                                 /* assumed by the paper                                */
@@ -18,11 +18,13 @@ struct condition {
   bool exchange_forces, mirror_alpha, light_1; /* m1 a hundredth                                      */
   bool equal_forces;                           /* F2 = F1                                             */
   bool reversed;                               /* the bodies exchange their roles against the paper   */
-  bool of_units;                               /* of L and T alone: what holds once holds for all     */
+  /* In place of a motion l' and l before the end of an extension, T = L = 1, at the time T before that: REAR_AT_END is
+   * l', and FRONT_AT_END l. What holds for one crawler holds for all. */
+  bool at_end;
 };
 
-/* One motion (trial.c): the crawler under one condition; mirrored: seen in a mirror, the bodies exchanged, so that a
- * reversed motion becomes one that the paper's formulas are for. */
+/* The crawler under one condition (trial.c); mirrored: seen in a mirror, the bodies exchanged, so that a reversed
+ * motion becomes one that the paper's formulas are for. */
 struct trial {
   const struct condition *condition;
   bool mirrored;
@@ -34,12 +36,9 @@ struct trial {
 };
 void trial_init(struct trial *m);
 void trial_clear(struct trial *m);
-/* Expands the motion, and samples it: once. */
+/* Expands the motion, and samples it. */
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
                  bool mirrored);
-/* In the place of a motion l' and l before the end of an extension, T = L = 1: T is the time before the end,
- * SCALLOP_REAR_AT_END l', and SCALLOP_FRONT_AT_END l. */
-void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *crawler);
 bool trial_expand(struct trial *m, slong terms);
 bool trial_is_steady(const struct trial *m);
 /* The expansion of a quantity, NULL: it has none. Of a formula without a text its leading term */
@@ -50,24 +49,16 @@ slong trial_leading_power(const struct scallop_formula *formula);
 void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula,
                    const struct series *left_out);
 
-/* A row with what the formula says of itself */
-struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait);
-/* Adds the row (proof.c), with the verdict from what the formula leaves out of the motion: the leading term of the
- * expansion, of a formula without a text. why: nothing can be said of that, for this reason, "" where none is known; or
- * NULL. */
+struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
+                                const struct condition *condition);
+/* Adds the row (proof.c), with the verdict from what the formula leaves out of the motion. why: nothing can be said of
+ * that, for this reason, "" where none is known; or NULL. */
 void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *formula,
                    const char *why);
-/* Fits the order to the points of the row, holds it against the derived one, and adds the row. What contradicts itself
- * is noted. */
-void ledger_enter(struct ledger *ledger, struct claim_row *row);
-/* Behind other reasons; behind what the text holds, as far as there is room */
-void add_reason(struct claim_row *row, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* Behind what the text holds, as far as there is room */
 void append(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* Notes what cannot be. */
 void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
-/* Every formula that a row from `first` on names as right where another is wrong has its row for the same conditions,
- * and holds; if not, it is noted. */
-void ledger_check_corrections(struct ledger *ledger, int first);
 
 #endif

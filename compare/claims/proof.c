@@ -1,18 +1,19 @@
 /* What a formula leaves out, the derived expansion minus the formula, by numbers and in names; and the verdict. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "asymptotics/published/read.h"
 #include "asymptotics/symbolic/left_out.h"
-#include "compare/book/book.h"
-#include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
 
 enum { MANY_TERMS = 48, PRECISION = 1400, MOST_OF_EQUALITY = 11, DIGITS = 12 };
 
 struct proof {
+  struct claim_row *row;
+  struct trial *m;
+  const struct scallop_formula *f;
   struct series *left_out;
   slong order;               /* of the first coefficient that is not 0; known if there is none                      */
   slong known;               /* of the series                                                                      */
@@ -24,10 +25,21 @@ struct proof {
   char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                               */
 };
 
-/* derived - formula, of so many terms. False: the formula has no expansion. */
-static bool set_left_out(struct series *left_out, const struct trial *m, const struct scallop_formula *f, slong terms,
-                         char why[FORMULA_MESSAGE])
+__attribute__((format(printf, 2, 3))) static void add_reason(struct claim_row *row, const char *format, ...)
 {
+  char reason[sizeof row->reason];
+  va_list values;
+  va_start(values, format);
+  vsnprintf(reason, sizeof reason, format, values);
+  va_end(values);
+  append(row->reason, sizeof row->reason, "%s%s", *row->reason ? "; " : "", reason);
+}
+
+/* derived - formula, of so many terms. False: the formula has no expansion. */
+static bool set_left_out(struct series *left_out, struct proof *p, slong terms)
+{
+  const struct trial *m = p->m;
+  const struct scallop_formula *f = p->f;
   const struct ring ring = { terms, PRECISION };
   const struct scallop_phase_expansion *phase = &m->series.phase;
   const struct series *const given[] = { &phase->t1, &phase->dT, &phase->at_last };
@@ -44,7 +56,7 @@ static bool set_left_out(struct series *left_out, const struct trial *m, const s
       series_set(&symbols.value[SCALLOP_SYMBOL_t1 + i], given[i]);
     else
       series_set_unknown(&symbols.value[SCALLOP_SYMBOL_t1 + i]);
-  if (scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring, why))
+  if (scallop_formula_expand(&value, f, &symbols, m->condition->kind, &ring, p->why))
     return false;
   if (f->quantity == SCALLOP_VELOCITY_CHANGE)
     series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
@@ -62,49 +74,50 @@ static slong first_power(const struct series *s)
 }
 
 /* One coefficient that is a ball makes balls of all. What vanishes among fewer terms, without that one, is 0. */
-static void set_zeros(struct series *left_out, const struct trial *m, const struct scallop_formula *f, slong most)
+static void set_zeros(struct proof *p, slong most)
 {
-  char why[FORMULA_MESSAGE];
+  const struct series *all = p->left_out;
   SCOPED(series, fewer);
   for (slong terms = 1; terms < most; terms++) {
-    if (!set_left_out(&fewer, m, f, terms, why) || first_power(&fewer) < fewer.known)
+    if (!set_left_out(&fewer, p, terms) || first_power(&fewer) < fewer.known)
       return;
-    for (slong k = left_out->first, end = k + series_terms(left_out); k < end && k < fewer.known; k++)
-      series_set_zero(left_out, k);
+    for (slong k = all->first, end = k + series_terms(all); k < end && k < fewer.known; k++)
+      series_set_zero(p->left_out, k);
   }
 }
 
-static bool look_for_order(struct proof *p, const struct trial *m, const struct scallop_formula *f)
+static bool look_for_order(struct proof *p)
 {
-  const slong terms = m->terms + 8;
+  const slong terms = p->m->terms + 8;
   SCOPED(arb, x);
-  if (!set_left_out(p->left_out, m, f, terms, p->why))
+  if (!set_left_out(p->left_out, p, terms))
     return false;
   if (p->left_out->kind == SERIES_BALLS)
-    set_zeros(p->left_out, m, f, terms);
+    set_zeros(p, terms);
   p->known = p->left_out->known;
-  p->order = first_power(p->left_out);
-  if (p->order < p->known)
+  p->order = p->general = first_power(p->left_out);
+  const bool is_zero = p->order >= p->known;
+  if (!is_zero)
     series_coefficient(x, p->left_out, p->order, PRECISION);
-  p->undecided = p->order < p->known && arb_contains_zero(x);
-  p->found = p->order < p->known && !p->undecided;
-  p->general = p->order;
+  p->undecided = !is_zero && arb_contains_zero(x);
+  p->found = !is_zero && !p->undecided;
   return true;
 }
 
-static bool prove(struct proof *p, struct trial *m, const struct scallop_formula *f)
+static bool prove(struct proof *p)
 {
-  if (!trial_series(m, f->quantity)) {
+  if (!trial_series(p->m, p->f->quantity)) {
     snprintf(p->why, sizeof p->why, "no body turns in this phase, so that %s does not exist",
-             scallop_quantity_words[f->quantity]);
+             scallop_quantity_words[p->f->quantity]);
     return false;
   }
-  if (!look_for_order(p, m, f))
+  if (!look_for_order(p))
     return false;
-  bool rational = scallop_gait_is_rational(m->crawler.gait); /* of others the zeros are shown so far and no further */
-  if (p->found || p->undecided || !rational || m->terms >= MANY_TERMS)
+  bool rational = scallop_gait_is_rational(
+      p->m->crawler.gait); /* of others the zeros are shown so far and no further */
+  if (p->found || p->undecided || !rational || p->m->terms >= MANY_TERMS)
     return true;
-  return trial_expand(m, MANY_TERMS) && look_for_order(p, m, f); /* perhaps further on */
+  return trial_expand(p->m, MANY_TERMS) && look_for_order(p); /* perhaps further on */
 }
 
 /* Is there an equality among the conditions, other than F1 = F2? In names it would not hold. */
@@ -125,27 +138,28 @@ static bool is_of_paper(const struct scallop_formula *f)
 /* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of
  * finite sums is proven so, and one of the paper's formulas for the quadratic gait, whose degree in T is low
  * (docs/theory.md, The ledger's proofs). False: the two contradict each other. */
-static bool prove_for_all(struct proof *p, struct claim_row *row, const struct trial *m,
-                          const struct scallop_formula *f)
+static bool prove_for_all(struct proof *p)
 {
+  const struct scallop_formula *f = p->f;
+  const struct scallop_rational_crawler *crawler = &p->m->crawler;
   const slong looked = f->remainder > MOST_OF_EQUALITY ? f->remainder : MOST_OF_EQUALITY;
   const slong most = p->found ? p->order : looked < p->known ? looked : p->known - 1;
   ENDED_BY(left_out_clear) struct left_out l;
   SCOPED(fmpq, coefficient);
   char why[FORMULA_MESSAGE];
   left_out_init(&l);
-  p->for_all = m->condition->of_units;
+  p->for_all = p->m->condition->at_end;
   if (!f->text || has_equality(f) || most >= SYMBOLIC_ORDERS
-      || symbolic_left_out(&l, f, &m->crawler, m->condition->kind, m->v0, most, why))
+      || symbolic_left_out(&l, f, crawler, p->m->condition->kind, p->m->v0, most, why))
     return true;
   const bool vanishes = l.order > most;
-  const bool low_degree = is_of_paper(f) && m->crawler.gait == &scallop_gait_quadratic;
+  const bool low_degree = is_of_paper(f) && crawler->gait == &scallop_gait_quadratic;
   const bool all = f->remainder != SCALLOP_EQUALITY || p->known >= SERIES_ALL || low_degree;
   p->general = vanishes ? p->order : l.order;
   p->for_all = p->found ? l.order == p->order : vanishes && all;
   p->for_all_below = vanishes ? most + 1 : l.order;
   if (p->for_all) {
-    row->leading_error = l.term;
+    p->row->leading_error = l.term;
     l.term = NULL;
   }
   bool same = !p->for_all || !l.is_number
@@ -155,32 +169,30 @@ static bool prove_for_all(struct proof *p, struct claim_row *row, const struct t
 }
 
 /* Of the motion itself again: positions and velocities change their sign in a mirror, times do not. */
-static void see_in_mirror(struct proof *p, struct claim_row *row, enum scallop_quantity quantity)
+static void see_in_mirror(struct proof *p)
 {
-  if (quantity == SCALLOP_LAG || quantity == SCALLOP_FIRST_SWITCH)
+  if (p->f->quantity == SCALLOP_LAG || p->f->quantity == SCALLOP_FIRST_SWITCH)
     return;
   series_neg(p->left_out, p->left_out);
-  for (int i = 0; i < row->count; i++)
-    row->points[i].err = -row->points[i].err;
+  for (int i = 0; i < p->row->count; i++)
+    p->row->points[i].err = -p->row->points[i].err;
 }
 
-static void set_coefficient(struct claim_row *row, const struct series *left_out, slong power)
+static void set_coefficient(struct claim_row *row, const struct proof *p)
 {
   SCOPED(fmpq, q);
   SCOPED(arb, x);
-  bool is_rational = series_rational_coefficient(q, left_out, power);
-  series_coefficient(x, left_out, power, 128);
+  bool is_rational = series_rational_coefficient(q, p->left_out, p->order);
+  series_coefficient(x, p->left_out, p->order, 128);
   if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
     arf_get_fmpq(q, arb_midref(x));
     is_rational = true;
   }
-  char *text = is_rational ? decimal_fraction(q) : NULL;
-  if (!text || strlen(text) >= sizeof row->coefficient) {
-    flint_free(text);
-    text = decimal_ball(x, DIGITS);
-  }
-  append(row->coefficient, sizeof row->coefficient, "%s", text);
-  flint_free(text);
+  char *fraction = decimal_fraction(q), *ball = decimal_ball(x, DIGITS);
+  bool is_short = is_rational && strlen(fraction) < sizeof row->coefficient;
+  append(row->coefficient, sizeof row->coefficient, "%s", is_short ? fraction : ball);
+  flint_free(fraction);
+  flint_free(ball);
 }
 
 /* Finitely many coefficients prove an order up to them, and no equality but of finite sums, or of known degree. */
@@ -204,7 +216,7 @@ static void judge_exact(struct claim_row *row, const struct proof *p)
 static void judge_order(struct claim_row *row, const struct proof *p)
 {
   const double order = (double)p->order;
-  set_coefficient(row, p->left_out, p->order);
+  set_coefficient(row, p);
   row->verdict = order == row->claimed_order ? CLAIM_HOLDS : order > row->claimed_order ? CLAIM_SHARPER : CLAIM_REFUTED;
   if (row->verdict == CLAIM_REFUTED && order == 0)
     add_reason(row, "the error does not fall");
@@ -230,17 +242,73 @@ static void judge(struct claim_row *row, const struct proof *p)
   }
 }
 
+/* The row in the ledger */
+
+/* The points, from the smallest T on, at which 0 is within the error */
+static int points_at_0(const struct claim_row *row)
+{
+  int count = 0;
+  for (int i = row->count - 1; i >= 0 && fabs(row->points[i].err) <= row->points[i].noise; i--)
+    count++;
+  return count;
+}
+
+/* The order is fitted over the smallest T. */
+static void fit(struct claim_row *row)
+{
+  struct scallop_order_point *points = row->points;
+  enum { FITTED = 12 };
+  int tail = row->count < FITTED ? row->count : FITTED;
+  for (int i = 0; i < row->count; i++) {
+    points[i].pairwise = i + 1 < row->count
+                             ? log(fabs(points[i].err / points[i + 1].err)) / log(points[i].h / points[i + 1].h)
+                             : NAN;
+    points[i].use = row->exact ? SCALLOP_ORDER_ZERO : SCALLOP_ORDER_COARSE;
+  }
+  struct scallop_order_wanted wanted = { .order = NAN, .tolerance = CLAIM_TOLERANCE };
+  scallop_order(points + row->count - tail, &tail, &wanted, &row->fit);
+}
+
+/* Fits the order to the points of the row, and holds it against the derived one. */
+static void enter(struct ledger *ledger, struct claim_row *row)
+{
+  static const double agreement = 1e-6; /* what is left of the next terms at the smallest T, many times over */
+  fit(row);
+  if (row->exact && isinf(row->claimed_order) && points_at_0(row) < row->count) {
+    row->verdict = CLAIM_REFUTED;
+    row->evidence = CERTIFIED_CRAWLER;
+    add_reason(row, "but the certified error is not 0 at every T");
+  }
+  const bool beyond = row->fit.order > (double)row->derived_order - CLAIM_TOLERANCE; /* of what was looked at */
+  /* the measured error is what is left out; of what vanishes below a power it is 0 at the smallest T, or of that */
+  if (row->proven && row->count == 0)
+    ledger_contradict(ledger, row, "no exact motion has the modes of the expansion");
+  else if (row->proven && row->exact && points_at_0(row) == 0 && !beyond)
+    ledger_contradict(ledger, row, "nothing is left out, and the certified error is not 0");
+  else if (row->proven && !row->exact && row->mismatch > agreement)
+    ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",
+                      row->mismatch);
+  if (row->proven && !row->exact && fabs(row->fit.order - (double)row->derived_order) > CLAIM_TOLERANCE)
+    add_reason(row, "at the T that were measured it goes as T^%.3g", row->fit.order);
+  if (row->verdict != CLAIM_REFUTED)
+    *row->corrected = '\0';
+  /* the corrections are for the gaits of the paper: with others there may be none */
+  else if (!*row->corrected && row->source != OF_BOOK && scallop_gait_named(row->gait))
+    ledger_contradict(ledger, row, "refuted, and nothing is named that holds");
+  ledger_add(ledger, row);
+}
+
 void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *f,
                    const char *why)
 {
   SCOPED(series, left_out);
-  struct proof p = { .left_out = &left_out };
-  if (!why && prove(&p, m, f)) {
-    if (!p.undecided && !prove_for_all(&p, row, m, f))
+  struct proof p = { .row = row, .m = m, .f = f, .left_out = &left_out };
+  if (!why && prove(&p)) {
+    if (!p.undecided && !prove_for_all(&p))
       ledger_contradict(ledger, row, "the coefficients in names are other ones than in numbers");
     trial_measure(row, m, f, &left_out);
     if (m->mirrored)
-      see_in_mirror(&p, row, f->quantity);
+      see_in_mirror(&p);
     judge(row, &p);
   } else {
     char place[FORMULA_PLACE]; /* of what is wrong with the text */
@@ -249,5 +317,5 @@ void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m
                *why ? why : "no expansion in powers of T is known for this motion");
     row->verdict = CLAIM_UNDECIDED;
   }
-  ledger_enter(ledger, row);
+  enter(ledger, row);
 }

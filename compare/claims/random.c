@@ -3,7 +3,6 @@
  * each is from failing. */
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <gsl/gsl_qrng.h>
@@ -12,24 +11,15 @@
 
 enum { RANDOM_CRAWLERS = 400 };
 
-/* 10^x for x in [-1, 1] by its own series: the same bits on every machine */
-static double power_of_ten(double x)
-{
-  double y = x * 2.302585092994046 / 64, p = 1 + y * (1 + y / 2 * (1 + y / 3 * (1 + y / 4 * (1 + y / 5))));
-  for (int i = 0; i < 6; i++)
-    p *= p;
-  return p;
-}
-
 /* Of a Sobol sequence: L = 1, eps from 0.01 to 10 */
 static struct scallop_crawler next_crawler(gsl_qrng *sequence, const struct scallop_gait *gait)
 {
   double u[6];
   gsl_qrng_get(sequence, u);
   struct scallop_crawler c = { .L = 1, .gait = gait, .alpha = 0.05 + 0.9 * u[4] };
-  c.m1 = power_of_ten(2 * u[0] - 1), c.m2 = power_of_ten(2 * u[1] - 1);
-  c.F1 = power_of_ten(2 * u[2] - 1), c.F2 = power_of_ten(2 * u[3] - 1);
-  c.T = sqrt((c.m1 + c.m2) / (c.F1 + c.F2)) * power_of_ten(1.5 * u[5] - 1);
+  c.m1 = pow(10, 2 * u[0] - 1), c.m2 = pow(10, 2 * u[1] - 1);
+  c.F1 = pow(10, 2 * u[2] - 1), c.F2 = pow(10, 2 * u[3] - 1);
+  c.T = sqrt((c.m1 + c.m2) / (c.F1 + c.F2)) * pow(10, 1.5 * u[5] - 1);
   return c;
 }
 
@@ -51,15 +41,14 @@ enum { MULTIPLIER, SLIDES_BACKWARD, STICKS_BACKWARD, BOTH_REST, EXCHANGED };
 
 static void steady_state(struct question *q, struct scallop_crawler c, double x[RANDOM_NUMBERS])
 {
-  const struct scallop_crawler exchanged = { c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
   const struct solved s = steady(q, c);
-  const double moved = s.displacement, backward = forwards(moved, &c) * (c.alpha > 0.5 ? -1 : 1);
+  const double backward = forwards(s.displacement, &c) * (c.alpha > 0.5 ? -1 : 1);
   const bool slides = s.regime == SCALLOP_SLIDING;
   x[MULTIPLIER] = s.multiplier;
   x[SLIDES_BACKWARD] = slides ? backward : -INFINITY;
   x[STICKS_BACKWARD] = slides ? -INFINITY : backward;
   x[BOTH_REST] = strstr(s.modes, "00") != NULL;
-  x[EXCHANGED] = fabs(moved + steady(q, exchanged).displacement);
+  x[EXCHANGED] = fabs(s.displacement + steady(q, exchanged(c)).displacement);
 }
 
 enum { EQUAL_FORCES_MOVE, EQUAL_FORCES_AGREE, EQUAL_TIMES_MOVE, EQUAL_TIMES_FORWARD, QUICK_BACKWARD };
@@ -111,7 +100,7 @@ static void stronger_first(struct question *q, struct scallop_crawler c, double 
 }
 
 /* The counterexample as it is printed, with four digits, certified; or, if that is none, in doubles */
-static double certify(struct question *q, double found)
+static void certify(struct question *q)
 {
   const struct statement *claim = q->claim;
   struct scallop_crawler c = q->crawler;
@@ -122,58 +111,58 @@ static double certify(struct question *q, double found)
   claim->measure(q, c, x);
   if (compare(x[claim->number], claim->limit) > 0) {
     q->crawler = c;
-    return x[claim->number];
+    q->largest = x[claim->number];
+  } else {
+    q->by = MEASURED;
+    q->solved = true;
   }
-  q->by = MEASURED;
-  q->solved = true;
-  return found;
 }
 
-double at_random(struct question *q, struct scallop_crawler any)
+void at_random(struct question *q, struct scallop_crawler any)
 {
   const struct statement *claim = q->claim;
   gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, 6);
   int meant = 0, held = 0, failed = 0;
-  double x[RANDOM_NUMBERS], largest = -INFINITY;
+  double x[RANDOM_NUMBERS], *const largest = &q->largest;
+  *largest = -INFINITY;
   q->by = MEASURED;
   for (int i = 0; sequence && i < RANDOM_CRAWLERS; i++) {
     const struct scallop_crawler c = next_crawler(sequence, any.gait);
     claim->measure(q, c, x);
     const double number = x[claim->number];
-    meant += !(number == -INFINITY);
-    held += number > -INFINITY && number <= claim->limit;
+    if (number == -INFINITY)
+      continue;
+    meant++;
+    held += number <= claim->limit;
     failed += number > claim->limit;
-    if (number > largest) {
-      largest = number;
-      q->crawler = c;
-    }
+    q->crawler = number > *largest ? c : q->crawler;
+    *largest = fmax(*largest, number);
   }
   gsl_qrng_free(sequence);
   if (failed > 0) {
-    largest = certify(q, largest);
-    conclude(q, -1, "not so for %d of %d crawlers, by up to %.3g", failed, meant, largest - claim->limit);
+    certify(q);
+    conclude(q, -1, "not so for %d of %d crawlers, by up to %.3g", failed, meant, *largest - claim->limit);
   } else {
     q->by = SAMPLED;
     conclude(q, held > 0 && held == meant, claim->holds, meant);
   }
   q->row.sampled = meant;
-  return largest;
 }
 
 static void attracts(struct question *q, struct scallop_crawler c)
 {
-  const double largest = at_random(q, c);
+  at_random(q, c);
   if (q->row.verdict == CLAIM_HOLDS)
-    conclude(q, 1, "largest multiplier of the period map: %.4f", largest);
+    conclude(q, 1, "largest multiplier of the period map: %.4f", q->largest);
 }
 
 static void moves_forward(struct question *q, struct scallop_crawler c)
 {
-  const double largest = at_random(q, c);
+  at_random(q, c);
   if (q->row.verdict != CLAIM_REFUTED)
     return;
   c = q->crawler;
-  conclude(q, -1, "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g", largest);
+  conclude(q, -1, "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g", q->largest);
   show(q, "scallop steady --m1 %.4g --m2 %.4g --F1 %.4g --F2 %.4g --L 1 --T %.4g --alpha %.4g --gait %s", c.m1, c.m2,
        c.F1, c.F2, c.T, c.alpha, c.gait->name);
 }

@@ -8,8 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/book/book.h"
-#include "compare/claims/orders.h"
 #include "compare/points/point_flint.h"
 #include "compare/text/halfway.h"
 #include "compare/text/table.h"
@@ -47,7 +45,7 @@ static bool solve_in_balls(struct solved *s, const struct motion *m)
   return done;
 }
 
-struct solved in_double(const struct motion *m)
+static struct solved in_double(const struct motion *m)
 {
   struct answer a;
   answer_in_double(&a, m);
@@ -61,10 +59,9 @@ struct solved in_double(const struct motion *m)
 static struct solved solve(struct question *q, const struct motion *m)
 {
   struct solved s = { .regime = SCALLOP_SLIDING };
-  if (q->by == CERTIFIED_CRAWLER)
-    q->solved = solve_in_balls(&s, m) && q->solved;
-  else
-    s = in_double(m);
+  if (!q || q->by != CERTIFIED_CRAWLER)
+    return in_double(m);
+  q->solved = solve_in_balls(&s, m) && q->solved;
   return s;
 }
 
@@ -81,6 +78,11 @@ struct solved extension(struct question *q, struct scallop_crawler c, double v0)
 struct solved contraction(struct question *q, struct scallop_crawler c, double v0)
 {
   return solve(q, &(struct motion){ .of = OF_PHASE, .crawler = c, .phase = SCALLOP_CONTRACTION, .v0 = v0 });
+}
+
+struct scallop_crawler exchanged(struct scallop_crawler c)
+{
+  return (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
 }
 
 int compare(double a, double b)
@@ -184,4 +186,61 @@ void show(struct question *q, const char *format, ...)
   if (q->row.verdict != CLAIM_HOLDS)
     vsnprintf(q->row.reason, sizeof q->row.reason, format, numbers);
   va_end(numbers);
+}
+
+/* Rows */
+
+static struct scallop_crawler with_numbers(struct scallop_crawler c, const struct scallop_crawler *with)
+{
+  double *const numbers[CRAWLER_NUMBERS] = { &c.m1, &c.m2, &c.F1, &c.F2, &c.L, &c.T, &c.alpha };
+  double others[CRAWLER_NUMBERS];
+  crawler_numbers(with, others);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    *numbers[i] = others[i] != 0 ? others[i] : *numbers[i];
+  return c;
+}
+
+static void add_row(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
+                    bool of_the_paper)
+{
+  struct question q = { .claim = claim,
+                        .crawler = with_numbers(*crawler, &claim->with),
+                        .of_the_paper = of_the_paper,
+                        .by = CERTIFIED_CRAWLER,
+                        .solved = true,
+                        .row = { .equation = claim->place,
+                                 .quantity = claim->quantity,
+                                 .gait = crawler->gait->name,
+                                 .inside = of_the_paper && !claim->outside,
+                                 .in_words = true,
+                                 .claimed_order = NAN,
+                                 .mismatch = NAN,
+                                 .fit = { .order = NAN, .low = NAN, .high = NAN } } };
+  append(q.row.claim, sizeof q.row.claim, "%s", claim->name);
+  append(q.row.conditions, sizeof q.row.conditions, claim->conditions,
+         of_the_paper ? "the paper's crawler" : "the ledger's crawler");
+  (claim->decide ? claim->decide : at_random)(&q, q.crawler);
+  ledger_add(ledger, &q.row);
+}
+
+static void add_rows(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
+                     bool of_the_paper)
+{
+  for (; claim->name; claim++)
+    if ((of_the_paper || !claim->of_its_crawler)
+        && (scallop_gait_named(crawler->gait->name) || !claim->of_its_gaits_alone) && !ledger_expects(ledger))
+      add_row(ledger, claim, crawler, of_the_paper);
+}
+
+void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler)
+{
+  struct scallop_crawler paper = scallop_crawler_default(), own = *crawler;
+  paper.gait = crawler->gait;
+  own.T = 0.5 * sqrt((own.m1 + own.m2) / (own.F1 + own.F2) * own.L); /* half of that at which the Froude number is 1 */
+  add_rows(ledger, statements_at_random, &paper, true);
+  add_rows(ledger, statements_by_example, &paper, true);
+  add_rows(ledger, statements_of_families, &paper, true);
+  add_rows(ledger, statements_of_figures, &paper, true);
+  add_rows(ledger, statements_of_families, &own, false);
+  add_rows(ledger, statements_of_figures, &own, false);
 }

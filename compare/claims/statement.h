@@ -9,8 +9,7 @@
 #include "compare/claims/orders.h"
 
 struct question;
-/* What varies in a family of crawlers: F1/F2, F1 varied; F2, with F1/F2 kept; T. */
-enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD };
+enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD }; /* F1/F2, by F1; F2, with F1/F2 kept; T */
 
 enum { RANDOM_NUMBERS = 5 };
 
@@ -27,15 +26,15 @@ struct statement {
   bool of_its_gaits_alone;     /* the paper's: no row for another                                           */
   bool of_its_crawler;         /* the paper's, not the ledger's                                             */
   bool proven;                 /* for the paper's gaits, in docs/theory.md: The motion in words             */
-  /* Of one about every crawler: one of the numbers of a crawler, which is at most the limit where it holds, and
-   * -INFINITY where it is about others; and what is said where it holds for all: a format of how many they are. */
+  /* Of one about every crawler: which number of a crawler is at most the limit where it holds, and -INFINITY where it is
+   * about others; and what is said where it holds for all: a format of how many they are. */
   void (*measure)(struct question *q, struct scallop_crawler c, double numbers[RANDOM_NUMBERS]);
   int number;
   double limit;
   const char *holds;
 };
-/* In the order of the ledger; the last has name NULL. Decided for each gait with the paper's crawler (examples), or
- * with random ones; and for each gait with the paper's crawler and with the ledger's (families). */
+/* In the order of the ledger; the last has name NULL. Those of families and figures are decided with the paper's crawler,
+ * and then with the ledger's. */
 extern const struct statement statements_at_random[], statements_by_example[], statements_of_families[],
     statements_of_figures[];
 
@@ -46,6 +45,7 @@ struct question {
   bool of_the_paper;      /* it is the one of the paper's figures                                                     */
   enum claim_evidence by; /* how motions are solved: CERTIFIED_CRAWLER, to begin with; else in doubles               */
   bool solved;            /* all motions so far                                                                       */
+  double largest;         /* of random crawlers: the largest number, that of crawler                          */
   struct claim_row row;
   char options[200];
 };
@@ -64,10 +64,10 @@ struct solved {
   char modes[MOTION_MODES_TEXT]; /* "++ -+ ++ | ++ +- ++" */
   bool single;                   /* in doubles: there is one steady state */
 };
-struct solved in_double(const struct motion *m);
-struct solved steady(struct question *q, struct scallop_crawler c);
+struct solved steady(struct question *q, struct scallop_crawler c); /* q NULL: in doubles */
 struct solved extension(struct question *q, struct scallop_crawler c, double v0);
 struct solved contraction(struct question *q, struct scallop_crawler c, double v0);
+struct scallop_crawler exchanged(struct scallop_crawler c); /* the names of its bodies */
 double middle(const arb_t x);
 double certain(const arb_t x);
 enum { EVIDENCE_DIGITS = 30, EVIDENCE_BITS = 160 };
@@ -84,18 +84,16 @@ int compare(double a, double b);
 /* Of a certified number: 1: it is 0, to 2^-80; -1: it is not; 0: not known */
 int is_zero(double x);
 
-/* The verdict, of what is true or false of the motions that were solved, or not known: 1, -1, 0; and what was found. */
+/* The verdict, 1, -1 or 0, it is not known; and what was found. */
 void conclude(struct question *q, int verdict, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* Of what does not hold: a command that shows it, behind words perhaps */
 void show(struct question *q, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* " --F1 2 --gait sinusoidal", what makes the default crawler this one; until the next call */
+/* " --F1 2 --gait sinusoidal", what makes the default crawler this one */
 const char *options(struct question *q, struct scallop_crawler c);
-/* The number with so many digits: what a command says */
-double short_number(double x, int digits);
+double short_number(double x, int digits); /* as a command says it */
 
-/* Is what the statement says of every crawler so of random ones? Returns the largest number; its crawler is the
- * question's then. */
-double at_random(struct question *q, struct scallop_crawler any);
+/* Is what the statement says of every crawler so of random ones? */
+void at_random(struct question *q, struct scallop_crawler any);
 
 /* The last double before f, positive at low and not at high, is not positive any more; where f, with one maximum
  * between a and b, is highest, to 1e-7 of it */

@@ -3,9 +3,6 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "compare/answers/request.h"
-#include "compare/book/book.h"
-#include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
 
@@ -52,14 +49,11 @@ static void put_number(struct report *r, unsigned tables, const char *name, doub
 
 static const char *evidence_text(const struct claim_row *row)
 {
+  static const char *const texts[] = { "-", "proven for all parameters", "certified for the crawler named", NULL,
+                                       "measured in doubles" };
   static char sampled[40];
-  switch (row->evidence) {
-  case PROVEN_FOR_ALL: return "proven for all parameters";
-  case CERTIFIED_CRAWLER: return "certified for the crawler named";
-  case SAMPLED: snprintf(sampled, sizeof sampled, "sampled: %d cases, no seed", row->sampled); return sampled;
-  case MEASURED: return "measured in doubles";
-  default: return "-";
-  }
+  snprintf(sampled, sizeof sampled, "sampled: %d cases, no seed", row->sampled);
+  return row->evidence == SAMPLED ? sampled : texts[row->evidence];
 }
 
 static void write_line(struct report *r, const struct line *line)

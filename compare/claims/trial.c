@@ -2,10 +2,8 @@
  * with the errors of formulas there. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "compare/claims/orders.h"
 #include "compare/claims/statement.h"
 
 enum { TERMS = 14, TERMS_AT_END = 40, PRECISION = 1400 };
@@ -68,23 +66,18 @@ struct sample {
   struct ball_answer exact;
 };
 
-/* Not yet solved. False: out of memory */
-static bool begin_samples(struct trial *m, const fmpq_t T0)
+static struct sample *sample_at(const struct trial *m, const fmpq_t T0, int k)
 {
-  m->samples = calloc(CLAIM_POINTS, sizeof *m->samples);
-  for (int k = 0; m->samples && k < CLAIM_POINTS; k++) {
-    fmpq_init(m->samples[k].T);
-    fmpq_div_2exp(m->samples[k].T, T0, 2 * (ulong)k);
-    ball_answer_init(&m->samples[k].exact);
-  }
-  return m->samples;
+  fmpq_div_2exp(m->samples[k].T, T0, 2 * (ulong)k);
+  return &m->samples[k];
 }
 
-static void solve_sample(struct sample *s, const struct trial *m)
+static void solve_sample(struct sample *s, const struct trial *m, long digits)
 {
   char modes[MOTION_MODES_TEXT];
   SCOPED(scallop_rational, crawler);
   SCOPED(fmpq, fraction);
+  s->digits = digits;
   scallop_rational_copy(&crawler, &m->crawler);
   fmpq_one(fraction);
   if (!trial_is_steady(m))
@@ -104,74 +97,59 @@ static void take_samples(struct trial *m)
   double apart = fmin(m1, m2) / (m1 + m2) * force / (F1 + F2), decades = apart < 0.001 ? ceil(-log10(apart)) : 0;
   SCOPED(fmpq, T0);
   set_rounded(T0, sqrt((m1 + m2) * fmpq_get_d(c->L) / (F1 + F2)) * pow(10, -decades));
-  if (!begin_samples(m, T0))
-    return;
-  for (int k = 0; k < CLAIM_POINTS; k++) {
-    /* of c T^p, p <= 9 or so, c of size 1, ten are left */
-    m->samples[k].digits = 40 + (long)(10 * (0.602 * k + 1.5 * decades));
-    solve_sample(&m->samples[k], m);
-  }
+  for (int k = 0; k < CLAIM_POINTS; k++) /* of c T^p, p <= 9 or so, c of size 1, ten digits are left */
+    solve_sample(sample_at(m, T0, k), m, 40 + (long)(10 * (0.602 * k + 1.5 * decades)));
 }
 
 void trial_init(struct trial *m)
 {
-  *m = (struct trial){ .condition = NULL };
+  *m = (struct trial){ .samples = flint_calloc(CLAIM_POINTS, sizeof *m->samples) };
   fmpq_init(m->v0);
   scallop_rational_init(&m->crawler);
   series_answer_init(&m->series);
+  for (int k = 0; k < CLAIM_POINTS; k++) {
+    fmpq_init(m->samples[k].T);
+    ball_answer_init(&m->samples[k].exact);
+  }
 }
 
 void trial_clear(struct trial *m)
 {
-  for (int k = 0; m->samples && k < CLAIM_POINTS; k++) {
+  for (int k = 0; k < CLAIM_POINTS; k++) {
     fmpq_clear(m->samples[k].T);
     ball_answer_clear(&m->samples[k].exact);
   }
-  free(m->samples);
+  flint_free(m->samples);
   series_answer_clear(&m->series);
   scallop_rational_clear(&m->crawler);
   fmpq_clear(m->v0);
-}
-
-void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
-                 bool mirrored)
-{
-  m->condition = condition;
-  m->mirrored = mirrored;
-  scallop_rational_copy(&m->crawler, crawler);
-  set_condition(m);
-  if (trial_expand(m, TERMS))
-    take_samples(m);
 }
 
 /* The end of an extension */
 
 static void sample_end(struct sample *s, const struct scallop_piece *last)
 {
+  struct scallop_certified_phase *phase = &s->exact.phase;
   SCOPED(arb, before, end);
   arb_set_fmpq(before, s->T, PRECISION);
-  scallop_ball_speed(s->exact.phase.dx1, last, before, PRECISION);
-  scallop_ball_way(s->exact.phase.dx2, last, before, end, PRECISION);
-  arb_sub_ui(s->exact.phase.dx2, s->exact.phase.dx2, 1, PRECISION);
-  arb_neg(s->exact.phase.dx2, s->exact.phase.dx2);
-  s->exact.value[Q_DX1] = s->exact.phase.dx1;
-  s->exact.value[Q_DX2] = s->exact.phase.dx2;
+  scallop_ball_speed(phase->dx1, last, before, PRECISION);
+  scallop_ball_way(phase->dx2, last, end, before, PRECISION);
+  arb_add_ui(phase->dx2, phase->dx2, 1, PRECISION);
+  s->exact.value[Q_DX1] = phase->dx1;
+  s->exact.value[Q_DX2] = phase->dx2;
   s->digits = (PRECISION - 64) / 4;
   s->solved = true;
 }
 
-void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *crawler)
+/* T = L = 1 */
+static void begin_at_end(struct trial *m)
 {
-  static const struct condition end = { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true,
-                                        .of_units = true };
   const struct ring ring = { TERMS_AT_END, 256 };
-  const struct scallop_shape *shape = &crawler->gait->phase[SCALLOP_EXTENSION];
+  const struct scallop_shape *shape = &m->crawler.gait->phase[SCALLOP_EXTENSION];
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];
   struct series *speed = &m->series.phase.dx1, *length = &m->series.phase.dx2;
   SCOPED(series, back);
   SCOPED(fmpq, one);
-  m->condition = &end;
-  scallop_rational_copy(&m->crawler, crawler);
   fmpq_one(one);
   fmpq_one(m->crawler.L);
   scallop_speed_series(speed, last, NULL, &ring);
@@ -185,10 +163,25 @@ void trial_begin_at_end(struct trial *m, const struct scallop_rational_crawler *
   series_truncate(length, TERMS_AT_END);
   m->series.value[Q_DX1] = speed;
   m->series.value[Q_DX2] = length;
+  m->series.status = SCALLOP_OK;
   m->terms = SCALLOP_MOST_TERMS; /* no more to be had */
-  if (begin_samples(m, one))
-    for (int k = 1; k < CLAIM_POINTS; k++)
-      sample_end(&m->samples[k], last);
+  for (int k = 1; k < CLAIM_POINTS; k++)
+    sample_end(sample_at(m, one, k), last);
+}
+
+void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
+                 bool mirrored)
+{
+  m->condition = condition;
+  m->mirrored = mirrored;
+  scallop_rational_copy(&m->crawler, crawler);
+  if (condition->at_end) {
+    begin_at_end(m);
+    return;
+  }
+  set_condition(m);
+  if (trial_expand(m, TERMS))
+    take_samples(m);
 }
 
 /* Errors */
@@ -232,25 +225,17 @@ static double mismatch_at(const arb_t error, const struct series *left_out, cons
   return mismatch;
 }
 
-/* fmpq_get_d does not round to nearest. */
-static double nearest_double(const fmpq_t x)
-{
-  SCOPED(arb, ball);
-  arb_set_fmpq(ball, x, 64);
-  return middle(ball);
-}
-
 void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
                    const struct series *left_out)
 {
   enum { ACCURATE = 20 };
-  SCOPED(arb, error);
-  for (const struct sample *s = m->samples; s && s < m->samples + CLAIM_POINTS; s++)
+  SCOPED(arb, error, T);
+  for (const struct sample *s = m->samples; s < m->samples + CLAIM_POINTS; s++)
     if (error_at(error, s, m, f)) {
       if (arb_rel_accuracy_bits(error) >= ACCURATE)
         row->mismatch = mismatch_at(error, left_out, s->T, 4 * s->digits + 64);
-      row->points[row->count++] = (struct scallop_order_point){ .h = nearest_double(s->T),
-                                                                .err = middle(error),
-                                                                .noise = mag_get_d(arb_radref(error)) };
+      arb_set_fmpq(T, s->T, 64); /* fmpq_get_d does not round to nearest */
+      row->points[row->count++] =
+          (struct scallop_order_point){ .h = middle(T), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
     }
 }
