@@ -71,13 +71,7 @@ static const struct option_rule rules[] = {
 };
 static const struct order_options initial = { .tolerance = { 0.1, false }, .format = { "tsv", false } };
 
-static int format_of(const struct order_options *o)
-{
-  int format = 0;
-  while (strcmp(report_formats[format], o->format.value) != 0)
-    format++;
-  return format;
-}
+static int format_of(const struct order_options *o) { return word_place(o->format.value, report_formats); }
 
 static bool is_sound(const void *options)
 {

@@ -1,4 +1,3 @@
-#define _GNU_SOURCE /* asprintf */
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -65,27 +64,28 @@ static enum exit_code read_scene(struct running *r, const struct scene_source *s
   return EXIT_DONE;
 }
 
-/* A path by which files are told apart, however they are spelled, to be freed; NULL: a device or a pipe, which takes
- * any number of tables, or in a folder that is not there, which opening it will say */
-static char *place_of(const char *path)
+/* What tells files apart, however their paths are spelled: a file that is there, or a name in a folder. A device or a
+ * pipe takes any number of tables, and that a folder is not there opening the file will say: name is NULL. */
+struct place {
+  dev_t device;
+  ino_t number;
+  const char *name;
+};
+static struct place place_of(const char *path)
 {
-  const char *slash = strrchr(path, '/');
-  struct stat there;
-  char folder[PATH_MAX], *place = NULL;
-  if (stat(path, &there) == 0)
-    return S_ISREG(there.st_mode) ? realpath(path, NULL) : NULL;
-  snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash + 1 - path) : 1, slash ? path : ".");
-  char *real = realpath(folder, NULL);
-  if (real && asprintf(&place, "%s/%s", real, slash ? slash + 1 : path) < 0)
-    place = NULL;
-  free(real);
-  return place;
+  const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
+  char folder[PATH_MAX] = ".";
+  struct stat at;
+  if (stat(path, &at) == 0)
+    return (struct place){ at.st_dev, at.st_ino, S_ISREG(at.st_mode) ? "" : NULL };
+  if (slash)
+    snprintf(folder, sizeof folder, "%.*s", (int)(name - path), path);
+  return stat(folder, &at) == 0 ? (struct place){ at.st_dev, at.st_ino, name } : (struct place){ .name = NULL };
 }
 
-/* The files that are written so far */
-struct places {
+struct places { /* files that are written, so far */
   int count;
-  char *place[2 * SCENE_WANTS * 64];
+  struct place place[2 * SCENE_WANTS * 64];
 };
 
 static enum exit_code add_place(struct places *all, const char *command, const char *path)
@@ -93,17 +93,14 @@ static enum exit_code add_place(struct places *all, const char *command, const c
   int error = file_spares(path);
   if (error != 0)
     return complain(command, "cannot write %s: %s", path, file_error(error)), EXIT_FILE;
-  char *place = place_of(path);
-  for (int i = 0; place && i < all->count; i++)
-    if (strcmp(all->place[i], place) == 0) {
-      free(place);
+  const struct place new = place_of(path);
+  for (const struct place *p = all->place; p < all->place + all->count && new.name; p++)
+    if (p->device == new.device && p->number == new.number &&strcmp(p->name, new.name) == 0) {
       complain(command, "two things would go to %s: give each table and each plot a file of its own", path);
       return EXIT_USAGE;
     }
-  if (place && all->count < (int)(sizeof all->place / sizeof *all->place))
-    all->place[all->count++] = place;
-  else
-    free(place);
+  if (new.name && all->count < (int)(sizeof all->place / sizeof *all->place))
+    all->place[all->count++] = new;
   return EXIT_DONE;
 }
 
@@ -115,18 +112,17 @@ static enum exit_code check_files(const struct running *all, int count, const ch
   int printed = 0;
   for (int i = 0; i < count; i++)
     for (int k = 0; k < all[i].scene.wants && code == EXIT_DONE; k++) {
-      const struct want *w = &all[i].want[k];
-      if (!w->file && printed++ > 0) {
+      const struct scene_files *files = &all[i].want[k].files;
+      if (files->table)
+        code = add_place(&places, command, files->table);
+      else if (printed++ > 0) {
         complain(command, "two tables would go to standard output: give each want a file of its own");
         code = EXIT_USAGE;
       }
-      if (w->file && code == EXIT_DONE)
-        code = add_place(&places, command, w->file);
-      if (w->has_plot && code == EXIT_DONE)
-        code = add_place(&places, command, w->plot.file);
+      if (files->has_plot && code == EXIT_DONE)
+        code = add_place(&places, command, files->plot.file);
     }
-  while (places.count > 0)
-    free(places.place[--places.count]);
+  places.count = 0;
   return code;
 }
 
@@ -156,11 +152,11 @@ static enum exit_code draw_plots(const struct running *r, const struct scene_opt
   enum exit_code code = EXIT_DONE;
   for (int i = 0; i < r->scene.wants; i++) {
     const struct want *w = &r->want[i];
-    bool drawn = w->has_plot && plot_draw(&w->plot, o->request.style.command);
-    code = drawn || !w->has_plot ? code : EXIT_FILE;
+    bool drawn = w->files.has_plot && plot_draw(&w->files.plot, o->request.style.command);
+    code = drawn || !w->files.has_plot ? code : EXIT_FILE;
     count_add(COUNT_PLOTS, drawn);
     if (drawn)
-      tell_written(o, w->plot.file);
+      tell_written(o, w->files.plot.file);
   }
   return code;
 }
@@ -196,7 +192,7 @@ static enum exit_code run_scene(struct running *r, const struct scene_options *o
   if (!rows_close(&run, keep))
     return EXIT_FILE;
   for (int i = 0; keep && i < r->scene.wants; i++)
-    tell_written(o, r->want[i].file);
+    tell_written(o, r->want[i].files.table);
   return keep ? judge(r, &run, code, o) : code;
 }
 

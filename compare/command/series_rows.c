@@ -47,54 +47,52 @@ static bool is_of_scene(const struct series_options *o, const struct series_use 
          && !formula_takes_given(use->formula);
 }
 
-/* Each item of --only, or NULL; *rest: what is behind it */
-static char *next_item(const char **rest)
+/* An item of a list with commas between; *rest: what is behind it, or NULL */
+enum { SERIES_NAME = 2 * QUANTITY_NAME };
+static void next_item(char item[SERIES_NAME], const char **rest)
 {
-  const char *text = *rest, *comma = strchr(text, ',');
-  *rest = comma ? comma + 1 : NULL;
-  return comma ? strndup(text, (size_t)(comma - text)) : strdup(text);
+  size_t length = strcspn(*rest, ",");
+  snprintf(item, SERIES_NAME, "%.*s", (int)length, *rest);
+  *rest = (*rest)[length] == ',' ? *rest + length + 1 : NULL;
 }
 
+struct names_of_series {
+  int count;
+  char name[MOST_SERIES][SERIES_NAME];
+};
+
 /* The names of the series in rows */
-static int usual_names(char *names[MOST_SERIES], const struct series_options *o)
+static void usual_names(struct names_of_series *list, const struct series_options *o)
 {
   struct series_use uses[MOST_SERIES];
-  char name[QUANTITY_NAME];
-  int n = 0, count = is_from(o, "published") ? series_uses(uses, o) : 0;
+  bool published = is_from(o, "published");
+  char kind[32] = "limit.";
+  if (is_from(o, "derived"))
+    snprintf(kind, sizeof kind, "derived_%ld.", o->order.value);
+  int count = published ? series_uses(uses, o) : 0;
   for (int i = 0; i < count; i++)
     if (!o->request.scene || is_of_scene(o, &uses[i]))
-      names[n++] = strdup(series_use_name(name, &uses[i]));
+      series_use_name(list->name[list->count++], &uses[i]);
   bool of_phase = o->request.scene ? o->request.scene->is_about_phase : o->request.point.has_v0;
   enum quantity_of of = of_phase ? OF_PHASE : OF_STEADY;
-  for (int q = quantity_first(of); q < (int)quantity_end(of) && !is_from(o, "published"); q++) {
-    if (!quantity_rows[q].has_series)
-      continue;
-    if (is_from(o, "derived"))
-      snprintf(name, sizeof name, "derived_%ld.%s", o->order.value, quantity_rows[q].name);
-    else
-      snprintf(name, sizeof name, "limit.%s", quantity_rows[q].name);
-    names[n++] = strdup(name);
-  }
-  return n;
+  for (int q = quantity_first(of); q < (int)quantity_end(of) && !published; q++)
+    if (quantity_rows[q].has_series)
+      snprintf(list->name[list->count++], SERIES_NAME, "%s%s", kind, quantity_rows[q].name);
 }
 
 /* Those of --only: in a scene as they stand; else the formulas as they are listed, those of a phase from rest for both
  * phases, and then the others */
-static int named(char *names[MOST_SERIES], const struct series_options *o)
+static void named(struct names_of_series *list, const struct series_options *o)
 {
   struct series_use uses[MOST_SERIES];
-  char name[QUANTITY_NAME];
-  int n = 0, count = o->request.scene ? 0 : series_uses(uses, o);
+  int count = o->request.scene ? 0 : series_uses(uses, o);
   for (int i = 0; i < count; i++)
-    names[n++] = strdup(series_use_name(name, &uses[i]));
-  for (const char *rest = o->only; rest && n < MOST_SERIES;) {
-    char *item = next_item(&rest);
-    if (!item || o->request.scene || !formula_named(item))
-      names[n++] = item;
-    else
-      free(item);
+    series_use_name(list->name[list->count++], &uses[i]);
+  for (const char *rest = o->only; rest && list->count < MOST_SERIES;) {
+    char *item = list->name[list->count];
+    next_item(item, &rest);
+    list->count += o->request.scene || !formula_named(item);
   }
-  return n;
 }
 
 /* NULL, or what is wrong */
@@ -102,9 +100,7 @@ static const char *no_series(const struct series_options *o, const char *name)
 {
   static char message[320];
   struct quantities *all = &o->request.asked->quantities;
-  int place = name ? quantity_named(all, name) : -1;
-  if (!name)
-    return rows_no_memory;
+  int place = quantity_named(all, name);
   if (place < 0)
     return sheet_no_quantity(o->request.asked, name);
   snprintf(message, sizeof message,
@@ -112,44 +108,30 @@ static const char *no_series(const struct series_options *o, const char *name)
   return quantity_is_series(&all->item[place]) ? NULL : message;
 }
 
-struct names_of_series {
-  int count;
-  char *name[MOST_SERIES];
-};
 static const char *read_names(struct names_of_series *list, const struct series_options *o)
 {
   const char *wrong = NULL;
-  list->count = o->only ? named(list->name, o) : usual_names(list->name, o);
+  list->count = 0;
+  (o->only ? named : usual_names)(list, o);
   for (int i = 0; i < list->count && !wrong; i++)
     wrong = no_series(o, list->name[i]);
   return wrong;
 }
 
-static void names_free(struct names_of_series *list)
-{
-  while (list->count > 0)
-    free(list->name[--list->count]);
-}
-
-static const char *const part_names[] = { "value", "exact", "error", "relative", NULL };
-
 /* Which parts a row has of each series: its value alone, or of those of --only what they should be, too. NULL, or
  * what is wrong. */
 static const char *read_parts(bool has[4], const struct series_options *o)
 {
-  const char *usual = o->only ? "value,exact,relative" : "value", *wrong = NULL;
-  for (const char *rest = o->parts ? o->parts : usual; rest && !wrong;) {
-    char *item = next_item(&rest);
-    int part = 0;
-    while (item && part_names[part] && strcmp(item, part_names[part]) != 0)
-      part++;
-    if (item && part_names[part])
-      has[part] = true;
-    else
-      wrong = not_allowed(item ? item : "", "parts of a series: value, exact, error and relative");
-    free(item);
+  static const char *const parts[] = { "value", "exact", "error", "relative", NULL };
+  char item[SERIES_NAME];
+  for (const char *rest = o->parts ? o->parts : o->only ? "value,exact,relative" : "value"; rest;) {
+    next_item(item, &rest);
+    int part = word_place(item, parts);
+    if (part < 0)
+      return not_allowed(item, "parts of a series: value, exact, error and relative");
+    has[part] = true;
   }
-  return wrong;
+  return NULL;
 }
 
 /* The orders in T at which the errors fall, T being what varies fastest */
@@ -250,12 +232,11 @@ static const char *begin_orders(struct rows *rows, const struct series_options *
 static const char *plan_orders(const struct series_options *o, struct rows *rows)
 {
   static char T_needed[120];
-  struct names_of_series list = { .count = 0 };
+  struct names_of_series list;
   snprintf(T_needed, sizeof T_needed,
            "orders need T to vary, alone, in the last group of what varies, with 3 to %d values", MOST_TIMES);
   const char *wrong = T_varies(&o->request.sweep) ? read_names(&list, o) : T_needed;
   wrong = wrong ? wrong : begin_orders(rows, o, &list);
-  names_free(&list);
   rows->has_errors = true;
   rows->visit = collect;
   rows->behind = order_columns;
@@ -270,7 +251,7 @@ const char *series_plan(const void *options, struct rows *rows)
   static const char *const prefixes[] = { "", "exact.", "error.", "relative." };
   const struct series_options *o = options;
   const struct scene_head *scene = o->request.scene;
-  struct names_of_series list = { .count = 0 };
+  struct names_of_series list;
   bool has[4] = { false };
   if (!scene) {
     rows->sheet.asked->from_steady = rows->sheet.asked->tells_no_start = !o->request.point.has_v0;
@@ -282,9 +263,8 @@ const char *series_plan(const void *options, struct rows *rows)
   rows->extra[0] = !scene || scene->is_about_phase ? "v0" : NULL;
   const char *wrong = read_parts(has, o);
   wrong = wrong ? wrong : read_names(&list, o);
-  for (int i = 0; i < list.count; i++)
+  for (int i = 0; !wrong && i < list.count; i++)
     for (int k = 0; k < 4 && !wrong; k++)
       wrong = has[k] ? rows_own(rows, "%s%s", prefixes[k], list.name[i]) : NULL;
-  names_free(&list);
   return wrong ? wrong : rows_own(rows, "status");
 }

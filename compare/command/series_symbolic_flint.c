@@ -5,22 +5,16 @@
 
 #include "compare/command/emit_flint.h"
 
-static void write_row(struct report *r, const struct motion_names *m, const char *quantity, const char *power,
-                      const char *coefficient, const char *modes)
-{
-  write_names(r, m, quantity);
-  table_text(&r->table, power);
-  table_text(&r->table, coefficient);
-  table_text(&r->table, modes);
-}
-
 /* A row for a coefficient, or for a closed form, which has no power */
 static void write_value(struct report *r, const struct emitted *e, const char *power, struct symbols *s, symbolic value)
 {
   struct written written = symbolic_written(s, value, 0, &language_text);
   char *text = flint_malloc(strlen(written.text) + 2);
   sprintf(text, "%s%s", written.negative ? "-" : "", written.text);
-  write_row(r, &e->names, e->quantity, power, text, e->modes);
+  write_names(r, &e->names, e->quantity);
+  table_text(&r->table, power);
+  table_text(&r->table, text);
+  table_text(&r->table, e->modes);
   flint_free(text);
   free(written.text);
 }

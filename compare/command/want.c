@@ -4,9 +4,6 @@
 #include <string.h>
 
 #include "compare/command/commands.h"
-#include "compare/text/file.h"
-#include "compare/text/plot.h"
-#include "compare/text/shipped.h"
 
 /* The tables that a scene can want, and the options that their names stand for */
 static const struct kind {
@@ -50,17 +47,6 @@ static bool take(struct want *w, struct scene *s, const config_setting_t *at, co
   return !wrong || refuse_at(&s->config, at, "%s", wrong);
 }
 
-/* The texts of a list with commas between, as on the command line */
-static const char *text_of_list(struct scene *s, const config_setting_t *at)
-{
-  const char *text = element_count(at) > 0 ? text_of(&s->config, element_at(at, 0)) : "";
-  for (int i = 1; i < element_count(at) && text; i++) {
-    const char *next = text_of(&s->config, element_at(at, i));
-    text = next ? keep(&s->config, "%s,%s", text, next) : NULL;
-  }
-  return text;
-}
-
 /* A member with the value that the option of that name takes */
 static bool take_option(struct want *w, struct scene *s, const config_setting_t *at, const struct option *o)
 {
@@ -73,7 +59,7 @@ static bool take_option(struct want *w, struct scene *s, const config_setting_t 
     return refuse_at(&s->config, at, "%s takes %d values: %s", name, values, o->argument);
   bool fine = true;
   for (int i = 0; i < values && fine; i++) {
-    const char *text = values > 1 ? text_of(&s->config, element_at(at, i)) : text_of_list(s, at);
+    const char *text = values > 1 ? text_of(&s->config, element_at(at, i)) : scene_text_of_list(s, at);
     if (!text || !*text)
       return refuse_at(&s->config, at, "%s takes what it takes on the command line: a number, a text, or true", name);
     fine = take(w, s, at, o, text);
@@ -179,77 +165,6 @@ static bool plan_rows(struct want *w, struct scene *s, const config_setting_t *a
   return !wrong || refuse_at(&s->config, columns ? columns : at, "%s", wrong);
 }
 
-/* A script is a file beside the scene or, with a name that has neither '/' nor '.', comes with the tool. */
-static bool find_script(struct scene *s, const config_setting_t *at, struct plot *p)
-{
-  if (strpbrk(p->script, "/.")) {
-    p->script = path_beside(&s->config, p->script);
-    FILE *script = p->script ? file_read(p->script) : NULL; /* and no table takes its place */
-    if (!script)
-      return p->script && refuse_at(&s->config, at, "cannot read the plot script %s", p->script);
-    fclose(script);
-    return true;
-  }
-  const char *near = shipped_near(shipped_scripts, p->script);
-  p->picture = shipped_text(shipped_scripts, p->script) ? p->script : NULL;
-  if (!p->picture)
-    return refuse_at(
-        &s->config, at,
-        "no plot script '%.80s' comes with the tool%s The name of a script of yours has an ending: '%.80s.gp'",
-        p->script, near ? did_you_mean(near) : ".", p->script);
-  p->script = NULL;
-  return true;
-}
-
-static bool read_plot(struct want *w, struct scene *s, const config_setting_t *at)
-{
-  static const struct member members[] = { MEMBER(TEXT, "script", plot, script, ),
-                                           MEMBER(FLAG, "log_x", plot, log_x, ),
-                                           MEMBER(FLAG, "log_y", plot, log_y, ),
-                                           OTHER("file"),
-                                           OTHER("x"),
-                                           OTHER("y"),
-                                           OTHER("by"),
-                                           OTHER("title"),
-                                           OTHER("size"),
-                                           OTHER("x_range"),
-                                           OTHER("y_range"),
-                                           { .name = NULL } };
-  static const char *const options[][2] = { { "file", "plot" },
-                                            { "x", "plot-x" },
-                                            { "y", "plot-y" },
-                                            { "by", "plot-by" },
-                                            { "title", "plot-title" },
-                                            { "size", "plot-size" },
-                                            { "x_range", "plot-x-range" },
-                                            { "y_range", "plot-y-range" } };
-  struct plot *p = &w->plot;
-  if (!config_setting_is_group(at))
-    return refuse_at(&s->config, at, "plot is a group: { file = \"error.svg\"; x = \"T\"; y = \"error\"; }");
-  if (!read_members(&s->config, at, members, p, "a plot"))
-    return false;
-  for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
-    const config_setting_t *member = config_setting_get_member(at, options[i][0]);
-    const char *text = member ? text_of_list(s, member) : NULL;
-    const char *wrong = text ? plot_set(p, options[i][1], text) : member ? "it takes a text" : NULL;
-    if (wrong)
-      return refuse_at(&s->config, member, "%s: %s", options[i][0], wrong);
-  }
-  if (!p->file)
-    return refuse_at(&s->config, at, "a plot needs a file that ends in .svg, .png or .pdf");
-  if (p->script)
-    return find_script(s, at, p);
-  if (!p->x || !p->y)
-    return refuse_at(&s->config, at, "a plot without a script of its own needs x and y, columns of the table");
-  const config_setting_t *y = config_setting_get_member(at, "y");
-  for (int i = -1; i < element_count(y) && w->has_rows; i++) { /* else they are a command's own: it will show */
-    const char *name = i < 0 ? p->x : text_of(&s->config, element_at(y, i));
-    if (name && !column_list_has(&w->rows.sheet.columns, name) && !name_among(w->rows.behind, name))
-      return refuse_at(&s->config, at, "the table has no column %s", name);
-  }
-  return true;
-}
-
 /* Does a path lead down from its folder? Links on its way are not looked at. */
 static bool goes_down(const char *path)
 {
@@ -275,41 +190,23 @@ static bool place(struct scene *s, const config_setting_t *group, const char *fo
   return *file != NULL;
 }
 
-/* Where the table and its plot go */
-static bool read_files(struct want *w, struct scene *s, const config_setting_t *at, const struct scene_options *o)
+/* Where the command line says that files go */
+static bool place_files(struct want *w, struct scene *s, const config_setting_t *at, const struct scene_options *o)
 {
-  const config_setting_t *file = config_setting_get_member(at, "file"), *plot = config_setting_get_member(at, "plot");
-  const bool is_named = o->request.style.has_output;
-  struct style *style = &w->arguments.options.request.style;
-  w->file = file ? text_of(&s->config, file) : NULL;
-  if (file && (!w->file || !*w->file))
-    return refuse_at(&s->config, file, "file is a text");
-  if (w->file && strcmp(w->file, "-") == 0)
-    w->file = NULL;
-  if (w->file && plot_kind(w->file))
-    return refuse_at(&s->config, file,
-                     "'%.200s' is the name of a picture, and the table is written there: plot = { file = ... } draws "
-                     "one",
-                     w->file);
-  if (plot && (!w->file || (style->format != FORMAT_TSV && !o->request.style.has_format)))
-    return refuse_at(&s->config, plot,
-                     "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
-  if (plot && !read_plot(w, s, plot))
+  struct scene_files *f = &w->files;
+  const config_setting_t *plot = config_setting_get_member(at, "plot");
+  if (o->request.style.has_output)
+    f->table = o->request.style.output;
+  else if (!place(s, at, o->folder, &f->table) || !place(s, plot, o->folder, &f->plot.file))
     return false;
-  if (is_named)
-    w->file = o->request.style.output;
-  else if (!place(s, at, o->folder, &w->file) || !place(s, plot, o->folder, &w->plot.file))
-    return false;
-  w->has_plot = plot && w->file && style->format == FORMAT_TSV && !o->no_plots;
-  w->plot.table = w->file;
-  w->plot.meaning = quantity_meaning;
-  w->plot.title = w->plot.title ? w->plot.title : s->head.title;
-  style->output = w->file;
+  f->has_plot &= f->table && !o->no_plots;
+  f->plot.table = w->arguments.options.request.style.output = f->table;
   return true;
 }
 
 bool want_read(struct want *w, struct scene *s, const config_setting_t *at, const struct scene_options *o)
 {
+  struct style *style = &w->arguments.options.request.style;
   if (!config_setting_is_group(at))
     return refuse_at(&s->config, at, "want is a list of groups: ( { what = \"steady\"; file = \"steady.tsv\"; } )");
   const config_setting_t *what = config_setting_get_member(at, "what");
@@ -317,10 +214,10 @@ bool want_read(struct want *w, struct scene *s, const config_setting_t *at, cons
     return refuse_at(&s->config, at, "what is wanted? what = \"steady\", for one");
   const struct kind *kind = find_kind(s, what);
   if (!kind || !read_options(w, s, at, kind, o) || (w->has_rows && !plan_rows(w, s, at, o->request.style.choice))
-      || !read_files(w, s, at, o))
+      || !scene_read_files(&w->files, s, at, style, w->has_rows ? &w->rows : NULL) || !place_files(w, s, at, o))
     return false;
   if (o->request.style.plot.file)
-    w->arguments.options.request.style.plot = o->request.style.plot; /* of figure */
+    style->plot = o->request.style.plot; /* of figure */
   return true;
 }
 

@@ -15,12 +15,10 @@ struct scene_options { /* of run and figure */
 enum exit_code run_scenes(const struct scene_options *options, const struct scene_source *sources, int count);
 
 struct want {
-  const char *file; /* as it is written, and NULL: standard output */
   struct arguments arguments;
   struct rows rows; /* planned, where the command makes rows */
   bool has_rows;
-  bool has_plot;
-  struct plot plot;
+  struct scene_files files;
 };
 
 /* False: the message is on stderr. To be freed in either case. */

@@ -4,8 +4,9 @@
 #ifndef SCALLOP_COMPARE_SCENES_SCENE_H
 #define SCALLOP_COMPARE_SCENES_SCENE_H
 
-#include "compare/answers/request.h"
+#include "compare/answers/rows.h"
 #include "compare/config/config.h"
+#include "compare/text/plot.h"
 
 enum { SCENE_WANTS = 32 };
 
@@ -29,6 +30,18 @@ struct scene_source {
  * scene's, varied or not. EXIT_DONE, or the exit code, the message being on stderr; to be freed in either case. */
 enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct request *given);
 void scene_free(struct scene *scene);
+
+/* files.c: where the table of a want and its picture go */
+struct scene_files {
+  const char *table; /* NULL: standard output */
+  bool has_plot;
+  struct plot plot;
+};
+/* style: of the want; rows: as they are planned, or NULL: a command's own. False: the message is on stderr. */
+bool scene_read_files(struct scene_files *files, struct scene *scene, const config_setting_t *want,
+                      const struct style *style, const struct rows *rows);
+/* The texts of a list with commas between, as on the command line; NULL: not all are texts */
+const char *scene_text_of_list(struct scene *scene, const config_setting_t *at);
 
 /* vary.c: what varies */
 bool scene_read_vary(struct scene *scene, const config_setting_t *vary);
