@@ -144,7 +144,7 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x)
   const uint32_t unit = whole >= 100000000000000000U ? 10 : 1;          /* of the 17th digit */
   const wide least_half = mantissa == hidden ? half_ulp / 2 : half_ulp; /* doubles below a power of 2 are nearer */
   int precision = 15;
-  for (uint32_t step = 100 * unit;; precision++, step /= 10) {
+  for (uint32_t step = 100 * unit; step >= unit; precision++, step /= 10) {
     const uint32_t rest = (uint32_t)(whole % 1000) % step;
     const wide over = (wide)rest << 64 | (uint64_t)V, half = (wide)step << 63;
     const wide off = over < half ? over : 2 * half - over; /* of the number of so many digits that is nearest to V */
@@ -155,6 +155,7 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x)
       return true;
     }
   }
+  return false;
 }
 
 void number_text(char text[NUMBER_TEXT], double x, long digits)

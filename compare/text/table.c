@@ -121,7 +121,8 @@ static void put(FILE *to, const char *text)
 
 static void put_text(FILE *to, enum format format, const char *text, bool carried)
 {
-  const char *quoted = marks[format].quoted, *quote = !quoted || strpbrk(text, quoted) ? "\"" : "";
+  const char *quoted = marks[format].quoted;
+  const char *quote = !quoted || (*quoted && strpbrk(text, quoted)) ? "\"" : "";
   put(to, quote);
   put_escaped(to, text, marks[format].escapes, carried ? marks[format].carried : SHOWS_ASCII);
   put(to, quote);
