@@ -121,7 +121,7 @@ struct chosen {
   struct column_list list;
   const char *names[MOST_COLUMNS];
   const char *column[TABLE_COLUMNS + 1]; /* of the table, NULL-terminated, and a row of it */
-  bool used[TABLE_COLUMNS], in_formula[TABLE_COLUMNS];
+  bool in_formula[TABLE_COLUMNS];
   double value[TABLE_COLUMNS]; /* of those in a formula */
 };
 
@@ -155,10 +155,8 @@ static const char *begin(struct table_choice *choice, const char *const *columns
   memcpy(c->column, columns, (size_t)count * sizeof *columns);
   for (int i = 0; i < choice->count && !wrong; i++) {
     wrong = column_add(&c->list, c->text[i], &names);
-    for (int k = wrong ? 0 : column_places(&c->list.item[i], places); k-- > 0;) {
-      c->used[places[k]] = true;
+    for (int k = wrong ? 0 : column_places(&c->list.item[i], places); k-- > 0;)
       c->in_formula[places[k]] |= c->list.item[i].formula != NULL;
-    }
     c->names[i] = wrong ? "" : c->list.item[i].name;
   }
   choice->names = c->names;
@@ -213,7 +211,7 @@ const char *columns_read(struct table_choice **choice, const char *text)
   struct chosen *c = calloc(1, sizeof *c);
   const char *wrong = c ? NULL : no_memory, *end;
   if (c)
-    c->choice = (struct table_choice){ .begin = begin, .show = show, .names = c->text, .used = c->used };
+    c->choice = (struct table_choice){ .begin = begin, .show = show, .names = c->text };
   for (; !wrong; text = end + 1) {
     end = end_of_item(text);
     wrong = add_text(c, text, end);

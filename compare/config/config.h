@@ -65,7 +65,7 @@ const char *text_of(struct config *config, const config_setting_t *at);
 
 struct kept { /* a text that the configuration keeps */
   struct kept *next;
-  char text[];
+  char *text;
 };
 /* A text for as long as the configuration is open. NULL: no memory, which is said. */
 const char *keep(struct config *config, const char *format, ...) __attribute__((format(printf, 2, 3), nonnull(2)));
@@ -73,8 +73,5 @@ const char *keep(struct config *config, const char *format, ...) __attribute__((
  * above. */
 const char *path_beside(struct config *config, const char *path);
 const char *gait_beside(struct config *config, const char *gait);
-
-/* text.c: refuses what libconfig would misread. */
-bool config_check_text(const struct config *config, const char *text);
 
 #endif

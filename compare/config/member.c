@@ -1,4 +1,5 @@
 /* Members of libconfig's groups, and messages about them. */
+#define _GNU_SOURCE /* vasprintf */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -128,19 +129,16 @@ bool read_members(struct config *c, const config_setting_t *group, const struct 
 
 const char *keep(struct config *c, const char *format, ...)
 {
+  struct kept *kept = malloc(sizeof *kept);
   va_list arguments;
-  char probe[1];
   va_start(arguments, format);
-  size_t size = (size_t)vsnprintf(probe, sizeof probe, format, arguments) + 1;
+  const bool is_kept = kept && vasprintf(&kept->text, format, arguments) >= 0;
   va_end(arguments);
-  struct kept *kept = malloc(sizeof *kept + size);
-  if (!kept) {
+  if (!is_kept) {
+    free(kept);
     refuse_at(c, NULL, "out of memory");
     return NULL;
   }
-  va_start(arguments, format);
-  vsnprintf(kept->text, size, format, arguments);
-  va_end(arguments);
   kept->next = c->kept;
   c->kept = kept;
   return kept->text;

@@ -85,7 +85,7 @@ static enum exit_code write_breakdown(const struct request *request, const struc
   int digits = request->style.digits > 0 ? (int)request->style.digits : DIGITS;
   char parameters[PARAMETERS_TEXT];
   struct table t;
-  FILE *page = table_open(&t, &request->style) ? t.sink[0].file : NULL;
+  FILE *page = table_open(&t, &request->style) ? t.sink[0].out.stream : NULL;
   if (!page)
     return EXIT_FILE;
   parameters_text(parameters, &request->point, of_T, true);

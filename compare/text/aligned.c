@@ -120,11 +120,11 @@ static void measure(struct aligned *a, const char *const *cells, bool first)
 static void print_rows(const struct aligned *a, const char *const *cells, FILE *file, bool first)
 {
   bool has_units = false;
-  for (int i = 0; i < a->columns; i++)
+  for (int i = 0; first && i < a->columns; i++)
     has_units = has_units || *a->column[i].meaning.unit;
   for (long k = 0; k < a->rows; k++) {
     print_row(a, file, cells + k * a->columns);
-    if (first && k == 0 && has_units)
+    if (k == 0 && has_units)
       print_row(a, file, NULL);
   }
 }

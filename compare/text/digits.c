@@ -69,142 +69,110 @@ static bool nearest_double(uint64_t w, long k, double *x)
   return !tie;
 }
 
-enum { MOST_DIGITS = 17, ZEROS = 4, PIECE = MOST_DIGITS + ZEROS };
+enum { MOST_DIGITS = 17 };
 
-/* Copies PIECE bytes, of which count stay: a constant size takes no call. */
-static char *append(char *to, const char *from, int count)
+/* Digits, the first of them worth 10^exponent, |exponent| < 100, as "%.*g" lays them out. Behind the count of them there
+ * are zeros. */
+static void lay_out(char *to, const char *digits, int count, int exponent, int precision)
 {
-  memcpy(to, from, PIECE);
-  return to + count;
-}
-
-static char *append_pair(char *to, uint32_t n)
-{
-  static const char pairs[] =
-      "00010203040506070809101112131415161718192021222324252627282930313233343536373839404142434445464748"
-      "49505152535455565758596061626364656667686970717273747576777879808182838485868788899091929394959697"
-      "9899";
-  memcpy(to, &pairs[2 * n], 2);
-  return to + 2;
-}
-
-/* With leading zeros, n < 10^8 */
-static char *append_eight(char *to, uint32_t n)
-{
-  uint32_t left = n / 10000, right = n % 10000;
-  to = append_pair(append_pair(to, left / 100), left % 100);
-  return append_pair(append_pair(to, right / 100), right % 100);
-}
-
-/* Digits, the first of them worth 10^exponent, |exponent| < 100, as "%.*g" lays them out. There are ZEROS before them
- * and PIECE behind. Returns the end. */
-static char *lay_out(char *to, const char *digits, int count, int exponent, int precision)
-{
-  const bool has_exponent = exponent < -ZEROS || exponent >= precision;
-  const int zeros = has_exponent || exponent >= 0 ? 0 : -exponent,
-            whole = has_exponent || exponent < 0 ? 1 : exponent + 1;
-  to = append(to, digits - zeros, whole);
-  if (count + zeros > whole) {
-    *to++ = '.';
-    to = append(to, digits - zeros + whole, count + zeros - whole);
+  const bool has_exponent = exponent < -4 || exponent >= precision;
+  const int whole = has_exponent ? 1 : exponent + 1; /* digits before the point, or 0 and less: zeros behind it */
+  if (whole > 0) {
+    memcpy(to, digits, MOST_DIGITS);
+    to += whole;
+    digits += whole;
+    count -= whole;
+    if (count > 0)
+      *to++ = '.';
+  } else {
+    memcpy(to, "0.000", sizeof "0.000");
+    to += 2 - whole;
   }
-  if (!has_exponent)
-    return to;
-  *to++ = 'e';
-  *to++ = exponent < 0 ? '-' : '+';
-  return append_pair(to, (uint32_t)abs(exponent));
+  if (count > 0) {
+    memcpy(to, digits, MOST_DIGITS);
+    to += count;
+  }
+  if (has_exponent) {
+    *to++ = 'e';
+    *to++ = exponent < 0 ? '-' : '+';
+    *to++ = (char)('0' + abs(exponent) / 10);
+    *to++ = (char)('0' + abs(exponent) % 10);
+  }
+  *to = '\0';
 }
 
 /* n 10^(exponent - 16), 10^16 <= n <= 10^17 */
-static char *append_seventeen(char *to, uint64_t n, int exponent, int precision)
+static void write_digits(char *text, uint64_t n, int exponent, int precision)
 {
-  char padded[ZEROS + MOST_DIGITS + PIECE], *digits = padded + ZEROS;
+  char digits[2 * MOST_DIGITS];
   int count = MOST_DIGITS;
-  memset(padded, '0', sizeof padded);
   if (n == 100000000000000000U) {
     n /= 10;
     exponent++;
   }
-  uint64_t left = n / 100000000, first = left / 100000000;
-  digits[0] += (char)first;
-  append_eight(digits + 1, (uint32_t)(left - 100000000 * first));
-  append_eight(digits + 9, (uint32_t)(n - 100000000 * left));
+  memset(digits, '0', sizeof digits);
+  uint32_t left = (uint32_t)(n / 100000000), right = (uint32_t)(n % 100000000); /* 9 digits and 8: faster than 17 */
+  for (int i = 8; i >= 0; i--, left /= 10)
+    digits[i] = (char)('0' + left % 10);
+  for (int i = MOST_DIGITS; right > 0; right /= 10)
+    digits[--i] = (char)('0' + right % 10);
   while (digits[count - 1] == '0')
     count--;
-  return lay_out(to, digits, count, exponent, precision);
+  lay_out(text, digits, count, exponent, precision);
 }
 
-size_t digits_write_quickly(char *text, double x)
+bool digits_write_quickly(char text[NUMBER_TEXT], double x)
 {
   const wide error = 4; /* in V, in units of 2^-64, and some more */
+  const uint64_t hidden = 1ULL << (DBL_MANT_DIG - 1);
   const double size = fabs(x);
-  char *end = text;
-  double back = -1;
-  uint64_t bits, n = 0;
+  uint64_t bits;
   memcpy(&bits, &size, sizeof bits);
   if (signbit(x))
-    *end++ = '-';
-  if (size == 0) {
-    memcpy(end, "0", 2);
-    return (size_t)(end + 1 - text);
-  }
+    *text++ = '-';
+  if (size == 0)
+    return memcpy(text, "0", 2) != NULL;
   /* What has not this form, subnormal numbers, infinities and nan, has an exponent beyond the table. */
   const int exponent = (int)(bits >> 52) - 1075, first = power_of_ten_in(exponent + DBL_MANT_DIG - 1), k = 16 - first;
   if (k < LEAST_POWER || k > MOST_POWER)
-    return 0;
+    return false;
   /* V = size 10^k, 10^16 <= V < 2 10^17, its whole part and 64 bits behind the point */
-  const wide V = times(((bits & 0xfffffffffffffU) | 1ULL << 52) << (exponent + power_of_two_in(k) + 1), power(k));
+  const int shift = exponent + power_of_two_in(k) + 1;
+  const uint64_t mantissa = (bits & (hidden - 1)) | hidden;
+  const wide g = power(k), V = times(mantissa << shift, g), half_ulp = g >> (65 - shift);
   const uint64_t whole = (uint64_t)(V >> 64);
-  const uint32_t unit = whole >= 100000000000000000U ? 10 : 1; /* of the 17th digit */
+  const uint32_t unit = whole >= 100000000000000000U ? 10 : 1;          /* of the 17th digit */
+  const wide least_half = mantissa == hidden ? half_ulp / 2 : half_ulp; /* doubles below a power of 2 are nearer */
   int precision = 15;
-  for (uint32_t step = 100 * unit; back != size; precision++, step /= 10) {
-    if (step < unit) /* 17 digits read back */
-      return 0;
+  for (uint32_t step = 100 * unit; step >= unit; precision++, step /= 10) {
     const uint32_t rest = (uint32_t)(whole % 1000) % step;
     const wide over = (wide)rest << 64 | (uint64_t)V, half = (wide)step << 63;
-    if ((over < half ? half - over : over - half) < error)
-      return 0;
-    n = whole - rest + (over < half ? 0 : step);
-    if (!nearest_double(n, -k, &back) && (back == size || nextafter(back, INFINITY) == size))
-      return 0;
+    const wide off = over < half ? over : 2 * half - over; /* of the number of so many digits that is nearest to V */
+    if (half - off < error || (off + error >= least_half && off < half_ulp + error))
+      return false;
+    if (off < least_half) { /* it reads back, as one of 17 digits always does */
+      write_digits(text, (whole - rest + (over < half ? 0 : step)) / unit, first + (unit > 1), precision);
+      return true;
+    }
   }
-  end = append_seventeen(end, n / unit, first + (unit > 1), precision - 1);
-  *end = '\0';
-  return (size_t)(end - text);
+  return false;
 }
 
-size_t digits_write(char *text, double x)
+void number_text(char text[NUMBER_TEXT], double x, long digits)
 {
-  size_t length = digits_write_quickly(text, x);
-  if (length > 0)
-    return length;
-  if (isnan(x)) /* of either sign */
-    return (size_t)snprintf(text, DIGITS_TEXT, "nan");
-  for (int precision = 15; precision <= DBL_DECIMAL_DIG; precision++) {
-    length = (size_t)snprintf(text, DIGITS_TEXT, "%.*g", precision, x);
-    if (strtod(text, NULL) == x)
-      break;
-  }
-  return length;
-}
-
-/* A whole number of at most four digits is added to *exponent. Returns the end, or NULL. */
-static const char *read_exponent(const char *text, long *exponent)
-{
-  bool negative = *text == '-';
-  long value = 0;
-  text += negative || *text == '+';
-  const char *first = text;
-  for (; *text >= '0' && *text <= '9' && text < first + 4; text++)
-    value = 10 * value + (*text - '0');
-  *exponent += negative ? -value : value;
-  return text > first ? text : NULL;
+  int precision = digits > 0 ? (int)digits : 15;
+  if (digits == 0 && digits_write_quickly(text, x))
+    return;
+  do
+    snprintf(text, NUMBER_TEXT, "%.*g", precision, isnan(x) ? NAN : x); /* nan of either sign */
+  while (digits == 0 && precision++ < DBL_DECIMAL_DIG && strtod(text, NULL) != x);
 }
 
 bool digits_read(const char *text, double *x)
 {
-  enum { MOST_READ = 19 };
-  bool negative = *text == '-', point = false;
+  enum { MOST_READ = 19, MOST_OF_EXPONENT = 4 };
+  const bool negative = *text == '-';
+  bool point = false;
   uint64_t w = 0;
   long count = 0, k = 0;
   double size;
@@ -219,17 +187,14 @@ bool digits_read(const char *text, double *x)
   }
   if (w == 0 || count > MOST_READ)
     return false;
-  if (*text == 'e' || *text == 'E')
-    text = read_exponent(text + 1, &k);
-  if (!text || *text != '\0' || !nearest_double(w, k, &size))
+  if (*text == 'e' || *text == 'E') {
+    const char *digits = text + 1 + (text[1] == '-' || text[1] == '+');
+    const size_t length = strspn(digits, "0123456789");
+    k += length > 0 && length <= MOST_OF_EXPONENT ? strtol(text + 1, NULL, 10) : MOST_POWER + count;
+    text = digits + length;
+  }
+  if (*text != '\0' || !nearest_double(w, k, &size))
     return false;
   *x = negative ? -size : size;
   return true;
-}
-
-size_t number_text(char text[NUMBER_TEXT], double x, long digits)
-{
-  if (digits == 0 || isnan(x))
-    return digits_write(text, x);
-  return (size_t)snprintf(text, NUMBER_TEXT, "%.*g", (int)digits, x);
 }

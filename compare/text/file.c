@@ -23,8 +23,6 @@ static void remove_unfinished(void)
 
 static volatile pid_t child; /* that writes to one of these files, or 0 */
 
-void file_written_by(pid_t process) { child = process; }
-
 static void end_by(int signal_number)
 {
   if (child > 0 && kill(-child, SIGKILL) == 0) /* else they would make its file again */
@@ -172,4 +170,26 @@ int file_close(struct file *f, bool keep)
     unlink(f->temporary);
   forget(f);
   return error;
+}
+
+int file_run(const char *script, const char *name)
+{
+  int status = 0;
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, &before); /* no signal comes between its start and the note of it */
+  const pid_t process = child = fork();
+  if (process == 0) {
+    setpgid(0, 0);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    execl("/bin/sh", "sh", "-c", script, name, (char *)NULL);
+    _exit(EXIT_FAILURE);
+  }
+  if (process > 0)
+    setpgid(process, process); /* whichever of the two comes first */
+  pthread_sigmask(SIG_SETMASK, &before, NULL);
+  while (process > 0 && waitpid(process, &status, 0) < 0 && errno == EINTR)
+    ;
+  child = 0;
+  return process > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }

@@ -10,7 +10,6 @@
 
 #include <stdbool.h>
 #include <stdio.h>
-#include <sys/types.h>
 
 enum { FILES_OPEN = 64 };   /* temporary files at a time, opened and closed by one thread */
 enum { FILE_IS_READ = -1 }; /* an error beside those of errno: the file, by device and number, is one that was read */
@@ -35,9 +34,9 @@ struct file {
 int file_open(struct file *file, const char *path);
 /* Brings what was written to the disk, or to the pipe or device. Returns 0 or an error. */
 int file_flush(struct file *file);
-/* While a group of processes that was started writes to such a file by its name, what ends this one ends them first; 0:
- * they have ended. */
-void file_written_by(pid_t process);
+/* Runs a script of the shell that writes to such a file by its name; name: what the shell calls it in messages. What
+ * ends this process ends those of the script first. Returns its exit code, or -1: none. */
+int file_run(const char *script, const char *name);
 /* Closes the file; keep: and a plain one replaces its target. Returns 0 or an error: then the earlier file stays. */
 int file_close(struct file *file, bool keep);
 

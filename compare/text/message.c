@@ -148,15 +148,13 @@ static size_t shown_bytes(const char *text, enum shown shown)
 void put_escaped(FILE *to, const char *text, const struct escapes *escapes, enum shown shown)
 {
   while (*text) {
-    size_t plain = 0, size = 1;
-    for (; text[plain] && !strchr(escapes->special, text[plain]) && size > 0; plain += size)
-      size = shown_bytes(text + plain, shown);
-    fwrite(text, 1, plain, to);
-    text += plain;
-    if (*text) {
-      const char *special = strchr(escapes->special, *text);
+    const char *special = isalnum((unsigned char)*text) ? NULL : strchr(escapes->special, *text);
+    size_t size = special ? 0 : shown_bytes(text, shown);
+    if (size == 0) {
       fputs(special ? escapes->instead[special - escapes->special] : (unsigned char)*text < 0x20 ? " " : "?", to);
       text++;
     }
+    for (; size > 0; size--)
+      putc_unlocked(*text++, to);
   }
 }

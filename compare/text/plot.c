@@ -1,14 +1,10 @@
 #include "compare/text/plot.h"
 
-#include <errno.h>
 #include <math.h>
-#include <signal.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "compare/text/file.h"
 #include "compare/text/message.h"
@@ -22,14 +18,12 @@ bool plot_kind(const char *file)
   return end && (strcmp(end, ".svg") == 0 || strcmp(end, ".png") == 0 || strcmp(end, ".pdf") == 0);
 }
 
-static bool is_line(const char *text) { return *text && is_shown(text); }
-
 static bool is_list(const char *text)
 {
   int count = 1;
   for (const char *comma = strchr(text, ','); comma; comma = strchr(comma + 1, ','))
     count++;
-  return is_line(text) && *text != ',' && text[strlen(text) - 1] != ',' && !strstr(text, ",,") && count <= 8;
+  return is_shown(text) && *text != ',' && text[strlen(text) - 1] != ',' && !strstr(text, ",,") && count <= 8;
 }
 
 static bool is_range(const char *text)
@@ -47,7 +41,7 @@ static bool is_size(const char *text)
          && width <= 10000 && height <= 10000;
 }
 
-#define LINE is_line, "a line of UTF-8 without control characters"
+#define LINE is_shown, "a line of UTF-8 without control characters"
 #define LIST is_list, "one to eight columns, with commas between"
 #define RANGE is_range, "FROM:TO, FROM:TO:log or FROM:TO:linear, with FROM < TO, of log > 0"
 #define TEXT(member) #member, offsetof(struct plot, member)
@@ -79,7 +73,7 @@ const char *plot_set(struct plot *p, const char *option, const char *text)
   while (strcmp(t->option, option) != 0)
     t++;
   memcpy((char *)p + t->at, &text, sizeof text);
-  return t->takes(text) ? NULL : not_allowed(text, t->allowed);
+  return *text && t->takes(text) ? NULL : not_allowed(text, t->allowed);
 }
 
 static bool give(const char *name, const char *value)
@@ -123,30 +117,6 @@ static bool give_all(const struct plot *p, const char *command, const char *outp
   return given;
 }
 
-/* Returns the exit code of the script, which has said what is wrong. What ends this process ends that one too. */
-static int run(void)
-{
-  int status;
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_BLOCK, &all, &before); /* no signal comes between its start and the note of it */
-  pid_t script = fork();
-  if (script == 0) {
-    setpgid(0, 0);
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
-    execl("/bin/sh", "sh", "-c", shipped_text(shipped_scripts, "plot"), "plot", (char *)NULL);
-    _exit(EXIT_FILE);
-  }
-  if (script > 0)
-    setpgid(script, script); /* whichever of the two comes first */
-  file_written_by(script);
-  pthread_sigmask(SIG_SETMASK, &before, NULL);
-  while (script > 0 && waitpid(script, &status, 0) < 0 && errno == EINTR)
-    ;
-  file_written_by(0);
-  return script > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FILE;
-}
-
 static bool is_refused;
 bool plot_refused(void) { return is_refused; }
 
@@ -157,7 +127,7 @@ bool plot_draw(const struct plot *p, const char *command)
   progress_clear();
   if (error == 0) {
     if (picture.temporary && give_all(p, command, picture.temporary))
-      code = run();
+      code = file_run(shipped_text(shipped_scripts, "plot"), "plot");
     is_refused = is_refused || code == EXIT_USAGE;
     error = file_close(&picture, code == EXIT_DONE);
   }

@@ -54,29 +54,17 @@ static void tick(int signal)
   errno = error;
 }
 
-static void set_timer(long seconds)
-{
-  const struct itimerval timer = { { 0, seconds > 0 ? 100000 : 0 }, { seconds, 0 } };
-  setitimer(ITIMER_VIRTUAL, &timer, NULL);
-}
-
 struct progress progress_begin(bool quiet)
 {
   const struct progress p = { .shown = !quiet && isatty(STDERR_FILENO) };
+  const struct itimerval timer = { { 0, 100000 }, { 1, 0 } };
   const struct sigaction action = { .sa_handler = tick, .sa_flags = SA_RESTART };
   if (p.shown && work.begun == 0) {
     work.begun = now();
     sigaction(SIGVTALRM, &action, NULL);
-    set_timer(1);
+    setitimer(ITIMER_VIRTUAL, &timer, NULL);
   }
   return p;
-}
-
-void progress_stop(void)
-{
-  progress_clear();
-  set_timer(0);
-  signal(SIGVTALRM, SIG_IGN); /* what is under way already */
 }
 
 void progress_show(const struct progress *p, const char *format, ...)

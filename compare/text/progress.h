@@ -10,10 +10,8 @@ struct progress {
   bool shown;
 };
 
-/* Starts the timer, the first time; quiet, or no terminal: there is no line. progress_stop before another program takes
- * the process over. */
+/* Starts the timer, the first time; quiet, or no terminal: there is no line. */
 struct progress progress_begin(bool quiet);
-void progress_stop(void);
 /* What is being done, and then how much; all: 0 where that is not known. By one thread at a time. */
 void progress_show(const struct progress *progress, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void progress_count(long done, long all);

@@ -16,76 +16,80 @@ enum { PEOPLE_DIGITS = 6 };
 
 const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown", "table", NULL };
 
-/* What stands around the cells of a row, and what means something in them */
+/* What stands around the cells of a row; what means something in a text; a text with one of which stands in quotes,
+ * NULL: each does; and what goes out of texts of other tables as it is */
 static const struct {
   const char *begin, *between, *end;
   const struct escapes *escapes;
+  const char *quoted;
+  enum shown carried;
   bool has_notes;
-} marks[FORMATS] = { [FORMAT_TSV] = { "", "\t", "\n", &in_plain, true },
-                     [FORMAT_JSON] = { "{", ", ", "}\n", &in_json, false },
-                     [FORMAT_CSV] = { "", ",", "\n", &in_csv, false },
-                     [FORMAT_MARKDOWN] = { "| ", " | ", " |\n", &in_markdown, false },
-                     [FORMAT_TABLE] = { "", "", "", &in_plain, true } };
+} marks[FORMATS] = { [FORMAT_TSV] = { "", "\t", "\n", &in_plain, "", SHOWS_BYTES, true },
+                     [FORMAT_JSON] = { "{", ", ", "}\n", &in_json, NULL, SHOWS_CHARACTERS, false },
+                     [FORMAT_CSV] = { "", ",", "\n", &in_csv, ",\"", SHOWS_BYTES, false },
+                     [FORMAT_MARKDOWN] = { "| ", " | ", " |\n", &in_markdown, "", SHOWS_CHARACTERS, false },
+                     [FORMAT_TABLE] = { "", "", "", &in_plain, "", SHOWS_CHARACTERS, true } };
 
 /* People read what goes to a terminal. */
-static enum format format_of(const struct style *style, const char *output)
+static enum format format_of(const struct style *style)
 {
-  bool to_people = !output && !style->has_format && style->format == FORMAT_TSV && isatty(STDOUT_FILENO);
+  bool to_people = !style->output && !style->has_format && style->format == FORMAT_TSV && isatty(STDOUT_FILENO);
   return to_people ? FORMAT_TABLE : style->format;
 }
 
-bool table_is_for_people(const struct style *style) { return format_of(style, style->output) == FORMAT_TABLE; }
+bool table_is_for_people(const struct style *style) { return format_of(style) == FORMAT_TABLE; }
+
+static const char *name_of(const char *output) { return output ? output : "standard output"; }
 
 /* The first error is the one to tell of. */
 static void note_error(struct sink *s, int error) { s->error = s->error != 0 ? s->error : error; }
 
 static bool open_sink(struct table *t, const char *output)
 {
-  struct sink *s = &t->sink[t->sinks];
-  int error = file_open(&s->out, output);
+  int error = file_open(&t->sink[t->sinks].out, output);
   if (error != 0)
-    return complain(t->style->command, "cannot write %s: %s", output ? output : "standard output", file_error(error));
-  s->file = s->out.stream;
+    return complain(t->style->command, "cannot write %s: %s", name_of(output), file_error(error));
   t->sinks++;
   return true;
 }
 
-bool table_open_at(struct table *t, const struct style *style, const char *output)
+bool table_open(struct table *t, const struct style *style)
 {
-  const char *picture = style->plot.file;
-  *t = (struct table){ .style = style, .output = output, .of = style->command };
-  t->sink[0].format = format_of(style, output);
-  t->sink[0].digits = style->digits <= DBL_DECIMAL_DIG ? style->digits : 0;
-  if (t->sink[0].digits == 0 && t->sink[0].format == FORMAT_TABLE)
-    t->sink[0].digits = PEOPLE_DIGITS;
-  t->head = open_memstream(&t->head_text, &t->head_size);
-  bool open = (t->head || complain(style->command, "out of memory")) && open_sink(t, output)
-              && (!picture || open_sink(t, picture));
+  *t = (struct table){ .style = style, .of = style->command };
+  struct sink *s = t->sink;
+  s->format = format_of(style);
+  s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
+              : style->digits <= DBL_DECIMAL_DIG              ? style->digits
+                                                              : 0;
+  t->notes = open_memstream(&t->note_text, &t->note_size);
+  bool open = (t->notes || complain(style->command, "out of memory")) && open_sink(t, style->output)
+              && (!style->plot.file || open_sink(t, style->plot.file));
   if (!open)
     table_abandon(t);
   return open;
 }
 
-bool table_open(struct table *t, const struct style *style) { return table_open_at(t, style, style->output); }
-
 static void print_aligned(struct table *t, struct sink *s, bool last)
 {
   progress_clear();
-  if (!aligned_print(&s->aligned, t->names, s->file, t->style->meaning, last))
+  if (!aligned_print(&s->aligned, t->names, s->out.stream, t->style->meaning, last))
     note_error(s, ENOMEM);
 }
 
-/* Ends keeping '#' lines back; keep: writes them. */
-static void end_head(struct table *t, bool keep)
+static void write_notes(struct table *t)
 {
-  if (!t->head)
-    return;
-  fclose(t->head);
-  t->head = NULL;
-  for (struct sink *s = t->sink; keep && s < t->sink + t->sinks; s++)
-    if (marks[s->format].has_notes && fwrite(t->head_text, 1, t->head_size, s->file) < t->head_size)
+  if (fflush(t->notes) != 0)
+    note_error(t->sink, errno);
+  for (struct sink *s = t->sink; s < t->sink + t->sinks && t->note_size > 0; s++) {
+    if (!marks[s->format].has_notes || s->error != 0)
+      continue;
+    if (s->format == FORMAT_TABLE)
+      print_aligned(t, s, true);
+    progress_clear();
+    if (fwrite(t->note_text, 1, t->note_size, s->out.stream) < t->note_size)
       note_error(s, errno);
-  free(t->head_text);
+  }
+  rewind(t->notes);
 }
 
 void table_note(struct table *t, const char *format, ...)
@@ -95,19 +99,11 @@ void table_note(struct table *t, const char *format, ...)
   char *note = printed_line(format, arguments, ""); /* a line break in a name would begin a row */
   va_end(arguments);
   if (!note)
-    return note_error(&t->sink[0], ENOMEM);
-  if (t->head)
-    fprintf(t->head, "# %s\n", note);
-  for (struct sink *s = t->sink; !t->head && s < t->sink + t->sinks; s++) {
-    if (!marks[s->format].has_notes || s->error != 0)
-      continue;
-    if (s->format == FORMAT_TABLE)
-      print_aligned(t, s, true);
-    progress_clear();
-    if (fprintf(s->file, "# %s\n", note) < 0)
-      note_error(s, errno);
-  }
+    return note_error(t->sink, ENOMEM);
+  fprintf(t->notes, "# %s\n", note);
   free(note);
+  if (t->names)
+    write_notes(t);
 }
 
 void table_columns(struct table *t, const char *const *names)
@@ -125,11 +121,11 @@ static void put(FILE *to, const char *text)
 
 static void put_text(FILE *to, enum format format, const char *text, bool carried)
 {
-  bool any = format == FORMAT_TSV || format == FORMAT_CSV;
-  bool quoted = format == FORMAT_JSON || (format == FORMAT_CSV && strpbrk(text, ",\""));
-  put(to, quoted ? "\"" : "");
-  put_escaped(to, text, marks[format].escapes, !carried ? SHOWS_ASCII : any ? SHOWS_BYTES : SHOWS_CHARACTERS);
-  put(to, quoted ? "\"" : "");
+  const char *quoted = marks[format].quoted;
+  const char *quote = !quoted || (*quoted && strpbrk(text, quoted)) ? "\"" : "";
+  put(to, quote);
+  put_escaped(to, text, marks[format].escapes, carried ? marks[format].carried : SHOWS_ASCII);
+  put(to, quote);
 }
 
 static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
@@ -153,7 +149,7 @@ static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
 static void emit(struct table *t, struct sink *s, const struct table_cell *cells, int count)
 {
   bool aligned = s->format == FORMAT_TABLE, json = s->format == FORMAT_JSON;
-  FILE *to = aligned ? aligned_begin_row(&s->aligned, count) : s->file;
+  FILE *to = aligned ? aligned_begin_row(&s->aligned, count) : s->out.stream;
   if (!to)
     return note_error(s, ENOMEM);
   progress_clear();
@@ -180,27 +176,19 @@ void table_begin_rows(struct table *t)
   struct table_choice *choice = t->style->choice;
   const char *wrong = choice ? choice->begin(choice, t->columns, t->count) : NULL;
   const int count = choice ? choice->count : t->count;
+  if (wrong) {
+    complain(t->style->command, "--columns: %s", wrong);
+    choice->refused = true;
+    return note_error(t->sink, EINVAL);
+  }
   t->names = choice ? choice->names : t->columns;
-  end_head(t, !wrong);
-  for (struct sink *s = t->sink; !wrong && s < t->sink + t->sinks; s++) {
+  write_notes(t);
+  for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
     if (s->format != FORMAT_JSON)
       emit(t, s, NULL, count);
     for (int i = 0; s->format == FORMAT_MARKDOWN && i < count; i++)
-      fputs(i + 1 < count ? "| --- " : "| --- |\n", s->file);
+      fputs(i + 1 < count ? "| --- " : "| --- |\n", s->out.stream);
   }
-  if (!wrong)
-    return;
-  complain(t->style->command, "--columns: %s", wrong);
-  choice->refused = true;
-  note_error(&t->sink[0], EINVAL);
-}
-
-bool table_uses(const struct table *t, const char *column)
-{
-  int i = 0;
-  while (i < t->count - 1 && strcmp(t->columns[i], column) != 0)
-    i++;
-  return !t->style->choice || t->style->choice->used[i];
 }
 
 static void end_row(struct table *t)
@@ -224,7 +212,7 @@ static void keep(struct table *t, enum cell_kind kind, double value, const char 
   if (text && size > c->room) {
     char *longer = realloc(c->text, 2 * size);
     if (!longer)
-      return note_error(&t->sink[0], ENOMEM);
+      return note_error(t->sink, ENOMEM);
     c->text = longer;
     c->room = 2 * size;
   }
@@ -296,14 +284,14 @@ FILE *table_page(struct table *t)
     return NULL;
   aligned_free(&t->sink[0].aligned);
   t->at = 0;
-  return t->sink[0].file;
+  return t->sink[0].out.stream;
 }
 
 bool table_failed(const struct table *t) { return t->sink[0].error != 0; }
 
 bool table_flush(struct table *t)
 {
-  note_error(&t->sink[0], file_flush(&t->sink[0].out));
+  note_error(t->sink, file_flush(&t->sink[0].out));
   return !table_failed(t);
 }
 
@@ -313,7 +301,7 @@ static bool draw(const struct table *t)
   plot.of = t->of;
   plot.table = t->sink[1].out.temporary;
   plot.meaning = t->style->meaning;
-  if (!plot.table || t->sink[1].error != 0 || fflush(t->sink[1].file) != 0)
+  if (!plot.table || t->sink[1].error != 0 || fflush(t->sink[1].out.stream) != 0)
     return complain(t->style->command, "cannot write the rows of the picture beside %s", plot.file);
   return plot_draw(&plot, t->style->command);
 }
@@ -321,7 +309,9 @@ static bool draw(const struct table *t)
 /* Gives up the sinks from this one on, and the memory. */
 static void release(struct table *t, int from)
 {
-  end_head(t, false);
+  if (t->notes)
+    fclose(t->notes);
+  free(t->note_text);
   for (struct sink *s = t->sink + from; s < t->sink + t->sinks; s++) {
     aligned_free(&s->aligned);
     file_close(&s->out, false);
@@ -332,13 +322,13 @@ static void release(struct table *t, int from)
 
 bool table_close(struct table *t)
 {
-  struct sink *s = &t->sink[0];
-  end_head(t, true);
+  struct sink *s = t->sink;
+  write_notes(t);
   if (s->format == FORMAT_TABLE)
     print_aligned(t, s, true);
   note_error(s, file_close(&s->out, s->error == 0));
   if (s->error != 0 && !(t->style->choice && t->style->choice->refused))
-    complain(t->style->command, "cannot write %s: %s", t->output ? t->output : "standard output", file_error(s->error));
+    complain(t->style->command, "cannot write %s: %s", name_of(t->style->output), file_error(s->error));
   bool drawn = s->error == 0 && (t->sinks == 1 || draw(t));
   release(t, 1);
   return drawn;

@@ -36,7 +36,6 @@ struct table_choice {
   /* The cells that are shown of a row, count of them */
   void (*show)(struct table_choice *choice, const struct table_cell *row, struct table_cell *shown);
   const char *const *names; /* of the columns that are shown, after begin */
-  const bool *used;         /* of each column that the table has: does one that is shown take it? After begin */
   int count;
   bool refused; /* it names what the table has not: the command ends with EXIT_USAGE */
 };
@@ -57,7 +56,6 @@ struct style {
 /* Where rows are written to, and how */
 struct sink {
   struct file out;
-  FILE *file; /* that of out */
   enum format format;
   long digits;
   struct aligned aligned; /* rows of a FORMAT_TABLE                                               */
@@ -67,22 +65,19 @@ struct sink {
 struct table {
   const struct style *style;
   const char *of;      /* what kind of table its picture is of: the command, where that does not say another */
-  const char *output;  /* its name, NULL: standard output */
   struct sink sink[2]; /* the output, and a copy in TSV of which a picture is drawn */
   int sinks;
-  FILE *head; /* keeps '#' lines until the choice of columns is found good, or NULL */
-  char *head_text;
-  size_t head_size;
+  FILE *notes;     /* '#' lines that wait until the choice of columns is found good */
+  char *note_text; /* what they are written to                                      */
+  size_t note_size;
   const char *columns[TABLE_COLUMNS];
   int count, at;                        /* columns; the next one in this row */
   struct table_cell row[TABLE_COLUMNS]; /* so far                            */
-  const char *const *names;             /* of the columns that are written   */
+  const char *const *names;             /* of the columns that are written, once rows have begun */
 };
 
-/* Opens output, or standard output where it is NULL. The style must outlive the table; if it has a plot, the rows are
- * kept in TSV too, beside the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
-bool table_open_at(struct table *table, const struct style *style, const char *output);
-/* Opens the output of the style. */
+/* Opens the output of the style, which must outlive the table; if it has a plot, the rows are kept in TSV too, beside
+ * the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
 bool table_open(struct table *table, const struct style *style);
 /* Opens it and writes table_command. */
 #define table_head(table, style, ...) (table_open((table), (style)) && (table_command((table), __VA_ARGS__), true))
@@ -97,9 +92,6 @@ void table_note(struct table *table, const char *format, ...) __attribute__((for
 void table_columns(struct table *table, const char *const *names);
 /* A choice of columns that are not there is refused on stderr, with nothing else written: the table has then failed. */
 void table_begin_rows(struct table *table);
-/* Once the rows have begun: does anything that is written take the column of this name? A cell that is not used may
- * hold anything. */
-bool table_uses(const struct table *table, const char *column);
 /* The cells of a row in the order of the columns. A row ends by itself with its last cell. */
 void table_number(struct table *table, double value);
 void table_count(struct table *table, long count);

@@ -126,16 +126,14 @@ const char *tsv_error(struct tsv *tsv)
 
 bool tsv_take_header(struct tsv *tsv)
 {
-  size_t size = 1;
-  for (int i = 0; i < tsv->count; i++)
-    size += strlen(tsv->cell[i]) + 1;
-  char *end = tsv->header = malloc(size);
-  for (tsv->columns = 0; end && tsv->columns < tsv->count; end += size) {
-    const char *cell = tsv->cell[tsv->columns];
-    size = strlen(cell) + 1;
-    tsv->column[tsv->columns++] = trimmed(memcpy(end, cell, size), " '\"");
-  }
-  return tsv->header != NULL;
+  const size_t size = tsv->length + 1;
+  tsv->header = malloc(size);
+  if (!tsv->header)
+    return false;
+  memcpy(tsv->header, tsv->buffer, size);
+  for (tsv->columns = 0; tsv->columns < tsv->count; tsv->columns++)
+    tsv->column[tsv->columns] = trimmed(tsv->header + (tsv->cell[tsv->columns] - tsv->buffer), " '\"");
+  return true;
 }
 
 const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)

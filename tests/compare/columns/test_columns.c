@@ -10,7 +10,7 @@ static const char *const names[] = { "T", "v end", "status", "coefficient", NULL
 static void write_table(struct table *t, struct style *style, const char *text)
 {
   assert_null(columns_read(&style->choice, text));
-  assert_true(table_open_at(t, style, "table"));
+  assert_true(table_open(t, style));
   table_note(t, "note");
   table_columns(t, names);
   table_begin_rows(t);
@@ -96,7 +96,7 @@ TEST(a_table_that_is_given_up)
   write_table(&t, &style, "T");
   table_abandon(&t);
   assert_int_equal(entries(true), 0);
-  assert_true(table_open_at(&t, &style, "table"));
+  assert_true(table_open(&t, &style));
   table_note(&t, "no rows");
   assert_true(table_close(&t));
   assert_holds("table", "# no rows\n");

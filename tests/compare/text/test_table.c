@@ -5,8 +5,8 @@
 #include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"
 
-static const struct style tsv = { .command = "test", .output = "elsewhere" },
-                          json = { .command = "test", .output = "elsewhere", .format = FORMAT_JSON };
+static const struct style tsv = { .command = "test", .output = "table" },
+                          json = { .command = "test", .output = "table", .format = FORMAT_JSON };
 
 static const char *const columns[] = { "T", "status", NULL };
 
@@ -26,7 +26,7 @@ TEST(cells_follow_the_format)
     struct style o = i == 0 ? tsv : json;
     struct table t;
     o.digits = 3;
-    assert_true(table_open_at(&t, &o, "table"));
+    assert_true(table_open(&t, &o));
     table_note(&t, "note");
     table_columns(&t, columns);
     table_begin_rows(&t);
@@ -46,9 +46,9 @@ TEST(a_text_begins_no_row_and_no_cell)
                                         "| T | status |\n| --- | --- |\n| 0 | a\\\\\\|b c d,e |\n",
                                         "# book: a?b?c?d?e\nT  status\n0  a\\|b c d,e\n" };
   for (int i = 0; i < FORMATS; i++) {
-    struct style o = { .command = "test", .format = (enum format)i, .has_format = true };
+    struct style o = { .command = "test", .output = "table", .format = (enum format)i, .has_format = true };
     struct table t;
-    assert_true(table_open_at(&t, &o, "table"));
+    assert_true(table_open(&t, &o));
     table_note(&t, "book: %s", "a\nb\rc\td\033e");
     table_columns(&t, columns);
     table_begin_rows(&t);
@@ -63,7 +63,7 @@ TEST(rows_and_notes_keep_their_order)
 {
   enum { PARTS = 4, ROWS = 5000 };
   struct table t;
-  assert_true(table_open_at(&t, &tsv, "table"));
+  assert_true(table_open(&t, &tsv));
   table_columns(&t, columns);
   table_begin_rows(&t);
   for (int i = 0; i < PARTS; i++) {
@@ -91,11 +91,11 @@ TEST(rows_and_notes_keep_their_order)
 /* Blocks of rows: the first decides the width, and a wider one is wider from there on; what is kept does not grow. */
 TEST(aligned_rows_come_in_blocks)
 {
-  const struct style people = { .command = "test", .output = "elsewhere", .format = FORMAT_TABLE, .has_format = true };
+  const struct style people = { .command = "test", .output = "table", .format = FORMAT_TABLE, .has_format = true };
   struct table t;
   char line[100];
   long rows = 0;
-  assert_true(table_open_at(&t, &people, "table"));
+  assert_true(table_open(&t, &people));
   table_columns(&t, columns);
   table_begin_rows(&t);
   for (int i = 0; i < 3 * ALIGNED_ROWS + 1; i++) {
@@ -121,7 +121,7 @@ TEST(parameters_that_do_not_hold_are_not_said)
   p.written[0] = "1e0";
   p.written[6] = "0.750";
   for (int i = 0; i < 3; i++) {
-    assert_true(table_open_at(&t, &tsv, "table"));
+    assert_true(table_open(&t, &tsv));
     note_parameters(&t, &p, i == 0 ? some : i == 1 ? NULL : crawler_parameters, i == 1);
     assert_true(table_close(&t));
     assert_holds("table", i == 0   ? "# parameters: m2=1 F2=1 L=10 alpha=0.75 gait=quadratic\n"
@@ -157,7 +157,6 @@ TEST(columns_join_name_and_value)
   for (int i = 0; i < 2; i++) {
     struct style style = i == 0 ? tsv : json;
     struct table t;
-    style.output = "table";
     assert_true(table_head(&t, &style, "%s", "test a\nb"));
     table_add(&t, joined);
     table_begin_rows(&t);
@@ -177,7 +176,7 @@ TEST(an_abandoned_table_leaves_nothing)
 {
   struct table t;
   write_text("table", "earlier");
-  assert_true(table_open_at(&t, &tsv, "table"));
+  assert_true(table_open(&t, &tsv));
   table_columns(&t, columns);
   table_begin_rows(&t);
   write_row(&t, 1, "ok");
@@ -188,11 +187,12 @@ TEST(an_abandoned_table_leaves_nothing)
 
 TEST(a_failed_write_is_told_once)
 {
+  const struct style full = { .command = "test", .output = "/dev/full" };
   struct table t;
   struct said said;
   if (access("/dev/full", W_OK) != 0)
     skip();
-  assert_true(table_open_at(&t, &tsv, "/dev/full"));
+  assert_true(table_open(&t, &full));
   said_begin(&said);
   table_columns(&t, columns);
   table_begin_rows(&t);
@@ -207,10 +207,11 @@ TEST(a_failed_write_is_told_once)
 
 TEST(a_refused_output_is_named)
 {
+  const struct style missing = { .command = "test", .output = "missing/table" };
   struct table t;
   struct said said;
   said_begin(&said);
-  bool opened = table_open_at(&t, &tsv, "missing/table");
+  bool opened = table_open(&t, &missing);
   said_end(&said);
   assert_false(opened);
   assert_string_equal(said.text, "scallop test: cannot write missing/table: No such file or directory\n");
