@@ -108,12 +108,7 @@ enum exit_code report_run(const struct series_options *o, enum exit_code (*one)(
   return one(&r);
 }
 
-struct motion_names names_of(enum quantity_of of, enum scallop_phase_kind kind, bool from_rest)
-{
-  if (of == OF_STEADY)
-    return (struct motion_names){ "period", "steady" };
-  return (struct motion_names){ kind == SCALLOP_EXTENSION ? "extension" : "contraction", from_rest ? "rest" : "v0" };
-}
+const struct motion_names steady_motion = { "period", "steady", .of = OF_STEADY };
 
 void write_names(struct report *r, const struct motion_names *names, const char *quantity)
 {
@@ -142,16 +137,17 @@ bool write_failure(struct report *r, const struct motion_names *names, enum scal
   return false;
 }
 
-bool report_motions(struct report *r,
-                    bool (*one)(struct report *, enum quantity_of, enum scallop_phase_kind, bool from_rest))
+bool report_motions(struct report *r, bool (*one)(struct report *, const struct motion_names *))
 {
+  static const struct motion_names phases[] = { { "extension", "rest", OF_PHASE, SCALLOP_EXTENSION, false },
+                                                { "extension", "v0", OF_PHASE, SCALLOP_EXTENSION, true },
+                                                { "contraction", "rest", OF_PHASE, SCALLOP_CONTRACTION, false },
+                                                { "contraction", "v0", OF_PHASE, SCALLOP_CONTRACTION, true } };
   bool done = true;
-  for (int kind = 0; kind < 2; kind++) {
-    done = one(r, OF_PHASE, (enum scallop_phase_kind)kind, true) && done;
-    if (!fmpq_is_zero(r->v0))
-      done = one(r, OF_PHASE, (enum scallop_phase_kind)kind, false) && done;
-  }
-  return one(r, OF_STEADY, SCALLOP_EXTENSION, true) && done;
+  for (int i = 0; i < 4; i++)
+    if (!phases[i].from_v0 || !fmpq_is_zero(r->v0))
+      done = one(r, &phases[i]) && done;
+  return one(r, &steady_motion) && done;
 }
 
 static bool is_used(const struct emitted *e, enum symbol_meaning meaning)

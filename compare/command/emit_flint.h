@@ -27,17 +27,19 @@ enum exit_code report_close(struct report *r, bool done);
 /* Calls one with a report about the options. */
 enum exit_code report_run(const struct series_options *options, enum exit_code (*one)(struct report *r));
 
-/* Which motion a row is about. */
+/* A motion that rows are about: its names, the period or a phase from rest or from v0 */
 struct motion_names {
   const char *phase, *start;
+  enum quantity_of of;
+  enum scallop_phase_kind kind;
+  bool from_v0;
 };
-struct motion_names names_of(enum quantity_of of, enum scallop_phase_kind kind, bool from_rest);
+extern const struct motion_names steady_motion;
 void write_names(struct report *r, const struct motion_names *names, const char *quantity);
 /* A motion of which nothing is known has its reason in the last column. Returns false. */
 bool write_failure(struct report *r, const struct motion_names *names, enum scallop_status status, const char *why);
 /* Calls one for each phase, from rest and from v0, and for the steady state. Did all give true? */
-bool report_motions(struct report *r,
-                    bool (*one)(struct report *r, enum quantity_of of, enum scallop_phase_kind kind, bool from_rest));
+bool report_motions(struct report *r, bool (*one)(struct report *r, const struct motion_names *motion));
 
 struct emitted { /* a quantity of a motion as a sum of terms                                             */
   struct motion_names names;

@@ -102,11 +102,10 @@ struct option_rule {
 #define FROM_TO(low, high, text) .least = low, .most = high, .allowed = text
 #define FINITE FROM_TO(-DBL_MAX, DBL_MAX, "a finite number")
 #define POSITIVE FROM_TO(DBL_TRUE_MIN, DBL_MAX, "a finite number > 0")
-#define OPTION_VARIES(name, argument, help) OPTION(name, argument, help, NULL, .kind = &parameter_option)
 #define OPTIONS_VARY \
-  OPTION_VARIES("F1_over_F2", "X", "F1 = X F2"), OPTION_VARIES("m1_over_m2", "X", "m1 = X m2"), \
-      OPTION_VARIES("froude", "X", "the Froude number, which sets T when all else is set"), \
-      OPTION_VARIES("label", "NAME=TEXT,...", "a column of texts, each for a block of rows"), \
+  OPTION_POINT("F1_over_F2", "X", "F1 = X F2", NULL), OPTION_POINT("m1_over_m2", "X", "m1 = X m2", NULL), \
+      OPTION_POINT("froude", "X", "the Froude number, which sets T when all else is set", NULL), \
+      OPTION_POINT("label", "NAME=TEXT,...", "a column of texts, each for a block of rows", NULL), \
       OPTION("and", NULL, "what varies from here on follows as rows of their own", NULL, .kind = &product_option)
 #define OPTIONS_ERRORS(otherwise) \
   OPTION_NUMBER("accuracy", "D", \

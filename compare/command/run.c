@@ -36,8 +36,7 @@ static const struct option_rule rules[] = { { "into", RULE_WITH, "output", "and 
 struct running {
   struct scene scene;
   struct want *want; /* scene.wants of them */
-  struct rows *rows; /* those that make rows share their points */
-  int makes_rows;
+  struct rows *rows; /* those of tables with a row for each point, which share their points */
 };
 
 static void running_free(struct running *r)

@@ -12,8 +12,6 @@ enum { ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
 
 struct motion_report { /* of one motion: its expansion and its certified values */
   struct motion_names names;
-  enum quantity_of of;
-  enum scallop_phase_kind kind;
   fmpq_t v0, T; /* T: of the phase, or the period */
   struct series_answer derived;
   struct ball_answer exact;
@@ -26,7 +24,7 @@ static slong bits_of(long digits) { return (slong)(3.33 * (double)digits); }
 
 static bool derive(struct motion_report *m, const struct report *r, long order, slong precision)
 {
-  return answer_in_series(&m->derived, r->crawler, m->of, m->kind, m->v0, order, precision);
+  return answer_in_series(&m->derived, r->crawler, m->names.of, m->names.kind, m->v0, order, precision);
 }
 
 /* Whether every coefficient below T^order is exact or has the digits. */
@@ -62,11 +60,11 @@ static bool expand(struct motion_report *m, const struct report *r, long order)
 static bool solve(struct motion_report *m, const struct report *r, long digits)
 {
   char modes[MOTION_MODES_TEXT];
-  bool solved = answer_in_balls(&m->exact, r->crawler, m->of, m->kind, m->v0, digits);
+  bool solved = answer_in_balls(&m->exact, r->crawler, m->names.of, m->names.kind, m->v0, digits);
   if (!solved)
     snprintf(m->status, sizeof m->status, "not certified: %s",
              m->exact.why ? m->exact.why : scallop_status_text(m->exact.status));
-  else if (strcmp(motion_modes_text(modes, m->of, m->exact.modes), m->derived.modes) != 0)
+  else if (strcmp(motion_modes_text(modes, m->names.of, m->exact.modes), m->derived.modes) != 0)
     snprintf(m->status, sizeof m->status, "not of this motion: its modes are %s", modes);
   else
     snprintf(m->status, sizeof m->status, "ok");
@@ -185,7 +183,7 @@ static bool solve_well(struct motion_report *m, const struct report *r, long ord
   for (int i = 0; i < TRIES && !enough; i++, digits *= 2) {
     slong precision = 4 * (digits < MOST ? digits : MOST) + 128 + order;
     solved = enough = solve(m, r, digits < MOST ? digits : MOST);
-    if (i > 0 && m->derived.value[m->of == OF_STEADY ? Q_V_START : Q_V_END]->kind == SERIES_BALLS
+    if (i > 0 && m->derived.value[m->names.of == OF_STEADY ? Q_V_START : Q_V_END]->kind == SERIES_BALLS
         && !derive(m, r, order, precision))
       break;
     arb_set_fmpq(T, m->T, precision);
@@ -200,20 +198,18 @@ static bool solve_well(struct motion_report *m, const struct report *r, long ord
   return solved;
 }
 
-static bool report_motion(struct report *r, enum quantity_of of, enum scallop_phase_kind kind, bool from_rest)
+static bool report_motion(struct report *r, const struct motion_names *names)
 {
   bool limit = is_from(r->options, "limit");
   long order = limit ? 1 : r->options->order.value;
   SCOPED(motion_report, m);
-  m.names = names_of(of, kind, from_rest);
-  m.of = of;
-  m.kind = kind;
-  if (!from_rest)
+  m.names = *names;
+  if (names->from_v0)
     fmpq_set(m.v0, r->v0);
-  if (of == OF_STEADY)
+  if (names->of == OF_STEADY)
     fmpq_set(m.T, r->crawler->T);
   else
-    scallop_rational_duration(m.T, r->crawler, kind);
+    scallop_rational_duration(m.T, r->crawler, names->kind);
   if (!expand(&m, r, order))
     return write_failure(r, &m.names, m.derived.status, m.derived.why);
   bool solved = !r->language && solve_well(&m, r, order);
@@ -237,7 +233,7 @@ static enum exit_code report_series(struct report *r)
                    "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; "
                    "error: sum - exact"))
     return EXIT_FILE;
-  return report_close(r, is_from(r->options, "limit") ? report_motion(r, OF_STEADY, SCALLOP_EXTENSION, true)
+  return report_close(r, is_from(r->options, "limit") ? report_motion(r, &steady_motion)
                                                       : report_motions(r, report_motion));
 }
 

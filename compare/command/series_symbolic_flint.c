@@ -48,24 +48,25 @@ static void write_terms(struct report *r, struct emitted e, struct symbols *s, s
     emit_end(r, &e);
 }
 
-static bool report_phase(struct report *r, enum scallop_phase_kind kind, bool from_rest)
+static bool report_phase(struct report *r, const struct motion_names *m)
 {
   static const char *const names[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC" };
-  const struct motion_names m = names_of(OF_PHASE, kind, from_rest);
   struct symbols s;
   struct symbolic_phase phase;
   const char *why = NULL;
   SCOPED(fmpq, v0);
-  if (!from_rest)
+  if (m->from_v0)
     fmpq_set(v0, r->v0);
   symbols_init(&s);
-  enum scallop_status status = symbolic_expand_phase(&s, r->crawler, kind, v0, r->options->order.value, &phase, &why);
+  enum scallop_status status = symbolic_expand_phase(&s, r->crawler, m->kind, v0, r->options->order.value, &phase,
+                                                     &why);
   if (status != SCALLOP_OK)
-    return write_failure(r, &m, status, why);
+    return write_failure(r, m, status, why);
   const struct symbolic_series *const series[] = { &phase.t1,  &phase.dT,  &phase.v_end,
                                                    &phase.dx1, &phase.dx2, &phase.dxC };
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    write_terms(r, (struct emitted){ .names = m, .quantity = names[i], .modes = phase.modes }, &s, 0, series[i], false);
+    write_terms(r, (struct emitted){ .names = *m, .quantity = names[i], .modes = phase.modes }, &s, 0, series[i],
+                false);
   symbols_end(&s);
   return true;
 }
@@ -74,30 +75,29 @@ static bool report_phase(struct report *r, enum scallop_phase_kind kind, bool fr
 static bool report_steady(struct report *r, bool closed)
 {
   static const char *const names[] = { "v_start", "v_mid", "displacement" };
-  const struct motion_names m = names_of(OF_STEADY, SCALLOP_EXTENSION, true);
   struct symbols s;
   struct symbolic_steady steady;
   const char *why = NULL;
   symbols_init(&s);
   enum scallop_status status = symbolic_solve_steady(&s, r->crawler, &steady, &why);
   if (status != SCALLOP_OK)
-    return write_failure(r, &m, status, why);
+    return write_failure(r, &steady_motion, status, why);
   const symbolic values[] = { steady.v_start, steady.v_mid, steady.displacement };
   for (int i = 0; i < 3; i++) {
     slong first = i < 2 && !closed ? -1 : 0; /* velocities begin with 1/T */
     struct symbolic_series series = { 1, { values[i] } };
     if (!closed)
       series = symbolic_series_of(&s, values[i], first, r->options->order.value - first);
-    write_terms(r, (struct emitted){ .names = m, .quantity = names[i], .modes = steady.modes }, &s, first, &series,
-                closed);
+    write_terms(r, (struct emitted){ .names = steady_motion, .quantity = names[i], .modes = steady.modes }, &s, first,
+                &series, closed);
   }
   symbols_end(&s);
   return true;
 }
 
-static bool report_motion(struct report *r, enum quantity_of of, enum scallop_phase_kind kind, bool from_rest)
+static bool report_motion(struct report *r, const struct motion_names *m)
 {
-  return of == OF_STEADY ? report_steady(r, false) : report_phase(r, kind, from_rest);
+  return m->of == OF_STEADY ? report_steady(r, false) : report_phase(r, m);
 }
 
 /* The limit T -> 0 in powers of what makes it small */
@@ -105,7 +105,7 @@ static bool report_limit(struct report *r, enum limit_parameter in)
 {
   static const char *const names[] = { "product", "alpha", "friction" };
   static const char *const small[] = { "(F1 - F2)*(2*alpha - 1)/(F1 + F2)", "2*alpha - 1", "(F1 - F2)/(F1 + F2)" };
-  const struct motion_names m = { "period", r->language ? names[in] : small[in] };
+  const struct motion_names m = { .phase = "period", .start = r->language ? names[in] : small[in] };
   struct symbols s;
   struct symbolic_limit limit;
   const char *why = NULL;

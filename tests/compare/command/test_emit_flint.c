@@ -9,8 +9,10 @@ TEST(reason_outlives_its_motion)
   const struct series_options options = { .symbolic = true };
   struct report r = { .options = &options, .language = &language_python };
   char first[] = "the limit takes more terms", second[] = "another reason";
-  assert_false(write_failure(&r, &(struct motion_names){ "period", "product" }, SCALLOP_EUNDECIDED, first));
+  assert_false(
+      write_failure(&r, &(struct motion_names){ .phase = "period", .start = "product" }, SCALLOP_EUNDECIDED, first));
   memset(first, '?', strlen(first));
-  assert_false(write_failure(&r, &(struct motion_names){ "period", "alpha" }, SCALLOP_EUNDECIDED, second));
+  assert_false(
+      write_failure(&r, &(struct motion_names){ .phase = "period", .start = "alpha" }, SCALLOP_EUNDECIDED, second));
   assert_string_equal(r.why, "the limit takes more terms");
 }
