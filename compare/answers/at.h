@@ -68,19 +68,16 @@ struct at {
 /* Notes why something cannot be done, if it is the first. Returns nan. */
 double at_fail(struct at *at, const char *why);
 
-/* asked outlives it. False: the message is on stderr. */
-bool at_init(struct at *at, const struct asked *asked);
-void at_clear(struct at *at);
+/* asked outlives it. NULL: the message is on stderr. */
+struct at *at_new(const struct asked *asked);
+void at_free(struct at *at); /* or NULL */
 
 /* Goes to the point in at->place. */
 void at_move(struct at *at);
 /* Ends what a thread keeps for this one. */
 void at_end_thread(struct at *at);
-/* Sets at->place to a point of a sweep, and no more, */
+/* Sets at->place to a point of a sweep, and no more. Ends of ranges may be formulas of what is set further out. */
 void at_place(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
-              const long *index);
-/* or goes to it. Ends of ranges may be formulas of what is set further out. */
-void at_sweep(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
               const long *index);
 /* Before each row of another table: what failed for one table is no matter of the next. */
 void at_begin_row(struct at *at);

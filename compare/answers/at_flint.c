@@ -27,7 +27,8 @@ struct at_flint {
   struct kept_series kept[KEPT];
   int next; /* the series that makes room for a new one */
   struct scallop_rational_crawler crawler;
-  fmpq_t v0, start, T; /* v0 as it is written; start and T of the motion looked at: the period, or the duration of the phase */
+  fmpq_t v0, start,
+      T; /* v0 as it is written; start and T of the motion looked at: the period, or the duration of the phase */
   struct ball_answer answer[POINT_MOTIONS];
   char *text;
   long order[2]; /* of series, by enum quantity_of: terms below T^order */
@@ -261,7 +262,8 @@ static bool modes(struct at *s, enum motion_of_point m, enum scallop_regime *reg
   return a != NULL;
 }
 
-static const struct at_flint_functions functions = { flint_new, flint_end, move, flint_cleanup, certify, sum, compare, text, modes };
+static const struct at_flint_functions functions = { flint_new, flint_end, move, flint_cleanup, certify,
+                                                     sum,       compare,   text, modes };
 
 /* When it is loaded, or, where a program is linked with it, before main */
 static void __attribute__((constructor)) offer(void) { at_flint = &functions; }

@@ -10,25 +10,25 @@
 #include "compare/text/values.h"
 
 enum { MOST_NOTES = 16 };
-struct asked; /* answers/at.h */
-struct scene_head { /* of the tables of a scene */
+struct asked;                /* answers/at.h */
+struct scene_head {          /* of the tables of a scene */
   const char *scene, *title; /* title: or NULL */
   int notes;
   const char *note[MOST_NOTES];
-  bool is_about_phase; /* the scene says something of a phase or of its start */
+  bool is_about_phase;       /* the scene says something of a phase or of its start */
   const struct point *given; /* on the command line, in place of what the scene says */
 };
 
 struct request {
   struct style style;
   struct point point;
-  struct sweep sweep; /* what varies; no product: one point, else point is where nothing varies */
-  const char *points; /* file name, "-" for standard input, or NULL */
-  const char *book;   /* file name of a book of formulas, or NULL     */
-  bool stats;         /* prints afterwards what was computed */
-  struct given_number accuracy; /* errors of series below this part of the exact value are 0 */
-  struct given_word reference;  /* what they are errors against: exact, or certified */
-  struct asked *asked; /* by the tables with a row for each point; NULL: by none */
+  struct sweep sweep;             /* what varies; no product: one point, else point is where nothing varies */
+  const char *points;             /* file name, "-" for standard input, or NULL */
+  const char *book;               /* file name of a book of formulas, or NULL     */
+  bool stats;                     /* prints afterwards what was computed */
+  struct given_number accuracy;   /* errors of series below this part of the exact value are 0 */
+  struct given_word reference;    /* what they are errors against: exact, or certified */
+  struct asked *asked;            /* by the tables with a row for each point; NULL: by none */
   const struct scene_head *scene; /* or NULL */
 };
 
@@ -36,9 +36,6 @@ struct request {
 bool has_many_points(const struct request *request);
 /* Is the parameter the same in all rows? */
 bool is_held(const struct request *request, const char *parameter);
-
-/* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
-const char *name_among(const char *const *names, const char *name);
 
 /* " m1=1 ...": the parameters without those in not_held; as below */
 enum { PARAMETERS_TEXT = CRAWLER_NUMBERS * (NUMBER_LENGTH + 8) + GAIT_TEXT };

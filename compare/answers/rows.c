@@ -4,11 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/points/counts.h"
 #include "compare/points/defaults.h"
-#include "compare/points/point_file.h"
-#include "compare/text/memory.h"
-#include "compare/text/progress.h"
+#include "compare/text/tsv.h"
 
 _Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
 
@@ -51,12 +48,8 @@ static const char *add_all(struct sheet *s, const char *const *texts, int count)
   return wrong;
 }
 
-static bool is_of_error(const struct quantities *all, const struct quantity *q) { return (void)all, q->of >= 0; }
-
-static bool is_certified(const struct quantities *all, const struct quantity *q)
-{
-  return (void)all, q->kind == QUANTITY_CERTIFIED;
-}
+static bool is_of_error(const struct quantity *q) { return q->of >= 0; }
+static bool is_certified(const struct quantity *q) { return q->kind == QUANTITY_CERTIFIED; }
 
 /* How well errors, digits and series have to be known for the columns */
 static const char *settle(struct rows *r)
@@ -140,9 +133,9 @@ static void note_held(struct rows *r)
   note_parameters(&r->table, &r->request->point, not_held, false);
 }
 
-static bool is_of_start(const struct quantities *all, const struct quantity *q)
+static bool is_of_start(const struct quantity *q)
 {
-  return quantity_is_of_phase(all, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+  return q->motion == OF_PHASE || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
 }
 
 /* What quantities of a phase are about, where a row has any */
@@ -198,158 +191,4 @@ bool rows_open(struct rows *r)
     write_head(r);
   }
   return r->is_open;
-}
-
-static bool open_tables(struct rows_run *run)
-{
-  bool open = true;
-  for (int i = 0; i < run->count && open; i++)
-    open = run->rows[i].opens_late || rows_open(&run->rows[i]);
-  return open;
-}
-
-void rows_count(struct rows_run *run, const char *why)
-{
-  run->points++;
-  if (*why && run->unsolved++ == 0)
-    snprintf(run->why, sizeof run->why, "%s", why);
-}
-
-/* False: a table can no longer be written. */
-static bool at_point(struct rows_run *run, struct at *at)
-{
-  char why[POINT_STATUS] = "";
-  bool fine = true;
-  for (struct rows *r = run->rows; r < run->rows + run->count; r++) {
-    at_begin_row(at);
-    if (r->visit)
-      r->visit(r, at);
-    else
-      sheet_row(&r->sheet, &r->table, at);
-    if (!*why)
-      memcpy(why, at->why, sizeof why);
-    fine &= !r->is_open || !table_failed(&r->table);
-  }
-  rows_count(run, why);
-  return fine;
-}
-
-static void visit_sweep(struct rows_run *run, struct at *at)
-{
-  const struct request *request = run->rows->request;
-  struct sweep_cursor cursor = { .product = NULL };
-  bool fine = true;
-  for (int p = 0; p < request->sweep.products && fine; p++) {
-    long index[SWEEP_GROUPS] = { 0 };
-    do {
-      at_sweep(at, &cursor, &request->point, &request->sweep.product[p], index);
-      progress_count(run->points + 1, sweep_points(&request->sweep));
-      fine = at_point(run, at);
-    } while (sweep_next(&request->sweep.product[p], index) && fine);
-  }
-}
-
-static void visit_file(struct rows_run *run, struct at *at, struct point_file *file)
-{
-  bool fine = true;
-  while (fine && point_file_next(file, &at->place, &run->rows->request->point)) {
-    progress_count(run->points + 1, point_file_rows(file, run->points + 1));
-    at_move(at);
-    fine = at_point(run, at);
-  }
-}
-
-static void visit_points(struct rows_run *run, struct at *at, struct point_file *file)
-{
-  const struct request *request = run->rows->request;
-  if (file)
-    visit_file(run, at, file);
-  else if (request->sweep.products > 0) {
-    if (!rows_in_blocks(run, at))
-      visit_sweep(run, at);
-  } else {
-    sweep_place_set(&at->place, &request->point);
-    at_move(at);
-    at_point(run, at);
-  }
-}
-
-enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
-{
-  const struct style *style = &run->rows->request->style;
-  struct at *at = malloc(sizeof *at);
-  enum exit_code code = EXIT_FILE;
-  if (!at)
-    complain(style->command, "out of memory");
-  if (!at || !at_init(at, run->rows->sheet.asked))
-    code = EXIT_UNSOLVED;
-  else if (open_tables(run)) {
-    visit_points(run, at, file);
-    const char *error = file ? tsv_error(&file->tsv) : NULL;
-    code = error ? complain(style->command, "%s", error), EXIT_FILE : EXIT_DONE;
-    for (int i = 0; i < run->count; i++)
-      code = run->rows[i].cannot_open || (run->rows[i].is_open && !table_flush(&run->rows[i].table)) ? EXIT_FILE : code;
-  }
-  if (at)
-    at_clear(at);
-  free(at);
-  return code;
-}
-
-bool rows_close(struct rows_run *run, bool keep)
-{
-  bool whole = true;
-  for (struct rows *r = run->rows; r < run->rows + run->count; r++)
-    if (r->is_open && !keep && !table_failed(&r->table))
-      table_abandon(&r->table);
-    else if (r->is_open)
-      whole &= table_close(&r->table);
-  return whole;
-}
-
-static enum exit_code finish(struct rows_run *run, enum exit_code code)
-{
-  const struct request *request = run->rows->request;
-  const char *command = request->style.command;
-  bool incomplete = run->rows->opens_late && run->unsolved > 0;
-  if (!rows_close(run, code == EXIT_DONE && !incomplete))
-    return EXIT_FILE;
-  if (code != EXIT_DONE || run->unsolved == 0)
-    return code != EXIT_DONE ? code : run->rows->failed_checks > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
-  if (has_many_points(request))
-    complain(command, "%ld of %ld points could not be solved: the column 'status' says why", run->unsolved,
-             run->points);
-  else
-    complain(command, "this point could not be solved: %s", run->why);
-  return EXIT_UNSOLVED;
-}
-
-static enum exit_code make(struct rows *r, struct point_file *file)
-{
-  struct rows_run run = { .count = 1, .rows = r };
-  struct quantities *all = &r->sheet.asked->quantities;
-  all->carries = file ? file->carries : 0;
-  all->carried = file ? file->carried : NULL;
-  const char *wrong = rows_columns(r);
-  if (!wrong)
-    return finish(&run, rows_visit(&run, file));
-  complain(r->request->style.command, "--columns: %s", wrong);
-  return EXIT_USAGE;
-}
-
-enum exit_code rows_table(struct rows *r)
-{
-  const struct request *request = r->request;
-  struct point_file *file = request->points ? calloc(1, sizeof *file) : NULL;
-  if (!request->points)
-    return make(r, NULL);
-  if (!file)
-    return complain(request->style.command, "out of memory"), EXIT_UNSOLVED;
-  file->v0_may_be_nan = r->sheet.asked->from_steady;
-  enum exit_code code = point_file_open(file, request->points, request->style.command, request->style.quiet, r->extra,
-                                        (const char *const *)r->own);
-  code = code == EXIT_DONE ? make(r, file) : code;
-  point_file_close(file);
-  free(file);
-  return code;
 }

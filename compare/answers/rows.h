@@ -11,19 +11,19 @@ enum { ROWS_EXTRA = 3 };
 struct rows { /* a table with a row for each point, as it is planned; zero but for the request and sheet.asked */
   const struct request *request;
   struct sheet sheet;
-  bool notes_parameters;         /* those that hold in all rows stand in the head; of a scene they always do */
-  bool has_parameters;           /* the crawler's stand in front of its own columns, where none are chosen */
-  const char *extra[ROWS_EXTRA]; /* parameters beyond the crawler's, which also stand there, NULL-terminated */
-  char **own;                    /* the texts of its own columns, NULL-terminated */
-  const char *const *behind;     /* names of columns behind those of the sheet, which visit writes; or NULL */
-  bool has_errors;               /* visit asks for errors of series, too */
+  bool notes_parameters;             /* those that hold in all rows stand in the head; of a scene they always do */
+  bool has_parameters;               /* the crawler's stand in front of its own columns, where none are chosen */
+  const char *extra[ROWS_EXTRA];     /* parameters beyond the crawler's, which also stand there, NULL-terminated */
+  char **own;                        /* the texts of its own columns, NULL-terminated */
+  const char *const *behind;         /* names of columns behind those of the sheet, which visit writes; or NULL */
+  bool has_errors;                   /* visit asks for errors of series, too */
   const struct table_choice *choice; /* of columns; NULL: that of the request */
-  const char *command;           /* what the head says of it; NULL: its name */
-  const char *of;                /* the kind of its picture; NULL: that of the command */
-  void (*head)(struct rows *rows);                /* more '#' lines, or NULL */
+  const char *command;               /* what the head says of it; NULL: its name */
+  const char *of;                    /* the kind of its picture; NULL: that of the command */
+  void (*head)(struct rows *rows);   /* more '#' lines, or NULL */
   void (*visit)(struct rows *rows, struct at *at); /* NULL: sheet_row */
-  void *context;                                  /* of these two: freed with the rows, or NULL */
-  bool opens_late;                                /* visit calls rows_open, with the first row */
+  void *context;                                   /* of these two: freed with the rows, or NULL */
+  bool opens_late;                                 /* visit calls rows_open, with the first row */
   /* while it is made */
   struct style style;
   struct table table;
@@ -38,24 +38,19 @@ extern const char rows_no_memory[];
  * or what is wrong, until the next call. */
 const char *rows_columns(struct rows *rows);
 void rows_free(struct rows *rows);
+bool rows_open(struct rows *rows); /* False: the message is on stderr. */
 
-/* Tables of the same points, all with the same sheet.asked */
+/* visit.c: tables of the same points, all with the same sheet.asked */
 struct rows_run {
   int count;
   struct rows *rows;
   long points, unsolved;
   char why[POINT_STATUS]; /* the first reason of those unsolved */
 };
-bool rows_open(struct rows *rows); /* False: the message is on stderr. */
 /* Opens the tables, whose columns are known, visits all points of the first request, and has the tables complete on
  * the disk; in *file: the points, if they come from one. The exit code, the message being on stderr. */
 struct point_file;
 enum exit_code rows_visit(struct rows_run *run, struct point_file *file);
-/* What is wrong with a point, or "": counts it. */
-void rows_count(struct rows_run *run, const char *why);
-/* blocks.c: visits a sweep by several threads, if that is worth it: one table whose columns need FLINT. False: nothing
- * has been done. */
-bool rows_in_blocks(struct rows_run *run, struct at *at);
 /* Puts the tables in their places; keep: else the earlier files stay. False: one could not be. */
 bool rows_close(struct rows_run *run, bool keep);
 

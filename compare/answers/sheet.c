@@ -66,26 +66,26 @@ const char *sheet_formula(struct asked *asked, struct formula *formula, const ch
   return formula_read(formula, text, &names, wrong);
 }
 
-bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantities *, const struct quantity *))
+bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantity *))
 {
   int places[FORMULA_STEPS];
   for (int i = 0; i < s->columns.count; i++)
     for (int k = column_places(&s->columns.item[i], places); k-- > 0;)
-      if (holds(&s->asked->quantities, &s->asked->quantities.item[places[k]]))
+      if (holds(&s->asked->quantities.item[places[k]]))
         return true;
   return false;
 }
 
+static bool is_derived(const struct quantity *q) { return q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT; }
+
 /* NULL, or why rows of this sheet have no such quantity */
 static const char *refusal(const struct sheet *s, const struct quantity *q)
 {
-  const struct quantity *series = q->of >= 0 ? &s->asked->quantities.item[q->of] : q;
   if (q->kind == QUANTITY_SAMPLE && !s->of_samples)
     return "is a quantity of a trajectory";
   if (q->kind == QUANTITY_STATUS && s->of_samples)
     return "is nothing that a trajectory has: it ends where it cannot go on";
-  if (s->asked->from_steady && (series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT)
-      && quantity_rows[series->which].of == OF_PHASE)
+  if (s->asked->from_steady && q->motion == OF_PHASE && is_derived(q->of >= 0 ? &s->asked->quantities.item[q->of] : q))
     return "is derived for a start that stays the same as T falls: from rest, or from a velocity";
   return NULL;
 }
@@ -109,18 +109,14 @@ static const char *refused(const struct sheet *s, const struct column *column, c
   return NULL;
 }
 
-static bool is_status(const struct quantities *all, const struct quantity *q)
-{
-  return (void)all, q->kind == QUANTITY_STATUS;
-}
+static bool is_status(const struct quantity *q) { return q->kind == QUANTITY_STATUS; }
 
 const char *sheet_add(struct sheet *s, const char *text)
 {
   const char *meaning, *own = own_text(s, text, &meaning);
   /* in the meaning of an own name there are no own names */
-  const struct column_names names = {
-    { .place = own ? quantity_place : place_of, .nearest = near_to, .context = s }, missing
-  };
+  const struct column_names names = { { .place = own ? quantity_place : place_of, .nearest = near_to, .context = s },
+                                      missing };
   text = own ? own : text;
   s->early_status |= sheet_takes(s, is_status);
   const char *wrong = column_add(&s->columns, text, &names);

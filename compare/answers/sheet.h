@@ -9,19 +9,19 @@
 #include "compare/columns/columns.h"
 
 struct sheet {
-  struct asked *asked;                /* grows with each column */
-  struct column_list columns;         /* their places: of quantities */
-  const char *const *own;             /* texts that give the sheet's own names, NULL-terminated, or NULL */
-  bool of_samples;                    /* the rows are those of a trajectory */
-  bool as_written;   /* --certified: parameters with all their digits, regime and modes as they are proven */
-  long digits;       /* of certified values */
-  bool early_status; /* a status stands before other columns: these are asked for first */
+  struct asked *asked;        /* grows with each column */
+  struct column_list columns; /* their places: of quantities */
+  const char *const *own;     /* texts that give the sheet's own names, NULL-terminated, or NULL */
+  bool of_samples;            /* the rows are those of a trajectory */
+  bool as_written;            /* --certified: parameters with all their digits, regime and modes as they are proven */
+  long digits;                /* of certified values */
+  bool early_status;          /* a status stands before other columns: these are asked for first */
 };
 
 /* Adds a column. NULL, or what is wrong with the text: that lives until the next call. */
 const char *sheet_add(struct sheet *sheet, const char *text);
 /* Does any column take a quantity of which that holds? */
-bool sheet_takes(const struct sheet *sheet, bool (*holds)(const struct quantities *, const struct quantity *));
+bool sheet_takes(const struct sheet *sheet, bool (*holds)(const struct quantity *));
 void sheet_free(struct sheet *sheet);
 
 /* The names of the columns go into the head of the table, and the values at the point into a row of it. */

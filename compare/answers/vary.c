@@ -88,7 +88,7 @@ const char *vary_list(struct request *r, struct sweep_variable v, const char *co
 static bool is_of_parameters(const struct quantity *q)
 {
   return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_ONSET || q->kind == QUANTITY_FROUDE
-         || q->kind == QUANTITY_F1_OVER_F2 || q->kind == QUANTITY_M1_OVER_M2;
+         || q->kind == QUANTITY_RATIO;
 }
 
 const char *vary_end(const struct request *r, const char *text, struct sweep_end *end)
@@ -104,9 +104,10 @@ const char *vary_end(const struct request *r, const char *text, struct sweep_end
   end->is_formula = true;
   for (int i = formula_places(&end->formula, places); i-- > 0;)
     if (!is_of_parameters(&r->asked->quantities.item[places[i]])) {
-      snprintf(message, WRONG,
-               "'%.100s': a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
-               text, r->asked->quantities.item[places[i]].name);
+      snprintf(
+          message, WRONG,
+          "'%.100s': a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
+          text, r->asked->quantities.item[places[i]].name);
       return message;
     }
   return NULL;
@@ -211,7 +212,8 @@ static const char *range_of_text(struct request *r, struct sweep_variable *v, ch
       *rest++ = '\0';
   }
   bool spaced = parts == PARTS && (strcmp(part[SPACING], "log") == 0 || strcmp(part[SPACING], "linear") == 0);
-  if ((parts == SPACING || spaced) && read_count(part[COUNT], strcmp(part[FROM], part[TO]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
+  if ((parts == SPACING || spaced)
+      && read_count(part[COUNT], strcmp(part[FROM], part[TO]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
     return vary_range(r, *v, part[FROM], part[TO], count, spaced && strcmp(part[SPACING], "log") == 0);
   for (int i = 1; i < parts && i <= PARTS; i++)
     part[i][-1] = ':';

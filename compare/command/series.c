@@ -20,7 +20,8 @@ static const struct option options_of_series[] = {
               languages),
   OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
   OPTION_BOOK("the formulas of this book too, before the paper's"),
-  OPTION_TEXT("only", "LIST", "these series only, separated by commas: formulas by name or equation, \"(28)\", derived_8.dxC",
+  OPTION_TEXT("only", "LIST",
+              "these series only, separated by commas: formulas by name or equation, \"(28)\", derived_8.dxC",
               "all published formulas", series_options, only, "names or equations of formulas, separated by commas"),
   OPTION_POINTS,
   OPTIONS_VARY,
@@ -28,8 +29,8 @@ static const struct option options_of_series[] = {
   OPTION_TEXT("parts", "LIST", "what a row has of each series: value, exact, error, relative",
               "value; with --only value,exact,relative", series_options, parts, "names of parts, separated by commas"),
   OPTION_FLAG("orders", "the orders in T of the errors of series; T varies fastest", series_options, orders),
-  OPTION_NUMBER("expect", "P", "the order that is expected: exit code 1 unless it is met", "none is", series_options, expect,
-                FINITE),
+  OPTION_NUMBER("expect", "P", "the order that is expected: exit code 1 unless it is met", "none is", series_options,
+                expect, FINITE),
   OPTION_NUMBER("tol", "D", "how far orders may be from it", "with --orders 0.1", series_options, tolerance, POSITIVE),
   OPTIONS_ERRORS("errors in doubles, as they are"),
   OPTION_STATS,
@@ -38,10 +39,9 @@ static const struct option options_of_series[] = {
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };
-static const struct series_options initial = { .source = { "published", false },
-                                               .order = { 8, false },
-                                               .emit = { "text", false },
-                                               .tolerance = { 0.1, false } };
+static const struct series_options initial = {
+  .source = { "published", false }, .order = { 8, false }, .emit = { "text", false }, .tolerance = { 0.1, false }
+};
 static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
                                        "published", "exact",    "error", NULL };
 
@@ -96,8 +96,7 @@ static void write_formula(struct table *table, const struct use *use, double pub
 static bool open_table(struct table *table, const struct request *request)
 {
   /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
-  static const char no_ends[] =
-      "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
+  static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
   char v0[80] = "the exact steady velocity at the start of each phase";
   if (!table_head(table, &request->style, "series"))
     return false;
@@ -117,21 +116,10 @@ static bool open_table(struct table *table, const struct request *request)
 }
 
 /* A row for each formula at the one point */
-static enum exit_code write_formulas(struct at *at, const struct series_options *o)
+static enum exit_code write_formulas(struct at *at, const struct series_options *o, int steady, const struct use *uses,
+                                     const int places[][2], int count)
 {
-  struct quantities *all = &o->request.asked->quantities;
-  struct use uses[MOST_SERIES];
-  int count = list_uses(uses, o), published[MOST_SERIES], exact[MOST_SERIES];
-  int steady = quantity_named(all, "v_start");
-  for (int i = 0; i < count; i++) {
-    char name[QUANTITY_NAME], other[2 * QUANTITY_NAME];
-    snprintf(other, sizeof other, "exact.%s", name_of_use(name, &uses[i]));
-    published[i] = quantity_named(all, name);
-    exact[i] = quantity_named(all, other);
-  }
   struct table table;
-  if (!at_init(at, o->request.asked))
-    return EXIT_UNSOLVED;
   sweep_place_set(&at->place, &o->request.point);
   at_move(at);
   at_number(at, steady);
@@ -140,19 +128,26 @@ static enum exit_code write_formulas(struct at *at, const struct series_options 
   if (!open_table(&table, &o->request))
     return EXIT_FILE;
   for (int i = 0; i < count; i++)
-    write_formula(&table, &uses[i], at_number(at, published[i]), at_number(at, exact[i]));
+    write_formula(&table, &uses[i], at_number(at, places[i][0]), at_number(at, places[i][1]));
   return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
 
 static enum exit_code run_point(const struct series_options *o)
 {
-  struct at *at = calloc(1, sizeof *at);
-  o->request.asked->from_steady = true;
-  o->request.asked->accuracy = 0;
-  enum exit_code code = at ? write_formulas(at, o) : EXIT_UNSOLVED;
-  if (at)
-    at_clear(at);
-  free(at);
+  struct asked *asked = o->request.asked;
+  struct use uses[MOST_SERIES];
+  int count = list_uses(uses, o), places[MOST_SERIES][2], steady = quantity_named(&asked->quantities, "v_start");
+  asked->from_steady = true;
+  asked->accuracy = 0;
+  for (int i = 0; i < count; i++) {
+    char name[QUANTITY_NAME], exact[2 * QUANTITY_NAME];
+    snprintf(exact, sizeof exact, "exact.%s", name_of_use(name, &uses[i]));
+    places[i][0] = quantity_named(&asked->quantities, name);
+    places[i][1] = quantity_named(&asked->quantities, exact);
+  }
+  struct at *at = at_new(asked);
+  enum exit_code code = at ? write_formulas(at, o, steady, uses, places, count) : EXIT_UNSOLVED;
+  at_free(at);
   return code;
 }
 
@@ -317,7 +312,8 @@ static const struct option_rule rules[] = {
   { "order", RULE_WITHOUT, "source=derived bound symbolic",
     "needs --source derived, or --bound: the published formulas end where they end, and the limit is one term" },
   { "bound", RULE_WITH, "source=published source=limit", "is for the derived series: leave --source out" },
-  { "only", RULE_WITH, DERIVED, "is for the published formulas, and names derived ones: leave --source and --bound out" },
+  { "only", RULE_WITH, DERIVED,
+    "is for the published formulas, and names derived ones: leave --source and --bound out" },
   { "book", RULE_WITH, DERIVED, "is for the published formulas: --source derived, limit and --bound have none" },
   { "points", RULE_WITH, "bound source=closed", "is for --source published and derived: one point at a time here" },
   { "rows orders", RULE_WITH, "symbolic bound source=closed emit=latex emit=python",

@@ -33,10 +33,10 @@ bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double 
 /* What a gait was made of, for those who want more digits of its numbers than doubles have. */
 struct gait_source {
   const struct scallop_gait_family *family;
-  const char *const *number;    /* its numbers as they were written, or the usual ones                              */
-  int count;                    /* of them                                                                         */
-  void **kept;                  /* a place, NULL at first, for what is worked out once for this gait: it is freed by  */
-  void (**discard)(void *);     /* this, when the program ends                                                   */
+  const char *const *number; /* its numbers as they were written, or the usual ones                              */
+  int count;                 /* of them                                                                         */
+  void **kept;               /* a place, NULL at first, for what is worked out once for this gait: it is freed by  */
+  void (**discard)(void *);  /* this, when the program ends                                                   */
 };
 /* False: it is none of those that were made of numbers. A measured gait is exactly its doubles. */
 bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source);

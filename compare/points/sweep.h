@@ -28,6 +28,9 @@ enum sweep_target {
   TARGET_LABEL /* no parameter: a text beside the point */
 };
 
+/* Those of them that follow from parameters: settled when these are set. By their place behind TARGET_F1_OVER_F2. */
+enum sweep_ratio { F1_OVER_F2, M1_OVER_M2, FROUDE, SWEEP_RATIOS };
+
 struct sweep_end { /* of a range */
   bool is_formula; /* of what is set further out */
   double number;
@@ -76,7 +79,7 @@ void sweep_free(struct sweep *sweep);
 struct sweep_place {
   struct point point;
   const char *label[SWEEP_LABELS];                /* NULL: none */
-  double F1_over_F2, m1_over_m2, froude;          /* as they are set; else nan */
+  double ratio[SWEEP_RATIOS];                     /* as they are set; else nan */
   const char *const *carried;                     /* the cells of a row of a file that are no parameters */
   char why[POINT_STATUS];                         /* why the parameters are no point, or "" */
   bool is_unread;                                 /* then they are not even known */

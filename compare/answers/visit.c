@@ -1,0 +1,270 @@
+/* The loop over points: one at a time; or, of a sweep whose rows take long, blocks of them, each by as many threads as
+ * there are processors. Rows are written in order as they come. */
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "compare/answers/rows.h"
+#include "compare/points/point_file.h"
+#include "compare/text/progress.h"
+
+/* Counts a point, and what is wrong with it, or "". */
+static void count_point(struct rows_run *run, const char *why)
+{
+  run->points++;
+  if (*why && run->unsolved++ == 0)
+    snprintf(run->why, sizeof run->why, "%s", why);
+}
+
+/* False: a table can no longer be written. */
+static bool at_point(struct rows_run *run, struct at *at)
+{
+  char why[POINT_STATUS] = "";
+  bool fine = true;
+  for (struct rows *r = run->rows; r < run->rows + run->count; r++) {
+    at_begin_row(at);
+    if (r->visit)
+      r->visit(r, at);
+    else
+      sheet_row(&r->sheet, &r->table, at);
+    if (!*why && at->why[0] != '\0')
+      memcpy(why, at->why, sizeof why);
+    fine &= !r->is_open || !table_failed(&r->table);
+  }
+  count_point(run, why);
+  return fine;
+}
+
+static void visit_sweep(struct rows_run *run, struct at *at)
+{
+  const struct request *request = run->rows->request;
+  struct sweep_cursor cursor = { .product = NULL };
+  bool fine = true;
+  for (int p = 0; p < request->sweep.products && fine; p++) {
+    long index[SWEEP_GROUPS] = { 0 };
+    do {
+      at_place(at, &cursor, &request->point, &request->sweep.product[p], index);
+      at_move(at);
+      progress_count(run->points + 1, sweep_points(&request->sweep));
+      fine = at_point(run, at);
+    } while (sweep_next(&request->sweep.product[p], index) && fine);
+  }
+}
+
+static void visit_file(struct rows_run *run, struct at *at, struct point_file *file)
+{
+  bool fine = true;
+  while (fine && point_file_next(file, &at->place, &run->rows->request->point)) {
+    progress_count(run->points + 1, point_file_rows(file, run->points + 1));
+    at_move(at);
+    fine = at_point(run, at);
+  }
+}
+
+enum { BLOCK = 64, MOST_THREADS = 64 };
+
+struct block {
+  const struct rows *rows;
+  int count;
+  struct row {
+    struct sweep_place place;
+    struct table cells; /* never opened: what is written into it is kept */
+    char why[POINT_STATUS];
+  } row[BLOCK];
+  atomic_int next;
+  int threads;
+  struct worker {
+    pthread_t thread;
+    bool runs;
+    struct at *at;
+    struct block *block;
+  } worker[MOST_THREADS];
+};
+
+/* Computes rows of the block until none is left, each where it belongs. */
+static void *work(void *worker)
+{
+  const struct worker *w = worker;
+  for (int i; (i = atomic_fetch_add(&w->block->next, 1)) < w->block->count;) {
+    struct row *row = &w->block->row[i];
+    sweep_place_copy(&w->at->place, &row->place);
+    at_move(w->at);
+    at_begin_row(w->at);
+    sheet_row(&w->block->rows->sheet, &row->cells, w->at);
+    memcpy(row->why, w->at->why, sizeof row->why);
+  }
+  at_end_thread(w->at);
+  return NULL;
+}
+
+/* The last worker is this thread. */
+static void compute(struct block *b)
+{
+  struct worker *last = &b->worker[b->threads - 1];
+  atomic_store(&b->next, 0);
+  for (struct worker *w = b->worker; w < last; w++)
+    w->runs = pthread_create(&w->thread, NULL, work, w) == 0;
+  work(last);
+  for (struct worker *w = b->worker; w < last; w++)
+    if (w->runs)
+      pthread_join(w->thread, NULL);
+}
+
+static void visit_product(struct rows_run *run, struct at *at, const struct sweep_product *product, struct block *b)
+{
+  const struct request *request = run->rows->request;
+  struct sweep_cursor cursor = { .product = NULL };
+  long index[SWEEP_GROUPS] = { 0 };
+  for (bool more = true; more && !table_failed(&run->rows->table);) {
+    for (b->count = 0; more && b->count < BLOCK; b->count++) {
+      at_place(at, &cursor, &request->point, product, index);
+      sweep_place_copy(&b->row[b->count].place, &at->place);
+      more = sweep_next(product, index);
+    }
+    compute(b);
+    for (const struct row *row = b->row; row < b->row + b->count; row++) {
+      count_point(run, row->why);
+      table_repeat(&run->rows->table, &row->cells);
+    }
+    progress_count(run->points, sweep_points(&request->sweep));
+  }
+}
+
+static int processors(void)
+{
+  const char *wanted = getenv("OMP_NUM_THREADS");
+  long count = wanted && atol(wanted) > 0 ? atol(wanted) : sysconf(_SC_NPROCESSORS_ONLN);
+  return count < 1 ? 1 : count > MOST_THREADS ? MOST_THREADS : (int)count;
+}
+
+/* Is the sweep worth blocks: one table whose columns need FLINT? */
+static bool takes_long(const struct rows_run *run)
+{
+  const struct rows *r = run->rows;
+  return run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked) && sweep_points(&r->request->sweep) >= 8;
+}
+
+/* False: there is no memory for it, and nothing has been done. */
+static bool visit_in_blocks(struct rows_run *run, struct at *at)
+{
+  const struct rows *rows = run->rows;
+  const struct sweep *sweep = &rows->request->sweep;
+  struct block *b = calloc(1, sizeof *b);
+  bool fine = b != NULL;
+  for (int i = 0; i < BLOCK && fine; i++) {
+    b->row[i].cells = (struct table){ .style = &rows->style };
+    sheet_head(&rows->sheet, &b->row[i].cells);
+  }
+  for (int i = 0; fine && i < processors(); i++) {
+    b->rows = rows;
+    b->worker[b->threads++] = (struct worker){ .at = at_new(rows->sheet.asked), .block = b };
+    fine = b->worker[i].at != NULL;
+  }
+  for (int p = 0; fine && p < sweep->products; p++)
+    visit_product(run, at, &sweep->product[p], b);
+  for (int i = 0; b && i < b->threads; i++)
+    at_free(b->worker[i].at);
+  for (int i = 0; b && i < BLOCK; i++)
+    table_abandon(&b->row[i].cells);
+  free(b);
+  return fine;
+}
+
+static void visit_points(struct rows_run *run, struct at *at, struct point_file *file)
+{
+  const struct request *request = run->rows->request;
+  if (file)
+    visit_file(run, at, file);
+  else if (request->sweep.products > 0) {
+    if (processors() == 1 || !takes_long(run) || !visit_in_blocks(run, at))
+      visit_sweep(run, at);
+  } else {
+    sweep_place_set(&at->place, &request->point);
+    at_move(at);
+    at_point(run, at);
+  }
+}
+
+static bool open_tables(struct rows_run *run)
+{
+  bool open = true;
+  for (int i = 0; i < run->count && open; i++)
+    open = run->rows[i].opens_late || rows_open(&run->rows[i]);
+  return open;
+}
+
+enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
+{
+  const struct style *style = &run->rows->request->style;
+  struct at *at = at_new(run->rows->sheet.asked);
+  enum exit_code code = at ? EXIT_FILE : EXIT_UNSOLVED;
+  if (at && open_tables(run)) {
+    visit_points(run, at, file);
+    const char *error = file ? tsv_error(&file->tsv) : NULL;
+    code = error ? complain(style->command, "%s", error), EXIT_FILE : EXIT_DONE;
+    for (int i = 0; i < run->count; i++)
+      code = run->rows[i].cannot_open || (run->rows[i].is_open && !table_flush(&run->rows[i].table)) ? EXIT_FILE : code;
+  }
+  at_free(at);
+  return code;
+}
+
+bool rows_close(struct rows_run *run, bool keep)
+{
+  bool whole = true;
+  for (struct rows *r = run->rows; r < run->rows + run->count; r++)
+    if (r->is_open && !keep && !table_failed(&r->table))
+      table_abandon(&r->table);
+    else if (r->is_open)
+      whole &= table_close(&r->table);
+  return whole;
+}
+
+static enum exit_code finish(struct rows_run *run, enum exit_code code)
+{
+  const struct request *request = run->rows->request;
+  const char *command = request->style.command;
+  bool incomplete = run->rows->opens_late && run->unsolved > 0;
+  if (!rows_close(run, code == EXIT_DONE && !incomplete))
+    return EXIT_FILE;
+  if (code != EXIT_DONE || run->unsolved == 0)
+    return code != EXIT_DONE ? code : run->rows->failed_checks > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
+  if (has_many_points(request))
+    complain(command, "%ld of %ld points could not be solved: the column 'status' says why", run->unsolved,
+             run->points);
+  else
+    complain(command, "this point could not be solved: %s", run->why);
+  return EXIT_UNSOLVED;
+}
+
+static enum exit_code make(struct rows *r, struct point_file *file)
+{
+  struct rows_run run = { .count = 1, .rows = r };
+  struct quantities *all = &r->sheet.asked->quantities;
+  all->carries = file ? file->carries : 0;
+  all->carried = file ? file->carried : NULL;
+  const char *wrong = rows_columns(r);
+  if (!wrong)
+    return finish(&run, rows_visit(&run, file));
+  complain(r->request->style.command, "--columns: %s", wrong);
+  return EXIT_USAGE;
+}
+
+enum exit_code rows_table(struct rows *r)
+{
+  const struct request *request = r->request;
+  struct point_file *file = request->points ? calloc(1, sizeof *file) : NULL;
+  if (!request->points)
+    return make(r, NULL);
+  if (!file)
+    return complain(request->style.command, "out of memory"), EXIT_UNSOLVED;
+  file->v0_may_be_nan = r->sheet.asked->from_steady;
+  enum exit_code code = point_file_open(file, request->points, request->style.command, request->style.quiet, r->extra,
+                                        (const char *const *)r->own);
+  code = code == EXIT_DONE ? make(r, file) : code;
+  point_file_close(file);
+  free(file);
+  return code;
+}
