@@ -176,12 +176,6 @@ static enum motion_of_point motion_of_quantity(const struct at *s, const struct 
   return motion_from(s, q->phase >= 0 ? (enum scallop_phase_kind)q->phase : s->place.point.phase, q->from_rest);
 }
 
-/* Of a motion, the steady state's counting as an extension */
-static enum scallop_phase_kind phase_of(enum motion_of_point m)
-{
-  return m == STEADY_STATE ? SCALLOP_EXTENSION : (enum scallop_phase_kind)((m - FROM_START) % 2);
-}
-
 static const struct answer *solve(struct at *s, enum motion_of_point m);
 
 /* The start velocity of a motion; of the steady state 0, and nan where that has to be known and is not */

@@ -32,6 +32,12 @@ const char *asked_needs_flint(const struct asked *asked);
  * either of these from rest. */
 enum motion_of_point { STEADY_STATE, FROM_START, FROM_REST = FROM_START + 2, POINT_MOTIONS = FROM_REST + 2 };
 
+/* The steady state counts as an extension. */
+static inline enum scallop_phase_kind phase_of(enum motion_of_point m)
+{
+  return m == STEADY_STATE ? SCALLOP_EXTENSION : (enum scallop_phase_kind)((m - FROM_START) % 2);
+}
+
 struct solved { /* one of them, as far as it has been asked for */
   bool in_double, with_errors, in_balls, with_turnings, with_friction;
   struct motion motion;
@@ -91,8 +97,8 @@ double at_formula(struct at *at, const struct formula *formula);
 /* The start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are those of
- * the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
+/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are those
+ * of the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
  * (answers/flint.h), which such quantities take for granted. */
 struct at_flint_functions {
   struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */

@@ -167,8 +167,8 @@ struct quantities {
 /* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for
  * more. */
 int quantity_named(struct quantities *all, const char *name);
-/* The place of a formula of quantities as a quantity, which is called name and is found by it where no quantity has that
- * name; negative: as above, or the formula is wrong. */
+/* The place of a formula of quantities as a quantity, which is called name and is found by it where no quantity has
+ * that name; negative: as above, or the formula is wrong. */
 int quantity_of_text(struct quantities *all, const char *name, const char *formula);
 void quantities_free(struct quantities *all);
 /* Is it the name of a quantity, or what names of quantities begin with, but not that of a formula? */

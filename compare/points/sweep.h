@@ -99,7 +99,7 @@ struct sweep_cursor {
 };
 /* The value of a formula at the point as it is so far */
 typedef double sweep_formula(void *context, const struct formula *formula);
-/* Moves the place, which begins as { 0 }, to index[g] in group g of the product; base: the point where nothing varies. */
+/* Moves the place, which begins as { 0 }, to index[g] in group g of the product; base: where nothing varies. */
 void sweep_move(struct sweep_cursor *cursor, struct sweep_place *place, const struct point *base,
                 const struct sweep_product *product, const long *index, sweep_formula *value, void *context);
 /* Advances index by one point. False: it was the last, and index is that of the first again. */
