@@ -70,15 +70,12 @@ static void discard(struct made *made)
 static void discard_node(void *made) { discard(made); }
 static void free_all(void) { tdestroy(all_made, discard_node); }
 
-static int by_text(const void *a, const void *b)
-{
-  return strcmp(((const struct made *)a)->text, ((const struct made *)b)->text);
-}
+/* Of two made ones, which begin with their texts, or of one and a text */
+static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
 static struct made *find(const char *text)
 {
-  const struct made wanted = { .text = (char *)text };
-  struct made **found = made_count > 0 ? tfind(&wanted, &all_made, by_text) : NULL;
+  struct made **found = made_count > 0 ? tfind(&text, &all_made, by_text) : NULL;
   return found ? *found : NULL;
 }
 

@@ -35,7 +35,7 @@ const char *sweep_wrong(const struct sweep_variable *v, const struct point *poin
 {
   struct point probe = *point;
   double x;
-  if (v->target == TARGET_NUMBER || v->target == TARGET_V0 || v->target == TARGET_GAIT || v->target == TARGET_PHASE)
+  if (v->target <= TARGET_V0)
     return point_set(&probe, v->name, text);
   return v->target == TARGET_LABEL || (read_number(text, &x) && x > 0) ? NULL : no_number(text, "a finite number > 0");
 }

@@ -21,7 +21,7 @@ enum sweep_target {
   TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha */
   TARGET_GAIT,
   TARGET_PHASE,
-  TARGET_V0,
+  TARGET_V0, /* up to here what a point has under that name */
   TARGET_F1_OVER_F2,
   TARGET_M1_OVER_M2,
   TARGET_FROUDE,

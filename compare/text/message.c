@@ -149,7 +149,7 @@ void put_escaped(FILE *to, const char *text, const struct escapes *escapes, enum
 {
   while (*text) {
     size_t plain = 0, size = 1;
-    for (; text[plain] && !strchr(escapes->special, text[plain]) && size > 0; plain += size)
+    for (; text[plain] && !(*escapes->special && strchr(escapes->special, text[plain])) && size > 0; plain += size)
       size = shown_bytes(text + plain, shown);
     fwrite(text, 1, plain, to);
     text += plain;
