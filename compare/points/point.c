@@ -46,7 +46,7 @@ static double *crawler_field(struct scallop_crawler *c, int place)
     offsetof(struct scallop_crawler, F2),   offsetof(struct scallop_crawler, L),  offsetof(struct scallop_crawler, T),
     offsetof(struct scallop_crawler, alpha)
   };
-  return (double *)((char *)c + fields[place]);
+  return (void *)((char *)c + fields[place]);
 }
 
 double crawler_number(const struct scallop_crawler *c, int place)
