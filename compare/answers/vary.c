@@ -176,21 +176,21 @@ static const char *list_of_text(struct request *r, struct sweep_variable *v, cha
 /* FROM:TO:COUNT or FROM:TO:COUNT:SPACING */
 static const char *range_of_text(struct request *r, struct sweep_variable *v, char *text)
 {
-  enum { FROM, TO, COUNT, SPACING, PARTS };
-  char *part[PARTS + 1] = { text };
-  int parts = 1;
+  enum { MOST = 4 };
+  char *colon[MOST] = { NULL };
+  int colons = 0;
   long count;
-  for (char *colon = strchr(text, ':'); colon && parts <= PARTS; colon = strchr(colon + 1, ':'))
-    part[parts++] = colon + 1;
-  const char *spacing = parts > SPACING ? part[SPACING] : "linear";
+  for (char *c = strchr(text, ':'); c && colons < MOST; c = strchr(c + 1, ':'))
+    colon[colons++] = c;
+  const char *spacing = colons == 3 ? colon[2] + 1 : "linear";
   bool is_log = strcmp(spacing, "log") == 0;
-  bool fits = (parts == SPACING || parts == PARTS) && (is_log || strcmp(spacing, "linear") == 0);
-  for (int i = 1; i < parts; i++)
-    part[i][-1] = '\0';
-  if (fits && read_count(part[COUNT], strcmp(part[FROM], part[TO]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
-    return vary_range(r, *v, part[FROM], part[TO], count, is_log);
-  for (int i = 1; i < parts; i++)
-    part[i][-1] = ':';
+  bool fits = (colons == 2 || colons == 3) && (is_log || strcmp(spacing, "linear") == 0);
+  for (int i = 0; i < colons; i++)
+    *colon[i] = '\0';
+  if (fits && read_count(colon[1] + 1, strcmp(text, colon[0] + 1) == 0 ? 1 : 2, SWEEP_RANGE, &count))
+    return vary_range(r, *v, text, colon[0] + 1, count, is_log);
+  for (int i = 0; i < colons; i++)
+    *colon[i] = ':';
   return wrong_text(
       "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
       "or 1 where FROM = TO; both ends belong to it",
