@@ -1,8 +1,8 @@
-#include "compare/answers/asked.h"
-
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "compare/answers/asked.h"
 
 struct asked *asked_nothing(const char *command)
 {
@@ -23,16 +23,14 @@ void asked_free(struct asked *asked)
   free(asked);
 }
 
-/* A change of velocity in doubles is a small difference of large numbers,
- * and has not the digits that errors are told to. */
+/* A change of velocity in doubles is a small difference of large numbers, and has not the digits that errors are told
+ * to. */
 bool asked_certifies_errors(const struct asked *asked)
 {
-  const struct quantities *all = &asked->quantities;
   bool certifies = false, has = false;
-  for (int i = 0; i < all->count; i++) {
-    const struct scallop_formula *f = all->item[i].of >= 0 ? all->item[all->item[i].of].formula : NULL;
-    has = has || all->item[i].of >= 0;
-    certifies = certifies || (f && f->quantity == SCALLOP_VELOCITY_CHANGE && asked->accuracy > 0);
+  for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++) {
+    has |= q->is_compared;
+    certifies |= q->is_compared && q->formula && q->formula->quantity == SCALLOP_VELOCITY_CHANGE && asked->accuracy > 0;
   }
   return certifies || (has && asked->certified_errors);
 }
@@ -40,11 +38,9 @@ bool asked_certifies_errors(const struct asked *asked)
 const char *asked_needs_flint(const struct asked *asked)
 {
   bool certifies = asked_certifies_errors(asked);
-  for (int i = 0; i < asked->quantities.count; i++) {
-    const struct quantity *q = &asked->quantities.item[i];
+  for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++)
     if (q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT
-        || q->kind == QUANTITY_STUDIED || (certifies && q->of >= 0))
+        || q->kind == QUANTITY_STUDIED || q->kind == QUANTITY_STUDIED_TEXT || (certifies && q->of >= 0))
       return q->name;
-  }
   return NULL;
 }

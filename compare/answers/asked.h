@@ -1,5 +1,4 @@
-/* What tables ask of their points: quantities by name (quantities.h), known before the first point, so that what nobody
- * asks for is not computed, and what several tables ask for is computed once. */
+/* What tables ask of points: quantities, and how well they have to be known. */
 #ifndef SCALLOP_COMPARE_ANSWERS_ASKED_H
 #define SCALLOP_COMPARE_ANSWERS_ASKED_H
 
@@ -22,9 +21,9 @@ struct asked {
 /* With no quantities yet; NULL: no memory. */
 struct asked *asked_nothing(const char *command);
 void asked_free(struct asked *asked);
-/* Are errors those against certified values? */
-bool asked_certifies_errors(const struct asked *asked);
 /* What needs FLINT: the name of the first of these quantities, or NULL. */
 const char *asked_needs_flint(const struct asked *asked);
+/* Are errors those against certified values? */
+bool asked_certifies_errors(const struct asked *asked);
 
 #endif

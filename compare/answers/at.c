@@ -14,25 +14,33 @@
 const struct at_flint_functions *at_flint;
 const struct at_study_functions *at_study;
 
-bool at_init(struct at *s, const struct asked *asked)
+struct at *at_new(const struct asked *asked)
 {
   const char *needs_flint = asked_needs_flint(asked);
-  memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
-  s->asked = asked;
-  s->onset = 1;
-  s->certified_errors = asked_certifies_errors(asked);
   if (needs_flint && !flint_for(asked->command, needs_flint))
-    return false;
-  s->flint = needs_flint ? at_flint->create(asked) : NULL;
-  return !needs_flint || s->flint || complain(asked->command, "out of memory");
+    return NULL;
+  struct at *s = malloc(sizeof *s);
+  if (s) {
+    memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
+    s->asked = asked;
+    s->onset = 1;
+    s->certified_errors = asked_certifies_errors(asked);
+    s->flint = needs_flint ? at_flint->create(asked) : NULL;
+  }
+  if (s && (s->flint || !needs_flint))
+    return s;
+  at_free(s);
+  complain(asked->command, "out of memory");
+  return NULL;
 }
 
-void at_clear(struct at *s)
+void at_free(struct at *s)
 {
-  if (s->flint)
+  if (s && s->flint)
     at_flint->free(s->flint);
-  if (s->study)
+  if (s && s->study)
     at_study->free(s->study);
+  free(s);
 }
 
 double at_fail(struct at *s, const char *why)
@@ -104,13 +112,6 @@ void at_place(struct at *s, struct sweep_cursor *cursor, const struct point *bas
   sweep_move(cursor, &s->place, base, product, index, formula_so_far, s);
 }
 
-void at_sweep(struct at *s, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
-              const long *index)
-{
-  at_place(s, cursor, base, product, index);
-  at_move(s);
-}
-
 void at_begin_row(struct at *s)
 {
   s->tells_steady = false;
@@ -118,6 +119,7 @@ void at_begin_row(struct at *s)
     s->why[0] = '\0';
 }
 
+/* The phase of a kind from the start of the point, or from rest */
 static enum motion_of_point motion_from(const struct at *s, enum scallop_phase_kind phase, bool from_rest)
 {
   const struct point *p = &s->place.point;
@@ -128,17 +130,9 @@ static enum motion_of_point motion_from(const struct at *s, enum scallop_phase_k
 /* The motion that a quantity is of: a formula of a phase from rest is of that, wherever the point's phase begins. */
 static enum motion_of_point motion_of_quantity(const struct at *s, const struct quantity *q)
 {
-  const struct quantity *series = q->of >= 0 ? &s->asked->quantities.item[q->of] : q;
-  bool from_rest = series->kind == QUANTITY_PUBLISHED && series->formula->setting == SCALLOP_AT_REST_START;
-  return !quantity_is_of_phase(&s->asked->quantities, series)
-             ? STEADY_STATE
-             : motion_from(s, series->phase >= 0 ? (enum scallop_phase_kind)series->phase : s->place.point.phase,
-                           from_rest);
-}
-
-static enum scallop_phase_kind phase_of(enum motion_of_point m)
-{
-  return (enum scallop_phase_kind)((m - FROM_START) % 2);
+  if (q->motion == OF_STEADY)
+    return STEADY_STATE;
+  return motion_from(s, q->phase >= 0 ? (enum scallop_phase_kind)q->phase : s->place.point.phase, q->from_rest);
 }
 
 static const struct answer *solve(struct at *s, enum motion_of_point m);
@@ -158,12 +152,11 @@ static double start_of(struct at *s, enum motion_of_point m)
 static const struct answer *solve(struct at *s, enum motion_of_point m)
 {
   struct solved *a = &s->solved[m];
-  double v0 = start_of(s, m);
+  double v0 = a->in_double ? a->motion.v0 : start_of(s, m);
   if (isnan(v0))
     return NULL;
   if (is_first(&a->in_double, m == STEADY_STATE ? COUNT_STEADY : COUNT_PHASES)) {
-    a->motion = m == STEADY_STATE ? (struct motion){ .of = OF_STEADY, .crawler = s->place.point.crawler }
-                                  : (struct motion){ OF_PHASE, s->place.point.crawler, phase_of(m), v0 };
+    a->motion = (struct motion){ m == STEADY_STATE ? OF_STEADY : OF_PHASE, s->place.point.crawler, phase_of(m), v0 };
     if (answer_in_double(&a->answer, &a->motion))
       count_work(&a->answer.work);
   }
@@ -238,8 +231,7 @@ static double published(struct at *s, const struct quantity *q)
   const struct scallop_formula *f = q->formula;
   const struct scallop_crawler *c = &s->place.point.crawler;
   enum motion_of_point m = motion_of_quantity(s, q);
-  const struct motion motion = m == STEADY_STATE ? (struct motion){ .of = OF_STEADY, .crawler = *c, .v0 = NAN }
-                                                 : (struct motion){ OF_PHASE, *c, phase_of(m), start_of(s, m) };
+  const struct motion motion = { q->motion, *c, phase_of(m), start_of(s, m) };
   const struct answer *given = NULL;
   if (formula_takes_given(f)) {
     given = solve_for(s, m, formula_takes(f, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT);
@@ -258,9 +250,7 @@ static void compare(struct at *s, struct series_error *c, const struct quantity 
 {
   bool is_published = series->kind == QUANTITY_PUBLISHED;
   enum motion_of_point m = motion_of_quantity(s, series);
-  int quantity = !is_published       ? series->which
-                 : m == STEADY_STATE ? (int)quantity_of_formula(series->formula, SCALLOP_EXTENSION)
-                                     : (int)quantity_of_formula(series->formula, phase_of(m));
+  int quantity = is_published ? (int)quantity_of_formula(series->formula, phase_of(m)) : series->which;
   *c = (struct series_error){ .error = NAN, .value = NAN, .exact = NAN };
   if (!s->certified_errors) {
     const struct answer *a = solve_for(s, m, quantity);
@@ -290,8 +280,8 @@ static const struct series_error *compared(struct at *s, int place)
 static double froude(struct at *s)
 {
   struct scallop_scaled scaled;
-  if (!isnan(s->place.froude))
-    return s->place.froude;
+  if (!isnan(s->place.ratio[FROUDE]))
+    return s->place.ratio[FROUDE];
   return check(s, scallop_scale(&s->place.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
@@ -301,36 +291,44 @@ static bool is_studied(struct at *s)
   return !s->is_outside && (s->study || !isnan(at_fail(s, "out of memory")));
 }
 
-static double compute(struct at *s, const struct quantity *q)
+static double ratio(const struct at *s, enum sweep_ratio which)
 {
   const struct scallop_crawler *c = &s->place.point.crawler;
-  static const struct series_error none;
+  return !isnan(s->place.ratio[which]) ? s->place.ratio[which] : which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
+}
+
+/* Can it be told although the parameters are no point? */
+static bool is_known_outside(const struct at *s, const struct quantity *q)
+{
+  return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_V0
+         || (q->kind == QUANTITY_RATIO && !isnan(s->place.ratio[q->which]));
+}
+
+static double compute(struct at *s, const struct quantity *q)
+{
+  enum motion_of_point m = motion_of_quantity(s, q);
   const struct answer *a;
-  double numbers[CRAWLER_NUMBERS];
-  bool is_set = (q->kind == QUANTITY_F1_OVER_F2 && !isnan(s->place.F1_over_F2))
-                || (q->kind == QUANTITY_M1_OVER_M2 && !isnan(s->place.m1_over_m2));
-  if (s->place.is_unread || (s->is_outside && q->kind != QUANTITY_NUMBER && q->kind != QUANTITY_V0 && !is_set))
+  if (s->place.is_unread || (s->is_outside && !is_known_outside(s, q)))
     return NAN; /* the point has no such thing */
-  if (s->certified_errors && quantity_is_series(q) && quantity_is_compared(&s->asked->quantities, q))
+  if (s->certified_errors && q->is_compared)
     return compared(s, (int)(q - s->asked->quantities.item))->value; /* rounded from the one that the error is of */
-  const struct series_error *series = q->of >= 0 ? compared(s, q->of) : &none;
+  const struct series_error *series = q->of >= 0 ? compared(s, q->of) : NULL;
   switch (q->kind) {
-  case QUANTITY_NUMBER: crawler_numbers(c, numbers); return numbers[q->which];
+  case QUANTITY_NUMBER: return crawler_number(&s->place.point.crawler, q->which);
   case QUANTITY_V0: return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
   case QUANTITY_FROUDE: return froude(s);
-  case QUANTITY_F1_OVER_F2: return isnan(s->place.F1_over_F2) ? c->F1 / c->F2 : s->place.F1_over_F2;
-  case QUANTITY_M1_OVER_M2: return isnan(s->place.m1_over_m2) ? c->m1 / c->m2 : s->place.m1_over_m2;
+  case QUANTITY_RATIO: return ratio(s, (enum sweep_ratio)q->which);
   case QUANTITY_ONSET: return onset_of_sticking(s);
-  case QUANTITY_ANSWER: a = solve_for(s, motion_of_quantity(s, q), q->which); return a ? a->value[q->which].high : NAN;
+  case QUANTITY_ANSWER: a = solve_for(s, m, q->which); return a ? a->value[q->which].high : NAN;
   case QUANTITY_ESTIMATE: return estimate(s, q);
   case QUANTITY_PUBLISHED: return published(s, q);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return expand(s, motion_of_quantity(s, q)) ? at_flint->sum(s, q, motion_of_quantity(s, q)) : NAN;
+  case QUANTITY_LIMIT: return expand(s, m) ? at_flint->sum(s, q, m) : NAN;
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
+  case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
   case QUANTITY_STUDIED: return is_studied(s) ? at_study->number(s, q) : NAN;
   case QUANTITY_FORMULA: return at_formula(s, q->own);
-  case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
   default: return NAN; /* texts, and what only a trajectory has */
   }
 }
@@ -340,19 +338,19 @@ static const struct quantity *ask(struct at *s, int quantity)
 {
   const struct quantity *q = &s->asked->quantities.item[quantity];
   bool answered = q->kind == QUANTITY_ANSWER || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
-  s->tells_steady |= (answered || q->of >= 0) && motion_of_quantity(s, q) == STEADY_STATE;
+  s->tells_steady |= (answered || q->of >= 0) && q->motion == OF_STEADY;
   return q;
 }
 
 double at_number(struct at *s, int quantity)
 {
   const struct quantity *q = ask(s, quantity);
-  if (!s->has[quantity]) {
-    long before = s->failures;
-    s->value[quantity] = quantity_is_text(q) ? text_number(at_text(s, quantity, 0)) : compute(s, q);
-    s->has[quantity] = s->failures == before; /* a failure is told in each row; solutions are kept */
-  }
-  return s->value[quantity];
+  if (s->has[quantity])
+    return s->value[quantity];
+  long before = s->failures;
+  double x = quantity_is_text(q) ? text_number(at_text(s, quantity, 0)) : compute(s, q);
+  s->has[quantity] = s->failures == before; /* a failure is told in each row; solutions are kept */
+  return s->value[quantity] = x;
 }
 
 static const char *status_text(struct at *s)
@@ -379,7 +377,7 @@ static const char *how(struct at *s, const struct quantity *q)
     a = NULL;
   return !a                           ? "-"
          : q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime)
-                                      : motion_modes_text(s->text, (enum quantity_of)q->which, a->modes);
+                                      : motion_modes_text(s->text, q->motion, a->modes);
 }
 
 /* In double, whatever else is certified; "-" is no failure */
@@ -410,7 +408,7 @@ const char *at_text(struct at *s, int quantity, long digits)
   case QUANTITY_REGIME:
   case QUANTITY_MODES: return how(s, q);
   case QUANTITY_WORDS: return in_words(s, m);
-  case QUANTITY_STUDIED: return is_studied(s) ? at_study->text(s, q) : "-";
+  case QUANTITY_STUDIED_TEXT: return is_studied(s) ? at_study->text(s, q) : "-";
   case QUANTITY_CERTIFIED:
     return !s->is_outside && certify(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
   default: return status_text(s);

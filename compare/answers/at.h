@@ -1,4 +1,7 @@
-/* A point, and what has been computed of it: each thing when it is first asked for (asked.h), and once. */
+/* A point, and what has been computed of it: each thing when it is first asked for, and once.
+ *
+ * What tables ask of a point are quantities by name (quantities.h), collected in a struct asked before the first point:
+ * so that what nobody asks for is not computed, and what several tables ask for is computed once. */
 #ifndef SCALLOP_COMPARE_ANSWERS_AT_H
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
@@ -9,6 +12,12 @@
 /* The motions of a point: its steady state; an extension or a contraction with the start velocity of the point; and
  * either of these from rest. */
 enum motion_of_point { STEADY_STATE, FROM_START, FROM_REST = FROM_START + 2, POINT_MOTIONS = FROM_REST + 2 };
+
+/* The steady state counts as an extension. */
+static inline enum scallop_phase_kind phase_of(enum motion_of_point m)
+{
+  return m == STEADY_STATE ? SCALLOP_EXTENSION : (enum scallop_phase_kind)((m - FROM_START) % 2);
+}
 
 struct solved { /* one of them, as far as it has been asked for */
   bool in_double, with_errors, in_balls, with_turnings, with_friction;
@@ -46,19 +55,16 @@ struct at {
 /* Notes why something cannot be done, if it is the first. Returns nan. */
 double at_fail(struct at *at, const char *why);
 
-/* asked outlives it. False: the message is on stderr. */
-bool at_init(struct at *at, const struct asked *asked);
-void at_clear(struct at *at);
+/* asked outlives it. NULL: the message is on stderr. */
+struct at *at_new(const struct asked *asked);
+void at_free(struct at *at); /* or NULL */
 
 /* Goes to the point in at->place. */
 void at_move(struct at *at);
 /* Ends what a thread keeps for this one. */
 void at_end_thread(struct at *at);
-/* Sets at->place to a point of a sweep, and no more, */
+/* Sets at->place to a point of a sweep, and no more. Ends of ranges may be formulas of what is set further out. */
 void at_place(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
-              const long *index);
-/* or goes to it. Ends of ranges may be formulas of what is set further out. */
-void at_sweep(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
               const long *index);
 /* Before each row of another table: what failed for one table is no matter of the next. */
 void at_begin_row(struct at *at);
@@ -72,8 +78,8 @@ double at_formula(struct at *at, const struct formula *formula);
 /* The start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are
- * those of the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
+/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are those
+ * of the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
  * (answers/flint.h), which such quantities take for granted. */
 struct at_flint_functions {
   struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */

@@ -22,17 +22,23 @@ struct kept_series {
   fmpq_t v0;
   struct series_answer answer;
 };
+#define KEPT_PARTS(of) of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(series_answer, &s->answer)
+SCOPED_PARTS(kept_series, struct kept_series, KEPT_PARTS)
 
 struct at_flint {
   struct kept_series kept[KEPT];
   int next; /* the series that makes room for a new one */
   struct scallop_rational_crawler crawler;
-  fmpq_t v0, start,
-      T; /* v0 as it is written; start and T of the motion looked at: the period, or the duration of the phase */
+  fmpq_t v0, start, T; /* v0 as it is written; start and T of the motion looked at, the period or a phase's duration */
   struct ball_answer answer[POINT_MOTIONS];
   char *text;
   long order[2]; /* of series, by enum quantity_of: terms below T^order */
 };
+#define POINT_PARTS(of) \
+  of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(fmpq, s->start) of(fmpq, s->T) of(ball_answer, &s->answer[0]) \
+      of(ball_answer, &s->answer[1]) of(ball_answer, &s->answer[2]) of(ball_answer, &s->answer[3]) \
+          of(ball_answer, &s->answer[4])
+SCOPED_PARTS(at_flint, struct at_flint, POINT_PARTS)
 
 /* The most that is asked for; of the limit so many that they hold the first term, as some begin with T^3 */
 static void find_orders(struct at_flint *f, const struct quantities *all)
@@ -50,37 +56,18 @@ static void find_orders(struct at_flint *f, const struct quantities *all)
 static struct at_flint *flint_new(const struct asked *asked)
 {
   struct at_flint *f = calloc(1, sizeof *f);
-  if (!f)
-    return NULL;
-  scallop_rational_init(&f->crawler);
-  fmpq_init(f->v0);
-  fmpq_init(f->start);
-  fmpq_init(f->T);
-  for (int m = 0; m < POINT_MOTIONS; m++)
-    ball_answer_init(&f->answer[m]);
-  find_orders(f, &asked->quantities);
+  if (f) {
+    at_flint_init(f);
+    find_orders(f, &asked->quantities);
+  }
   return f;
-}
-
-static void clear_series(struct kept_series *k)
-{
-  if (!k->used)
-    return;
-  scallop_rational_clear(&k->crawler);
-  fmpq_clear(k->v0);
-  series_answer_clear(&k->answer);
 }
 
 static void flint_end(struct at_flint *f)
 {
-  for (int i = 0; i < KEPT; i++)
-    clear_series(&f->kept[i]);
-  scallop_rational_clear(&f->crawler);
-  fmpq_clear(f->v0);
-  fmpq_clear(f->start);
-  fmpq_clear(f->T);
-  for (int m = 0; m < POINT_MOTIONS; m++)
-    ball_answer_clear(&f->answer[m]);
+  for (int i = 0; i < KEPT && f->kept[i].used; i++)
+    kept_series_clear(&f->kept[i]);
+  at_flint_clear(f);
   flint_free(f->text);
   free(f);
 }
@@ -89,11 +76,6 @@ static void flint_end(struct at_flint *f)
 static void move(const struct at *s) { rational_point(&s->flint->crawler, s->flint->v0, &s->place.point); }
 
 static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
-
-static enum scallop_phase_kind phase_of(enum motion_of_point m)
-{
-  return m == STEADY_STATE ? SCALLOP_EXTENSION : (enum scallop_phase_kind)((m - FROM_START) % 2);
-}
 
 /* Sets start and T. A start velocity that is a steady one is the double that it is. */
 static void look_at(const struct at *s, enum motion_of_point m)
@@ -145,13 +127,13 @@ static const struct series_answer *series_at(const struct at *s, enum motion_of_
   }
   long order = f->order[kind_of(m)];
   struct kept_series *k = &f->kept[f->next++ % KEPT];
-  clear_series(k);
-  *k = (struct kept_series){ .used = true, .motion = m };
-  scallop_rational_init(&k->crawler);
+  if (k->used)
+    kept_series_clear(k);
+  kept_series_init(k);
+  k->used = true;
+  k->motion = m;
   scallop_rational_copy(&k->crawler, &f->crawler);
-  fmpq_init(k->v0);
   fmpq_set(k->v0, f->start);
-  series_answer_init(&k->answer);
   count_add(COUNT_EXPANSIONS, 1);
   answer_in_series(&k->answer, &k->crawler, kind_of(m), phase_of(m), k->v0, order, bits_of(s, order));
   return &k->answer;

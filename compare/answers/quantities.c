@@ -8,47 +8,92 @@
 #include "compare/points/point.h"
 #include "compare/text/message.h"
 
-const struct quantity_row quantity_rows[NAMED_QUANTITIES] = {
-  [Q_FROUDE] = { "froude", "1", "M L / (T^2 (F1 + F2))", OF_STEADY, false },
-  [Q_V_START] = { "v_start", "length/time", "velocity of both bodies at the start of the extension", OF_STEADY, true },
-  [Q_V_MID] = { "v_mid", "length/time", "velocity of both bodies at the start of the contraction", OF_STEADY, true },
+const struct quantity_row quantity_rows[] = {
+  [Q_FROUDE] = { "froude", "1", "M L / (T^2 (F1 + F2))", .kind = QUANTITY_FROUDE },
+  [Q_V_START] = { "v_start", "length/time", "velocity of both bodies at the start of the extension", OF_STEADY,
+                  .has_series = true },
+  [Q_V_MID] = { "v_mid", "length/time", "velocity of both bodies at the start of the contraction", OF_STEADY,
+                .has_series = true },
   [Q_DISPLACEMENT] = { "displacement", "length", "displacement of the geometric centre over a period", OF_STEADY,
-                       true },
-  [Q_MEAN_VELOCITY] = { "mean_velocity", "length/time", "displacement / T", OF_STEADY, true },
+                       .has_series = true },
+  [Q_MEAN_VELOCITY] = { "mean_velocity", "length/time", "displacement / T", OF_STEADY, .has_series = true },
   [Q_MULTIPLIER] = { "multiplier", "1",
-                     "derivative of the period map: the factor by which a deviation decays in a period", OF_STEADY,
-                     false },
+                     "derivative of the period map: the factor by which a deviation decays in a period",
+                     .of = OF_STEADY },
   [Q_T1] = { "t1", "time", "first change of mode after the start of the phase; nan: the mode does not change", OF_PHASE,
-             true },
+             .has_series = true },
   [Q_DT] = { "dT", "time", "from the last change of mode to the end of the phase; nan: the mode does not change",
-             OF_PHASE, true },
-  [Q_V_END] = { "v_end", "length/time", "velocity of both bodies at the end of the phase", OF_PHASE, true },
-  [Q_DX1] = { "dx1", "length", "displacement of body 1", OF_PHASE, true },
-  [Q_DX2] = { "dx2", "length", "displacement of body 2", OF_PHASE, true },
-  [Q_DXC] = { "dxC", "length", "displacement of the geometric centre (x1 + x2)/2", OF_PHASE, true },
+             OF_PHASE, .has_series = true },
+  [Q_V_END] = { "v_end", "length/time", "velocity of both bodies at the end of the phase", OF_PHASE,
+                .has_series = true },
+  [Q_DX1] = { "dx1", "length", "displacement of body 1", OF_PHASE, .has_series = true },
+  [Q_DX2] = { "dx2", "length", "displacement of body 2", OF_PHASE, .has_series = true },
+  [Q_DXC] = { "dxC", "length", "displacement of the geometric centre (x1 + x2)/2", OF_PHASE, .has_series = true },
   [Q_FRICTION_WORK] = { "friction_work", "force length",
                         "energy that friction takes in a period: F1 and F2 times how far the bodies slide", OF_STEADY,
-                        true },
+                        .has_series = true },
   [Q_COST_OF_TRANSPORT] = { "cost_of_transport", "1",
                             "friction_work / ((F1 + F2) abs(displacement)); nan: the displacement is 0", OF_STEADY,
-                            true },
-};
+                            .has_series = true },
 
-const struct formula_row formula_rows[] = {
-  { "mean_power", "force length/time", "friction_work / T: the power that friction takes", "friction_work/T" },
-  { .name = NULL },
+  { "mean_power", "force length/time", "friction_work / T: the power that friction takes", OF_STEADY,
+    .kind = QUANTITY_FORMULA, .formula = "friction_work/T" },
+
+  { "m1", .kind = QUANTITY_NUMBER, .which = 0 },
+  { "m2", .kind = QUANTITY_NUMBER, .which = 1 },
+  { "F1", .kind = QUANTITY_NUMBER, .which = 2 },
+  { "F2", .kind = QUANTITY_NUMBER, .which = 3 },
+  { "L", .kind = QUANTITY_NUMBER, .which = 4 },
+  { "T", .kind = QUANTITY_NUMBER, .which = 5 },
+  { "alpha", .kind = QUANTITY_NUMBER, .which = 6 },
+  { "v0", .kind = QUANTITY_V0 },
+  { "F1_over_F2", .kind = QUANTITY_RATIO, .which = F1_OVER_F2 },
+  { "m1_over_m2", .kind = QUANTITY_RATIO, .which = M1_OVER_M2 },
+  { "gait", .kind = QUANTITY_GAIT },
+  { "phase", .kind = QUANTITY_PHASE_NAME },
+  { "sticking_onset", NULL, "the longest period at which an extension from rest does not stick",
+    .kind = QUANTITY_ONSET },
+  { "status", NULL, "ok, or why there is no answer", .kind = QUANTITY_STATUS },
+  { "regime", .kind = QUANTITY_REGIME },
+  { "modes", .kind = QUANTITY_MODES },
+  { "motion", NULL, "the modes in words, with their times", .kind = QUANTITY_WORDS },
+  { "phase_regime", .of = OF_PHASE, .kind = QUANTITY_REGIME },
+  { "phase_modes", .of = OF_PHASE, .kind = QUANTITY_MODES },
+  { "phase_motion", .of = OF_PHASE, .kind = QUANTITY_WORDS },
+  { "first_event", NULL, "along T, as `breakdown` has it", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_EVENT },
+  { "first_event_T", .kind = QUANTITY_STUDIED, .which = STUDIED_EVENT_T },
+  { "first_event_froude", .kind = QUANTITY_STUDIED, .which = STUDIED_EVENT_FROUDE },
+  { "reversals", NULL, "likewise", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_REVERSALS },
+  { "best_order", NULL, "the terms below T^best_order have the least error of the displacement at this T",
+    .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ORDER },
+  { "best_error", NULL, "that error", .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ERROR },
+  /* in a trajectory, at a time */
+  { "t", .kind = QUANTITY_SAMPLE, .which = SAMPLE_T },
+  { "x1", .kind = QUANTITY_SAMPLE, .which = SAMPLE_X1 },
+  { "x2", .kind = QUANTITY_SAMPLE, .which = SAMPLE_X2 },
+  { "xC", .kind = QUANTITY_SAMPLE, .which = SAMPLE_XC },
+  { "v1", .kind = QUANTITY_SAMPLE, .which = SAMPLE_V1 },
+  { "v2", .kind = QUANTITY_SAMPLE, .which = SAMPLE_V2 },
+  { "l", .kind = QUANTITY_SAMPLE, .which = SAMPLE_L },
+  { .name = NULL }
 };
-enum { FORMULA_ROWS = sizeof formula_rows / sizeof *formula_rows - 1 };
 
 enum quantity_id quantity_first(enum quantity_of of) { return of == OF_STEADY ? Q_FROUDE : FIRST_OF_PHASE; }
 enum quantity_id quantity_end(enum quantity_of of) { return of == OF_STEADY ? FIRST_OF_PHASE : QUANTITIES; }
 
+/* The row of this name, or the last, which has none. */
+static const struct quantity_row *row_named(const char *name)
+{
+  const struct quantity_row *row = quantity_rows;
+  while (row->name && strcmp(row->name, name) != 0)
+    row++;
+  return row;
+}
+
 enum quantity_id quantity_of_name(const char *name)
 {
-  int q = 0;
-  while (q < NAMED_QUANTITIES && strcmp(quantity_rows[q].name, name) != 0)
-    q++;
-  return (enum quantity_id)q;
+  ptrdiff_t place = row_named(name) - quantity_rows;
+  return place < NAMED_QUANTITIES ? (enum quantity_id)place : NAMED_QUANTITIES;
 }
 
 const struct column_meaning *quantity_meaning(const char *name)
@@ -56,18 +101,12 @@ const struct column_meaning *quantity_meaning(const char *name)
   static const struct column_meaning modes = { "", "directions of bodies 1 and 2: + forward, - backward, 0 stuck", true,
                                                "| ends the extension" };
   static struct column_meaning meaning;
+  const struct quantity_row *row = row_named(name);
   if (strcmp(name, "modes") == 0)
     return &modes;
-  enum quantity_id q = quantity_of_name(name);
-  const struct formula_row *row = formula_rows;
-  while (row->name && strcmp(row->name, name) != 0)
-    row++;
-  const char *unit = q < NAMED_QUANTITIES ? quantity_rows[q].unit : row->unit;
-  if (q == NAMED_QUANTITIES && !row->name)
-    return NULL;
-  meaning = (struct column_meaning){ strcmp(unit, "1") == 0 ? "" : unit,
-                                     q < NAMED_QUANTITIES ? quantity_rows[q].sentence : row->sentence, false, NULL };
-  return &meaning;
+  if (row->unit)
+    meaning = (struct column_meaning){ strcmp(row->unit, "1") == 0 ? "" : row->unit, row->sentence, false, NULL };
+  return row->unit ? &meaning : NULL;
 }
 
 /* What formulas are about, in an extension and in a contraction: the bodies exchange their roles. */
@@ -111,34 +150,6 @@ bool formula_takes_given(const struct scallop_formula *f)
 
 enum { MOST_ORDER = 1000, MOST_NAMES = 160 };
 
-/* Names of one thing each. The crawler's numbers, labels, the rows of the table and formulas have lists of their
- * own. */
-static const struct {
-  const char *name;
-  enum quantity_kind kind;
-  int which;
-} single[] = { { "v0", QUANTITY_V0, 0 },
-               { "froude", QUANTITY_FROUDE, 0 },
-               { "gait", QUANTITY_GAIT, 0 },
-               { "status", QUANTITY_STATUS, 0 },
-               { "sticking_onset", QUANTITY_ONSET, 0 },
-               { "phase", QUANTITY_PHASE_NAME, 0 },
-               { "F1_over_F2", QUANTITY_F1_OVER_F2, 0 },
-               { "m1_over_m2", QUANTITY_M1_OVER_M2, 0 },
-               { "regime", QUANTITY_REGIME, OF_STEADY },
-               { "modes", QUANTITY_MODES, OF_STEADY },
-               { "motion", QUANTITY_WORDS, OF_STEADY },
-               { "phase_motion", QUANTITY_WORDS, OF_PHASE },
-               { "phase_regime", QUANTITY_REGIME, OF_PHASE },
-               { "phase_modes", QUANTITY_MODES, OF_PHASE },
-               { "first_event", QUANTITY_STUDIED, STUDIED_EVENT },
-               { "first_event_T", QUANTITY_STUDIED, STUDIED_EVENT_T },
-               { "first_event_froude", QUANTITY_STUDIED, STUDIED_EVENT_FROUDE },
-               { "reversals", QUANTITY_STUDIED, STUDIED_REVERSALS },
-               { "best_order", QUANTITY_STUDIED, STUDIED_BEST_ORDER },
-               { "best_error", QUANTITY_STUDIED, STUDIED_BEST_ERROR } };
-enum { SINGLE = sizeof single / sizeof *single };
-
 /* What a name begins with, if it is about a row of the table or about a series */
 static const struct {
   const char *text;
@@ -154,39 +165,17 @@ static const struct {
                  { "value.", QUANTITY_STUDIED, STUDIED_VALUE },
                  { "deviation.", QUANTITY_STUDIED, STUDIED_DEVIATION },
                  { "error_limit.", QUANTITY_STUDIED, STUDIED_ERROR_LIMIT },
-                 { "verdict.", QUANTITY_STUDIED, STUDIED_VERDICT },
+                 { "verdict.", QUANTITY_STUDIED_TEXT, STUDIED_VERDICT },
                  { "order.", QUANTITY_STUDIED, STUDIED_ORDER } };
 enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
 
-const char *const quantity_samples[SAMPLE_VALUES + 1] = { "t", "x1", "x2", "xC", "v1", "v2", "l", NULL };
-
-/* The name at place i among all names without a prefix, and what it means; NULL: there are no more. Where two are the
- * same, the first one counts. */
-static const char *name_at(const struct quantities *all, int i, struct quantity *q)
+/* The place of the prefix that the name begins with, or PREFIXES */
+static int prefix_of(const char *name)
 {
-  enum { LISTS = 7 };
-  static const enum quantity_kind kinds[LISTS] = { QUANTITY_NUMBER, QUANTITY_STATUS, QUANTITY_LABEL,  QUANTITY_CARRIED,
-                                                   QUANTITY_SAMPLE, QUANTITY_ANSWER, QUANTITY_FORMULA };
-  const int counts[LISTS] = { CRAWLER_NUMBERS, SINGLE,           all->labels, all->carries,
-                              SAMPLE_VALUES,   NAMED_QUANTITIES, FORMULA_ROWS };
-  int list = 0;
-  for (; list < LISTS && i >= counts[list]; list++)
-    i -= counts[list];
-  q->kind = list < LISTS ? kinds[list] : QUANTITY_PUBLISHED;
-  q->which = i;
-  switch (list) {
-  case 0: return crawler_parameters[i];
-  case 1:
-    q->kind = single[i].kind;
-    q->which = single[i].which;
-    return single[i].name;
-  case 2: return all->label[i];
-  case 3: return all->carried[i];
-  case 4: return quantity_samples[i];
-  case 5: return quantity_rows[i].name;
-  case 6: return formula_rows[i].name;
-  default: q->formula = formula_at(i); return q->formula ? q->formula->name : NULL;
-  }
+  int i = 0;
+  while (i < PREFIXES && strncmp(name, prefixes[i].text, strlen(prefixes[i].text)) != 0)
+    i++;
+  return i;
 }
 
 /* "v_start_error" */
@@ -198,6 +187,7 @@ static bool estimate_named(struct quantity *q, const char *name)
   snprintf(of, sizeof of, "%.*s", is ? (int)length - 6 : 0, name);
   q->kind = QUANTITY_ESTIMATE;
   q->which = (int)quantity_of_name(of);
+  q->motion = is && q->which < QUANTITIES ? quantity_rows[q->which].of : OF_STEADY;
   return is && q->which < QUANTITIES;
 }
 
@@ -205,39 +195,57 @@ static bool estimate_named(struct quantity *q, const char *name)
 static bool published_named(struct quantity *q, const char *name)
 {
   static const char *const phases[] = { [SCALLOP_EXTENSION] = ":extension", [SCALLOP_CONTRACTION] = ":contraction" };
-  char formula[QUANTITY_NAME];
+  char text[QUANTITY_NAME];
   const char *colon = strrchr(name, ':');
-  q->kind = QUANTITY_PUBLISHED;
   for (int i = 0; colon && i < 2 && q->phase < 0; i++)
     q->phase = strcmp(colon, phases[i]) == 0 ? i : -1;
-  snprintf(formula, sizeof formula, "%.*s", q->phase < 0 ? (int)strlen(name) : (int)(colon - name), name);
-  q->formula = formula_named(formula);
-  if (q->formula && q->phase >= 0 && q->formula->setting != SCALLOP_AT_REST_START)
-    q->formula = NULL;
-  if (q->formula && q->formula->setting == SCALLOP_MOVING_EXTENSION)
-    q->phase = SCALLOP_EXTENSION;
-  if (q->formula && q->formula->setting == SCALLOP_MOVING_CONTRACTION)
-    q->phase = SCALLOP_CONTRACTION;
-  return q->formula != NULL;
+  snprintf(text, sizeof text, "%.*s", q->phase < 0 ? (int)strlen(name) : (int)(colon - name), name);
+  const struct scallop_formula *f = formula_named(text);
+  if (!f || (q->phase >= 0 && f->setting != SCALLOP_AT_REST_START))
+    return false;
+  if (f->setting == SCALLOP_MOVING_EXTENSION || f->setting == SCALLOP_MOVING_CONTRACTION)
+    q->phase = f->setting == SCALLOP_MOVING_EXTENSION ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+  q->kind = QUANTITY_PUBLISHED;
+  q->formula = f;
+  q->motion = f->setting == SCALLOP_STEADY ? OF_STEADY : OF_PHASE;
+  q->from_rest = f->setting == SCALLOP_AT_REST_START;
+  return true;
 }
 
+/* The place of the name in a list, or count */
+static int place_among(const char *const *names, int count, const char *name)
+{
+  int i = 0;
+  while (i < count && strcmp(names[i], name) != 0)
+    i++;
+  return i;
+}
+
+/* A column of a file takes the place of a number of a motion, and not that of a parameter. */
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
 {
-  const char *other;
-  for (int i = 0; (other = name_at(all, i, q)) && q->kind != QUANTITY_PUBLISHED; i++)
-    if (strcmp(other, name) == 0)
-      return true;
-  return published_named(q, name) || estimate_named(q, name);
+  const struct quantity_row *row = row_named(name);
+  int label = place_among(all->label, all->labels, name), carried = place_among(all->carried, all->carries, name);
+  bool gives_way = !row->name || row->kind == QUANTITY_ANSWER || row->kind == QUANTITY_SAMPLE || row->formula;
+  q->kind = row->kind;
+  q->which = row->kind == QUANTITY_ANSWER ? (int)(row - quantity_rows) : row->which;
+  q->motion = row->of;
+  if (gives_way && label < all->labels) {
+    q->kind = QUANTITY_LABEL;
+    q->which = label;
+  } else if (gives_way && carried < all->carries) {
+    q->kind = QUANTITY_CARRIED;
+    q->which = carried;
+  } else if (!row->name)
+    return published_named(q, name) || estimate_named(q, name);
+  return true;
 }
 
 bool quantity_is_other(const char *name)
 {
   static const struct quantities none = { .count = 0 };
   struct quantity q = { .phase = -1 };
-  for (int i = 0; i < PREFIXES; i++)
-    if (strncmp(name, prefixes[i].text, strlen(prefixes[i].text)) == 0)
-      return true;
-  return plain_named(&q, &none, name) && q.kind != QUANTITY_PUBLISHED;
+  return prefix_of(name) < PREFIXES || (plain_named(&q, &none, name) && q.kind != QUANTITY_PUBLISHED);
 }
 
 /* Past the N. of derived_N., or NULL */
@@ -268,33 +276,40 @@ static int studied_about(struct quantity *q, struct quantities *all, const char 
   q->series = quantity_named(all, rest);
   const struct quantity *series = q->series >= 0 ? &all->item[q->series] : NULL;
   bool of_formula = q->which == STUDIED_VERDICT || q->which == STUDIED_ORDER;
-  bool fits = series && quantity_is_series(series) && !quantity_is_of_phase(all, series)
+  bool fits = series && quantity_is_series(series) && series->motion == OF_STEADY
               && (!of_formula || series->kind == QUANTITY_PUBLISHED);
   return q->series < -1 ? q->series : fits ? 0 : -1;
+}
+
+/* What a series should be, and how far it is off */
+static int compared_with(struct quantity *q, struct quantities *all, const char *rest)
+{
+  int place = quantity_named(all, rest);
+  if (place < 0 || !quantity_is_series(&all->item[place]))
+    return place < 0 ? place : -1;
+  const struct quantity *series = &all->item[place];
+  q->of = place;
+  q->motion = series->motion;
+  q->phase = series->phase;
+  q->from_rest = series->from_rest;
+  return 0;
 }
 
 /* The quantity of this kind about the one with the rest of the name. Returns 0, or what quantity_named returns where
  * there is none. */
 static int named_about(struct quantity *q, struct quantities *all, const char *rest)
 {
-  if (q->kind == QUANTITY_EXACT || q->kind == QUANTITY_ERROR || q->kind == QUANTITY_RELATIVE) {
-    q->of = quantity_named(all, rest);
-    return q->of < 0 ? q->of : quantity_is_series(&all->item[q->of]) ? 0 : -1;
-  }
-  if (q->kind == QUANTITY_STUDIED)
+  if (q->kind == QUANTITY_EXACT || q->kind == QUANTITY_ERROR || q->kind == QUANTITY_RELATIVE)
+    return compared_with(q, all, rest);
+  if (q->kind == QUANTITY_STUDIED || q->kind == QUANTITY_STUDIED_TEXT)
     return studied_about(q, all, rest);
   if (q->kind == QUANTITY_DERIVED && !(rest = read_order(q, rest)))
     return -1;
   q->which = (int)quantity_of_name(rest);
-  return q->which < NAMED_QUANTITIES && (q->kind == QUANTITY_CERTIFIED || quantity_rows[q->which].has_series) ? 0 : -1;
-}
-
-static bool name_among_carried(const struct quantities *all, const char *name)
-{
-  int i = 0;
-  while (i < all->carries && strcmp(all->carried[i], name) != 0)
-    i++;
-  return i < all->carries;
+  if (q->which == NAMED_QUANTITIES || (q->kind != QUANTITY_CERTIFIED && !quantity_rows[q->which].has_series))
+    return -1;
+  q->motion = quantity_rows[q->which].of;
+  return 0;
 }
 
 static int place_of(void *quantities, const char *name) { return quantity_named(quantities, name); }
@@ -325,80 +340,45 @@ void quantities_free(struct quantities *all)
 
 int quantity_named(struct quantities *all, const char *name)
 {
-  for (const struct formula_row *row = formula_rows; row->name; row++)
-    if (strcmp(row->name, name) == 0)
-      return quantity_of_text(all, row->name, row->formula);
-
   struct quantity q = { .of = -1, .phase = -1, .series = -1 };
-  int found = -1;
+  int prefix = prefix_of(name), found = 0;
   for (int i = 0; i < all->count; i++)
     if (strcmp(all->item[i].name, name) == 0)
       return i;
   if (strlen(name) >= QUANTITY_NAME)
     return -1;
   snprintf(q.name, sizeof q.name, "%s", name);
-  bool is_carried = name_among_carried(all, name);
-  for (int i = 0; i < PREFIXES && found < 0 && !is_carried; i++) {
-    size_t length = strlen(prefixes[i].text);
-    q.kind = prefixes[i].kind;
-    q.which = prefixes[i].which;
-    if (strncmp(name, prefixes[i].text, length) == 0 && (found = named_about(&q, all, name + length)) < 0)
-      return found;
-  }
-  if (found < 0 && !plain_named(&q, all, name))
-    return -1;
+  if (prefix < PREFIXES && place_among(all->carried, all->carries, name) == all->carries) {
+    q.kind = prefixes[prefix].kind;
+    q.which = prefixes[prefix].which;
+    found = named_about(&q, all, name + strlen(prefixes[prefix].text));
+  } else
+    found = plain_named(&q, all, name) ? 0 : -1;
+  if (found < 0)
+    return found;
+  if (q.kind == QUANTITY_FORMULA)
+    return quantity_of_text(all, name, row_named(name)->formula);
   if (all->count == MOST_QUANTITIES)
     return -2;
+  if (q.of >= 0)
+    all->item[q.of].is_compared = true;
   all->item[all->count] = q;
   return all->count++;
 }
 
 const char *quantity_near(const struct quantities *all, const char *name)
 {
-  const char *names[MOST_NAMES], *dot = strrchr(name, '.');
-  struct quantity q;
+  const char *names[MOST_NAMES + 1], *dot = strrchr(name, '.');
+  const struct scallop_formula *f;
   int n = 0;
-  while (n < MOST_NAMES - 1 && (names[n] = name_at(all, n, &q)))
-    n++;
+  for (const struct quantity_row *row = quantity_rows; row->name; row++)
+    names[n++] = row->name;
+  for (int i = 0; i < all->labels; i++)
+    names[n++] = all->label[i];
+  for (int i = 0; i < all->carries && n < MOST_NAMES; i++)
+    names[n++] = all->carried[i];
+  for (int i = 0; n < MOST_NAMES && (f = formula_at(i)); i++)
+    names[n++] = f->name;
   names[n] = NULL;
   return nearest(dot ? dot + 1 : name, names); /* the last part is mistyped most often */
-}
-
-bool quantity_is_text(const struct quantity *q)
-{
-  return q->kind == QUANTITY_GAIT || q->kind == QUANTITY_LABEL || q->kind == QUANTITY_CERTIFIED
-         || q->kind == QUANTITY_STATUS || q->kind == QUANTITY_PHASE_NAME || q->kind == QUANTITY_REGIME
-         || q->kind == QUANTITY_MODES || q->kind == QUANTITY_WORDS || q->kind == QUANTITY_CARRIED
-         || (q->kind == QUANTITY_STUDIED && q->which >= STUDIED_TEXTS);
-}
-
-bool quantity_is_series(const struct quantity *q)
-{
-  return q->kind == QUANTITY_PUBLISHED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT;
-}
-
-bool quantity_is_compared(const struct quantities *all, const struct quantity *series)
-{
-  for (int i = 0; i < all->count; i++)
-    if (all->item[i].of >= 0 && &all->item[all->item[i].of] == series)
-      return true;
-  return false;
-}
-
-bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q)
-{
-  if (q->of >= 0)
-    return quantity_is_of_phase(all, &all->item[q->of]);
-  switch (q->kind) {
-  case QUANTITY_REGIME:
-  case QUANTITY_WORDS:
-  case QUANTITY_MODES: return q->which == OF_PHASE;
-  case QUANTITY_PUBLISHED: return q->formula->setting != SCALLOP_STEADY;
-  case QUANTITY_ANSWER:
-  case QUANTITY_ESTIMATE:
-  case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT:
-  case QUANTITY_CERTIFIED: return quantity_rows[q->which].of == OF_PHASE;
-  default: return false;
-  }
 }

@@ -1,13 +1,9 @@
 /* Quantities: what can be asked of a point, by name, and in which words and units.
  *
- * The numbers of a motion stand in one table, quantity_rows. A new one is a row there and its value in each of the
- * arithmetics that have it (answer.c, answer_flint.c). Columns, formulas and scenes have names for more than these:
+ * All plain names stand in one table, quantity_rows. A new number of a motion is a row there and its value in each of
+ * the arithmetics that have it (answer.c, answer_flint.c); a formula of others is a row there, and no more. Beside
+ * these there are the labels of a sweep, the columns of a file of points, and
  *
- *     m1 m2 F1 F2 L T alpha v0 froude F1_over_F2 m1_over_m2 gait phase        the point; labels
- *     sticking_onset                              the longest period at which an extension from rest does not stick
- *     v_start v_mid displacement mean_velocity multiplier regime modes        of the steady state
- *     friction_work cost_of_transport                                         likewise
- *     t1 dT v_end dx1 dx2 dxC phase_regime phase_modes                        of the scene's phase from its start
  *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it; of a phase from rest
  *     rest_dT:contraction                         that of the contraction, whatever the point's phase is
  *     derived_8.displacement, derived_8.dxC, ...  the sum of the derived terms below T^8
@@ -18,12 +14,7 @@
  *     value.S        S at this T, from balls; nan where it has none
  *     deviation.S    S/exact - 1 at this T, by binary128; error_limit.S: what its size tends to as T -> 0, if not to 0
  *     verdict.S order.S   of a formula S: is the order that is claimed of its error right, and the one that is proven
- *     first_event first_event_T first_event_froude reversals    along T, as `breakdown` has them
- *     best_order best_error   the terms below T^best_order have the least error of the displacement at this T
  *     v_start_error, ...                          what the double is off by, estimated in wider arithmetic
- *     motion phase_motion                         the modes in words, with their times
- *     t x1 x2 xC v1 v2 l                          in a trajectory, at a time
- *     status                                      ok, or why there is no answer
  */
 #ifndef SCALLOP_COMPARE_ANSWERS_QUANTITIES_H
 #define SCALLOP_COMPARE_ANSWERS_QUANTITIES_H
@@ -66,20 +57,68 @@ enum quantity_id {
   ALL_QUANTITIES
 };
 
+enum quantity_kind {
+  /* numbers */
+  QUANTITY_ANSWER, /* which: enum quantity_id                                                     */
+  QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                */
+  QUANTITY_V0,
+  QUANTITY_FROUDE,
+  QUANTITY_RATIO, /* which: enum sweep_ratio, but for the Froude number                         */
+  QUANTITY_ONSET,
+  QUANTITY_ESTIMATE, /* which: the quantity whose error is estimated                                */
+  QUANTITY_SAMPLE,   /* which: enum sample_value                                                    */
+  QUANTITY_STUDIED,  /* which: enum studied                                                         */
+  QUANTITY_FORMULA,  /* own: of other quantities                                                    */
+  QUANTITY_EXACT,    /* of: the series                                                              */
+  QUANTITY_ERROR,
+  QUANTITY_RELATIVE,
+  /* series */
+  QUANTITY_PUBLISHED,
+  QUANTITY_DERIVED, /* which: as QUANTITY_ANSWER                                                   */
+  QUANTITY_LIMIT,   /* likewise                                                                    */
+  /* texts */
+  QUANTITY_GAIT,
+  QUANTITY_PHASE_NAME,
+  QUANTITY_LABEL,   /* which                                                                       */
+  QUANTITY_CARRIED, /* which: a cell of a file of points                                           */
+  QUANTITY_REGIME,
+  QUANTITY_MODES,
+  QUANTITY_WORDS, /* the modes with their times                                                  */
+  QUANTITY_STATUS,
+  QUANTITY_CERTIFIED,   /* which: as QUANTITY_ANSWER                                                   */
+  QUANTITY_STUDIED_TEXT /* which: enum studied                                                         */
+};
+
+/* What takes a study of the crawler along T (compare/summary/studied.c) */
+enum studied {
+  STUDIED_REACH,
+  STUDIED_VALUE,
+  STUDIED_DEVIATION,
+  STUDIED_ERROR_LIMIT,
+  STUDIED_ORDER,
+  STUDIED_EVENT_T,
+  STUDIED_EVENT_FROUDE,
+  STUDIED_BEST_ORDER,
+  STUDIED_BEST_ERROR,
+  STUDIED_VERDICT,
+  STUDIED_EVENT,
+  STUDIED_REVERSALS
+};
+
+enum sample_value { SAMPLE_T, SAMPLE_X1, SAMPLE_X2, SAMPLE_XC, SAMPLE_V1, SAMPLE_V2, SAMPLE_L, SAMPLE_VALUES };
+
+/* A plain name. The rows of enum quantity_id come first, and behind them those that are formulas of others. */
 struct quantity_row {
   const char *name;
-  const char *unit;     /* in words, of the parameters' units; 1: a number without one  */
+  const char *unit;     /* in words, of the parameters' units; 1: a number without one; NULL: it is not told */
   const char *sentence; /* what it is                                         */
   enum quantity_of of;
   bool has_series; /* in powers of T */
+  enum quantity_kind kind;
+  int which;
+  const char *formula;
 };
-extern const struct quantity_row quantity_rows[NAMED_QUANTITIES];
-
-/* Quantities that are formulas of others, the last without a name */
-struct formula_row {
-  const char *name, *unit, *sentence, *formula;
-};
-extern const struct formula_row formula_rows[];
+extern const struct quantity_row quantity_rows[]; /* the last without a name */
 
 /* The columns of a motion: the first, and the one after the last; they stand together. */
 enum quantity_id quantity_first(enum quantity_of of);
@@ -100,73 +139,27 @@ bool formula_takes_given(const struct scallop_formula *formula);
 
 enum { QUANTITY_NAME = 64, QUANTITY_LABELS = SWEEP_LABELS, MOST_QUANTITIES = 400 };
 
-enum quantity_kind {
-  QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                  */
-  QUANTITY_V0,
-  QUANTITY_FROUDE,
-  QUANTITY_F1_OVER_F2,
-  QUANTITY_M1_OVER_M2,
-  QUANTITY_GAIT,
-  QUANTITY_PHASE_NAME,
-  QUANTITY_LABEL, /* which                                                                         */
-  QUANTITY_ONSET,
-  QUANTITY_ANSWER,   /* which: its place in quantity_rows                                           */
-  QUANTITY_REGIME,   /* which: of what motion, enum quantity_of                                       */
-  QUANTITY_MODES,    /* likewise                                                                      */
-  QUANTITY_WORDS,    /* likewise: the modes with their times                                          */
-  QUANTITY_CARRIED,  /* which: a cell of a file of points                                          */
-  QUANTITY_ESTIMATE, /* which: the quantity whose error is estimated                                */
-  QUANTITY_PUBLISHED,
-  QUANTITY_DERIVED, /* which: as QUANTITY_ANSWER; limit and certified too                            */
-  QUANTITY_LIMIT,
-  QUANTITY_EXACT, /* of: the series                                                                */
-  QUANTITY_ERROR,
-  QUANTITY_RELATIVE,
-  QUANTITY_CERTIFIED,
-  QUANTITY_SAMPLE, /* which: enum sample_value                                                      */
-  QUANTITY_STATUS,
-  QUANTITY_STUDIED, /* which: enum studied */
-  QUANTITY_FORMULA  /* own: of other quantities */
-};
-
-/* What takes a study of the crawler along T (compare/summary/studied.c) */
-enum studied {
-  STUDIED_REACH,
-  STUDIED_VALUE,
-  STUDIED_DEVIATION,
-  STUDIED_ERROR_LIMIT,
-  STUDIED_ORDER,
-  STUDIED_EVENT_T,
-  STUDIED_EVENT_FROUDE,
-  STUDIED_BEST_ORDER,
-  STUDIED_BEST_ERROR,
-  STUDIED_TEXTS, /* from here on */
-  STUDIED_VERDICT = STUDIED_TEXTS,
-  STUDIED_EVENT,
-  STUDIED_REVERSALS
-};
-
-enum sample_value { SAMPLE_T, SAMPLE_X1, SAMPLE_X2, SAMPLE_XC, SAMPLE_V1, SAMPLE_V2, SAMPLE_L, SAMPLE_VALUES };
-extern const char *const quantity_samples[SAMPLE_VALUES + 1]; /* their names, NULL-terminated */
-
 struct quantity {
   char name[QUANTITY_NAME];
   enum quantity_kind kind;
   int which;
-  int phase;                             /* published: the phase that it is of; -1: that of the point */
-  long order;                            /* derived: of the terms below T^order                                  */
-  int of;                                /* exact, error, relative: of this series, as a place in the list        */
+  enum quantity_of motion; /* that it is about                                                              */
+  int phase;               /* of a formula, and what is compared with one: that it is of; -1: that of the point */
+  bool from_rest;          /* likewise: whatever the start of the point is                                  */
+  bool is_compared;        /* a series with what it should be                                               */
+  long order;              /* derived: of the terms below T^order                                           */
+  int of;                  /* exact, error, relative: of this series, as a place in the list; else -1       */
+  int series;              /* studied: of this one, likewise; -1: of the crawler                            */
+  double tolerance;        /* of a reach                                                                    */
   const struct scallop_formula *formula; /* published                                                             */
-  int series;                            /* studied: of this one, as a place in the list; -1: of the crawler        */
-  double tolerance;                      /* of a reach                                                              */
-  struct formula *own;                   /* of QUANTITY_FORMULA, which no name of a quantity is: its name is its text */
+  struct formula *own; /* of QUANTITY_FORMULA; without a row its name is its text                               */
 };
 
 /* The quantities that a scene uses, each once. */
 struct quantities {
   int count, labels;
   const char *label[QUANTITY_LABELS];
-  int carries; /* columns of a file of points that are no parameters, before all other names */
+  int carries; /* columns of a file of points that are no parameters */
   const char *const *carried;
   struct quantity item[MOST_QUANTITIES]; /* last, and of those that are not used not even the memory */
 };
@@ -183,12 +176,11 @@ bool quantity_is_other(const char *name);
 /* The known name nearest to one that is none, or NULL. */
 const char *quantity_near(const struct quantities *all, const char *name);
 
-bool quantity_is_text(const struct quantity *q);
+static inline bool quantity_is_text(const struct quantity *q) { return q->kind >= QUANTITY_GAIT; }
 /* Is it a series: published, derived, or the limit? */
-bool quantity_is_series(const struct quantity *q);
-/* Is the series compared with what it should be? */
-bool quantity_is_compared(const struct quantities *all, const struct quantity *series);
-/* Is it about a phase, not the steady state? Of series, and of what is said of them. */
-bool quantity_is_of_phase(const struct quantities *all, const struct quantity *q);
+static inline bool quantity_is_series(const struct quantity *q)
+{
+  return q->kind >= QUANTITY_PUBLISHED && q->kind <= QUANTITY_LIMIT;
+}
 
 #endif

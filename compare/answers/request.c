@@ -3,13 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *name_among(const char *const *names, const char *name)
-{
-  while (names && *names && strcmp(*names, name) != 0)
-    names++;
-  return names ? *names : NULL;
-}
-
 bool has_many_points(const struct request *request) { return request->points || request->sweep.products > 0; }
 
 /* L, T and alpha are not among gaits of which a measured one brings its own. */

@@ -37,9 +37,6 @@ bool has_many_points(const struct request *request);
 /* Is the parameter the same in all rows? */
 bool is_held(const struct request *request, const char *parameter);
 
-/* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
-const char *name_among(const char *const *names, const char *name);
-
 /* " m1=1 ...": the parameters without those in not_held; as below */
 enum { PARAMETERS_TEXT = CRAWLER_NUMBERS * (NUMBER_LENGTH + 8) + GAIT_TEXT };
 void parameters_text(char text[PARAMETERS_TEXT], const struct point *point, const char *const *not_held,

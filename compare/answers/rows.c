@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "compare/points/defaults.h"
-#include "compare/text/memory.h"
 #include "compare/text/tsv.h"
 
 _Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
@@ -49,12 +48,8 @@ static const char *add_all(struct sheet *s, const char *const *texts, int count)
   return wrong;
 }
 
-static bool is_of_error(const struct quantities *all, const struct quantity *q) { return (void)all, q->of >= 0; }
-
-static bool is_certified(const struct quantities *all, const struct quantity *q)
-{
-  return (void)all, q->kind == QUANTITY_CERTIFIED;
-}
+static bool is_of_error(const struct quantity *q) { return q->of >= 0; }
+static bool is_certified(const struct quantity *q) { return q->kind == QUANTITY_CERTIFIED; }
 
 /* How well errors, digits and series have to be known for the columns */
 static const char *settle(struct rows *r)
@@ -77,14 +72,6 @@ static const char *settle(struct rows *r)
   return NULL;
 }
 
-static bool has_column(const struct column_list *all, const char *name)
-{
-  int i = 0;
-  while (i < all->count && strcmp(all->item[i].name, name) != 0)
-    i++;
-  return i < all->count;
-}
-
 /* What is drawn and not among the usual columns stands behind them. */
 static const char *add_drawn(struct rows *r)
 {
@@ -97,7 +84,7 @@ static const char *add_drawn(struct rows *r)
       size_t length = strcspn(at, ",");
       snprintf(name, sizeof name, "%.*s", (int)length, at);
       at += length;
-      const char *wrong = has_column(&r->sheet.columns, name) ? NULL : sheet_add(&r->sheet, name);
+      const char *wrong = column_list_has(&r->sheet.columns, name) ? NULL : sheet_add(&r->sheet, name);
       if (wrong) {
         snprintf(message, sizeof message, "--plot-%s: %.350s", options[i], wrong);
         return message;
@@ -167,9 +154,9 @@ static void note_held(struct rows *r)
   note_parameters(&r->table, &r->request->point, not_held, false);
 }
 
-static bool is_of_start(const struct quantities *all, const struct quantity *q)
+static bool is_of_start(const struct quantity *q)
 {
-  return quantity_is_of_phase(all, q) || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+  return q->motion == OF_PHASE || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
 }
 
 /* What quantities of a phase are about, where a row has any */

@@ -1,5 +1,5 @@
-/* A table with a row for each point, as a command plans it: its columns, and what is done at a point. visit.h makes
- * it. */
+/* The one loop: points times quantities are tables. A command plans a table, its columns and what it does at a point;
+ * the tables of a scene share their points, so that what several ask for is computed once. */
 #ifndef SCALLOP_COMPARE_ANSWERS_ROWS_H
 #define SCALLOP_COMPARE_ANSWERS_ROWS_H
 
@@ -38,7 +38,23 @@ extern const char rows_no_memory[];
  * or what is wrong, until the next call. */
 const char *rows_columns(struct rows *rows);
 void rows_free(struct rows *rows);
+bool rows_open(struct rows *rows); /* False: the message is on stderr. */
 
-bool rows_open(struct rows *rows); /* With its head. False: the message is on stderr. */
+/* visit.c: tables of the same points, all with the same sheet.asked */
+struct rows_run {
+  int count;
+  struct rows *rows;
+  long points, unsolved;
+  char why[POINT_STATUS]; /* the first reason of those unsolved */
+};
+/* Opens the tables, whose columns are known, visits all points of the first request, and has the tables complete on
+ * the disk; in *file: the points, if they come from one. The exit code, the message being on stderr. */
+struct point_file;
+enum exit_code rows_visit(struct rows_run *run, struct point_file *file);
+/* Puts the tables in their places; keep: else the earlier files stay. False: one could not be. */
+bool rows_close(struct rows_run *run, bool keep);
+
+/* The table of a command by itself. */
+enum exit_code rows_table(struct rows *rows);
 
 #endif

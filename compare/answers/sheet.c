@@ -9,9 +9,6 @@
 #include "compare/points/counts.h"
 #include "compare/text/message.h"
 
-enum { WRONG = 640 };
-static char message[WRONG];
-
 /* The text that gives the sheet's own name, or NULL; *meaning: what it stands for */
 static const char *own_text(const struct sheet *s, const char *name, const char **meaning)
 {
@@ -46,11 +43,10 @@ static const char *near_to(void *sheet, const char *name, const char *const *fun
 const char *sheet_no_quantity(const struct asked *asked, const char *name)
 {
   const char *near = quantity_near(&asked->quantities, name);
-  snprintf(message, WRONG, "there is no quantity '%.80s'%s", name,
-           *name == '(' ? formula_instead(name)
-           : near       ? did_you_mean(near)
-                        : " (docs/scenes.md lists them)");
-  return message;
+  return wrong_text("there is no quantity '%.80s'%s", name,
+                    *name == '(' ? formula_instead(name)
+                    : near       ? did_you_mean(near)
+                                 : " (docs/scenes.md lists them)");
 }
 
 static const char *missing(void *sheet, const char *name)
@@ -66,26 +62,26 @@ const char *sheet_formula(struct asked *asked, struct formula *formula, const ch
   return formula_read(formula, text, &names, wrong);
 }
 
-bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantities *, const struct quantity *))
+bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantity *))
 {
   int places[FORMULA_STEPS];
   for (int i = 0; i < s->columns.count; i++)
     for (int k = column_places(&s->columns.item[i], places); k-- > 0;)
-      if (holds(&s->asked->quantities, &s->asked->quantities.item[places[k]]))
+      if (holds(&s->asked->quantities.item[places[k]]))
         return true;
   return false;
 }
 
+static bool is_derived(const struct quantity *q) { return q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT; }
+
 /* NULL, or why rows of this sheet have no such quantity */
 static const char *refusal(const struct sheet *s, const struct quantity *q)
 {
-  const struct quantity *series = q->of >= 0 ? &s->asked->quantities.item[q->of] : q;
   if (q->kind == QUANTITY_SAMPLE && !s->of_samples)
     return "is a quantity of a trajectory";
   if (q->kind == QUANTITY_STATUS && s->of_samples)
     return "is nothing that a trajectory has: it ends where it cannot go on";
-  if (s->asked->from_steady && (series->kind == QUANTITY_DERIVED || series->kind == QUANTITY_LIMIT)
-      && quantity_rows[series->which].of == OF_PHASE)
+  if (s->asked->from_steady && q->motion == OF_PHASE && is_derived(q->of >= 0 ? &s->asked->quantities.item[q->of] : q))
     return "is derived for a start that stays the same as T falls: from rest, or from a velocity";
   return NULL;
 }
@@ -100,19 +96,14 @@ static const char *refused(const struct sheet *s, const struct column *column, c
     if (column->formula && quantity_is_text(q) && q->kind != QUANTITY_CERTIFIED && q->kind != QUANTITY_CARRIED)
       why = "is a text, which stands alone in a column";
     if (why && strcmp(text, q->name) == 0)
-      snprintf(message, WRONG, "%s %s", q->name, why);
-    else if (why)
-      snprintf(message, WRONG, "'%.100s': %s %s", text, q->name, why);
+      return wrong_text("%s %s", q->name, why);
     if (why)
-      return message;
+      return wrong_text("'%.100s': %s %s", text, q->name, why);
   }
   return NULL;
 }
 
-static bool is_status(const struct quantities *all, const struct quantity *q)
-{
-  return (void)all, q->kind == QUANTITY_STATUS;
-}
+static bool is_status(const struct quantity *q) { return q->kind == QUANTITY_STATUS; }
 
 const char *sheet_add(struct sheet *s, const char *text)
 {
@@ -179,10 +170,11 @@ static void compute(const struct sheet *s, struct at *at, const struct column *c
 
 void sheet_row(const struct sheet *s, struct table *t, struct at *at)
 {
+  const struct column *end = s->columns.item + s->columns.count;
   at->as_written = s->as_written;
-  for (int i = 0; s->early_status && i < s->columns.count; i++)
-    compute(s, at, &s->columns.item[i]);
-  for (int i = 0; i < s->columns.count; i++)
-    put(s, t, at, &s->columns.item[i]);
+  for (const struct column *c = s->columns.item; s->early_status && c < end; c++)
+    compute(s, at, c);
+  for (const struct column *c = s->columns.item; c < end; c++)
+    put(s, t, at, c);
   count_add(COUNT_ROWS, 1);
 }

@@ -21,7 +21,7 @@ struct sheet {
 /* Adds a column. NULL, or what is wrong with the text: that lives until the next call. */
 const char *sheet_add(struct sheet *sheet, const char *text);
 /* Does any column take a quantity of which that holds? */
-bool sheet_takes(const struct sheet *sheet, bool (*holds)(const struct quantities *, const struct quantity *));
+bool sheet_takes(const struct sheet *sheet, bool (*holds)(const struct quantity *));
 void sheet_free(struct sheet *sheet);
 
 /* The names of the columns go into the head of the table, and the values at the point into a row of it. */

@@ -5,8 +5,6 @@
 
 #include "compare/answers/sheet.h"
 
-enum { WRONG = 400 };
-static char message[WRONG];
 static const char no_memory[] = "out of memory";
 
 static struct sweep_product *last_product(const struct request *r)
@@ -17,10 +15,8 @@ static struct sweep_product *last_product(const struct request *r)
 const char *vary_product(struct request *r)
 {
   struct sweep *s = &r->sweep;
-  if (s->products == SWEEP_PRODUCTS) {
-    snprintf(message, WRONG, "more than %d products", SWEEP_PRODUCTS);
-    return message;
-  }
+  if (s->products == SWEEP_PRODUCTS)
+    return wrong_text("more than %d products", SWEEP_PRODUCTS);
   struct sweep_product *grown = realloc(s->product, (size_t)(s->products + 1) * sizeof *grown);
   if (!grown)
     return no_memory;
@@ -35,10 +31,8 @@ const char *vary_group(struct request *r)
   struct sweep_product *product = last_product(r);
   if (wrong)
     return wrong;
-  if (product->groups == SWEEP_GROUPS) {
-    snprintf(message, WRONG, "more than %d groups", SWEEP_GROUPS);
-    return message;
-  }
+  if (product->groups == SWEEP_GROUPS)
+    return wrong_text("more than %d groups", SWEEP_GROUPS);
   product->group[product->groups++] = (struct sweep_group){ .count = 1 };
   return NULL;
 }
@@ -49,22 +43,16 @@ static const char *add(struct request *r, const struct sweep_variable *v)
   struct sweep_product *product = last_product(r);
   struct sweep_group *g = &product->group[product->groups - 1];
   double points = 1;
-  if (g->variables == SWEEP_VARIABLES) {
-    snprintf(message, WRONG, "more than %d variables go together here", SWEEP_VARIABLES);
-    return message;
-  }
-  if (v->count > 1 && g->count > 1 && v->count != g->count) {
-    snprintf(message, WRONG, "%ld values, but those before it in this group have %ld: they go on together", v->count,
-             g->count);
-    return message;
-  }
+  if (g->variables == SWEEP_VARIABLES)
+    return wrong_text("more than %d variables go together here", SWEEP_VARIABLES);
+  if (v->count > 1 && g->count > 1 && v->count != g->count)
+    return wrong_text("%ld values, but those before it in this group have %ld: they go on together", v->count,
+                      g->count);
   g->count = v->count > g->count ? v->count : g->count;
   for (int i = 0; i < product->groups; i++)
     points *= (double)product->group[i].count;
-  if (points > SWEEP_POINTS) {
-    snprintf(message, WRONG, "%g points: more than %g", points, SWEEP_POINTS);
-    return message;
-  }
+  if (points > SWEEP_POINTS)
+    return wrong_text("%g points: more than %g", points, SWEEP_POINTS);
   g->variable[g->variables++] = *v;
   return NULL;
 }
@@ -88,7 +76,7 @@ const char *vary_list(struct request *r, struct sweep_variable v, const char *co
 static bool is_of_parameters(const struct quantity *q)
 {
   return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_ONSET || q->kind == QUANTITY_FROUDE
-         || q->kind == QUANTITY_F1_OVER_F2 || q->kind == QUANTITY_M1_OVER_M2;
+         || q->kind == QUANTITY_RATIO;
 }
 
 const char *vary_end(const struct request *r, const char *text, struct sweep_end *end)
@@ -97,30 +85,24 @@ const char *vary_end(const struct request *r, const char *text, struct sweep_end
   if (read_number(text, &end->number))
     return NULL;
   const char *wrong = r->asked ? sheet_formula(r->asked, &end->formula, text) : "a finite number";
-  if (wrong) {
-    snprintf(message, WRONG, "'%.100s' is no number, nor a formula: %s", text, wrong);
-    return message;
-  }
+  if (wrong)
+    return wrong_text("'%.100s' is no number, nor a formula: %s", text, wrong);
   end->is_formula = true;
   for (int i = formula_places(&end->formula, places); i-- > 0;)
-    if (!is_of_parameters(&r->asked->quantities.item[places[i]])) {
-      snprintf(
-          message, WRONG,
-          "'%.100s': a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, not of %s",
-          text, r->asked->quantities.item[places[i]].name);
-      return message;
-    }
+    if (!is_of_parameters(&r->asked->quantities.item[places[i]]))
+      return wrong_text("'%.100s': a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, "
+                        "not of %s",
+                        text, r->asked->quantities.item[places[i]].name);
   return NULL;
 }
 
 static const char *range_end(struct request *r, const struct sweep_variable *v, const char *text, struct sweep_end *end)
 {
   const char *wrong = vary_end(r, text, end);
-  if (!wrong && !end->is_formula)
-    wrong = sweep_wrong(v, &r->point, text);
-  if (!wrong && !end->is_formula && v->is_log && !(end->number > 0))
-    wrong = "an end of a range with log spacing is > 0";
-  return wrong;
+  if (wrong || end->is_formula)
+    return wrong;
+  wrong = sweep_wrong(v, &r->point, text);
+  return !wrong && v->is_log && !(end->number > 0) ? "an end of a range with log spacing is > 0" : wrong;
 }
 
 const char *vary_range(struct request *r, struct sweep_variable v, const char *from, const char *to, long count,
@@ -141,15 +123,10 @@ const char *vary_label(struct request *r, const char *name, struct sweep_variabl
     return "labels are columns of rows of points";
   while (place < all->labels && strcmp(all->label[place], name) != 0)
     place++;
-  if (strlen(name) >= QUANTITY_NAME || place == QUANTITY_LABELS) {
-    snprintf(message, WRONG, "at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS,
-             QUANTITY_NAME);
-    return message;
-  }
-  if (place == all->labels && quantity_named(all, name) >= 0) {
-    snprintf(message, WRONG, "a label cannot be called %s, which is a quantity", name);
-    return message;
-  }
+  if (strlen(name) >= QUANTITY_NAME || place == QUANTITY_LABELS)
+    return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
+  if (place == all->labels && quantity_named(all, name) >= 0)
+    return wrong_text("a label cannot be called %s, which is a quantity", name);
   all->label[place] = name;
   all->labels += place == all->labels;
   *label = (struct sweep_variable){ .target = TARGET_LABEL, .place = place, .name = name, .sets = name };
@@ -176,50 +153,48 @@ bool vary_is_many(const char *name, const char *text)
   struct sweep_variable v;
   if (!sweep_variable_of_name(&v, name))
     return strcmp(name, "label") == 0;
-  bool is_of_point = v.target == TARGET_NUMBER || v.target == TARGET_GAIT || v.target == TARGET_PHASE
-                     || v.target == TARGET_V0;
-  return !is_of_point || end_of_value(&v, text) || (has_ranges(&v) && strchr(text, ':'));
+  return v.target > TARGET_V0 || end_of_value(&v, text) || (has_ranges(&v) && strchr(text, ':'));
 }
 
 /* Splits the text at its commas. */
 static const char *list_of_text(struct request *r, struct sweep_variable *v, char *text)
 {
-  long count = 1, n = 0;
-  for (const char *comma = end_of_value(v, text); comma; comma = end_of_value(v, comma + 1))
-    count++;
-  const char **texts = calloc((size_t)count, sizeof *texts);
+  const char **texts = calloc(strlen(text) + 1, sizeof *texts), *wrong = no_memory;
+  long count = 0;
   for (char *value = text, *end; texts && value; value = end) {
     end = (char *)end_of_value(v, value);
-    texts[n++] = value;
+    texts[count++] = value;
     if (end)
       *end++ = '\0';
   }
-  const char *wrong = texts ? vary_list(r, *v, texts, count) : no_memory;
+  if (texts)
+    wrong = vary_list(r, *v, texts, count);
   free(texts);
   return wrong;
 }
 
+/* FROM:TO:COUNT or FROM:TO:COUNT:SPACING */
 static const char *range_of_text(struct request *r, struct sweep_variable *v, char *text)
 {
-  enum { FROM, TO, COUNT, SPACING, PARTS };
-  char *part[PARTS + 1] = { text }, *colon;
-  int parts = 1;
+  enum { MOST = 4 };
+  char *colon[MOST] = { NULL };
+  int colons = 0;
   long count;
-  for (; parts <= PARTS && (colon = strchr(part[parts - 1], ':')); parts++) {
-    *colon = '\0';
-    part[parts] = colon + 1;
-  }
-  bool spaced = parts == PARTS && (strcmp(part[SPACING], "log") == 0 || strcmp(part[SPACING], "linear") == 0);
-  if ((parts == SPACING || spaced)
-      && read_count(part[COUNT], strcmp(part[FROM], part[TO]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
-    return vary_range(r, *v, part[FROM], part[TO], count, spaced && strcmp(part[SPACING], "log") == 0);
-  for (int i = 1; i < parts; i++)
-    *(part[i] - 1) = ':';
-  snprintf(message, WRONG,
-           "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, or "
-           "1 where FROM = TO; both ends belong to it",
-           text, SWEEP_RANGE);
-  return message;
+  for (char *c = strchr(text, ':'); c && colons < MOST; c = strchr(c + 1, ':'))
+    colon[colons++] = c;
+  const char *spacing = colons == 3 ? colon[2] + 1 : "linear";
+  bool is_log = strcmp(spacing, "log") == 0;
+  bool fits = (colons == 2 || colons == 3) && (is_log || strcmp(spacing, "linear") == 0);
+  for (int i = 0; i < colons; i++)
+    *colon[i] = '\0';
+  if (fits && read_count(colon[1] + 1, strcmp(text, colon[0] + 1) == 0 ? 1 : 2, SWEEP_RANGE, &count))
+    return vary_range(r, *v, text, colon[0] + 1, count, is_log);
+  for (int i = 0; i < colons; i++)
+    *colon[i] = ':';
+  return wrong_text(
+      "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
+      "or 1 where FROM = TO; both ends belong to it",
+      text, SWEEP_RANGE);
 }
 
 /* The place of the group that sets the parameter, or that behind the last */
@@ -271,16 +246,16 @@ const char *vary_text(struct request *r, const char *name, const char *text)
   struct point first = r->point;
   wrong = (is_range ? range_of_text : list_of_text)(r, &v, values);
   struct sweep_product *product = last_product(r);
-  struct sweep_group *group = &product->group[product->groups - 1];
   if (wrong) {
     product->groups--;
     free(copy);
     return wrong;
   }
-  group->variable[0].kept = copy;
-  bool is_held = v.target == TARGET_LABEL || v.target == TARGET_NUMBER || strcmp(v.name, v.sets) != 0;
-  if (!is_held && !group->variable[0].from.is_formula)
-    point_set(&first, name, is_range ? values : group->variable[0].texts[0]);
+  struct sweep_variable *added = &product->group[product->groups - 1].variable[0];
+  added->kept = copy;
+  bool is_held = v.target == TARGET_NUMBER; /* behind --and, where it does not vary */
+  if (v.target <= TARGET_V0 && !is_held && !added->from.is_formula)
+    point_set(&first, name, is_range ? values : added->texts[0]);
   r->point = first;
   return NULL;
 }

@@ -1,15 +1,16 @@
-#include "compare/answers/visit.h"
-
+/* The loop over points: one at a time; or, of a sweep whose rows take long, blocks of them, each by as many threads as
+ * there are processors. Rows are written in order as they come. */
 #include <pthread.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "compare/answers/rows.h"
 #include "compare/points/point_file.h"
 #include "compare/text/progress.h"
 
-/* What is wrong with a point, or "" */
+/* Counts a point, and what is wrong with it, or "". */
 static void count_point(struct rows_run *run, const char *why)
 {
   run->points++;
@@ -28,134 +29,12 @@ static bool at_point(struct rows_run *run, struct at *at)
       r->visit(r, at);
     else
       sheet_row(&r->sheet, &r->table, at);
-    if (!*why)
+    if (!*why && at->why[0] != '\0')
       memcpy(why, at->why, sizeof why);
     fine &= !r->is_open || !table_failed(&r->table);
   }
   count_point(run, why);
   return fine;
-}
-
-/* Rows that take long come in blocks, each by as many threads as there are processors, in order. */
-enum { BLOCK = 64, MOST_THREADS = 64 };
-
-struct block {
-  const struct rows *rows;
-  int count;
-  struct row {
-    struct sweep_place place;
-    struct table cells; /* never opened: what is written into it is kept */
-    char why[POINT_STATUS];
-  } row[BLOCK];
-  atomic_int next;
-};
-
-/* Computes rows of the block until none is left, each where it belongs. */
-struct worker {
-  pthread_t thread;
-  bool runs;
-  struct at *at;
-  struct block *block;
-};
-static void *work(void *worker)
-{
-  const struct worker *w = worker;
-  for (int i; (i = atomic_fetch_add(&w->block->next, 1)) < w->block->count;) {
-    struct row *row = &w->block->row[i];
-    sweep_place_copy(&w->at->place, &row->place);
-    at_move(w->at);
-    at_begin_row(w->at);
-    sheet_row(&w->block->rows->sheet, &row->cells, w->at);
-    memcpy(row->why, w->at->why, sizeof row->why);
-  }
-  at_end_thread(w->at);
-  return NULL;
-}
-
-/* The last of them is this thread. */
-static void compute(struct block *block, struct worker *workers, int threads)
-{
-  atomic_store(&block->next, 0);
-  for (int i = 0; i < threads - 1; i++)
-    workers[i].runs = pthread_create(&workers[i].thread, NULL, work, &workers[i]) == 0;
-  work(&workers[threads - 1]);
-  for (int i = 0; i < threads - 1; i++)
-    if (workers[i].runs)
-      pthread_join(workers[i].thread, NULL);
-}
-
-/* Writes the rows, in order. False: the table can no longer be written. */
-static bool write_block(struct rows_run *run, const struct block *block)
-{
-  struct table *t = &run->rows->table;
-  for (const struct row *row = block->row; row < block->row + block->count; row++) {
-    count_point(run, row->why);
-    table_repeat(t, &row->cells);
-  }
-  progress_count(run->points, sweep_points(&run->rows->request->sweep));
-  return !table_failed(t);
-}
-
-static bool visit_product(struct rows_run *run, struct at *at, const struct sweep_product *product, struct block *block,
-                          struct worker *workers, int threads)
-{
-  const struct request *request = run->rows->request;
-  struct sweep_cursor cursor = { .product = NULL };
-  long index[SWEEP_GROUPS] = { 0 };
-  bool more = true, fine = true;
-  while (more && fine) {
-    for (block->count = 0; more && block->count < BLOCK; block->count++) {
-      at_place(at, &cursor, &request->point, product, index);
-      sweep_place_copy(&block->row[block->count].place, &at->place);
-      more = sweep_next(product, index);
-    }
-    compute(block, workers, threads);
-    fine = write_block(run, block);
-  }
-  return fine;
-}
-
-static int processors(void)
-{
-  const char *wanted = getenv("OMP_NUM_THREADS");
-  long count = wanted && atol(wanted) > 0 ? atol(wanted) : sysconf(_SC_NPROCESSORS_ONLN);
-  return count < 1 ? 1 : count > MOST_THREADS ? MOST_THREADS : (int)count;
-}
-
-/* Visits a sweep by several threads, if that is worth it: one table whose columns need FLINT. False: nothing has been
- * done. */
-static bool visit_in_blocks(struct rows_run *run, struct at *at)
-{
-  const struct rows *rows = run->rows;
-  const struct sweep *sweep = &rows->request->sweep;
-  const int threads = processors();
-  struct worker workers[MOST_THREADS] = { { .runs = false } };
-  if (threads == 1 || run->count > 1 || rows->visit || !asked_needs_flint(rows->sheet.asked) || sweep_points(sweep) < 8)
-    return false;
-  struct block *block = calloc(1, sizeof *block);
-  bool fine = block != NULL;
-  for (int i = 0; i < BLOCK && fine; i++) {
-    block->row[i].cells = (struct table){ .style = &rows->style };
-    sheet_head(&rows->sheet, &block->row[i].cells);
-  }
-  for (int i = 0; i < threads && fine; i++) {
-    workers[i] = (struct worker){ .at = malloc(sizeof *at), .block = block };
-    fine = workers[i].at && at_init(workers[i].at, rows->sheet.asked);
-  }
-  if (fine)
-    block->rows = rows;
-  for (int p = 0; fine && p < sweep->products; p++)
-    fine = visit_product(run, at, &sweep->product[p], block, workers, threads);
-  for (int i = 0; i < threads; i++) {
-    if (workers[i].at)
-      at_clear(workers[i].at);
-    free(workers[i].at);
-  }
-  for (int i = 0; block && i < BLOCK; i++)
-    table_abandon(&block->row[i].cells);
-  bool begun = block && block->rows;
-  free(block);
-  return begun;
 }
 
 static void visit_sweep(struct rows_run *run, struct at *at)
@@ -166,7 +45,8 @@ static void visit_sweep(struct rows_run *run, struct at *at)
   for (int p = 0; p < request->sweep.products && fine; p++) {
     long index[SWEEP_GROUPS] = { 0 };
     do {
-      at_sweep(at, &cursor, &request->point, &request->sweep.product[p], index);
+      at_place(at, &cursor, &request->point, &request->sweep.product[p], index);
+      at_move(at);
       progress_count(run->points + 1, sweep_points(&request->sweep));
       fine = at_point(run, at);
     } while (sweep_next(&request->sweep.product[p], index) && fine);
@@ -183,13 +63,122 @@ static void visit_file(struct rows_run *run, struct at *at, struct point_file *f
   }
 }
 
+enum { BLOCK = 64, MOST_THREADS = 64 };
+
+struct block {
+  const struct rows *rows;
+  int count;
+  struct row {
+    struct sweep_place place;
+    struct table cells; /* never opened: what is written into it is kept */
+    char why[POINT_STATUS];
+  } row[BLOCK];
+  atomic_int next;
+  int threads;
+  struct worker {
+    pthread_t thread;
+    bool runs;
+    struct at *at;
+    struct block *block;
+  } worker[MOST_THREADS];
+};
+
+/* Computes rows of the block until none is left, each where it belongs. */
+static void *work(void *worker)
+{
+  const struct worker *w = worker;
+  for (int i; (i = atomic_fetch_add(&w->block->next, 1)) < w->block->count;) {
+    struct row *row = &w->block->row[i];
+    sweep_place_copy(&w->at->place, &row->place);
+    at_move(w->at);
+    at_begin_row(w->at);
+    sheet_row(&w->block->rows->sheet, &row->cells, w->at);
+    memcpy(row->why, w->at->why, sizeof row->why);
+  }
+  at_end_thread(w->at);
+  return NULL;
+}
+
+/* The last worker is this thread. */
+static void compute(struct block *b)
+{
+  struct worker *last = &b->worker[b->threads - 1];
+  atomic_store(&b->next, 0);
+  for (struct worker *w = b->worker; w < last; w++)
+    w->runs = pthread_create(&w->thread, NULL, work, w) == 0;
+  work(last);
+  for (struct worker *w = b->worker; w < last; w++)
+    if (w->runs)
+      pthread_join(w->thread, NULL);
+}
+
+static void visit_product(struct rows_run *run, struct at *at, const struct sweep_product *product, struct block *b)
+{
+  const struct request *request = run->rows->request;
+  struct sweep_cursor cursor = { .product = NULL };
+  long index[SWEEP_GROUPS] = { 0 };
+  for (bool more = true; more && !table_failed(&run->rows->table);) {
+    for (b->count = 0; more && b->count < BLOCK; b->count++) {
+      at_place(at, &cursor, &request->point, product, index);
+      sweep_place_copy(&b->row[b->count].place, &at->place);
+      more = sweep_next(product, index);
+    }
+    compute(b);
+    for (const struct row *row = b->row; row < b->row + b->count; row++) {
+      count_point(run, row->why);
+      table_repeat(&run->rows->table, &row->cells);
+    }
+    progress_count(run->points, sweep_points(&request->sweep));
+  }
+}
+
+static int processors(void)
+{
+  const char *wanted = getenv("OMP_NUM_THREADS");
+  long count = wanted && atol(wanted) > 0 ? atol(wanted) : sysconf(_SC_NPROCESSORS_ONLN);
+  return count < 1 ? 1 : count > MOST_THREADS ? MOST_THREADS : (int)count;
+}
+
+/* Is the sweep worth blocks: one table whose columns need FLINT? */
+static bool takes_long(const struct rows_run *run)
+{
+  const struct rows *r = run->rows;
+  return run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked) && sweep_points(&r->request->sweep) >= 8;
+}
+
+/* False: there is no memory for it, and nothing has been done. */
+static bool visit_in_blocks(struct rows_run *run, struct at *at)
+{
+  const struct rows *rows = run->rows;
+  const struct sweep *sweep = &rows->request->sweep;
+  struct block *b = calloc(1, sizeof *b);
+  bool fine = b != NULL;
+  for (int i = 0; i < BLOCK && fine; i++) {
+    b->row[i].cells = (struct table){ .style = &rows->style };
+    sheet_head(&rows->sheet, &b->row[i].cells);
+  }
+  for (int i = 0; fine && i < processors(); i++) {
+    b->rows = rows;
+    b->worker[b->threads++] = (struct worker){ .at = at_new(rows->sheet.asked), .block = b };
+    fine = b->worker[i].at != NULL;
+  }
+  for (int p = 0; fine && p < sweep->products; p++)
+    visit_product(run, at, &sweep->product[p], b);
+  for (int i = 0; b && i < b->threads; i++)
+    at_free(b->worker[i].at);
+  for (int i = 0; b && i < BLOCK; i++)
+    table_abandon(&b->row[i].cells);
+  free(b);
+  return fine;
+}
+
 static void visit_points(struct rows_run *run, struct at *at, struct point_file *file)
 {
   const struct request *request = run->rows->request;
   if (file)
     visit_file(run, at, file);
   else if (request->sweep.products > 0) {
-    if (!visit_in_blocks(run, at))
+    if (processors() == 1 || !takes_long(run) || !visit_in_blocks(run, at))
       visit_sweep(run, at);
   } else {
     sweep_place_set(&at->place, &request->point);
@@ -209,22 +198,16 @@ static bool open_tables(struct rows_run *run)
 enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
 {
   const struct style *style = &run->rows->request->style;
-  struct at *at = malloc(sizeof *at);
-  enum exit_code code = EXIT_FILE;
-  if (!at)
-    complain(style->command, "out of memory");
-  if (!at || !at_init(at, run->rows->sheet.asked))
-    code = EXIT_UNSOLVED;
-  else if (open_tables(run)) {
+  struct at *at = at_new(run->rows->sheet.asked);
+  enum exit_code code = at ? EXIT_FILE : EXIT_UNSOLVED;
+  if (at && open_tables(run)) {
     visit_points(run, at, file);
     const char *error = file ? tsv_error(&file->tsv) : NULL;
     code = error ? complain(style->command, "%s", error), EXIT_FILE : EXIT_DONE;
     for (int i = 0; i < run->count; i++)
       code = run->rows[i].cannot_open || (run->rows[i].is_open && !table_flush(&run->rows[i].table)) ? EXIT_FILE : code;
   }
-  if (at)
-    at_clear(at);
-  free(at);
+  at_free(at);
   return code;
 }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/text/memory.h"
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 
@@ -20,12 +21,13 @@ const char *column_formula(const char *text, int *length)
   return formula + strspn(formula, " ");
 }
 
-static bool may_be_called(const char *name)
+/* NULL, or what is wrong with the name of a column */
+static const char *wrong_name(const char *name)
 {
   bool may = *name != '\0';
   for (; *name; name++)
     may = may && *name >= ' ' && *name <= '~' && *name != '"' && *name != '\\';
-  return may;
+  return may ? NULL : "a column is called something of printable ASCII, without quotes and backslashes";
 }
 
 static const char *read_formula(struct column *c, const char *text, const struct column_names *names, bool is_named)
@@ -44,36 +46,32 @@ static const char *read_formula(struct column *c, const char *text, const struct
   }
   if (!is_named && formula_places(c->formula, places) == 0) /* such as "(28)", an equation */
     return not_allowed(text, "names of columns; NAME = FORMULA may be a number alone");
-  return may_be_called(c->name) ? NULL
-                                : "a column is called something of printable ASCII, without quotes and backslashes";
+  return wrong_name(c->name);
 }
 
 const char *column_add(struct column_list *list, const char *text, const struct column_names *names)
 {
   int length;
-  const char *formula = column_formula(text, &length);
-  struct column *grown = realloc(list->item, (size_t)(list->count + 1) * sizeof *grown);
-  if (!grown)
-    return no_memory;
-  list->item = grown;
-  char *name = strndup(text, (size_t)length);
+  const char *formula = column_formula(text, &length), *wrong = NULL;
+  struct column *grown = with_room(list->item, list->count, sizeof *grown);
+  list->item = grown ? grown : list->item;
+  char *name = grown ? strndup(text, (size_t)length) : NULL;
   if (!name)
     return no_memory;
+  bool is_there = column_list_has(list, name);
   struct column *c = &grown[list->count++];
   *c = (struct column){ .name = name, .place = names->names.place(names->names.context, formula) };
   if (length == 0 || *formula == '\0')
     return not_allowed(text, "NAME or NAME = FORMULA");
   if (c->place < -1)
     return "there are too many quantities";
-  const char *wrong = c->place >= 0 ? NULL : read_formula(c, formula, names, formula > text);
-  if (!wrong && formula > text && !may_be_called(name))
-    return "a column is called something of printable ASCII, without quotes and backslashes";
-  for (int i = 0; i < list->count - 1 && !wrong; i++)
-    if (strcmp(list->item[i].name, name) == 0) {
-      snprintf(message, WRONG, "the column '%.80s' is there twice", name);
-      wrong = message;
-    }
-  return wrong;
+  if (c->place < 0)
+    wrong = read_formula(c, formula, names, formula > text);
+  else if (formula > text)
+    wrong = wrong_name(name);
+  if (!wrong && is_there)
+    snprintf(message, WRONG, "the column '%.80s' is there twice", name);
+  return wrong || !is_there ? wrong : message;
 }
 
 int column_places(const struct column *c, int places[FORMULA_STEPS])
@@ -84,10 +82,10 @@ int column_places(const struct column *c, int places[FORMULA_STEPS])
 
 bool column_list_has(const struct column_list *list, const char *name)
 {
-  int i = 0;
-  while (i < list->count && strcmp(list->item[i].name, name) != 0)
-    i++;
-  return i < list->count;
+  bool has = false;
+  for (int i = 0; i < list->count; i++)
+    has |= strcmp(list->item[i].name, name) == 0;
+  return has;
 }
 
 void column_list_free(struct column_list *list)
@@ -104,14 +102,12 @@ double text_number(const char *text)
 {
   double x, over = 1;
   char whole[64];
-  size_t length = strcspn(text, "/");
-  if (text[length] == '\0')
+  const char *slash = strchr(text, '/');
+  if (!slash)
     return read_number(text, &x) ? x : NAN;
-  if (length >= sizeof whole)
-    return NAN;
-  memcpy(whole, text, length);
-  whole[length] = '\0';
-  return read_number(whole, &x) && read_number(text + length + 1, &over) && over != 0 ? x / over : NAN;
+  int length = snprintf(whole, sizeof whole, "%.*s", (int)(slash - text), text);
+  bool is = length < (int)sizeof whole && read_number(whole, &x) && read_number(slash + 1, &over) && over != 0;
+  return is ? x / over : NAN;
 }
 
 /* A choice of columns of a table */
@@ -121,17 +117,16 @@ struct chosen {
   struct column_list list;
   const char *names[MOST_COLUMNS];
   const char *column[TABLE_COLUMNS + 1]; /* of the table, NULL-terminated, and a row of it */
-  bool in_formula[TABLE_COLUMNS];
-  double value[TABLE_COLUMNS]; /* of those in a formula */
+  bool used[TABLE_COLUMNS];
+  double value[TABLE_COLUMNS]; /* of those used */
 };
 
 static int place_of(void *context, const char *name)
 {
-  const struct chosen *c = context;
-  int i = 0;
-  while (c->column[i] && strcmp(c->column[i], name) != 0)
-    i++;
-  return c->column[i] ? i : -1;
+  const char *const *columns = ((const struct chosen *)context)->column, *const *c = columns;
+  while (*c && strcmp(*c, name) != 0)
+    c++;
+  return *c ? (int)(c - columns) : -1;
 }
 
 static const char *near_to(void *context, const char *name, const char *const *functions)
@@ -156,7 +151,7 @@ static const char *begin(struct table_choice *choice, const char *const *columns
   for (int i = 0; i < choice->count && !wrong; i++) {
     wrong = column_add(&c->list, c->text[i], &names);
     for (int k = wrong ? 0 : column_places(&c->list.item[i], places); k-- > 0;)
-      c->in_formula[places[k]] |= c->list.item[i].formula != NULL;
+      c->used[places[k]] = true;
     c->names[i] = wrong ? "" : c->list.item[i].name;
   }
   choice->names = c->names;
@@ -167,10 +162,8 @@ static void show(struct table_choice *choice, const struct table_cell *row, stru
 {
   struct chosen *c = (struct chosen *)choice;
   for (int i = 0; c->column[i]; i++)
-    if (c->in_formula[i]) {
-      bool is_number = row[i].kind == CELL_NUMBER || row[i].kind == CELL_ROUNDED;
-      c->value[i] = is_number ? row[i].value : text_number(row[i].text);
-    }
+    if (c->used[i])
+      c->value[i] = row[i].kind == CELL_NUMBER || row[i].kind == CELL_ROUNDED ? row[i].value : text_number(row[i].text);
   for (const struct column *item = c->list.item; item < c->list.item + c->list.count; item++, shown++)
     if (item->place >= 0)
       *shown = row[item->place];
@@ -189,13 +182,10 @@ static const char *end_of_item(const char *text)
 
 static const char *add_text(struct chosen *c, const char *text, const char *end)
 {
-  static const char allowed[] = "names of columns and NAME = FORMULA, with commas between";
-  int length;
+  int length = 0;
   text += strspn(text, " ");
   while (end > text && end[-1] == ' ')
     end--;
-  if (end == text)
-    return not_allowed("", allowed);
   if (c->choice.count == MOST_COLUMNS)
     return "more than 256 columns";
   char *copy = strndup(text, (size_t)(end - text));
@@ -203,23 +193,23 @@ static const char *add_text(struct chosen *c, const char *text, const char *end)
     return no_memory;
   c->text[c->choice.count++] = copy;
   const char *formula = column_formula(copy, &length);
-  return length > 0 && *formula ? NULL : not_allowed(copy, allowed);
+  return length > 0 && *formula ? NULL : not_allowed(copy, "names of columns and NAME = FORMULA, with commas between");
 }
 
 const char *columns_read(struct table_choice **choice, const char *text)
 {
   struct chosen *c = calloc(1, sizeof *c);
-  const char *wrong = c ? NULL : no_memory, *end;
-  if (c)
-    c->choice = (struct table_choice){ .begin = begin, .show = show, .names = c->text };
-  for (; !wrong; text = end + 1) {
+  const char *wrong = NULL, *end;
+  if (!c)
+    return no_memory;
+  c->choice = (struct table_choice){ .begin = begin, .show = show, .names = c->text };
+  do {
     end = end_of_item(text);
     wrong = add_text(c, text, end);
-    if (*end == '\0')
-      break;
-  }
+    text = end + 1;
+  } while (!wrong && *end);
   *choice = wrong ? NULL : &c->choice;
-  if (wrong && c)
+  if (wrong)
     columns_free(&c->choice);
   return wrong;
 }

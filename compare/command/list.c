@@ -91,21 +91,16 @@ static void describe(const struct arguments *initial, const struct option *o, ch
            place ? place + 2 : "");
 }
 
-static void list_quantity(FILE *to, const char *name, const char *sentence, const char *unit)
-{
-  char text[HELP_OPTION];
-  snprintf(text, sizeof text, "%s [%s]", sentence, unit);
-  print_item(to, name, 22, text);
-}
-
 /* Those that are formulas stand behind the list of all. */
 static void list_quantities(FILE *to, int first, int end)
 {
   fputs("\nQuantities (with their units):\n", to);
-  for (const struct quantity_row *row = quantity_rows + first; row < quantity_rows + end; row++)
-    list_quantity(to, row->name, row->sentence, row->unit);
-  for (const struct formula_row *row = formula_rows; row->name && end == NAMED_QUANTITIES; row++)
-    list_quantity(to, row->name, row->sentence, row->unit);
+  for (const struct quantity_row *row = quantity_rows + first;
+       row < quantity_rows + end || (end == NAMED_QUANTITIES && row->formula); row++) {
+    char text[HELP_OPTION];
+    snprintf(text, sizeof text, "%s [%s]", row->sentence, row->unit);
+    print_item(to, row->name, 22, text);
+  }
 }
 
 /* What --gait takes, if the command has it */

@@ -204,8 +204,8 @@ static const char *plan_trajectory(const void *options, struct rows *rows)
   rows->visit = trace;
   for (int i = 0; (v = sweep_variable(&o->request.sweep, i)) && !wrong; i++)
     wrong = v->target == TARGET_LABEL ? NULL : rows_own(rows, "%s", v->name);
-  for (int i = 0; i < SAMPLE_VALUES && !wrong; i++)
-    wrong = rows_own(rows, "%s", quantity_samples[i]);
+  for (const struct quantity_row *row = quantity_rows; row->name && !wrong; row++)
+    wrong = row->kind == QUANTITY_SAMPLE ? rows_own(rows, "%s", row->name) : NULL;
   return wrong;
 }
 

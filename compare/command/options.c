@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "compare/answers/vary.h"
-#include "compare/answers/visit.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/text/plot.h"

@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 
 #include "compare/command/commands.h"
-#include "compare/answers/visit.h"
 #include "compare/command/want.h"
 #include "compare/points/counts.h"
 #include "compare/text/file.h"

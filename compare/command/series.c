@@ -84,21 +84,10 @@ static bool open_table(struct table *table, const struct request *request)
 }
 
 /* A row for each formula at the one point */
-static enum exit_code write_formulas(struct at *at, const struct series_options *o)
+static enum exit_code write_formulas(struct at *at, const struct series_options *o, int steady,
+                                     const struct series_use *uses, const int places[][2], int count)
 {
-  struct quantities *all = &o->request.asked->quantities;
-  struct series_use uses[MOST_SERIES];
-  int count = series_uses(uses, o), published[MOST_SERIES], exact[MOST_SERIES];
-  int steady = quantity_named(all, "v_start");
-  for (int i = 0; i < count; i++) {
-    char name[QUANTITY_NAME], other[2 * QUANTITY_NAME];
-    snprintf(other, sizeof other, "exact.%s", series_use_name(name, &uses[i]));
-    published[i] = quantity_named(all, name);
-    exact[i] = quantity_named(all, other);
-  }
   struct table table;
-  if (!at_init(at, o->request.asked))
-    return EXIT_UNSOLVED;
   sweep_place_set(&at->place, &o->request.point);
   at_move(at);
   at_number(at, steady);
@@ -107,19 +96,26 @@ static enum exit_code write_formulas(struct at *at, const struct series_options 
   if (!open_table(&table, &o->request))
     return EXIT_FILE;
   for (int i = 0; i < count; i++)
-    write_formula(&table, &uses[i], at_number(at, published[i]), at_number(at, exact[i]));
+    write_formula(&table, &uses[i], at_number(at, places[i][0]), at_number(at, places[i][1]));
   return table_close(&table) ? EXIT_DONE : EXIT_FILE;
 }
 
 static enum exit_code run_point(const struct series_options *o)
 {
-  struct at *at = calloc(1, sizeof *at);
-  o->request.asked->from_steady = true;
-  o->request.asked->accuracy = 0;
-  enum exit_code code = at ? write_formulas(at, o) : EXIT_UNSOLVED;
-  if (at)
-    at_clear(at);
-  free(at);
+  struct asked *asked = o->request.asked;
+  struct series_use uses[MOST_SERIES];
+  int count = series_uses(uses, o), places[MOST_SERIES][2], steady = quantity_named(&asked->quantities, "v_start");
+  asked->from_steady = true;
+  asked->accuracy = 0;
+  for (int i = 0; i < count; i++) {
+    char name[QUANTITY_NAME], exact[2 * QUANTITY_NAME];
+    snprintf(exact, sizeof exact, "exact.%s", series_use_name(name, &uses[i]));
+    places[i][0] = quantity_named(&asked->quantities, name);
+    places[i][1] = quantity_named(&asked->quantities, exact);
+  }
+  struct at *at = at_new(asked);
+  enum exit_code code = at ? write_formulas(at, o, steady, uses, places, count) : EXIT_UNSOLVED;
+  at_free(at);
   return code;
 }
 

@@ -158,38 +158,22 @@ static const char *lay_spline(struct gait_file *g, struct tsv *tsv, const char *
   return wrong;
 }
 
-/* Of an open table, which is closed. */
-static const char *read_table(struct gait_file *gait, struct tsv *tsv, const char *wrong, const char *text)
+const char *gait_file_read(struct gait_file *gait, const char *name, const char *table, const char *text,
+                           bool *unreadable)
 {
-  if (!wrong)
-    wrong = read_rows(gait, tsv);
-  if (!wrong)
-    wrong = look(gait, tsv);
-  if (!wrong)
-    wrong = lay_spline(gait, tsv, text);
-  tsv_close(tsv);
+  static struct tsv reader; /* has the message */
+  *gait = (struct gait_file){ .last = -1 };
+  bool open = table ? tsv_open_text(&reader, name, table)
+                    : tsv_open(&reader, strcmp(name, "-") == 0 ? "./-" : name, TSV_WORDS);
+  reader.style = TSV_WORDS;
+  const char *wrong = open ? read_rows(gait, &reader) : tsv_error(&reader);
+  wrong = wrong ? wrong : look(gait, &reader);
+  wrong = wrong ? wrong : lay_spline(gait, &reader, text);
+  tsv_close(&reader);
   if (wrong)
     gait_file_free(gait);
-  return wrong;
-}
-
-static struct tsv reader; /* has the message */
-
-const char *gait_file_read(struct gait_file *gait, const char *name, const char *text, bool *unreadable)
-{
-  *gait = (struct gait_file){ .last = -1 };
-  bool open = tsv_open(&reader, strcmp(name, "-") == 0 ? "./-" : name, TSV_WORDS);
-  const char *wrong = read_table(gait, &reader, open ? NULL : tsv_error(&reader), text);
   *unreadable = reader.error != 0;
   return wrong;
-}
-
-const char *gait_file_of_table(struct gait_file *gait, const char *name, const char *table, const char *text)
-{
-  *gait = (struct gait_file){ .last = -1 };
-  bool open = tsv_open_text(&reader, name, table);
-  reader.style = TSV_WORDS;
-  return read_table(gait, &reader, open ? NULL : tsv_error(&reader), text);
 }
 
 void gait_file_free(struct gait_file *gait)

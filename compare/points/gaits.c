@@ -70,15 +70,12 @@ static void discard(struct made *made)
 static void discard_node(void *made) { discard(made); }
 static void free_all(void) { tdestroy(all_made, discard_node); }
 
-static int by_text(const void *a, const void *b)
-{
-  return strcmp(((const struct made *)a)->text, ((const struct made *)b)->text);
-}
+/* Of two made ones, which begin with their texts, or of one and a text */
+static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
 static struct made *find(const char *text)
 {
-  const struct made wanted = { .text = (char *)text };
-  struct made **found = tfind(&wanted, &all_made, by_text);
+  struct made **found = made_count > 0 ? tfind(&text, &all_made, by_text) : NULL;
   return found ? *found : NULL;
 }
 
@@ -128,7 +125,7 @@ static const char *make_measured(struct made *m)
   while ((unsigned char)*c >= ' ')
     c++;
   m->gait = &m->file.spline.gait;
-  return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, m->text, &m->is_unreadable);
+  return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, NULL, m->text, &m->is_unreadable);
 }
 
 const char *gait_sample(int i)
@@ -162,11 +159,9 @@ static struct gait_answer unknown(const char *text)
   int used = snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes", text);
   for (int i = 0; i + 1 < MOST && (family = gait_family(i)) != NULL; i++) {
     bool must = family->numbers && !family->usual;
-    used += snprintf(message + used, sizeof message - (size_t)used, "%s %s%s%s",
-                     i == 0               ? ""
-                     : gait_family(i + 1) ? ","
-                                          : " or",
-                     family->name, must ? ":" : "", must ? family->numbers : "");
+    const char *before = i == 0 ? "" : gait_family(i + 1) ? "," : " or";
+    used += snprintf(message + used, sizeof message - (size_t)used, "%s %s%s%s", before, family->name, must ? ":" : "",
+                     must ? family->numbers : "");
     names[i] = family->name;
   }
   snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
@@ -230,35 +225,32 @@ bool gait_has_ends(const struct scallop_gait *gait)
   return true;
 }
 
-/* Of those that were made. */
+/* Of those that were made */
 static struct made *made_of(const struct scallop_gait *gait)
 {
-  struct made *made = made_count > 0 ? find(gait->name) : NULL;
+  struct made *made = find(gait->name);
   return made && made->gait == gait ? made : NULL;
 }
 
 bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
 {
-  struct made *made = made_of(gait);
-  made = made && !file_of(made) ? made : NULL;
-  if (made)
-    *source = (struct gait_source){ .family = made->family,
-                                    .number = made->number,
-                                    .count = made->count,
-                                    .kept = &made->kept,
-                                    .discard = &made->discard };
-  return made != NULL;
+  struct made *m = made_of(gait);
+  if (!m || file_of(m))
+    return false;
+  *source = (struct gait_source){ m->family, m->number, m->count, &m->kept, &m->discard };
+  return true;
 }
 
 bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha)
 {
   struct made *made = made_of(gait);
-  if (!made || !file_of(made))
-    return false;
-  *L = made->file.L;
-  *T = made->file.T;
-  *alpha = made->file.alpha;
-  return true;
+  const struct gait_file *file = made ? file_of(made) : NULL;
+  if (file) {
+    *L = file->L;
+    *T = file->T;
+    *alpha = file->alpha;
+  }
+  return file != NULL;
 }
 
 int gait_reversals(const struct scallop_gait *gait)

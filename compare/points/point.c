@@ -1,6 +1,9 @@
 #include "compare/points/point.h"
 
 #include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "compare/points/gaits.h"
@@ -8,7 +11,25 @@
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
-enum { ALPHA = CRAWLER_NUMBERS - 1 }; /* its place */
+enum { PLACE_OF_L = 4, PLACE_OF_ALPHA = CRAWLER_NUMBERS - 1 }; /* T is between them */
+
+const char *wrong_text(const char *format, ...)
+{
+  static char text[2][640];
+  static int turn;
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text[turn = !turn], sizeof *text, format, arguments);
+  va_end(arguments);
+  return text[turn];
+}
+
+const char *name_among(const char *const *names, const char *name)
+{
+  while (names && *names && strcmp(*names, name) != 0)
+    names++;
+  return names ? *names : NULL;
+}
 
 int crawler_place(const char *name)
 {
@@ -20,32 +41,37 @@ int crawler_place(const char *name)
 
 static double *crawler_field(struct scallop_crawler *c, int place)
 {
-  double *const fields[CRAWLER_NUMBERS] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L, &c->T, &c->alpha };
-  return fields[place];
+  static const size_t fields[CRAWLER_NUMBERS] = {
+    offsetof(struct scallop_crawler, m1),   offsetof(struct scallop_crawler, m2), offsetof(struct scallop_crawler, F1),
+    offsetof(struct scallop_crawler, F2),   offsetof(struct scallop_crawler, L),  offsetof(struct scallop_crawler, T),
+    offsetof(struct scallop_crawler, alpha)
+  };
+  return (void *)((char *)c + fields[place]);
+}
+
+double crawler_number(const struct scallop_crawler *c, int place)
+{
+  return *crawler_field((struct scallop_crawler *)c, place);
 }
 
 void crawler_numbers(const struct scallop_crawler *c, double numbers[CRAWLER_NUMBERS])
 {
-  const double all[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
-  memcpy(numbers, all, sizeof all);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    numbers[i] = crawler_number(c, i);
 }
 
 bool same_crawler(const struct scallop_crawler *a, const struct scallop_crawler *b)
 {
-  double x[CRAWLER_NUMBERS], y[CRAWLER_NUMBERS];
-  crawler_numbers(a, x);
-  crawler_numbers(b, y);
   bool same = a->gait == b->gait;
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    same = same && x[i] == y[i];
+    same = same && crawler_number(a, i) == crawler_number(b, i);
   return same;
 }
 
 double crawler_parameter(const struct scallop_crawler *crawler, const char *name)
 {
-  double numbers[CRAWLER_NUMBERS + 1] = { [CRAWLER_NUMBERS] = NAN };
-  crawler_numbers(crawler, numbers);
-  return numbers[crawler_place(name)];
+  int place = crawler_place(name);
+  return place < CRAWLER_NUMBERS ? crawler_number(crawler, place) : NAN;
 }
 
 struct point point_initial(const struct scallop_crawler *usual)
@@ -56,14 +82,11 @@ struct point point_initial(const struct scallop_crawler *usual)
 
 void point_complete(struct point *p)
 {
-  static const char *const own[] = { "L", "T", "alpha" };
   struct scallop_crawler other = p->usual;
   gait_has_own(p->crawler.gait, &other.L, &other.T, &other.alpha);
-  for (size_t i = 0; i < sizeof own / sizeof *own; i++) {
-    int place = crawler_place(own[i]);
+  for (int place = PLACE_OF_L; place <= PLACE_OF_ALPHA; place++)
     if (!p->written[place])
-      *crawler_field(&p->crawler, place) = *crawler_field(&other, place);
-  }
+      *crawler_field(&p->crawler, place) = crawler_number(&other, place);
 }
 
 static const char *set_v0(struct point *p, double x, const char *text)
@@ -74,35 +97,29 @@ static const char *set_v0(struct point *p, double x, const char *text)
   return NULL;
 }
 
-/* Takes over the candidate, which differs from the point in one number. */
-static const char *take(struct point *p, const struct scallop_crawler *candidate, int place, const char *text)
+const char *point_set_double(struct point *p, int place, double x, const char *text)
 {
   struct scallop_complaint complaint;
-  if (scallop_crawler_check(candidate, &complaint) != SCALLOP_OK)
+  if (place == CRAWLER_NUMBERS)
+    return isfinite(x) ? set_v0(p, x, text) : no_number(text, "a finite number");
+  double *field = crawler_field(&p->crawler, place), before = *field;
+  *field = x; /* the crawler has no other fault */
+  if (scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK) {
+    *field = before;
     return not_allowed(text, complaint.allowed);
-  p->crawler = *candidate;
+  }
   p->written[place] = text;
   return NULL;
 }
 
-const char *point_set_double(struct point *p, int place, double x, const char *text)
-{
-  struct scallop_crawler candidate = p->crawler; /* has no other fault */
-  if (place == CRAWLER_NUMBERS)
-    return isfinite(x) ? set_v0(p, x, text) : no_number(text, "a finite number");
-  *crawler_field(&candidate, place) = x;
-  return take(p, &candidate, place, text);
-}
-
 const char *point_set_number(struct point *p, int place, const char *text)
 {
-  struct scallop_crawler candidate = p->crawler;
-  double v0;
-  if (place == CRAWLER_NUMBERS)
-    return read_number(text, &v0) ? set_v0(p, v0, text) : no_number(text, "a finite number");
-  if (!read_number(text, crawler_field(&candidate, place)))
-    return no_number(text, place == ALPHA ? "a number between 0 and 1, both excluded" : "a finite number > 0");
-  return take(p, &candidate, place, text);
+  double x;
+  if (read_number(text, &x))
+    return point_set_double(p, place, x, text);
+  return no_number(text, place == CRAWLER_NUMBERS  ? "a finite number"
+                         : place == PLACE_OF_ALPHA ? "a number between 0 and 1, both excluded"
+                                                   : "a finite number > 0");
 }
 
 static const char *set_gait(struct point *p, const char *text)

@@ -11,6 +11,11 @@
 enum { CRAWLER_NUMBERS = 7 };
 extern const char *const crawler_parameters[];
 
+/* What is wrong, as printf makes it of these, which may hold earlier ones: until the next call. */
+const char *wrong_text(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
+const char *name_among(const char *const *names, const char *name);
+
 struct point {
   struct scallop_crawler crawler;
   struct scallop_crawler usual;         /* L, T and alpha where neither they are written nor the gait has its own   */
@@ -40,6 +45,8 @@ void point_complete(struct point *point);
 
 /* One of the crawler's numbers by its name; nan: it has none of that name. */
 double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
+/* The same by its place among them, < CRAWLER_NUMBERS */
+double crawler_number(const struct scallop_crawler *crawler, int place);
 /* All of them, in the order of their names; the place of one, or CRAWLER_NUMBERS where it is none. */
 void crawler_numbers(const struct scallop_crawler *crawler, double numbers[CRAWLER_NUMBERS]);
 int crawler_place(const char *name);

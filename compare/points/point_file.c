@@ -5,21 +5,12 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/columns/columns.h"
-
 enum { COLUMN_NAME = 40, MESSAGE = 240 };
-
-static const char *among(const char *const *names, const char *name)
-{
-  while (*names && strcmp(*names, name) != 0)
-    names++;
-  return *names;
-}
 
 static const char *known_parameter(const char *name, const char *const *extra)
 {
-  const char *own = among(crawler_parameters, name);
-  return own ? own : among(extra, name);
+  const char *own = name_among(crawler_parameters, name);
+  return own ? own : name_among(extra, name);
 }
 
 /* The letters and digits of a name */
@@ -83,12 +74,10 @@ static const char *read_column(struct point_file *r, int i, const char *const *e
 /* Is the name of a column that is no parameter still free in the table? */
 static bool is_free(const struct point_file *r, const char *name, const char *const *columns)
 {
-  bool taken = *name == '\0';
-  for (const char *const *own = columns; *own && !taken; own++) {
-    int length;
-    column_formula(*own, &length);
-    taken = (int)strlen(name) == length && strncmp(*own, name, (size_t)length) == 0;
-  }
+  const size_t length = strlen(name);
+  bool taken = length == 0;
+  for (const char *const *own = columns; *own && !taken; own++)
+    taken = strncmp(*own, name, length) == 0 && strchr("=", (*own + length)[strspn(*own + length, " ")]);
   for (int i = 0; i < r->carries && !taken; i++)
     taken = strcmp(r->carried[i], name) == 0;
   return !taken;

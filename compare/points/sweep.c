@@ -35,7 +35,7 @@ const char *sweep_wrong(const struct sweep_variable *v, const struct point *poin
 {
   struct point probe = *point;
   double x;
-  if (v->target == TARGET_NUMBER || v->target == TARGET_V0 || v->target == TARGET_GAIT || v->target == TARGET_PHASE)
+  if (v->target <= TARGET_V0)
     return point_set(&probe, v->name, text);
   return v->target == TARGET_LABEL || (read_number(text, &x) && x > 0) ? NULL : no_number(text, "a finite number > 0");
 }
@@ -103,7 +103,7 @@ void sweep_place_set(struct sweep_place *p, const struct point *point)
 {
   memset(p->label, 0, sizeof p->label);
   p->point = *point;
-  p->F1_over_F2 = p->m1_over_m2 = p->froude = NAN;
+  p->ratio[F1_OVER_F2] = p->ratio[M1_OVER_M2] = p->ratio[FROUDE] = NAN;
   p->carried = NULL;
   p->why[0] = '\0';
   p->is_unread = false;
@@ -175,30 +175,34 @@ static double range_value(const struct move *m, const struct sweep_variable *v, 
   return has_formula(v) ? x : rounded(x, 15);
 }
 
+/* Where a ratio or the Froude number is set; NULL: the variable is none. */
+static double *ratio_of(const struct move *m, const struct sweep_variable *v)
+{
+  bool is = v->target >= TARGET_F1_OVER_F2 && v->target <= TARGET_FROUDE;
+  return is ? &m->place->ratio[v->target - TARGET_F1_OVER_F2] : NULL;
+}
+
 /* Value i of a range in *known; stays: that is there already. */
 static void set_range(const struct move *m, const struct sweep_variable *v, long i, double *known, bool stays)
 {
   stays = stays && !has_formula(v);
   if (!stays)
     *known = range_value(m, v, i);
-  switch (v->target) {
-  case TARGET_F1_OVER_F2: m->place->F1_over_F2 = *known; break;
-  case TARGET_M1_OVER_M2: m->place->m1_over_m2 = *known; break;
-  case TARGET_FROUDE: m->place->froude = *known; break;
-  default: set(m, v->name, *known, stays, v->name); break;
-  }
+  if (ratio_of(m, v))
+    *ratio_of(m, v) = *known;
+  else
+    set(m, v->name, *known, stays, v->name);
 }
 
 /* A value of a list, which was found good when the sweep was read, if not at this point */
 static void set_text(const struct move *m, const struct sweep_variable *v, const char *text)
 {
-  switch (v->target) {
-  case TARGET_LABEL: m->place->label[v->place] = text; break;
-  case TARGET_F1_OVER_F2: read_number(text, &m->place->F1_over_F2); break;
-  case TARGET_M1_OVER_M2: read_number(text, &m->place->m1_over_m2); break;
-  case TARGET_FROUDE: read_number(text, &m->place->froude); break;
-  default: note(m, v->name, point_set(&m->place->point, v->name, text)); break;
-  }
+  if (v->target == TARGET_LABEL)
+    m->place->label[v->place] = text;
+  else if (ratio_of(m, v))
+    read_number(text, ratio_of(m, v));
+  else
+    note(m, v->name, point_set(&m->place->point, v->name, text));
 }
 
 static void set_group(const struct move *m, const struct sweep_product *product, int g, long i)
@@ -222,12 +226,12 @@ static void settle(const struct move *m)
   const struct sweep_place *p = m->place;
   const struct scallop_crawler *c = &p->point.crawler;
   point_complete(&m->place->point);
-  if (!isnan(p->F1_over_F2))
-    set(m, "F1", p->F1_over_F2 * c->F2, false, "F1_over_F2");
-  if (!isnan(p->m1_over_m2))
-    set(m, "m1", p->m1_over_m2 * c->m2, false, "m1_over_m2");
-  if (!isnan(p->froude))
-    set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / p->froude), false, "froude");
+  if (!isnan(p->ratio[F1_OVER_F2]))
+    set(m, "F1", p->ratio[F1_OVER_F2] * c->F2, false, "F1_over_F2");
+  if (!isnan(p->ratio[M1_OVER_M2]))
+    set(m, "m1", p->ratio[M1_OVER_M2] * c->m2, false, "m1_over_m2");
+  if (!isnan(p->ratio[FROUDE]))
+    set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / p->ratio[FROUDE]), false, "froude");
 }
 
 void sweep_move(struct sweep_cursor *cursor, struct sweep_place *place, const struct point *base,

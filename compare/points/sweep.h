@@ -21,12 +21,15 @@ enum sweep_target {
   TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha */
   TARGET_GAIT,
   TARGET_PHASE,
-  TARGET_V0,
+  TARGET_V0, /* up to here what a point has under that name */
   TARGET_F1_OVER_F2,
   TARGET_M1_OVER_M2,
   TARGET_FROUDE,
   TARGET_LABEL /* no parameter: a text beside the point */
 };
+
+/* Those of them that follow from parameters: settled when these are set. By their place behind TARGET_F1_OVER_F2. */
+enum sweep_ratio { F1_OVER_F2, M1_OVER_M2, FROUDE, SWEEP_RATIOS };
 
 struct sweep_end { /* of a range */
   bool is_formula; /* of what is set further out */
@@ -76,7 +79,7 @@ void sweep_free(struct sweep *sweep);
 struct sweep_place {
   struct point point;
   const char *label[SWEEP_LABELS];                /* NULL: none */
-  double F1_over_F2, m1_over_m2, froude;          /* as they are set; else nan */
+  double ratio[SWEEP_RATIOS];                     /* as they are set; else nan */
   const char *const *carried;                     /* the cells of a row of a file that are no parameters */
   char why[POINT_STATUS];                         /* why the parameters are no point, or "" */
   bool is_unread;                                 /* then they are not even known */
@@ -96,8 +99,7 @@ struct sweep_cursor {
 };
 /* The value of a formula at the point as it is so far */
 typedef double sweep_formula(void *context, const struct formula *formula);
-/* Moves the place, which begins as { 0 }, to index[g] in group g of the product; base: the point where nothing
- * varies. */
+/* Moves the place, which begins as { 0 }, to index[g] in group g of the product; base: where nothing varies. */
 void sweep_move(struct sweep_cursor *cursor, struct sweep_place *place, const struct point *base,
                 const struct sweep_product *product, const long *index, sweep_formula *value, void *context);
 /* Advances index by one point. False: it was the last, and index is that of the first again. */
