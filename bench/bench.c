@@ -6,8 +6,6 @@
  * the median and the quartiles of the batches, in nanoseconds for one period (or one steady state). The
  * rival's memory is made beforehand. Its tolerance is the one that takes the fewest evaluations among
  * those that reach the wanted error on every crawler of the set: it is given its best. */
-#include <errno.h>
-#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -20,7 +18,7 @@
 #include "numerics/numerics.h"
 #include "numerics/rivals/rival.h"
 
-enum { MOST_CRAWLERS = 1024, FEW_CRAWLERS = 64, BATCHES = 61 };
+enum { MOST_CRAWLERS = 1024, FEW_CRAWLERS = 64, BATCHES = 61, PARAMETERS = 7 };
 
 static const double batch_seconds = 2e-3;
 
@@ -29,12 +27,12 @@ enum choice { REGULAR, STICK_SLIP, ANY };
 static const char *const choice_text[] = { "regular", "stick-slip", "any" };
 
 struct set {
+  const char *name; /* what kind of crawlers */
   int count;
   struct scallop_crawler crawler[MOST_CRAWLERS];
   double v0[MOST_CRAWLERS];                          /* near the steady velocity */
   struct scallop_period_result exact[MOST_CRAWLERS]; /* from there               */
-  double m1[MOST_CRAWLERS], m2[MOST_CRAWLERS], F1[MOST_CRAWLERS], F2[MOST_CRAWLERS], L[MOST_CRAWLERS], T[MOST_CRAWLERS],
-      alpha[MOST_CRAWLERS];
+  double parameter[PARAMETERS][MOST_CRAWLERS];       /* m1 m2 F1 F2 L T alpha, as a batch wants them */
   const struct scallop_gait *gait[MOST_CRAWLERS];
 };
 
@@ -112,15 +110,11 @@ static bool is_wanted(const struct scallop_crawler *c, const struct scallop_peri
 
 static void put(struct set *set, int i, const struct scallop_crawler *c)
 {
+  const double parameter[PARAMETERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
   set->crawler[i] = *c;
-  set->m1[i] = c->m1;
-  set->m2[i] = c->m2;
-  set->F1[i] = c->F1;
-  set->F2[i] = c->F2;
-  set->L[i] = c->L;
-  set->T[i] = c->T;
-  set->alpha[i] = c->alpha;
   set->gait[i] = c->gait;
+  for (int k = 0; k < PARAMETERS; k++)
+    set->parameter[k][i] = parameter[k];
 }
 
 /* Crawlers of the wanted kind. With starts: and a velocity within a fifth of the steady one, from which a period is of
@@ -130,6 +124,7 @@ static double fill(struct set *set, int count, const struct scallop_gait *gait, 
 {
   struct scallop_steady_result steady;
   double worst = 0;
+  set->name = choice_text[choice];
   set->count = count;
   for (int i = 0, tries = 0; i < count; tries++) {
     struct scallop_crawler c = any_crawler(gait, choice);
@@ -198,18 +193,18 @@ static double floors(void *context)
 static double batches(void *context)
 {
   const struct set *s = ((const struct method *)context)->set;
-  static double froude[MOST_CRAWLERS], v_start[MOST_CRAWLERS], v_mid[MOST_CRAWLERS], displacement[MOST_CRAWLERS],
-      mean[MOST_CRAWLERS], multiplier[MOST_CRAWLERS];
-  const struct scallop_crawlers crawlers = { s->count, s->m1, s->m2, s->F1, s->F2, s->L, s->T, s->alpha, s->gait };
-  const struct scallop_steady_states states = { .froude = froude,
-                                                .v_start = v_start,
-                                                .v_mid = v_mid,
-                                                .displacement = displacement,
-                                                .mean_velocity = mean,
-                                                .multiplier = multiplier };
+  static double out[6][MOST_CRAWLERS];
+  const double(*in)[MOST_CRAWLERS] = s->parameter;
+  const struct scallop_crawlers crawlers = { s->count, in[0], in[1], in[2], in[3], in[4], in[5], in[6], s->gait };
+  const struct scallop_steady_states states = { .froude = out[0],
+                                                .v_start = out[1],
+                                                .v_mid = out[2],
+                                                .displacement = out[3],
+                                                .multiplier = out[4],
+                                                .mean_velocity = out[5] };
   double sum = scallop_steady_batch(&crawlers, &states, 1) == 0 ? 0 : NAN;
   for (int i = 0; i < s->count; i++)
-    sum += mean[i];
+    sum += states.mean_velocity[i];
   return sum;
 }
 
@@ -261,7 +256,7 @@ static double steady_error(const struct set *set)
   for (int i = 0; i < set->count; i++) {
     if (scallop_steady(&set->crawler[i], &r) != SCALLOP_OK)
       give_up("no steady state");
-    worst = larger(worst, fabs(r.period.v_end - r.period.v_start) / (set->L[i] / set->T[i]));
+    worst = larger(worst, fabs(r.period.v_end - r.period.v_start) / (set->crawler[i].L / set->crawler[i].T));
   }
   return worst;
 }
@@ -288,10 +283,16 @@ static double ratio(const struct method *m, const struct method *reference)
   return m->spread.median / reference->spread.median;
 }
 
-static void print_row(const char *name, const char *choice, const struct method *m, const struct method *reference)
+/* A row for each; the first so many are the references of the others, in turn. */
+static void measure_and_print(const char *what, struct method *methods, int count, int references)
 {
-  printf("%s\t%s\t%s\t%s\t%.4g\t%.4g\t%.4g\t%.2g\t%.3g\t%.2g\n", name, choice, m->set->crawler[0].gait->name, m->name,
-         m->spread.median, m->spread.q1, m->spread.q3, m->error, ratio(m, reference), m->tolerance);
+  measure(methods, count);
+  for (int k = 0; k < count; k++) {
+    const struct method *m = &methods[k];
+    printf("%s\t%s\t%s\t%s\t%.4g\t%.4g\t%.4g\t%.2g\t%.3g\t%.2g\n", what, m->set->name, m->set->crawler[0].gait->name,
+           m->name, m->spread.median, m->spread.q1, m->spread.q3, m->error, ratio(m, &methods[k % references]),
+           m->tolerance);
+  }
   fflush(stdout);
 }
 
@@ -322,12 +323,7 @@ static void bench_steady(void)
     m[k].tolerance = NAN;
     m[k].error = k == FLOOR ? off : steady_error(m[k].set);
   }
-  measure(m, METHODS);
-  for (int k = 0; k < METHODS; k++) {
-    const struct set *set = m[k].set;
-    int choice = (int)(set >= sine && set < sine + 3 ? set - sine : set - quadratic);
-    print_row("steady", choice_text[choice], &m[k], &m[FLOOR]);
-  }
+  measure_and_print("steady", m, METHODS, 1);
   printf("# quadratic steady state, times the floor: regular %.1f, stick-slip %.1f, any %.1f; in a batch %.1f, %.1f, "
          "%.1f\n",
          ratio(&m[ONE], m), ratio(&m[ONE_HELD], m), ratio(&m[ONE_ANY], m), ratio(&m[BATCH], m),
@@ -337,7 +333,7 @@ static void bench_steady(void)
 }
 
 /* One period beside the rival's */
-static void bench_period(const struct set *set, const char *choice)
+static void bench_period(const struct set *set)
 {
   enum { METHODS = 5 };
   const char *gait = set->crawler[0].gait->name;
@@ -350,11 +346,9 @@ static void bench_period(const struct set *set, const char *choice)
   };
   for (int k = 1; k < METHODS; k++)
     choose_tolerance(&m[k]);
-  measure(m, METHODS);
-  for (int k = 0; k < METHODS; k++)
-    print_row("period", choice, &m[k], m);
+  measure_and_print("period", m, METHODS, 1);
   const struct method *best = m[1].spread.median < m[2].spread.median ? &m[1] : &m[2];
-  printf("# %s %s period: the best GSL at error <= %g is %s: %.1f times the exact solver's time\n", choice, gait,
+  printf("# %s %s period: the best GSL at error <= %g is %s: %.1f times the exact solver's time\n", set->name, gait,
          best->goal, best->name, ratio(best, m));
   for (int k = 1; k < METHODS; k++)
     scallop_rival_destroy(m[k].rival);
@@ -371,9 +365,7 @@ static void bench_periods(void)
          k % 2 ? STICK_SLIP : REGULAR, true);
     m[k] = (struct method){ .name = "exact", .pass = exact_periods, .set = &sets[k], .tolerance = NAN };
   }
-  measure(m, METHODS);
-  for (int k = 0; k < METHODS; k++)
-    print_row("period", choice_text[k % 2], &m[k], &m[k % 2]);
+  measure_and_print("period", m, METHODS, 2);
   printf("# sinusoidal period, times the quadratic one: regular %.1f, stick-slip %.1f\n",
          ratio(&m[SINE], &m[QUADRATIC]), ratio(&m[SINE_HELD], &m[QUADRATIC_HELD]));
 }
@@ -389,38 +381,16 @@ static void bench_small_T(const struct scallop_gait *gait)
   fill(&sets[0], FEW_CRAWLERS, gait, REGULAR, false);
   for (int k = 0; k < TIMES; k++) {
     sets[k] = sets[0];
-    for (int i = 0; i < FEW_CRAWLERS; i++)
-      sets[k].crawler[i].T = sets[k].T[i] = T[k];
+    sets[k].name = "small T";
+    for (int i = 0; i < FEW_CRAWLERS; i++) {
+      struct scallop_crawler c = sets[0].crawler[i];
+      c.T = T[k];
+      put(&sets[k], i, &c);
+    }
     m[k] = (struct method){ .name = name[k], .pass = steady_states, .set = &sets[k], .tolerance = NAN };
     m[k].error = steady_error(&sets[k]);
   }
-  measure(m, TIMES);
-  for (int k = 0; k < TIMES; k++)
-    print_row("steady", "small T", &m[k], m);
-}
-
-/* The command beside a program that does nothing, both in the folder of this one. */
-static void bench_start(const char *own_path)
-{
-  enum { NOTHING, STEADY, PROGRAMS };
-  static const char *const names[PROGRAMS] = { "nothing", "scallop" };
-  static char paths[PROGRAMS][PATH_MAX], steady[] = "steady";
-  char *const nothing_arguments[] = { paths[NOTHING], NULL }, *const steady_arguments[] = { paths[STEADY], steady,
-                                                                                            NULL };
-  char *const *const arguments[PROGRAMS] = { nothing_arguments, steady_arguments };
-  const char *base = strrchr(own_path, '/');
-  struct stopwatch_spread s[PROGRAMS];
-  for (int k = 0; k < PROGRAMS; k++)
-    snprintf(paths[k], PATH_MAX, "%.*s%s", base ? (int)(base + 1 - own_path) : 0, own_path, names[k]);
-  if (!start_measure(arguments, PROGRAMS, s)) {
-    fprintf(stderr, "bench: cannot run %s and %s: %s\n", paths[NOTHING], paths[STEADY], strerror(errno));
-    exit(3);
-  }
-  for (int k = 0; k < PROGRAMS; k++)
-    printf("start\t-\t-\t%s\t%.4g\t%.4g\t%.4g\tnan\t%.3g\tnan\n", k == STEADY ? "scallop steady" : names[k],
-           1e9 * s[k].median, 1e9 * s[k].q1, 1e9 * s[k].q3, s[k].median / s[NOTHING].median);
-  printf("# scallop steady, from its start to its end: %.2f ms, %.2f times a program that does nothing\n",
-         1e3 * s[STEADY].median, s[STEADY].median / s[NOTHING].median);
+  measure_and_print("steady", m, TIMES, 1);
 }
 
 static void print_head(void)
@@ -479,7 +449,7 @@ int main(int count, char **arguments)
   for (int i = 0; i < 2; i++)
     for (int choice = REGULAR; choice <= STICK_SLIP; choice++) {
       fill(&set, FEW_CRAWLERS, gaits[i], (enum choice)choice, true);
-      bench_period(&set, choice_text[choice]);
+      bench_period(&set);
     }
   for (int i = 0; i < 2; i++)
     bench_small_T(gaits[i]);

@@ -2,49 +2,60 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <math.h>
+#include <limits.h>
 #include <spawn.h>
-#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { MOST_PROGRAMS = 4 };
+#include "compare/text/stopwatch.h"
+
+enum { NOTHING, STEADY, PROGRAMS };
+static const struct {
+  const char *file, *argument, *name;
+} programs[PROGRAMS] = { { "nothing", NULL, "nothing" }, { "scallop", "steady", "scallop steady" } };
 
 extern char **environ;
 
-/* Seconds; nan, with errno, if it fails */
-static double run_once(char *const *arguments, const posix_spawn_file_actions_t *quiet)
+/* Seconds, with standard output going nowhere */
+static double run_once(char *const *arguments)
 {
-  double begin = stopwatch_now();
+  posix_spawn_file_actions_t quiet;
   pid_t process;
-  int code = posix_spawn(&process, arguments[0], quiet, NULL, arguments, environ);
-  if (code != 0) {
-    errno = code;
-    return NAN;
-  }
-  if (waitpid(process, &code, 0) != process)
-    return NAN;
-  if (code != 0) {
-    errno = ECHILD;
-    return NAN;
-  }
-  return stopwatch_now() - begin;
+  int ended = 0, code = posix_spawn_file_actions_init(&quiet);
+  if (code == 0)
+    code = posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+  double begin = stopwatch_now();
+  if (code == 0)
+    code = posix_spawn(&process, arguments[0], &quiet, NULL, arguments, environ);
+  if (code == 0 && (waitpid(process, &ended, 0) != process || ended != 0))
+    code = ECHILD;
+  double seconds = stopwatch_now() - begin;
+  posix_spawn_file_actions_destroy(&quiet);
+  if (code == 0)
+    return seconds;
+  fprintf(stderr, "bench: cannot run %s: %s\n", arguments[0], strerror(code));
+  exit(3);
 }
 
-bool start_measure(char *const *const *arguments, int count, struct stopwatch_spread *spread)
+void bench_start(const char *own_path)
 {
-  static double seconds[MOST_PROGRAMS][START_RUNS];
-  posix_spawn_file_actions_t quiet;
-  if (count > MOST_PROGRAMS || posix_spawn_file_actions_init(&quiet) != 0)
-    return false;
-  bool ran = posix_spawn_file_actions_addopen(&quiet, STDOUT_FILENO, "/dev/null", O_WRONLY, 0) == 0;
-  for (int i = 0; ran && i < START_RUNS; i++)
-    for (int k = 0; ran && k < count; k++) {
-      seconds[k][i] = run_once(arguments[k], &quiet);
-      ran = seconds[k][i] > 0;
+  static double seconds[PROGRAMS][START_RUNS];
+  const char *base = strrchr(own_path, '/');
+  struct stopwatch_spread s[PROGRAMS];
+  for (int i = 0; i < START_RUNS; i++)
+    for (int k = 0; k < PROGRAMS; k++) {
+      char path[PATH_MAX], argument[] = "steady";
+      snprintf(path, sizeof path, "%.*s%s", base ? (int)(base + 1 - own_path) : 0, own_path, programs[k].file);
+      seconds[k][i] = run_once((char *const[]){ path, programs[k].argument ? argument : NULL, NULL });
     }
-  posix_spawn_file_actions_destroy(&quiet);
-  for (int k = 0; ran && k < count; k++)
-    spread[k] = stopwatch_spread(seconds[k], START_RUNS);
-  return ran;
+  for (int k = 0; k < PROGRAMS; k++) {
+    s[k] = stopwatch_spread(seconds[k], START_RUNS);
+    printf("start\t-\t-\t%s\t%.4g\t%.4g\t%.4g\tnan\t%.3g\tnan\n", programs[k].name, 1e9 * s[k].median, 1e9 * s[k].q1,
+           1e9 * s[k].q3, s[k].median / s[NOTHING].median);
+  }
+  printf("# scallop steady, from its start to its end: %.2f ms, %.2f times a program that does nothing\n",
+         1e3 * s[STEADY].median, s[STEADY].median / s[NOTHING].median);
 }

@@ -2,15 +2,12 @@
 #ifndef SCALLOP_BENCH_START_H
 #define SCALLOP_BENCH_START_H
 
-#include <stdbool.h>
-
-#include "compare/text/stopwatch.h"
-
+/* How often each program is started, in turns with the others */
 enum { START_RUNS = 401 };
 
-/* Seconds from making a process of each of count programs to its end, START_RUNS times in turns; arguments[k]: path and
- * arguments, NULL after the last. Standard output goes nowhere. False, with errno, if one of them cannot be started or
- * ends with another code than 0. */
-bool start_measure(char *const *const *arguments, int count, struct stopwatch_spread *spread);
+/* Prints what `scallop steady` takes from being made a process to its end, beside a program that does nothing; both are
+ * in the folder of own_path. Exits with 3 and a message if one of them cannot be started or ends with another code than
+ * 0. */
+void bench_start(const char *own_path);
 
 #endif

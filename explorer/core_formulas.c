@@ -57,36 +57,36 @@ static void note_turning(void *context, const struct scallop_interval *i)
   t->started = true;
 }
 
-static double steady_number(const struct scallop_crawler *c, const struct scallop_steady_result *s,
-                            enum scallop_quantity quantity)
+/* Of numbers in binary128, or of those in double with low parts of 0 */
+static struct scallop_wide steady_number(const struct scallop_wide_steady *s, enum scallop_quantity quantity)
 {
-  double work = NAN;
   switch (quantity) {
   case SCALLOP_STEADY_VELOCITY: return s->period.v_start;
   case SCALLOP_STEADY_V_MID: return s->period.v_mid;
   case SCALLOP_STEADY_DISPLACEMENT: return s->period.displacement;
   case SCALLOP_STEADY_MEAN_VELOCITY: return s->mean_velocity;
-  default: scallop_friction_work(c, s->period.v_start, s->period.v_mid, &work); return work;
+  default: return s->friction_work;
   }
 }
 
-static double phase_number(const struct scallop_phase_result *p, const struct turning *t, enum scallop_phase_kind kind,
-                           double v0, double L, enum scallop_quantity quantity)
+static struct scallop_wide phase_number(const struct scallop_wide_phase *p, const struct turning *t,
+                                        enum scallop_phase_kind kind, double v0, double L,
+                                        enum scallop_quantity quantity)
 {
   bool extension = kind == SCALLOP_EXTENSION;
   switch (quantity) {
   case SCALLOP_LAG: return p->dT;
   case SCALLOP_FIRST_SWITCH: return p->t1;
-  case SCALLOP_REAR_AT_FIRST: return t->first * L;
-  case SCALLOP_REAR_AT_LAST: return t->last * L;
+  case SCALLOP_REAR_AT_FIRST: return (struct scallop_wide){ t->first * L, 0 };
+  case SCALLOP_REAR_AT_LAST: return (struct scallop_wide){ t->last * L, 0 };
   case SCALLOP_REAR_AT_END: return extension ? p->dx1 : p->dx2;
   case SCALLOP_FRONT_AT_END: return extension ? p->dx2 : p->dx1;
   case SCALLOP_CENTRE_AT_END: return p->dxC;
   case SCALLOP_VELOCITY_AT_END: return p->v_end;
-  case SCALLOP_VELOCITY_CHANGE: return p->v_end - v0;
+  case SCALLOP_VELOCITY_CHANGE: return (struct scallop_wide){ p->v_end.high - v0, p->v_end.low };
   case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: return isnan(p->dT) ? NAN : 0;
-  default: return NAN;
+  case SCALLOP_VELOCITY_AT_LAST: return (struct scallop_wide){ isnan(p->dT.high) ? NAN : 0, 0 };
+  default: return (struct scallop_wide){ NAN, 0 };
   }
 }
 
@@ -108,8 +108,15 @@ static struct solved of_steady(const struct scallop_crawler *c, enum scallop_qua
   struct scallop_steady_result s;
   if (scallop_steady(c, &s) < 0)
     return (struct solved){ NAN, NAN, NAN, NAN, NAN };
-  double modes = modes_number(&s.period.modes[1], modes_number(&s.period.modes[0], 0));
-  return (struct solved){ steady_number(c, &s, quantity), modes, NAN, NAN, NAN };
+  const struct scallop_period_result *p = &s.period;
+  struct scallop_wide_steady numbers = { .mean_velocity = { s.mean_velocity, 0 }, .friction_work = { NAN, 0 } };
+  numbers.period.v_start.high = p->v_start;
+  numbers.period.v_mid.high = p->v_mid;
+  numbers.period.displacement.high = p->displacement;
+  if (quantity == SCALLOP_STEADY_FRICTION_WORK)
+    scallop_friction_work(c, p->v_start, p->v_mid, &numbers.friction_work.high);
+  double modes = modes_number(&p->modes[1], modes_number(&p->modes[0], 0));
+  return (struct solved){ steady_number(&numbers, quantity).high, modes, NAN, NAN, NAN };
 }
 
 static struct solved of_phase(const struct scallop_crawler *c, enum scallop_quantity quantity,
@@ -123,8 +130,14 @@ static struct solved of_phase(const struct scallop_crawler *c, enum scallop_quan
   if (scallop_phase(c, kind, v0, &p) < 0)
     return (struct solved){ NAN, NAN, NAN, NAN, NAN };
   scallop_phase_intervals(c, kind, v0, note_turning, &t);
-  return (struct solved){ phase_number(&p, &t, kind, v0, c->L, quantity), modes_number(&p.modes, 0), p.t1, p.dT,
-                          t.last * c->L };
+  struct scallop_wide_phase numbers = { .t1 = { p.t1, 0 } };
+  numbers.dT.high = p.dT;
+  numbers.v_end.high = p.v_end;
+  numbers.dx1.high = p.dx1;
+  numbers.dx2.high = p.dx2;
+  numbers.dxC.high = p.dxC;
+  return (struct solved){ phase_number(&numbers, &t, kind, v0, c->L, quantity).high, modes_number(&p.modes, 0), p.t1,
+                          p.dT, t.last * c->L };
 }
 
 int formula_is_claimed(int i)
@@ -158,21 +171,15 @@ void formulas_along(int formulas, int kind, double v0, int count)
     scallop_formula_free(read[j]);
 }
 
-/* A number in binary128: the same of results in double that are its high and its low parts. nan: there is none. */
+/* A number in binary128; nan: there is none. */
 static long double steady_in_wide(const struct scallop_formula *f, const struct scallop_crawler *c, double *modes)
 {
   struct scallop_wide_steady s;
   if (f->quantity == SCALLOP_STEADY_FRICTION_WORK || scallop_wide_steady(SCALLOP_BINARY128, c, &s) != SCALLOP_OK)
     return NAN;
-  const struct scallop_wide_period *p = &s.period;
-  const struct scallop_steady_result parts[2] = {
-    { .period = { .v_start = p->v_start.high, .v_mid = p->v_mid.high, .displacement = p->displacement.high },
-      .mean_velocity = s.mean_velocity.high },
-    { .period = { .v_start = p->v_start.low, .v_mid = p->v_mid.low, .displacement = p->displacement.low },
-      .mean_velocity = s.mean_velocity.low },
-  };
-  *modes = modes_number(&p->modes[1], modes_number(&p->modes[0], 0));
-  return (long double)steady_number(c, &parts[0], f->quantity) + steady_number(c, &parts[1], f->quantity);
+  struct scallop_wide number = steady_number(&s, f->quantity);
+  *modes = modes_number(&s.period.modes[1], modes_number(&s.period.modes[0], 0));
+  return (long double)number.high + number.low;
 }
 
 static long double phase_in_wide(const struct scallop_formula *f, const struct scallop_crawler *c,
@@ -182,18 +189,9 @@ static long double phase_in_wide(const struct scallop_formula *f, const struct s
   struct scallop_wide_phase p;
   if (scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &p) != SCALLOP_OK)
     return NAN;
-  const struct scallop_phase_result parts[2] = {
-    { .t1 = p.t1.high,
-      .dT = p.dT.high,
-      .v_end = p.v_end.high,
-      .dx1 = p.dx1.high,
-      .dx2 = p.dx2.high,
-      .dxC = p.dxC.high },
-    { .t1 = p.t1.low, .dT = p.dT.low, .v_end = p.v_end.low, .dx1 = p.dx1.low, .dx2 = p.dx2.low, .dxC = p.dxC.low },
-  };
+  struct scallop_wide number = phase_number(&p, &none, kind, v0, c->L, f->quantity);
   *modes = modes_number(&p.modes, 0);
-  return (long double)phase_number(&parts[0], &none, kind, v0, c->L, f->quantity)
-         + phase_number(&parts[1], &none, kind, 0, c->L, f->quantity);
+  return (long double)number.high + number.low;
 }
 
 /* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences,

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CLASSES = 256, PARAMETERS = 7, BLOCK = 512 };
+enum { CLASSES = 256, BLOCK = 512 };
 
 /* The last class is for all that there is no room for. */
 static char class_text[CLASSES][2 * SCALLOP_MODES_TEXT + 16];

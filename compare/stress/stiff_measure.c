@@ -11,52 +11,46 @@
 
 enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */
 
-/* A body that is stuck in a scene */
-struct grip {
-  const struct stiff_scene *scene;
-  struct stiff_held held;
-};
-
 /* The friction that holds the body still over the most that there is, at a time since the phase began, along the body's
  * own axis: it accelerates the centre of mass, which moves with +-l' times a share of the masses, together with that of
  * the body that moves. */
-static double force_over_friction(const struct grip *g, double time)
+static double force_over_friction(const struct stiff_scene *scene, double time)
 {
-  const struct scallop_scaled *a = &g->scene->scaled;
-  const enum scallop_phase_kind phase = g->held.phase;
+  const struct scallop_scaled *a = &scene->scaled;
+  const enum scallop_phase_kind phase = scene->held.phase;
   double l2, eps = a->eps * a->fraction[phase] * a->fraction[phase], sign = phase == SCALLOP_EXTENSION ? 1 : -1;
-  scallop_gait_at(a->gait, phase, time / scallop_phase_duration(&g->scene->crawler, phase), NULL, NULL, &l2);
-  return g->held.body == 1 ? -(a->mu2 * l2 / eps + a->f2 * sign) / a->f1 : (a->mu1 * l2 / eps + a->f1 * sign) / a->f2;
+  scallop_gait_at(a->gait, phase, time / scallop_phase_duration(&scene->crawler, phase), NULL, NULL, &l2);
+  return scene->held.body == 1 ? -(a->mu2 * l2 / eps + a->f2 * sign) / a->f1
+                               : (a->mu1 * l2 / eps + a->f1 * sign) / a->f2;
 }
 
 /* The velocity at which smoothed friction is that force, over v_delta; kept finite where rounding takes the force to
  * the limit. */
-static double creep_velocity(double time, void *grip)
+static double creep_velocity(double time, void *scene)
 {
   const double most = 1 - DBL_EPSILON / 2;
-  return atanh(fmax(-most, fmin(most, force_over_friction(grip, time))));
+  return atanh(fmax(-most, fmin(most, force_over_friction(scene, time))));
 }
 
 /* What smoothed friction makes of it */
-static void predict(struct grip *g)
+static void predict(struct stiff_scene *scene)
 {
   enum { PARTS = 200 };
-  struct stiff_held *held = &g->held;
+  struct stiff_held *held = &scene->held;
   double middle = (held->begin + held->end) / 2, way = NAN, error;
   gsl_integration_workspace *space = gsl_integration_workspace_alloc(PARTS);
-  gsl_function velocity = { creep_velocity, g };
+  gsl_function velocity = { creep_velocity, scene };
   bool done = space
               && gsl_integration_qags(&velocity, held->begin, held->end, 0, 1e-9, PARTS, space, &way, &error) == 0;
   gsl_integration_workspace_free(space);
-  held->force = fabs(force_over_friction(g, middle));
-  held->velocity = creep_velocity(middle, g);
-  held->creep = done ? way / g->scene->crawler.T : NAN;
+  held->force = fabs(force_over_friction(scene, middle));
+  held->velocity = creep_velocity(middle, scene);
+  held->creep = done ? way / scene->crawler.T : NAN;
 }
 
-static struct stiff_held find_held(const struct stiff_scene *scene, double v_mid)
+static void find_held(struct stiff_scene *scene, double v_mid)
 {
   const struct answer none = { .status = SCALLOP_OK };
-  struct grip longest = { .scene = scene };
   for (int k = SCALLOP_EXTENSION; k <= SCALLOP_CONTRACTION; k++) {
     const struct motion phase = { OF_PHASE, scene->crawler, (enum scallop_phase_kind)k,
                                   k == 0 ? scene->v_start : v_mid };
@@ -68,13 +62,12 @@ static struct stiff_held find_held(const struct stiff_scene *scene, double v_mid
       if (body != now.body)
         now = (struct stiff_held){ .body = body, .phase = phase.phase, .v0 = phase.v0, .begin = all[i].from };
       now.end = all[i].until;
-      if (body != 0 && now.end - now.begin > longest.held.end - longest.held.begin)
-        longest.held = now;
+      if (body != 0 && now.end - now.begin > scene->held.end - scene->held.begin)
+        scene->held = now;
     }
   }
-  if (longest.held.body != 0)
-    predict(&longest);
-  return longest.held;
+  if (scene->held.body != 0)
+    predict(scene);
 }
 
 static const char *why(const struct ball_answer *a) { return a->why ? a->why : scallop_status_text(a->status); }
@@ -103,7 +96,7 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
   scene->v_end = ball_middle(second.value[Q_V_END]);
   scene->displacement = ball_middle(displacement);
   motion_modes_text(scene->modes, OF_STEADY, first.modes);
-  scene->held = find_held(scene, ball_middle(first.value[Q_V_END]).high);
+  find_held(scene, ball_middle(first.value[Q_V_END]).high);
   return NULL;
 }
 
