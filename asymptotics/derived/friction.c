@@ -7,9 +7,7 @@
  * |l'|. */
 static void power_of_region(fmpq_t power, const struct phase_constants *p, int region)
 {
-  fmpq_t rear, front; /* twice the friction of that body times its curve */
-  fmpq_init(rear);
-  fmpq_init(front);
+  SCOPED(fmpq, rear, front); /* twice the friction of that body times its curve */
   fmpq_add_si(rear, p->beta[1], 1);
   fmpq_mul(rear, rear, p->curve[0]);
   fmpq_sub_si(front, p->beta[1], 1);
@@ -20,14 +18,12 @@ static void power_of_region(fmpq_t power, const struct phase_constants *p, int r
     fmpq_neg(front, front);
   fmpq_sub(power, front, rear);
   fmpq_div_2exp(power, power, 1);
-  fmpq_clear(rear);
-  fmpq_clear(front);
 }
 
 /* The integral of |l'| from the start of the phase to where the crossing is at the base point */
 static void way_to_base(struct series *way, const struct crossing *at, const struct phase_constants *p, slong precision)
 {
-  arb_ptr t = _arb_vec_init(4), from = t, to = t + 1, part = t + 2, sum = t + 3;
+  SCOPED(arb, from, to, part, sum);
   for (const struct scallop_piece *piece = p->shape->pieces; piece <= at->piece; piece++) {
     scallop_ball_begin(from, piece, precision);
     scallop_ball_end(to, piece, precision);
@@ -37,7 +33,6 @@ static void way_to_base(struct series *way, const struct crossing *at, const str
     arb_add(sum, sum, part, precision);
   }
   series_set_ball(way, sum);
-  _arb_vec_clear(t, 4);
 }
 
 /* Adds to work what the friction of a phase takes, over (F1 + F2) L, but for the loss of kinetic energy of the centre

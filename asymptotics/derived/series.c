@@ -232,19 +232,15 @@ void series_mul(struct series *product, const struct series *a, const struct ser
   const enum series_kind kind = common(a, b);
   const slong first = a->first + b->first, known = least(moved(a->known, b->first), moved(b->known, a->first));
   const slong length = ring->length;
-  struct series spare[2];
-  series_init(&spare[0]);
-  series_init(&spare[1]);
-  const struct series *p = as_kind(&spare[0], a, kind, ring->precision),
-                      *q = as_kind(&spare[1], b, kind, ring->precision);
+  SCOPED(series, spare_a, spare_b);
+  const struct series *p = as_kind(&spare_a, a, kind, ring->precision),
+                      *q = as_kind(&spare_b, b, kind, ring->precision);
   bool cut = series_terms(p) > 0 && series_terms(q) > 0 && series_terms(p) + series_terms(q) - 1 > length;
   BY_KIND(kind, fmpq_poly_mullow(product->rational, p->rational, q->rational, length),
           pi_poly_mullow(&product->in_pi, &p->in_pi, &q->in_pi, length),
           arb_poly_mullow(product->ball, p->ball, q->ball, length, ring->precision));
   begin(product, kind, first, cut ? least(known, first + length) : known);
   series_tidy(product, ring);
-  series_clear(&spare[0]);
-  series_clear(&spare[1]);
 }
 
 void series_neg(struct series *to, const struct series *a)
@@ -270,32 +266,25 @@ void series_scale_si(struct series *to, const struct series *a, slong factor, co
 
 bool series_div(struct series *quotient, const struct series *a, const struct series *b, const struct ring *ring)
 {
-  struct series divisor, spare[2];
-  series_init(&divisor);
+  SCOPED(series, divisor, spare_a, spare_b);
   series_set(&divisor, b);
   series_tidy(&divisor, ring);
-  bool possible = series_terms(&divisor) > 0
-                  && (divisor.kind != SERIES_BALLS || !arb_contains_zero(arb_poly_get_coeff_ptr(divisor.ball, 0)));
-  series_init(&spare[0]);
-  series_init(&spare[1]);
-  if (possible) {
-    const enum series_kind kind = common(a, &divisor);
-    const slong first = a->first - divisor.first, length = ring->length;
-    const struct series *p = as_kind(&spare[0], a, kind, ring->precision);
-    const struct series *q = as_kind(&spare[1], &divisor, kind, ring->precision);
-    slong known = least(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
-    if (series_terms(&divisor) > 1 || series_terms(a) > length) /* before a may be overwritten */
-      known = least(known, first + length);
-    BY_KIND(kind, fmpq_poly_div_series(quotient->rational, p->rational, q->rational, length),
-            pi_poly_div_series(&quotient->in_pi, &p->in_pi, &q->in_pi, length),
-            arb_poly_div_series(quotient->ball, p->ball, q->ball, length, ring->precision));
-    begin(quotient, kind, first, known);
-    series_tidy(quotient, ring);
-  }
-  series_clear(&divisor);
-  series_clear(&spare[0]);
-  series_clear(&spare[1]);
-  return possible;
+  if (series_terms(&divisor) == 0
+      || (divisor.kind == SERIES_BALLS && arb_contains_zero(arb_poly_get_coeff_ptr(divisor.ball, 0))))
+    return false;
+  const enum series_kind kind = common(a, &divisor);
+  const slong first = a->first - divisor.first, length = ring->length;
+  const struct series *p = as_kind(&spare_a, a, kind, ring->precision);
+  const struct series *q = as_kind(&spare_b, &divisor, kind, ring->precision);
+  slong known = least(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
+  if (series_terms(&divisor) > 1 || series_terms(a) > length) /* before a may be overwritten */
+    known = least(known, first + length);
+  BY_KIND(kind, fmpq_poly_div_series(quotient->rational, p->rational, q->rational, length),
+          pi_poly_div_series(&quotient->in_pi, &p->in_pi, &q->in_pi, length),
+          arb_poly_div_series(quotient->ball, p->ball, q->ball, length, ring->precision));
+  begin(quotient, kind, first, known);
+  series_tidy(quotient, ring);
+  return true;
 }
 
 void series_shift(struct series *to, const struct series *a, slong power)

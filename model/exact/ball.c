@@ -195,7 +195,7 @@ static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
 /* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on; Horner's rule. */
 static void evaluate(arb_t value, const struct scallop_fractions *f, int order, const arb_t u, slong precision)
 {
-  arb_ptr t = _arb_vec_init(2), x = t, sum = t + 1;
+  SCOPED(arb, x, sum);
   SCOPED(fmpz, c);
   shift(x, u, f->origin, precision);
   for (slong k = fmpq_poly_degree(f->speed); k >= FLINT_MAX(order, 0); k--) {
@@ -214,7 +214,6 @@ static void evaluate(arb_t value, const struct scallop_fractions *f, int order, 
   if (order < 0)
     arb_mul(sum, sum, x, precision);
   arb_div_fmpz(value, sum, fmpq_poly_denref(f->speed), precision);
-  _arb_vec_clear(t, 2);
 }
 
 /* The same of a piece that is not a sine */

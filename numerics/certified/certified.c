@@ -76,7 +76,7 @@ enum scallop_regime certified_regime(bool sticks, bool both_move)
 static bool phase_result(struct scallop_certified_phase *r, struct scallop_march *m, const fmpq_t tau, const fmpq_t L,
                          slong bits)
 {
-  arb_ptr sizes = _arb_vec_init(4), time = sizes, velocity = sizes + 1, length = sizes + 2, one = sizes + 3;
+  SCOPED(arb, time, velocity, length, one);
   slong p = m->precision;
   arb_set_fmpq(time, tau, p);
   arb_set_fmpq(length, L, p);
@@ -102,7 +102,6 @@ static bool phase_result(struct scallop_certified_phase *r, struct scallop_march
   r->switches = m->switches;
   r->modes = m->modes;
   r->regime = certified_regime(m->sticks, m->moves[0] && m->moves[1]);
-  _arb_vec_clear(sizes, 4);
   return accurate;
 }
 

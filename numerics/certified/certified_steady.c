@@ -294,7 +294,7 @@ static void first_radius(arb_t radius, const struct search *s, slong precision)
 static bool prove(struct search *s, arb_t proven, slong precision)
 {
   enum { TRIES = 6, WIDER = 6 };
-  arb_ptr t = _arb_vec_init(2), radius = t, side = t + 1;
+  SCOPED(arb, radius, side);
   bool found = false, known = s->known == precision || probe(s, precision);
   if (known && arb_is_zero(s->gain) && !s->jumps) {
     arb_set(proven, s->v);
@@ -314,7 +314,6 @@ static bool prove(struct search *s, arb_t proven, slong precision)
     arb_set(proven, s->v);
     arb_add_error(proven, radius);
   }
-  _arb_vec_clear(t, 2);
   return found && march_period(&s->period, proven, precision);
 }
 
@@ -367,7 +366,7 @@ static void friction_work(arb_t work, const struct period *period, slong precisi
 {
   const struct scallop_march *m = period->march;
   const fmpq *friction[2] = { period->forces[0].friction[0], period->forces[0].friction[1] };
-  arb_ptr t = _arb_vec_init(2), path = t, force = t + 1;
+  SCOPED(arb, path, force);
   SCOPED(fmpq, sum);
   fmpq_add(sum, friction[0], friction[1]);
   arb_zero(work);
@@ -378,7 +377,6 @@ static void friction_work(arb_t work, const struct period *period, slong precisi
   }
   arb_set_fmpq(force, sum, precision);
   arb_div(work, work, force, precision);
-  _arb_vec_clear(t, 2);
 }
 
 /* Lengths in L and velocities in L/T become those of the crawler; false: not accurate enough. */
@@ -386,7 +384,7 @@ static bool steady_result(struct scallop_certified_steady *r, const struct perio
                           const struct scallop_rational_crawler *c, slong bits, slong precision)
 {
   const struct scallop_march *m = period->march;
-  arb_ptr sizes = _arb_vec_init(4), length = sizes, velocity = sizes + 1, one = sizes + 2, energy = sizes + 3;
+  SCOPED(arb, length, velocity, one, energy);
   arb_set_fmpq(length, c->L, precision);
   arb_set_fmpq(velocity, c->T, precision);
   arb_div(velocity, length, velocity, precision);
@@ -415,7 +413,6 @@ static bool steady_result(struct scallop_certified_steady *r, const struct perio
   r->modes[1] = m[1].modes;
   r->regime = certified_regime(m[0].sticks || m[1].sticks,
                                (m[0].moves[0] || m[1].moves[0]) && (m[0].moves[1] || m[1].moves[1]));
-  _arb_vec_clear(sizes, 4);
   return accurate;
 }
 

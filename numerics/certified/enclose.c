@@ -102,7 +102,7 @@ static void halve(arb_t x, bool earlier, slong precision)
  * it needs no more. */
 static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
 {
-  arb_ptr t = _arb_vec_init(3), middle = t, value = t + 1, slope = t + 2;
+  SCOPED(arb, middle, value, slope);
   SCOPED(mag, enough);
   bool right = true, going = true;
   slong bits = FLINT_MIN(FEW, precision);
@@ -123,7 +123,6 @@ static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
       right = arb_intersection(zero, zero, middle, precision);
     going = mag_cmp(arb_radref(zero), enough) < 0;
   }
-  _arb_vec_clear(t, 3);
   return right && arb_is_finite(zero);
 }
 
