@@ -26,15 +26,15 @@ struct statement {
   bool of_its_gaits_alone;     /* the paper's: no row for another                                           */
   bool of_its_crawler;         /* the paper's, not the ledger's                                             */
   bool proven;                 /* for the paper's gaits, in docs/theory.md: The motion in words             */
-  /* Of one about every crawler: which number of a crawler is at most the limit where it holds, and -INFINITY where it is
-   * about others; and what is said where it holds for all: a format of how many they are. */
+  /* Of one about every crawler: which number of a crawler is at most the limit where it holds, and -INFINITY where it
+   * is about others; and what is said where it holds for all: a format of how many they are. */
   void (*measure)(struct question *q, struct scallop_crawler c, double numbers[RANDOM_NUMBERS]);
   int number;
   double limit;
   const char *holds;
 };
-/* In the order of the ledger; the last has name NULL. Those of families and figures are decided with the paper's crawler,
- * and then with the ledger's. */
+/* In the order of the ledger; the last has name NULL. Those of families and figures are decided with the paper's
+ * crawler, and then with the ledger's. */
 extern const struct statement statements_at_random[], statements_by_example[], statements_of_families[],
     statements_of_figures[];
 

@@ -1,0 +1,59 @@
+/* The rows of the claims in words */
+#include <math.h>
+
+#include "compare/claims/statement.h"
+
+static struct scallop_crawler with_numbers(struct scallop_crawler c, const struct scallop_crawler *with)
+{
+  double *const numbers[CRAWLER_NUMBERS] = { &c.m1, &c.m2, &c.F1, &c.F2, &c.L, &c.T, &c.alpha };
+  double others[CRAWLER_NUMBERS];
+  crawler_numbers(with, others);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    *numbers[i] = others[i] != 0 ? others[i] : *numbers[i];
+  return c;
+}
+
+static void add_row(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
+                    bool of_the_paper)
+{
+  struct question q = { .claim = claim,
+                        .crawler = with_numbers(*crawler, &claim->with),
+                        .of_the_paper = of_the_paper,
+                        .by = CERTIFIED_CRAWLER,
+                        .solved = true,
+                        .row = { .equation = claim->place,
+                                 .quantity = claim->quantity,
+                                 .gait = crawler->gait->name,
+                                 .inside = of_the_paper && !claim->outside,
+                                 .in_words = true,
+                                 .claimed_order = NAN,
+                                 .mismatch = NAN,
+                                 .fit = { .order = NAN, .low = NAN, .high = NAN } } };
+  append(q.row.claim, sizeof q.row.claim, "%s", claim->name);
+  append(q.row.conditions, sizeof q.row.conditions, claim->conditions,
+         of_the_paper ? "the paper's crawler" : "the ledger's crawler");
+  (claim->decide ? claim->decide : at_random)(&q, q.crawler);
+  ledger_add(ledger, &q.row);
+}
+
+static void add_rows(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
+                     bool of_the_paper)
+{
+  for (; claim->name; claim++)
+    if ((of_the_paper || !claim->of_its_crawler)
+        && (scallop_gait_named(crawler->gait->name) || !claim->of_its_gaits_alone) && !ledger_expects(ledger))
+      add_row(ledger, claim, crawler, of_the_paper);
+}
+
+void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler)
+{
+  struct scallop_crawler paper = scallop_crawler_default(), own = *crawler;
+  paper.gait = crawler->gait;
+  own.T = 0.5 * sqrt((own.m1 + own.m2) / (own.F1 + own.F2) * own.L); /* half of that at which the Froude number is 1 */
+  add_rows(ledger, statements_at_random, &paper, true);
+  add_rows(ledger, statements_by_example, &paper, true);
+  add_rows(ledger, statements_of_families, &paper, true);
+  add_rows(ledger, statements_of_figures, &paper, true);
+  add_rows(ledger, statements_of_families, &own, false);
+  add_rows(ledger, statements_of_figures, &own, false);
+}
