@@ -37,9 +37,9 @@ const char *column_formula(const char *text, int *name_length);
 /* The number that a text is: decimal, or a fraction such as -3/40; else nan */
 double text_number(const char *text);
 
-/* Reads a list of texts with commas between, which is kept as a copy: *choice is then new, for the style of one table
- * at a time; columns_free ends it. Returns NULL, or what is wrong; that lives until the next call. Which columns there are
- * is known when the table begins: table_begin_rows refuses a name that is none of theirs. */
+/* Reads a list of texts with commas between, which is kept as a copy: *choice is then new, for the style of one
+ * table at a time; columns_free ends it. Returns NULL, or what is wrong; that lives until the next call. Which
+ * columns there are is known when the table begins: table_begin_rows refuses a name that is none of theirs. */
 const char *columns_read(struct table_choice **choice, const char *text);
 /* choice may be NULL. */
 void columns_free(struct table_choice *choice);

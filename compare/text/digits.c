@@ -71,8 +71,8 @@ static bool nearest_double(uint64_t w, long k, double *x)
 
 enum { MOST_DIGITS = 17 };
 
-/* Digits, the first of them worth 10^exponent, |exponent| < 100, as "%.*g" lays them out. Behind the count of them there
- * are zeros. */
+/* Digits, the first of them worth 10^exponent, |exponent| < 100, as "%.*g" lays them out. Behind the count of them
+ * there are zeros. */
 static void lay_out(char *to, const char *digits, int count, int exponent, int precision)
 {
   const bool has_exponent = exponent < -4 || exponent >= precision;

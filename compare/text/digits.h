@@ -8,12 +8,13 @@
 
 #include <stdbool.h>
 
-/* x with so many significant digits; for digits = 0 as "%.*g" writes it with as few of 15, 16 and 17 digits as read back
- * exactly; nan without a sign. */
+/* x with so many significant digits; for digits = 0 as "%.*g" writes it with as few of 15, 16 and 17 digits as read
+ * back exactly; nan without a sign. */
 enum { NUMBER_TEXT = 48, DIGITS_TEXT = NUMBER_TEXT };
 void number_text(char text[NUMBER_TEXT], double x, long digits);
 
-/* The quick form alone, for digits = 0. False: left to the library; so are subnormal numbers, nan and the infinities. */
+/* The quick form alone, for digits = 0. False: left to the library; so are subnormal numbers, nan and the
+ * infinities. */
 bool digits_write_quickly(char text[NUMBER_TEXT], double x);
 
 /* The double nearest to a number of at most 19 digits in plain decimal notation, -12.5 or 1.25e-3, and nothing else.
