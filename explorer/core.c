@@ -63,8 +63,7 @@ int choose_table(void)
   *table++ = '\0';
   gait = explorer_crawler.gait;
   gait_file_free(next);
-  bool unreadable;
-  const char *wrong = gait_file_read(next, explorer_text, table, "measured", &unreadable);
+  const char *wrong = gait_file_of_table(next, explorer_text, table, "measured");
   if (wrong) {
     snprintf(explorer_text, EXPLORER_TEXT, "%s", wrong);
     return SCALLOP_EDOMAIN;

@@ -145,7 +145,7 @@ static double start_of(struct at *s, enum motion_of_point m)
   if (s->place.point.has_v0)
     return s->place.point.v0;
   const struct answer *a = solve(s, STEADY_STATE);
-  return a ? a->value[phase_of(m) == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high : NAN;
+  return a ? a->value[phase_kind(m) == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high : NAN;
 }
 
 /* The answer in double; NULL: there is none, and s->why says why. */
@@ -156,7 +156,7 @@ static const struct answer *solve(struct at *s, enum motion_of_point m)
   if (isnan(v0))
     return NULL;
   if (is_first(&a->in_double, m == STEADY_STATE ? COUNT_STEADY : COUNT_PHASES)) {
-    a->motion = (struct motion){ m == STEADY_STATE ? OF_STEADY : OF_PHASE, s->place.point.crawler, phase_of(m), v0 };
+    a->motion = (struct motion){ m == STEADY_STATE ? OF_STEADY : OF_PHASE, s->place.point.crawler, phase_kind(m), v0 };
     if (answer_in_double(&a->answer, &a->motion))
       count_work(&a->answer.work);
   }
@@ -231,7 +231,7 @@ static double published(struct at *s, const struct quantity *q)
   const struct scallop_formula *f = q->formula;
   const struct scallop_crawler *c = &s->place.point.crawler;
   enum motion_of_point m = motion_of_quantity(s, q);
-  const struct motion motion = { q->motion, *c, phase_of(m), start_of(s, m) };
+  const struct motion motion = { q->motion, *c, phase_kind(m), start_of(s, m) };
   const struct answer *given = NULL;
   if (formula_takes_given(f)) {
     given = solve_for(s, m, formula_takes(f, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT);
@@ -250,7 +250,7 @@ static void compare(struct at *s, struct series_error *c, const struct quantity 
 {
   bool is_published = series->kind == QUANTITY_PUBLISHED;
   enum motion_of_point m = motion_of_quantity(s, series);
-  int quantity = is_published ? (int)quantity_of_formula(series->formula, phase_of(m)) : series->which;
+  int quantity = is_published ? (int)quantity_of_formula(series->formula, phase_kind(m)) : series->which;
   *c = (struct series_error){ .error = NAN, .value = NAN, .exact = NAN };
   if (!s->certified_errors) {
     const struct answer *a = solve_for(s, m, quantity);

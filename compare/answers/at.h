@@ -14,7 +14,7 @@
 enum motion_of_point { STEADY_STATE, FROM_START, FROM_REST = FROM_START + 2, POINT_MOTIONS = FROM_REST + 2 };
 
 /* The steady state counts as an extension. */
-static inline enum scallop_phase_kind phase_of(enum motion_of_point m)
+static inline enum scallop_phase_kind phase_kind(enum motion_of_point m)
 {
   return m == STEADY_STATE ? SCALLOP_EXTENSION : (enum scallop_phase_kind)((m - FROM_START) % 2);
 }

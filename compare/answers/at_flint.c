@@ -84,14 +84,14 @@ static void look_at(const struct at *s, enum motion_of_point m)
   if (m == STEADY_STATE)
     fmpq_set(f->T, f->crawler.T);
   else
-    scallop_rational_duration(f->T, &f->crawler, phase_of(m));
+    scallop_rational_duration(f->T, &f->crawler, phase_kind(m));
   if (m >= FROM_REST || m == STEADY_STATE)
     fmpq_zero(f->start);
   else if (s->place.point.has_v0)
     fmpq_set(f->start, f->v0);
   else
     scallop_rational_set_double(
-        f->start, s->solved[STEADY_STATE].answer.value[phase_of(m) == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high);
+        f->start, s->solved[STEADY_STATE].answer.value[phase_kind(m) == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high);
 }
 
 static bool same_but_T(const struct scallop_rational_crawler *a, const struct scallop_rational_crawler *b)
@@ -135,7 +135,7 @@ static const struct series_answer *series_at(const struct at *s, enum motion_of_
   scallop_rational_copy(&k->crawler, &f->crawler);
   fmpq_set(k->v0, f->start);
   count_add(COUNT_EXPANSIONS, 1);
-  answer_in_series(&k->answer, &k->crawler, kind_of(m), phase_of(m), k->v0, order, bits_of(s, order));
+  answer_in_series(&k->answer, &k->crawler, kind_of(m), phase_kind(m), k->v0, order, bits_of(s, order));
   return &k->answer;
 }
 
@@ -168,7 +168,7 @@ static void certify(const struct at *s, enum motion_of_point m)
   long digits = certified_digits(s);
   look_at(s, m);
   count_add(COUNT_CERTIFIED_DIGITS, digits);
-  answer_in_balls(&s->flint->answer[m], &s->flint->crawler, kind_of(m), phase_of(m), s->flint->start, digits);
+  answer_in_balls(&s->flint->answer[m], &s->flint->crawler, kind_of(m), phase_kind(m), s->flint->start, digits);
 }
 
 /* The certified answer; NULL: there is none, and s->why says why. */
@@ -201,7 +201,7 @@ static bool formula_value(arb_t value, struct at *s, const struct scallop_formul
   if (formula_takes_given(f) && (!given || !given->phase.switches))
     return false;
   look_at(s, m);
-  bool found = published_in_balls(value, f, &s->flint->crawler, phase_of(m), s->flint->start, s->flint->T, given,
+  bool found = published_in_balls(value, f, &s->flint->crawler, phase_kind(m), s->flint->start, s->flint->T, given,
                                   precision);
   if (gait_has_ends(s->place.point.crawler.gait) || (found && !formula_takes(f, SCALLOP_SYMBOL_L_kin)))
     return found;

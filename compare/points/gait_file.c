@@ -158,13 +158,12 @@ static const char *lay_spline(struct gait_file *g, struct tsv *tsv, const char *
   return wrong;
 }
 
-const char *gait_file_read(struct gait_file *gait, const char *name, const char *table, const char *text,
-                           bool *unreadable)
+static struct tsv reader; /* has the message */
+
+/* Of the open table, which is closed. */
+static const char *read_table(struct gait_file *gait, bool open, const char *text)
 {
-  static struct tsv reader; /* has the message */
   *gait = (struct gait_file){ .last = -1 };
-  bool open = table ? tsv_open_text(&reader, name, table)
-                    : tsv_open(&reader, strcmp(name, "-") == 0 ? "./-" : name, TSV_WORDS);
   reader.style = TSV_WORDS;
   const char *wrong = open ? read_rows(gait, &reader) : tsv_error(&reader);
   wrong = wrong ? wrong : look(gait, &reader);
@@ -172,8 +171,19 @@ const char *gait_file_read(struct gait_file *gait, const char *name, const char 
   tsv_close(&reader);
   if (wrong)
     gait_file_free(gait);
+  return wrong;
+}
+
+const char *gait_file_read(struct gait_file *gait, const char *name, const char *text, bool *unreadable)
+{
+  const char *wrong = read_table(gait, tsv_open(&reader, strcmp(name, "-") == 0 ? "./-" : name, TSV_WORDS), text);
   *unreadable = reader.error != 0;
   return wrong;
+}
+
+const char *gait_file_of_table(struct gait_file *gait, const char *name, const char *table, const char *text)
+{
+  return read_table(gait, tsv_open_text(&reader, name, table), text);
 }
 
 void gait_file_free(struct gait_file *gait)

@@ -125,7 +125,7 @@ static const char *make_measured(struct made *m)
   while ((unsigned char)*c >= ' ')
     c++;
   m->gait = &m->file.spline.gait;
-  return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, NULL, m->text, &m->is_unreadable);
+  return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, m->text, &m->is_unreadable);
 }
 
 const char *gait_sample(int i)

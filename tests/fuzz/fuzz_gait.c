@@ -43,7 +43,7 @@ static void read_file(const uint8_t *data, size_t size)
 {
   struct gait_file gait;
   bool unreadable;
-  const char *wrong = gait_file_read(&gait, fuzz_file(data, size), NULL, "measured", &unreadable);
+  const char *wrong = gait_file_read(&gait, fuzz_file(data, size), "measured", &unreadable);
   if (unreadable || (wrong && *wrong == '\0'))
     fuzz_fail("it cannot be read: %s", wrong);
   if (wrong)
