@@ -19,8 +19,8 @@ struct gait_file {
   long most;  /* the first one after it with the largest, from last on a period later */
 };
 
-/* Reads a file of t and l, and lays the spline through it. NULL, or what is wrong with it: it lives until the next call;
- * *unreadable: the file could not be read at all. text: the gait's name, which is kept. */
+/* Reads a file of t and l, and lays the spline through it. NULL, or what is wrong with it: it lives until the next
+ * call; *unreadable: the file could not be read at all. text: the gait's name, which is kept. */
 const char *gait_file_read(struct gait_file *gait, const char *name, const char *text, bool *unreadable);
 /* The same of a table, which is called name in messages. Needs no files. */
 const char *gait_file_of_table(struct gait_file *gait, const char *name, const char *table, const char *text);
