@@ -306,13 +306,14 @@ static bool is_known_outside(const struct at *s, const struct quantity *q)
 
 static double compute(struct at *s, const struct quantity *q)
 {
+  static const struct series_error none = { .value = NAN, .exact = NAN, .error = NAN };
   enum motion_of_point m = motion_of_quantity(s, q);
   const struct answer *a;
   if (s->place.is_unread || (s->is_outside && !is_known_outside(s, q)))
     return NAN; /* the point has no such thing */
   if (s->certified_errors && q->is_compared)
     return compared(s, (int)(q - s->asked->quantities.item))->value; /* rounded from the one that the error is of */
-  const struct series_error *series = q->of >= 0 ? compared(s, q->of) : NULL;
+  const struct series_error *series = q->of >= 0 ? compared(s, q->of) : &none;
   switch (q->kind) {
   case QUANTITY_NUMBER: return crawler_number(&s->place.point.crawler, q->which);
   case QUANTITY_V0: return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
