@@ -12,7 +12,7 @@ if nm "$tool" 2>/dev/null | grep -q -e __asan_init -e __ubsan_ -e __gcov_; then
   exit 0
 fi
 
-quietly() { "$@" >said 2>&1 || note "$*: exit code $?: $(tail -n 3 said)"; }
+quietly() { "$@" >"$scratch/said" 2>&1 || note "$*: exit code $?: $(tail -n 3 "$scratch/said")"; }
 # DESTDIR, and a PREFIX that is not where the files are
 made() { (cd "$root" && "${MAKE:-make}" --no-print-directory "$1" B="$build" PREFIX=/usr DESTDIR="$place"); }
 quietly made install
