@@ -6,16 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/at.h"
-#include "compare/breakdown/motion.h"
-#include "compare/claims/claims.h"
 #include "compare/points/point_flint.h"
+#include "compare/summary/summary.h"
 
 enum { LEAST_ORDER = 8, MOST_KEPT = 1 << 20, BEST_DIGITS = 200, MOST_CLAIMS = 64, REVERSALS_TEXT = 8 * NUMBER_TEXT };
 
 /* How far a series reaches does not depend on T: it is kept, whatever varies fastest. */
 struct kept_reach {
-  struct scallop_crawler crawler; /* of T = 1 */
+  double crawler[CRAWLER_NUMBERS]; /* of T = 1 */
+  const struct scallop_gait *gait;
   const struct quantity *of;
   double T;
 };
@@ -71,10 +70,12 @@ static long most_order(const struct quantities *all)
 /* The study of the crawler; NULL: there is none, and at->why says why. */
 static struct study *study_at(struct at *at)
 {
-  struct at_study *s = at->study;
+  struct at_study *s = at->study = at->study ? at->study : create();
   const struct quantities *all = &at->asked->quantities;
   struct point point = at->place.point;
   point.crawler.T = 1;
+  if (!s)
+    return at_fail(at, "out of memory"), NULL;
   if (s->has_study && same_crawler(&s->point.crawler, &point.crawler))
     return &s->study;
   leave(s);
@@ -88,13 +89,13 @@ static struct study *study_at(struct at *at)
   return why ? NULL : &s->study;
 }
 
-static const struct events *events_at(struct at *at)
+const struct study *study_of(struct at *at)
 {
   struct study *study = study_at(at);
   if (study && !at->study->has_events)
     study_events(study);
   at->study->has_events |= study != NULL;
-  return study ? &study->events : NULL;
+  return study;
 }
 
 /* The series of a quantity among those of the study. False: there is none. */
@@ -117,13 +118,9 @@ static bool find_item(struct series_item *item, const struct study *study, const
 static int by_crawler(const void *a, const void *b)
 {
   const struct kept_reach *x = a, *y = b;
-  double p[CRAWLER_NUMBERS], q[CRAWLER_NUMBERS];
-  crawler_numbers(&x->crawler, p);
-  crawler_numbers(&y->crawler, q);
-  int order = 0;
+  int order = (x->gait > y->gait) - (x->gait < y->gait);
   for (int i = 0; i < CRAWLER_NUMBERS && order == 0; i++)
-    order = (p[i] > q[i]) - (p[i] < q[i]);
-  order = order != 0 ? order : (x->crawler.gait > y->crawler.gait) - (x->crawler.gait < y->crawler.gait);
+    order = (x->crawler[i] > y->crawler[i]) - (x->crawler[i] < y->crawler[i]);
   return order != 0 ? order : (x->of > y->of) - (x->of < y->of);
 }
 
@@ -133,8 +130,10 @@ static double reach(struct at *at, const struct quantity *q)
   struct kept_reach *wanted = calloc(1, sizeof *wanted);
   if (!wanted)
     return at_fail(at, "out of memory");
-  *wanted = (struct kept_reach){ .crawler = at->place.point.crawler, .of = q, .T = NAN };
-  wanted->crawler.T = 1;
+  struct scallop_crawler crawler = at->place.point.crawler;
+  crawler.T = 1;
+  *wanted = (struct kept_reach){ .gait = crawler.gait, .of = q, .T = NAN };
+  crawler_numbers(&crawler, wanted->crawler);
   struct kept_reach **found = tfind(wanted, &s->reaches, by_crawler);
   struct study *study = found ? NULL : study_at(at);
   struct comparison c = { .expansions = study ? &study->expansions : NULL, .tolerance = q->tolerance };
@@ -150,8 +149,7 @@ static double reach(struct at *at, const struct quantity *q)
   return T;
 }
 
-/* The row of the ledger for a formula, this gait and these parameters */
-static const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula)
+const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula)
 {
   struct at_study *s = at->study;
   if (!study_at(at))
@@ -176,18 +174,23 @@ static double order_of(const struct claim_row *c)
   return !c || !c->proven ? NAN : c->exact ? INFINITY : (double)c->derived_order;
 }
 
-static double best(struct at *at, enum studied what)
+bool best_of(struct at *at, enum quantity_id quantity, slong *order, double *error)
 {
   struct study *study = study_at(at);
-  slong order;
-  double error, T = at->place.point.crawler.T;
-  if (!study || !study->many.derived.value[Q_DISPLACEMENT])
-    return NAN;
+  double T = at->place.point.crawler.T;
+  if (!study || !study->many.derived.value[quantity])
+    return false;
   const struct motion motion = motion_at(&study->motion, T);
   SCOPED(ball_answer, exact);
   answer_of_doubles(&exact, &motion, BEST_DIGITS);
-  bool found = study_best_order(study, Q_DISPLACEMENT, T, exact.value[Q_DISPLACEMENT], &order, &error);
-  return !found || order == 0 ? NAN : what == STUDIED_BEST_ORDER ? (double)order : error;
+  return study_best_order(study, quantity, T, exact.value[quantity], order, error);
+}
+
+static double best(struct at *at, bool tells_order)
+{
+  slong order;
+  double error;
+  return !best_of(at, Q_DISPLACEMENT, &order, &error) ? NAN : tells_order ? (double)order : error;
 }
 
 static double number(struct at *at, const struct quantity *q)
@@ -196,11 +199,11 @@ static double number(struct at *at, const struct quantity *q)
   if (q->which == STUDIED_REACH)
     return reach(at, q);
   if (q->which == STUDIED_BEST_ORDER || q->which == STUDIED_BEST_ERROR)
-    return best(at, (enum studied)q->which);
+    return best(at, q->which == STUDIED_BEST_ORDER);
   if (q->which == STUDIED_EVENT_T || q->which == STUDIED_EVENT_FROUDE) {
-    const struct events *e = events_at(at);
-    double T = e && e->count > 0 ? e->event[0].T : NAN;
-    return q->which == STUDIED_EVENT_T || isnan(T) ? T : motion_froude(&at->study->study.motion, T);
+    const struct study *s = study_of(at);
+    double T = s && s->events.count > 0 ? s->events.event[0].T : NAN;
+    return q->which == STUDIED_EVENT_T || isnan(T) ? T : motion_froude(&s->motion, T);
   }
   if (!series)
     return NAN;
@@ -235,9 +238,10 @@ static const char *text(struct at *at, const struct quantity *q)
     const struct claim_row *c = claim_of(at, at->asked->quantities.item[q->series].formula);
     return c ? claim_verdict_text(c->verdict) : "-";
   }
-  const struct events *e = events_at(at);
-  if (!e)
+  const struct study *study = study_of(at);
+  if (!study)
     return "-";
+  const struct events *e = &study->events;
   if (q->which == STUDIED_REVERSALS)
     return reversals_text(at->study->text, e);
   return e->count > 0 ? e->event[0].what : "-";
