@@ -244,14 +244,12 @@ static void write_formula(const struct page *p, const struct page_series *f)
 
 static void write_best(const struct page *p, enum quantity_id of)
 {
-  slong order;
-  double error;
-  if (!best_of(p->at, of, &order, &error))
+  const struct best_order best = best_of(p->at, of);
+  if (isinf(best.error))
     return;
   fprintf(p->file, "  derived %s: %s below T^%ld", quantity_rows[of].name,
-          study_gains_from_more(p->study, of, order) ? "better with every term, here all" : "best with the terms",
-          (long)order);
-  write_error(p, error);
+          best.gains_from_more ? "better with every term, here all" : "best with the terms", (long)best.order);
+  write_error(p, best.error);
   fputc('\n', p->file);
 }
 
@@ -273,7 +271,7 @@ static void write_formulas(const struct page *p)
 static void write_events(const struct page *p)
 {
   enum { SHOWN = 8 };
-  const struct events *e = &p->study->events;
+  const struct events *e = study_events(p->study);
   fputs("\nWhere the expansion ends\n", p->file);
   if (e->count == 0 && !has_series(p, &p->series[p->count - 1]))
     fputs("  There is no expansion.\n", p->file);

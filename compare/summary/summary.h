@@ -28,7 +28,7 @@ struct page {
   int digits;
   struct at *at;            /* the point */
   struct quantities *asked; /* of it: all that the page tells */
-  const struct study *study;
+  struct study *study;
   struct page_series series[SUMMARY_FORMULAS + 2]; /* formulas first */
   int count;
 };
@@ -39,11 +39,11 @@ const char *page_begin(struct page *page);
 void page_of_crawler(const struct page *page);
 void page_of_breakdown(const struct page *page);
 
-/* studied.c. At a point: its study along T, with the events; the row of the ledger for a formula, this gait and these
+/* studied.c. At a point: its study along T; the row of the ledger for a formula, this gait and these
  * parameters. NULL: there is none, and at->why says why. */
-const struct study *study_of(struct at *at);
+struct study *study_of(struct at *at);
 const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula);
-/* study_best_order at the point's T. False: there is none. */
-bool best_of(struct at *at, enum quantity_id quantity, slong *order, double *error);
+/* study_best_order at the point's T */
+struct best_order best_of(struct at *at, enum quantity_id quantity);
 
 #endif
