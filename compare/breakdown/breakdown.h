@@ -6,8 +6,7 @@
 #include "compare/answers/quantities.h"
 #include "compare/text/values.h"
 
-enum breakdown_source { FROM_BOOK, FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT, BREAKDOWN_SOURCES };
-extern const char *const breakdown_sources[BREAKDOWN_SOURCES]; /* their names */
+enum breakdown_source { FROM_BOOK, FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT };
 
 struct breakdown_options {
   struct request request;

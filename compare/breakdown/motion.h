@@ -119,26 +119,29 @@ bool singularity_of(struct scallop_singularity *s, const struct expansions *e, i
 void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum quantity_id quantity);
 
 /* study.c */
-struct study {
+struct study { /* zero at first */
   struct motion motion;
   struct expansions expansions, many;
-  struct events events;
-  struct exact_cache *cache;
+  struct events events;      /* zero, as `many` is, until they are first asked for */
+  struct exact_cache *cache; /* NULL: there is no study */
 };
-/* order: of the derived series below T^order, and `many` terms of them. The point must outlive the study. NULL, or what
- * is wrong with the crawler; a study has to be cleared in either case. */
-const char *study_begin(struct study *study, const struct point *point, enum quantity_of of, slong order, slong many);
-void study_events(struct study *study);
+/* In place of an earlier one. order: of the derived series below T^order. The point must outlive the study. NULL, or
+ * what is wrong with the crawler, of which there is then no study. */
+const char *study_begin(struct study *study, const struct point *point, enum quantity_of of, slong order);
 void study_clear(struct study *study);
+const struct events *study_events(struct study *study);
+/* Of a quantity the derived series with the terms below T^STUDY_MANY, or NULL */
+const struct series *study_many(struct study *study, enum quantity_id quantity);
 /* Why there is no derived series */
 const char *study_why_none(const struct study *study);
-/* Whether the expansion is about the motion at T, in words; until the next call */
+/* Whether the expansion is about the motion at T, in words, by its events; until the next call */
 const char *study_where(const struct study *study, double T);
-/* The order of truncation with the least |error| at T, of those below `many`, beside the exact value there; *error:
- * that. False: there is none. */
-bool study_best_order(const struct study *study, enum quantity_id quantity, double T, const arb_struct *exact,
-                      slong *order, double *error);
-/* Is that order all the terms that there are, so that more might be better still? */
-bool study_gains_from_more(const struct study *study, enum quantity_id quantity, slong order);
+struct best_order { /* of truncation: with the terms below T^order the size of the error is least */
+  slong order;
+  double error;         /* INFINITY: there is none */
+  bool gains_from_more; /* that is all terms below T^STUDY_MANY, and more might be better still */
+};
+/* At T, beside the exact value there, or NULL */
+struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T, const arb_struct *exact);
 
 #endif

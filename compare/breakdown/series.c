@@ -5,11 +5,10 @@
 #include "compare/breakdown/motion.h"
 #include "compare/points/gaits.h"
 
-const char *const breakdown_sources[BREAKDOWN_SOURCES] = { "book", "published", "derived", "limit" };
-
 bool breakdown_takes(const struct breakdown_options *o, enum breakdown_source source)
 {
-  return !o->source.given || strcmp(o->source.value, breakdown_sources[source]) == 0;
+  static const char *const names[] = { "book", "published", "derived", "limit" };
+  return !o->source.given || strcmp(o->source.value, names[source]) == 0;
 }
 
 struct motion motion_at(const struct motion *m, double T)

@@ -5,29 +5,42 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *study_begin(struct study *s, const struct point *point, enum quantity_of of, slong order, slong many)
+const char *study_begin(struct study *s, const struct point *point, enum quantity_of of, slong order)
 {
   struct scallop_scaled scaled;
   enum scallop_status status = scallop_scale(&point->crawler, &scaled);
-  *s = (struct study){ .motion = motion_of(point, of) };
+  study_clear(s);
+  s->motion = motion_of(point, of);
   s->cache = status == SCALLOP_OK ? exact_cache_new(&s->motion) : NULL;
   if (!s->cache)
     return status == SCALLOP_OK ? "out of memory" : scallop_status_text(status);
   expansions_init(&s->expansions, &s->motion, order, BREAKDOWN_BITS);
-  expansions_init(&s->many, &s->motion, many, STUDY_MANY_BITS);
   return NULL;
 }
 
-void study_events(struct study *s) { events_find(&s->events, &s->motion, s->expansions.derived.modes); }
-
 void study_clear(struct study *s)
 {
-  if (!s->cache)
-    return;
   events_clear(&s->events);
-  expansions_clear(&s->many);
-  expansions_clear(&s->expansions);
+  if (s->many.motion)
+    expansions_clear(&s->many);
+  if (s->cache)
+    expansions_clear(&s->expansions);
   free(s->cache);
+  *s = (struct study){ .cache = NULL };
+}
+
+const struct events *study_events(struct study *s)
+{
+  if (s->events.until == 0)
+    events_find(&s->events, &s->motion, s->expansions.derived.modes);
+  return &s->events;
+}
+
+const struct series *study_many(struct study *s, enum quantity_id quantity)
+{
+  if (!s->many.motion)
+    expansions_init(&s->many, &s->motion, STUDY_MANY, STUDY_MANY_BITS);
+  return s->many.derived.value[quantity];
 }
 
 const char *study_why_none(const struct study *s)
@@ -55,14 +68,13 @@ const char *study_where(const struct study *s, double T)
   return text;
 }
 
-bool study_best_order(const struct study *study, enum quantity_id quantity, double T, const arb_struct *exact,
-                      slong *order, double *error)
+struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T, const arb_struct *exact)
 {
-  const struct series *s = study->many.derived.value[quantity];
+  const struct series *s = study_many(study, quantity);
+  struct best_order best = { .order = 0, .error = INFINITY };
   SCOPED(arb, x, time);
   arb_set_d(time, T);
-  *error = INFINITY;
-  for (slong k = s->first; exact && k < STUDY_MANY; k++) {
+  for (slong k = s && exact ? s->first : STUDY_MANY; k < STUDY_MANY; k++) {
     if (series_coefficient_is_zero(s, k))
       continue;
     series_value(x, s, time, k + 1, STUDY_MANY_BITS);
@@ -70,19 +82,11 @@ bool study_best_order(const struct study *study, enum quantity_id quantity, doub
     if (!arb_is_zero(x)) /* 0/0 is no error */
       arb_div(x, x, exact, STUDY_MANY_BITS);
     double here = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR));
-    if (here < *error) {
-      *error = here;
-      *order = k + 1;
+    best.gains_from_more = here < best.error;
+    if (best.gains_from_more) {
+      best.order = k + 1;
+      best.error = here;
     }
   }
-  return isfinite(*error);
-}
-
-bool study_gains_from_more(const struct study *study, enum quantity_id quantity, slong order)
-{
-  const struct series *s = study->many.derived.value[quantity];
-  slong last = STUDY_MANY - 1;
-  while (last > 0 && series_coefficient_is_zero(s, last))
-    last--;
-  return order > last;
+  return best;
 }

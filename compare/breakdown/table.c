@@ -156,14 +156,14 @@ static void write_reaches(struct report *r, enum quantity_id quantity)
 /* What the series' coefficients tell, else what its branch does; false: there is none, as the note says. */
 static bool find_radius(struct radius *radius, struct report *r, enum quantity_id quantity)
 {
-  const struct series *s = r->study.many.derived.value[quantity];
+  const struct series *s = study_many(&r->study, quantity);
   int crossings = quantity == Q_T1 ? 1 : INT_MAX;
   if (s && radius_from_poles(radius, s, STUDY_MANY))
     return true;
   *radius = (struct radius){ "-", NAN, NAN, NAN, "-", "there is no derived series" };
   if (s && r->crossings != crossings) {
     progress_show(&r->progress, "singularities ...");
-    r->found = singularity_of(&r->singularity, &r->study.many, crossings);
+    r->found = singularity_of(&r->singularity, &r->study.expansions, crossings);
     r->crossings = crossings;
   }
   if (s && r->found)
@@ -201,19 +201,19 @@ static double best_time(const struct report *r, int i)
 static void write_best(struct report *r, enum quantity_id quantity)
 {
   enum { DIGITS = 200 };
-  for (int i = 0; r->study.many.derived.value[quantity] && i < BEST; i++) {
+  for (int i = 0; study_many(&r->study, quantity) && i < BEST; i++) {
     struct row row = row_of(r, "best", quantity, "derived", best_time(r, i));
     const struct motion at = motion_at(&r->study.motion, row.T);
     char note[240];
-    slong order;
     SCOPED(ball_answer, exact);
     answer_of_doubles(&exact, &at, DIGITS);
-    if (!study_best_order(&r->study, quantity, row.T, exact.value[quantity], &order, &row.error))
+    const struct best_order best = study_best_order(&r->study, quantity, row.T, exact.value[quantity]);
+    if (isinf(best.error))
       continue;
-    snprintf(note, sizeof note, "%s%s",
-             study_gains_from_more(&r->study, quantity, order) ? "more terms are better still; " : "",
+    snprintf(note, sizeof note, "%s%s", best.gains_from_more ? "more terms are better still; " : "",
              study_where(&r->study, row.T));
-    row.order = (double)order;
+    row.order = (double)best.order;
+    row.error = best.error;
     row.modes = events_modes_at(&r->study.events, row.T);
     write_row(r, &row, note, "certified");
   }
@@ -319,8 +319,7 @@ enum exit_code breakdown_table(const struct breakdown_options *o)
     return EXIT_USAGE;
   r.progress = progress_begin(o->request.style.quiet);
   scallop_singularity_init(&r.singularity);
-  bool looks_far = is_wanted(&r, "radius") || is_wanted(&r, "best");
-  const char *why = study_begin(&r.study, point, of, o->order.value, looks_far ? STUDY_MANY : 1);
+  const char *why = study_begin(&r.study, point, of, o->order.value);
   if (why)
     complain("breakdown", "%s", why);
   enum exit_code code = why ? EXIT_UNSOLVED : report(&r);

@@ -4,73 +4,122 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/stretches.h"
 #include "compare/summary/summary.h"
 
-static double value(const struct summary *s, enum quantity_id q) { return s->answer.value[q].high; }
+const double summary_levels[SUMMARY_LEVELS] = { 0.01, 0.05 };
 
-static void write_way(FILE *page, const struct summary *s, int digits)
+/* The quantity of this name, or, of a series, what its name begins with */
+static double number(const struct page *p, const char *of, const char *series)
 {
-  double way = value(s, Q_DISPLACEMENT);
-  if (s->answer.regime == SCALLOP_AT_REST)
-    fprintf(page, "  It stays where it is: one body never moves, and the other is pushed away and pulled back.\n");
-  else if (way == 0)
-    fprintf(page, "  It moves to and fro, and is where it was after each period.\n");
-  else
-    fprintf(page, "  It crawls %s, by %.*g in each period: a mean velocity of %.*g.\n",
-            way > 0 ? "forward (towards body 2)" : "backward (towards body 1)", digits, fabs(way), digits,
-            value(s, Q_MEAN_VELOCITY));
+  char name[2 * QUANTITY_NAME];
+  snprintf(name, sizeof name, "%s%.*s", of, QUANTITY_NAME, series);
+  return at_number(p->at, quantity_named(p->asked, name));
 }
 
-static void write_stretches(FILE *page, const struct summary *s, int digits)
+static double value(const struct page *p, enum quantity_id q) { return number(p, quantity_rows[q].name, ""); }
+
+static const struct answer *answer_of(const struct page *p) { return &p->at->solved[STEADY_STATE].answer; }
+
+static void add_series(struct page *p, const char *begins, const char *name, const struct scallop_formula *f,
+                       enum quantity_id of)
+{
+  struct page_series *added = &p->series[p->count++];
+  *added = (struct page_series){ .formula = f, .of = of };
+  snprintf(added->name, sizeof added->name, "%s%s", begins, name);
+}
+
+void page_init(struct page *p)
+{
+  static const enum quantity_id quantities[] = { Q_V_START, Q_DISPLACEMENT };
+  const struct scallop_formula *f;
+  char derived[QUANTITY_NAME];
+  p->count = 0;
+  for (int q = 0; q < 2; q++)
+    for (int i = 0; (f = listed_formula(i)) && p->count < SUMMARY_FORMULAS; i++)
+      if (f->setting == SCALLOP_STEADY && quantity_of_formula(f, SCALLOP_EXTENSION) == quantities[q])
+        add_series(p, "", f->name, f, quantities[q]);
+  snprintf(derived, sizeof derived, "derived_%d.", SUMMARY_ORDER);
+  for (int q = 0; q < 2; q++)
+    add_series(p, derived, quantity_rows[quantities[q]].name, NULL, quantities[q]);
+}
+
+/* Has the crawler this series? */
+static bool has_series(const struct page *p, const struct page_series *f)
+{
+  return f->formula || p->study->expansions.derived.value[f->of];
+}
+
+const char *page_begin(struct page *p)
+{
+  p->study = study_of(p->at);
+  return p->study && !isnan(value(p, Q_V_START)) ? NULL : p->at->why;
+}
+
+static void write_way(const struct page *p)
+{
+  double way = value(p, Q_DISPLACEMENT);
+  if (answer_of(p)->regime == SCALLOP_AT_REST)
+    fputs("  It stays where it is: one body never moves, and the other is pushed away and pulled back.\n", p->file);
+  else if (way == 0)
+    fputs("  It moves to and fro, and is where it was after each period.\n", p->file);
+  else
+    fprintf(p->file, "  It crawls %s, by %.*g in each period: a mean velocity of %.*g.\n",
+            way > 0 ? "forward (towards body 2)" : "backward (towards body 1)", p->digits, fabs(way), p->digits,
+            value(p, Q_MEAN_VELOCITY));
+}
+
+static void write_stretches(const struct page *p)
 {
   static const char *const names[] = { "extension", "contraction" };
   struct stretch stretch[MOST_STRETCHES];
-  int count = stretches_of(stretch, &s->motion, &s->answer), kept = count < MOST_STRETCHES ? count : MOST_STRETCHES;
+  int count = stretches_of(stretch, &p->at->solved[STEADY_STATE].motion, answer_of(p));
+  int kept = count < MOST_STRETCHES ? count : MOST_STRETCHES;
   for (int i = 0; i < kept; i++) {
     char words[MODE_WORDS];
     bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
-    fprintf(page, "  %-12s %s from %.*g to %.*g\n", first ? names[stretch[i].phase] : "",
-            mode_in_words(words, stretch[i].mode), digits, stretch[i].from, digits, stretch[i].until);
+    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? names[stretch[i].phase] : "",
+            mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
   }
   if (kept < count)
-    fprintf(page, "  %-12s and %d more changes of mode\n", "", count - kept);
+    fprintf(p->file, "  %-12s and %d more changes of mode\n", "", count - kept);
 }
 
-static void write_velocities(FILE *page, const struct summary *s, int digits)
+static void write_velocities(const struct page *p)
 {
-  fprintf(page,
+  double multiplier = value(p, Q_MULTIPLIER);
+  fprintf(p->file,
           "  Both bodies have the velocity %.*g when the extension starts, and %.*g when the contraction starts.\n",
-          digits, value(s, Q_V_START), digits, value(s, Q_V_MID));
-  if (value(s, Q_MULTIPLIER) == 0)
-    fputs("  Started with a velocity near this one, it moves like this from the next period on.\n", page);
-  else if (s->answer.status == SCALLOP_OK)
-    fprintf(page, "  A small deviation from this motion shrinks to %.*g of itself in each period.\n", digits,
-            value(s, Q_MULTIPLIER));
+          p->digits, value(p, Q_V_START), p->digits, value(p, Q_V_MID));
+  if (multiplier == 0)
+    fputs("  Started with a velocity near this one, it moves like this from the next period on.\n", p->file);
+  else if (answer_of(p)->status == SCALLOP_OK)
+    fprintf(p->file, "  A small deviation from this motion shrinks to %.*g of itself in each period.\n", p->digits,
+            multiplier);
 }
 
-void page_of_motion(FILE *page, const struct summary *s, int digits)
+static void write_motion(const struct page *p)
 {
   char status[ANSWER_STATUS];
-  fprintf(page, "What it does (Froude number %.*g, %s)\n", digits, value(s, Q_FROUDE),
-          scallop_regime_text(s->answer.regime));
-  write_way(page, s, digits);
-  if (s->answer.status != SCALLOP_OK)
-    fprintf(page, "  This is one of many steady motions: %s.\n", answer_status_text(status, &s->answer));
-  if (s->answer.regime != SCALLOP_AT_REST)
-    write_velocities(page, s, digits);
-  write_stretches(page, s, digits);
+  const struct answer *a = answer_of(p);
+  fprintf(p->file, "What it does (Froude number %.*g, %s)\n", p->digits, value(p, Q_FROUDE),
+          scallop_regime_text(a->regime));
+  write_way(p);
+  if (a->status != SCALLOP_OK)
+    fprintf(p->file, "  This is one of many steady motions: %s.\n", answer_status_text(status, a));
+  if (a->regime != SCALLOP_AT_REST)
+    write_velocities(p);
+  write_stretches(p);
 }
 
-static const char *name_of(const struct summary_series *f) { return quantity_rows[f->item.quantity].name; }
-
-static void write_error(FILE *page, double error)
+static void write_error(const struct page *p, double error)
 {
   if (error == 0)
-    fputs(", the same", page);
+    fputs(", the same", p->file);
   else if (error < -1)
-    fputs(", wrong sign", page);
+    fputs(", wrong sign", p->file);
   else if (isfinite(error))
-    fprintf(page, ", %.3g %% off", 100 * fabs(error));
+    fprintf(p->file, ", %.3g %% off", 100 * fabs(error));
 }
 
 /* "O(T)", "O(T^4)" */
@@ -80,173 +129,211 @@ static const char *order_text(char text[24], double order)
   return text;
 }
 
-static void write_verdict(FILE *page, const struct summary_series *f)
+static void write_verdict(const struct page *p, const struct page_series *f)
 {
-  const struct claim_row *c = &f->claim;
+  const struct claim_row *c = claim_of(p->at, f->formula);
+  double limit = number(p, "error_limit.", f->name);
   char claimed[24], derived[24];
   order_text(claimed, c->claimed_order);
   order_text(derived, (double)c->derived_order);
   if (c->verdict == CLAIM_UNDECIDED)
-    fprintf(page, "undecided: %s", c->reason);
+    fprintf(p->file, "undecided: %s", c->reason);
   else if (c->exact)
-    fputs("proven: it is exact", page);
-  else if (c->verdict == CLAIM_REFUTED && isfinite(f->limit))
-    fprintf(page, "refuted: %s is claimed, but the relative error tends to %.3g %% as T -> 0", claimed, 100 * f->limit);
+    fputs("proven: it is exact", p->file);
+  else if (c->verdict == CLAIM_REFUTED && isfinite(limit))
+    fprintf(p->file, "refuted: %s is claimed, but the relative error tends to %.3g %% as T -> 0", claimed, 100 * limit);
   else if (c->verdict == CLAIM_REFUTED && c->derived_order <= 0)
-    fprintf(page, "refuted: %s is claimed, but the error does not vanish as T -> 0", claimed);
+    fprintf(p->file, "refuted: %s is claimed, but the error does not vanish as T -> 0", claimed);
   else if (c->verdict == CLAIM_REFUTED)
-    fprintf(page, "refuted: %s is claimed, but the error is %s", claimed, derived);
+    fprintf(p->file, "refuted: %s is claimed, but the error is %s", claimed, derived);
   else if (c->verdict == CLAIM_SHARPER)
-    fprintf(page, "proven, and better than claimed: the error is %s, not only %s", derived, claimed);
+    fprintf(p->file, "proven, and better than claimed: the error is %s, not only %s", derived, claimed);
   else
-    fprintf(page, "proven: the error is %s, as claimed", derived);
+    fprintf(p->file, "proven: the error is %s, as claimed", derived);
+}
+
+static double reach_of(const struct page *p, const struct page_series *f, int level)
+{
+  char reach[32];
+  snprintf(reach, sizeof reach, "reach_%g.", summary_levels[level]);
+  return number(p, reach, f->name);
 }
 
 /* Where the error reaches the levels */
-static void write_reach(FILE *page, const struct summary *s, const struct summary_series *f, int digits)
+static void write_reach(const struct page *p, const struct page_series *f)
 {
   enum { FROUDE_DIGITS = 3 };
+  double limit = number(p, "error_limit.", f->name);
   for (int i = 0; i < SUMMARY_LEVELS; i++) {
-    double T = f->reach[i], percent = 100 * summary_levels[i];
-    fputs(i > 0 ? ", " : "off ", page);
+    double T = reach_of(p, f, i), percent = 100 * summary_levels[i];
+    fputs(i > 0 ? ", " : "off ", p->file);
     if (isnan(T))
-      fprintf(page, "%g %%: no exact value", percent);
+      fprintf(p->file, "%g %%: no exact value", percent);
     else if (isinf(T))
-      fprintf(page, "by less than %g %% at every T", percent);
+      fprintf(p->file, "by less than %g %% at every T", percent);
     else if (T > 0)
-      fprintf(page, "by %g %% at T = %.*g (Froude %.*g)", percent, digits, T, FROUDE_DIGITS,
-              motion_froude(&s->motion, T));
-    else if (isnan(f->limit))
-      fprintf(page, "by more than %g %% at every small T", percent);
+      fprintf(p->file, "by %g %% at T = %.*g (Froude %.*g)", percent, p->digits, T, FROUDE_DIGITS,
+              motion_froude(&p->study->motion, T));
+    else if (isnan(limit))
+      fprintf(p->file, "by more than %g %% at every small T", percent);
     else
-      fprintf(page, "by more than %g %% however small T is (%.3g %% as T -> 0)", percent, 100 * f->limit);
+      fprintf(p->file, "by more than %g %% however small T is (%.3g %% as T -> 0)", percent, 100 * limit);
     if (isinf(T) || !(T > 0))
       break; /* the same holds for the levels above, or nothing more is known */
   }
+  fputc('\n', p->file);
 }
 
 static bool agree(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
 
 /* Formulas that agree in all that is told of them are told once. */
-static bool is_same(const struct summary_series *a, const struct summary_series *b)
+static bool is_same(const struct page *p, const struct page_series *a, const struct page_series *b)
 {
-  bool same = a->item.quantity == b->item.quantity && agree(a->value, b->value) && agree(a->error, b->error)
-              && agree(a->limit, b->limit) && a->claim.verdict == b->claim.verdict
-              && agree(a->claim.claimed_order, b->claim.claimed_order)
-              && strcmp(a->claim.coefficient, b->claim.coefficient) == 0;
+  static const char *const told[] = { "value.", "deviation.", "error_limit." };
+  if (a->of != b->of)
+    return false;
+  bool same = true;
+  for (int i = 0; i < 3 && same; i++)
+    same = agree(number(p, told[i], a->name), number(p, told[i], b->name));
   for (int i = 0; i < SUMMARY_LEVELS && same; i++)
-    same = agree(a->reach[i], b->reach[i]);
-  return same;
+    same = agree(reach_of(p, a, i), reach_of(p, b, i));
+  const struct claim_row *c = claim_of(p->at, a->formula), *d = claim_of(p->at, b->formula);
+  return same && c->verdict == d->verdict && agree(c->claimed_order, d->claimed_order)
+         && strcmp(c->coefficient, d->coefficient) == 0;
 }
 
-static const char *equation_of(const struct summary_series *f)
+static const char *equation_of(const struct page_series *f)
 {
-  const struct scallop_formula *formula = f->item.formula;
-  return *formula->equation && strcmp(formula->equation, "-") != 0 ? formula->equation : formula->name;
+  const char *equation = f->formula->equation;
+  return *equation && strcmp(equation, "-") != 0 ? equation : f->formula->name;
 }
 
 /* The equations, or the names, of a formula and of those behind it that are the same */
-static void write_names(FILE *page, const struct summary_series *f, const struct summary_series *end, bool of_names)
+static void write_names(const struct page *p, const struct page_series *f, bool of_names)
 {
-  for (const struct summary_series *k = f; k < end; k++)
-    if (is_same(f, k))
-      fprintf(page, "%s%s", k == f ? "" : ", ", of_names ? k->item.name : equation_of(k));
+  for (const struct page_series *k = f; k < p->series + p->count && k->formula; k++)
+    if (is_same(p, f, k))
+      fprintf(p->file, "%s%s", k == f ? "" : ", ", of_names ? k->name : equation_of(k));
 }
 
-static void write_formula(FILE *page, const struct summary *s, const struct summary_series *f, int digits)
+static void write_formula(const struct page *p, const struct page_series *f)
 {
-  const struct summary_series *end = s->formula + s->formulas;
-  for (const struct summary_series *before = s->formula; before < f; before++)
-    if (is_same(before, f))
+  for (const struct page_series *before = p->series; before < f; before++)
+    if (is_same(p, before, f))
       return;
-  fputs("  ", page);
-  write_names(page, f, end, false);
-  fprintf(page, " %s ", name_of(f));
-  if (isnan(f->value)) {
-    fputs("has no value: it divides by l'', which is 0 at an end of a phase [", page);
+  double of_formula = number(p, "value.", f->name);
+  fputs("  ", p->file);
+  write_names(p, f, false);
+  fprintf(p->file, " %s ", quantity_rows[f->of].name);
+  if (isnan(of_formula)) {
+    fputs("has no value: it divides by l'', which is 0 at an end of a phase [", p->file);
   } else {
-    fprintf(page, "= %.*g, exact %.*g", digits, f->value, digits, value(s, f->item.quantity));
-    write_error(page, f->error);
-    fputs(" [", page);
+    fprintf(p->file, "= %.*g, exact %.*g", p->digits, of_formula, p->digits, value(p, f->of));
+    write_error(p, number(p, "deviation.", f->name));
+    fputs(" [", p->file);
   }
-  write_names(page, f, end, true);
-  fputs("]\n", page);
-  if (isnan(f->value))
+  write_names(p, f, true);
+  fputs("]\n", p->file);
+  if (isnan(of_formula))
     return;
-  fputs("       ", page);
-  write_verdict(page, f);
-  fputs("\n       ", page);
-  write_reach(page, s, f, digits);
-  fputc('\n', page);
+  fputs("       ", p->file);
+  write_verdict(p, f);
+  fputs("\n       ", p->file);
+  write_reach(p, f);
 }
 
-static void write_best(FILE *page, const struct summary *s, int i)
+static void write_best(const struct page *p, enum quantity_id of)
 {
-  bool more = study_gains_from_more(&s->study, s->derived[i].item.quantity, s->best_order[i]);
-  fprintf(page, "  derived %s: %s below T^%ld", name_of(&s->derived[i]),
-          more ? "better with every term, here all" : "best with the terms", (long)s->best_order[i]);
-  write_error(page, s->best_error[i]);
-  fputc('\n', page);
+  const struct best_order best = best_of(p->at, of);
+  if (isinf(best.error))
+    return;
+  fprintf(p->file, "  derived %s: %s below T^%ld", quantity_rows[of].name,
+          best.gains_from_more ? "better with every term, here all" : "best with the terms", (long)best.order);
+  write_error(p, best.error);
+  fputc('\n', p->file);
 }
 
-void page_of_formulas(FILE *page, const struct summary *s, int digits)
+static void write_formulas(const struct page *p)
 {
-  fputs("\nFormulas of the paper, for this gait and these parameters\n", page);
-  for (int i = 0; i < s->formulas; i++)
-    write_formula(page, s, &s->formula[i], digits);
-  for (int i = 0; i < s->series; i++)
-    if (s->best_order[i] > 0)
-      write_best(page, s, i);
-  if (s->series == 0)
-    fprintf(page, "  There is no derived series: %s.\n", study_why_none(&s->study));
+  bool is_derived = false;
+  fputs("\nFormulas of the paper, for this gait and these parameters\n", p->file);
+  for (const struct page_series *f = p->series; f < p->series + p->count; f++)
+    if (f->formula)
+      write_formula(p, f);
+    else if (has_series(p, f)) {
+      write_best(p, f->of);
+      is_derived = true;
+    }
+  if (!is_derived)
+    fprintf(p->file, "  There is no derived series: %s.\n", study_why_none(p->study));
 }
 
-void page_of_events(FILE *page, const struct summary *s, int digits)
+static void write_events(const struct page *p)
 {
   enum { SHOWN = 8 };
-  const struct events *e = &s->study.events;
-  fputs("\nWhere the expansion ends\n", page);
-  if (e->count == 0 && s->series == 0)
-    fputs("  There is no expansion.\n", page);
+  const struct events *e = study_events(p->study);
+  fputs("\nWhere the expansion ends\n", p->file);
+  if (e->count == 0 && !has_series(p, &p->series[p->count - 1]))
+    fputs("  There is no expansion.\n", p->file);
   else if (e->count == 0)
-    fprintf(page, "  Nowhere: the sequence of modes is the same at every T up to %.3g.\n", e->until);
+    fprintf(p->file, "  Nowhere: the sequence of modes is the same at every T up to %.3g.\n", e->until);
   for (long i = 0; i < e->count && i < SHOWN; i++)
-    fprintf(page, "  T = %.*g (Froude %.3g): %s\n", digits, e->event[i].T, motion_froude(&s->motion, e->event[i].T),
-            e->event[i].what);
+    fprintf(p->file, "  T = %.*g (Froude %.3g): %s\n", p->digits, e->event[i].T,
+            motion_froude(&p->study->motion, e->event[i].T), e->event[i].what);
   if (e->count > SHOWN)
-    fprintf(page, "  and %ld more events at larger T\n", e->count - SHOWN);
-}
-
-void page_of_reversals(FILE *page, const struct summary *s, int digits)
-{
-  const struct events *e = &s->study.events;
+    fprintf(p->file, "  and %ld more events at larger T\n", e->count - SHOWN);
   for (long i = 0; i < e->reversals; i++)
-    fprintf(page, "%s T = %.*g", i == 0 ? "  The direction of crawling reverses at" : ",", digits, e->reversal[i].T);
-  fputs(e->reversals > 0 ? ".\n" : "", page);
+    fprintf(p->file, "%s T = %.*g", i == 0 ? "  The direction of crawling reverses at" : ",", p->digits,
+            e->reversal[i].T);
+  fputs(e->reversals > 0 ? ".\n" : "", p->file);
 }
 
-void page_of_place(FILE *page, const struct summary *s, int digits)
+/* not_held: parameters that are left out (answers/request.h) */
+static void write_crawler(const struct page *p, const char *const *not_held)
 {
-  double T = s->motion.crawler.T;
-  if (s->study.events.count > 0)
-    fprintf(page, "  T = %.*g is %s.\n", digits, T, study_where(&s->study, T));
+  char parameters[PARAMETERS_TEXT];
+  parameters_text(parameters, &p->at->place.point, not_held, true);
+  fprintf(p->file, "Crawler:%s\n", parameters);
 }
 
-void page_of_reaches(FILE *page, const struct summary *s, int digits)
+void page_of_crawler(const struct page *p)
 {
-  const struct summary_series *const lists[] = { s->formula, s->derived };
-  const int counts[] = { s->formulas, s->series };
-  fputs("\nUp to which T a series holds\n", page);
-  for (int k = 0; k < 2; k++)
-    for (int i = 0; i < counts[k]; i++) {
-      const struct summary_series *f = &lists[k][i];
-      if (f->item.formula && equation_of(f) != f->item.name)
-        fprintf(page, "  %s %s, %s\n       ", equation_of(f), f->item.name, name_of(f));
-      else if (f->item.formula)
-        fprintf(page, "  %s, %s\n       ", f->item.name, name_of(f));
-      else
-        fprintf(page, "  derived terms below T^%d, %s\n       ", SUMMARY_ORDER, name_of(f));
-      write_reach(page, s, f, digits);
-      fputc('\n', page);
+  double T = p->at->place.point.crawler.T;
+  fputc('\n', p->file);
+  write_crawler(p, NULL);
+  fputc('\n', p->file);
+  write_motion(p);
+  write_formulas(p);
+  write_events(p);
+  if (p->study->events.count > 0)
+    fprintf(p->file, "  T = %.*g is %s.\n", p->digits, T, study_where(p->study, T));
+  fputs("\nMore: scallop steady --certified       proven digits\n"
+        "      scallop claims                   the claims of the paper\n"
+        "      scallop series --source derived  the expansion\n"
+        "      scallop breakdown --all          every event and reach\n",
+        p->file);
+}
+
+static void write_title(const struct page *p, const struct page_series *f)
+{
+  const char *of = quantity_rows[f->of].name;
+  if (!f->formula)
+    fprintf(p->file, "  derived terms below T^%d, %s\n       ", SUMMARY_ORDER, of);
+  else if (equation_of(f) != f->formula->name)
+    fprintf(p->file, "  %s %s, %s\n       ", equation_of(f), f->name, of);
+  else
+    fprintf(p->file, "  %s, %s\n       ", f->name, of);
+}
+
+void page_of_breakdown(const struct page *p)
+{
+  write_crawler(p, (const char *const[]){ "T", NULL });
+  write_events(p);
+  fputs("\nUp to which T a series holds\n", p->file);
+  for (const struct page_series *f = p->series; f < p->series + p->count; f++)
+    if (has_series(p, f)) {
+      write_title(p, f);
+      write_reach(p, f);
     }
+  fputs("\nMore: --all, or --only event, reversal, reach, radius or best, gives the table with every row.\n", p->file);
 }

@@ -6,23 +6,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/at.h"
-#include "compare/breakdown/motion.h"
-#include "compare/claims/claims.h"
 #include "compare/points/point_flint.h"
+#include "compare/summary/summary.h"
 
 enum { LEAST_ORDER = 8, MOST_KEPT = 1 << 20, BEST_DIGITS = 200, MOST_CLAIMS = 64, REVERSALS_TEXT = 8 * NUMBER_TEXT };
 
 /* How far a series reaches does not depend on T: it is kept, whatever varies fastest. */
 struct kept_reach {
-  struct scallop_crawler crawler; /* of T = 1 */
+  double crawler[CRAWLER_NUMBERS]; /* of T = 1 */
+  const struct scallop_gait *gait;
   const struct quantity *of;
   double T;
 };
 
 struct at_study {
   struct point point; /* that of the study, T = 1 */
-  bool has_study, has_events;
   struct study study;
   int claims;
   struct claim {
@@ -36,28 +34,11 @@ struct at_study {
 
 static struct at_study *create(void) { return calloc(1, sizeof(struct at_study)); }
 
-static void leave(struct at_study *s)
-{
-  if (s->has_study)
-    study_clear(&s->study);
-  s->has_study = s->has_events = false;
-  s->claims = 0;
-}
-
 static void end(struct at_study *s)
 {
-  leave(s);
+  study_clear(&s->study);
   tdestroy(s->reaches, free);
   free(s);
-}
-
-static bool asks_for_best(const struct quantities *all)
-{
-  bool asks = false;
-  for (int i = 0; i < all->count; i++)
-    asks |= all->item[i].kind == QUANTITY_STUDIED
-            && (all->item[i].which == STUDIED_BEST_ORDER || all->item[i].which == STUDIED_BEST_ERROR);
-  return asks;
 }
 
 static long most_order(const struct quantities *all)
@@ -68,33 +49,19 @@ static long most_order(const struct quantities *all)
   return order;
 }
 
-/* The study of the crawler; NULL: there is none, and at->why says why. */
-static struct study *study_at(struct at *at)
+struct study *study_of(struct at *at)
 {
-  struct at_study *s = at->study;
-  const struct quantities *all = &at->asked->quantities;
+  struct at_study *s = at->study = at->study ? at->study : create();
   struct point point = at->place.point;
   point.crawler.T = 1;
-  if (s->has_study && same_crawler(&s->point.crawler, &point.crawler))
+  if (!s)
+    return at_fail(at, "out of memory"), NULL;
+  if (s->study.cache && same_crawler(&s->point.crawler, &point.crawler))
     return &s->study;
-  leave(s);
   s->point = point;
-  const char *why = study_begin(&s->study, &s->point, OF_STEADY, most_order(all), asks_for_best(all) ? STUDY_MANY : 1);
-  s->has_study = true;
-  if (why) {
-    at_fail(at, why);
-    leave(s);
-  }
-  return why ? NULL : &s->study;
-}
-
-static const struct events *events_at(struct at *at)
-{
-  struct study *study = study_at(at);
-  if (study && !at->study->has_events)
-    study_events(study);
-  at->study->has_events |= study != NULL;
-  return study ? &study->events : NULL;
+  s->claims = 0;
+  const char *why = study_begin(&s->study, &s->point, OF_STEADY, most_order(&at->asked->quantities));
+  return why ? at_fail(at, why), NULL : &s->study;
 }
 
 /* The series of a quantity among those of the study. False: there is none. */
@@ -117,13 +84,9 @@ static bool find_item(struct series_item *item, const struct study *study, const
 static int by_crawler(const void *a, const void *b)
 {
   const struct kept_reach *x = a, *y = b;
-  double p[CRAWLER_NUMBERS], q[CRAWLER_NUMBERS];
-  crawler_numbers(&x->crawler, p);
-  crawler_numbers(&y->crawler, q);
-  int order = 0;
+  int order = (x->gait > y->gait) - (x->gait < y->gait);
   for (int i = 0; i < CRAWLER_NUMBERS && order == 0; i++)
-    order = (p[i] > q[i]) - (p[i] < q[i]);
-  order = order != 0 ? order : (x->crawler.gait > y->crawler.gait) - (x->crawler.gait < y->crawler.gait);
+    order = (x->crawler[i] > y->crawler[i]) - (x->crawler[i] < y->crawler[i]);
   return order != 0 ? order : (x->of > y->of) - (x->of < y->of);
 }
 
@@ -133,10 +96,12 @@ static double reach(struct at *at, const struct quantity *q)
   struct kept_reach *wanted = calloc(1, sizeof *wanted);
   if (!wanted)
     return at_fail(at, "out of memory");
-  *wanted = (struct kept_reach){ .crawler = at->place.point.crawler, .of = q, .T = NAN };
-  wanted->crawler.T = 1;
+  struct scallop_crawler crawler = at->place.point.crawler;
+  crawler.T = 1;
+  *wanted = (struct kept_reach){ .gait = crawler.gait, .of = q, .T = NAN };
+  crawler_numbers(&crawler, wanted->crawler);
   struct kept_reach **found = tfind(wanted, &s->reaches, by_crawler);
-  struct study *study = found ? NULL : study_at(at);
+  struct study *study = found ? NULL : study_of(at);
   struct comparison c = { .expansions = study ? &study->expansions : NULL, .tolerance = q->tolerance };
   if (study && find_item(&c.item, study, &at->asked->quantities.item[q->series])) {
     c.cache = study->cache;
@@ -150,11 +115,10 @@ static double reach(struct at *at, const struct quantity *q)
   return T;
 }
 
-/* The row of the ledger for a formula, this gait and these parameters */
-static const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula)
+const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula)
 {
   struct at_study *s = at->study;
-  if (!study_at(at))
+  if (!study_of(at))
     return NULL;
   for (int i = 0; i < s->claims; i++)
     if (s->claim[i].formula == formula)
@@ -176,18 +140,16 @@ static double order_of(const struct claim_row *c)
   return !c || !c->proven ? NAN : c->exact ? INFINITY : (double)c->derived_order;
 }
 
-static double best(struct at *at, enum studied what)
+struct best_order best_of(struct at *at, enum quantity_id quantity)
 {
-  struct study *study = study_at(at);
-  slong order;
-  double error, T = at->place.point.crawler.T;
-  if (!study || !study->many.derived.value[Q_DISPLACEMENT])
-    return NAN;
+  struct study *study = study_of(at);
+  double T = at->place.point.crawler.T;
+  if (!study || !study_many(study, quantity))
+    return (struct best_order){ .error = INFINITY };
   const struct motion motion = motion_at(&study->motion, T);
   SCOPED(ball_answer, exact);
   answer_of_doubles(&exact, &motion, BEST_DIGITS);
-  bool found = study_best_order(study, Q_DISPLACEMENT, T, exact.value[Q_DISPLACEMENT], &order, &error);
-  return !found || order == 0 ? NAN : what == STUDIED_BEST_ORDER ? (double)order : error;
+  return study_best_order(study, quantity, T, exact.value[quantity]);
 }
 
 static double number(struct at *at, const struct quantity *q)
@@ -195,18 +157,20 @@ static double number(struct at *at, const struct quantity *q)
   const struct quantity *series = q->series >= 0 ? &at->asked->quantities.item[q->series] : NULL;
   if (q->which == STUDIED_REACH)
     return reach(at, q);
-  if (q->which == STUDIED_BEST_ORDER || q->which == STUDIED_BEST_ERROR)
-    return best(at, (enum studied)q->which);
+  if (q->which == STUDIED_BEST_ORDER || q->which == STUDIED_BEST_ERROR) {
+    const struct best_order best = best_of(at, Q_DISPLACEMENT);
+    return isinf(best.error) ? NAN : q->which == STUDIED_BEST_ORDER ? (double)best.order : best.error;
+  }
   if (q->which == STUDIED_EVENT_T || q->which == STUDIED_EVENT_FROUDE) {
-    const struct events *e = events_at(at);
-    double T = e && e->count > 0 ? e->event[0].T : NAN;
-    return q->which == STUDIED_EVENT_T || isnan(T) ? T : motion_froude(&at->study->study.motion, T);
+    struct study *s = study_of(at);
+    double T = s && study_events(s)->count > 0 ? s->events.event[0].T : NAN;
+    return q->which == STUDIED_EVENT_T || isnan(T) ? T : motion_froude(&s->motion, T);
   }
   if (!series)
     return NAN;
   if (q->which == STUDIED_ORDER)
     return order_of(claim_of(at, series->formula));
-  struct study *study = study_at(at);
+  struct study *study = study_of(at);
   struct comparison c = { .expansions = study ? &study->expansions : NULL, .cache = study ? study->cache : NULL };
   if (!study || !find_item(&c.item, study, series))
     return NAN;
@@ -235,9 +199,10 @@ static const char *text(struct at *at, const struct quantity *q)
     const struct claim_row *c = claim_of(at, at->asked->quantities.item[q->series].formula);
     return c ? claim_verdict_text(c->verdict) : "-";
   }
-  const struct events *e = events_at(at);
-  if (!e)
+  struct study *study = study_of(at);
+  if (!study)
     return "-";
+  const struct events *e = study_events(study);
   if (q->which == STUDIED_REVERSALS)
     return reversals_text(at->study->text, e);
   return e->count > 0 ? e->event[0].what : "-";

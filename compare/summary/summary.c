@@ -1,115 +1,132 @@
+/* Summaries as pages or as the rows of a table. */
+#include <math.h>
+#include <stdlib.h>
+
 #include "compare/summary/summary.h"
 
-#include <math.h>
-#include <string.h>
+enum { DIGITS = 6 };
 
-#include "compare/points/point_flint.h"
-
-const double summary_levels[SUMMARY_LEVELS] = { 0.01, 0.05 };
-
-static const enum quantity_id quantities[] = { Q_V_START, Q_DISPLACEMENT };
-enum { SUMMARY_QUANTITIES = sizeof quantities / sizeof *quantities };
-
-static bool is_of_a_page(const void *context, const struct scallop_formula *f)
+static int digits_of(const struct request *request)
 {
+  return request->style.digits > 0 ? (int)request->style.digits : DIGITS;
+}
+
+static bool is_of_a_page(const void *page, const struct scallop_formula *f)
+{
+  const struct page *p = page;
   bool shown = false;
-  (void)context;
-  for (int q = 0; q < SUMMARY_QUANTITIES; q++)
-    shown = shown || (f->setting == SCALLOP_STEADY && quantity_of_formula(f, SCALLOP_EXTENSION) == quantities[q]);
+  for (int i = 0; i < p->count; i++)
+    shown |= p->series[i].formula == f;
   return shown;
 }
 
-bool summary_serves(const struct request *request)
+/* The page's series. False: the book that was given has none of them, and the message is on stderr. */
+static bool begin(struct page *page, const struct request *request)
 {
-  return book_serves(request->style.command, request->book, is_of_a_page, NULL, "the steady v_start or displacement");
+  page_init(page);
+  return book_serves(request->style.command, request->book, is_of_a_page, page, "the steady v_start or displacement");
 }
 
-int summary_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS])
+/* To people a page, else a row */
+static void visit(struct rows *rows, struct at *at)
 {
-  const struct scallop_formula *f;
-  int count = 0;
-  for (int q = 0; q < SUMMARY_QUANTITIES; q++)
-    for (int i = 0; (f = listed_formula(i)) && count < SUMMARY_FORMULAS; i++)
-      if (f->setting == SCALLOP_STEADY && quantity_of_formula(f, SCALLOP_EXTENSION) == quantities[q])
-        formulas[count++] = f;
-  return count;
-}
-
-static struct summary_series examine(const struct summary *s, const struct series_item *item)
-{
-  struct summary_series made = { .item = *item };
-  struct comparison c = { &s->study.expansions, *item, s->study.cache, .tolerance = 0 };
-  double T = s->motion.crawler.T;
-  SCOPED(arb, value);
-  series_item_value(value, item, &s->study.expansions, T, BREAKDOWN_BITS);
-  made.value = arb_is_finite(value) ? arf_get_d(arb_midref(value), ARF_RND_NEAR) : NAN;
-  made.error = comparison_error(&c, T);
-  for (int i = 0; i < SUMMARY_LEVELS; i++) {
-    c.tolerance = summary_levels[i];
-    made.reach[i] = comparison_reach(&c);
+  struct page page = { .at = at, .asked = &rows->sheet.asked->quantities, .digits = digits_of(rows->request) };
+  page.file = table_page(&rows->table);
+  if (!page.file) {
+    sheet_row(&rows->sheet, &rows->table, at);
+    return;
   }
-  made.limit = comparison_limit(&c);
-  return made;
+  page_init(&page);
+  const char *why = at->is_outside ? at->why : page_begin(&page);
+  if (why)
+    fprintf(page.file, "\nThis crawler has no page: %s.\n", why);
+  else
+    page_of_crawler(&page);
 }
 
-/* The row of the ledger for the formula, this gait and these parameters */
-static void decide_formula(struct summary_series *made, const struct point *point)
+/* What a row has of each formula: NAME, NAME_error, ... */
+static const char *add_formula(struct rows *rows, const char *name)
 {
-  struct ledger ledger = { .rows = NULL };
-  struct scallop_rational_crawler exact;
-  scallop_rational_init(&exact);
-  rational_point(&exact, NULL, point);
-  ledger_add_formula(&ledger, &exact, true, made->item.formula);
-  if (ledger.count > 0)
-    made->claim = ledger.rows[0];
-  ledger_free(&ledger);
-  scallop_rational_clear(&exact);
+  static const char *const columns[][2] = { { "", "value." },
+                                            { "_error", "deviation." },
+                                            { "_reach_1", "reach_0.01." },
+                                            { "_reach_5", "reach_0.05." },
+                                            { "_limit", "error_limit." },
+                                            { "_verdict", "verdict." },
+                                            { "_order", "order." } };
+  const char *wrong = NULL;
+  for (size_t i = 0; i < sizeof columns / sizeof *columns && !wrong; i++)
+    wrong = rows_own(rows, "%s%s = %s%s", name, columns[i][0], columns[i][1], name);
+  return wrong;
 }
 
-static void examine_series(struct summary *s, const struct point *point, bool verdicts)
+const char *summary_plan(struct rows *rows)
 {
-  for (int q = 0; q < SUMMARY_QUANTITIES; q++) {
-    struct series_item items[MOST_ITEMS];
-    int count = series_items(items, &s->study.expansions, quantities[q], SUMMARY_ORDER);
-    for (int i = 0; i < count; i++) {
-      if (items[i].source == FROM_DERIVED)
-        s->derived[s->series++] = examine(s, &items[i]);
-      if (!items[i].formula || s->formulas == SUMMARY_FORMULAS)
-        continue;
-      struct summary_series *made = &s->formula[s->formulas++];
-      *made = examine(s, &items[i]);
-      if (verdicts)
-        decide_formula(made, point);
+  static const char *const before[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
+                                        "multiplier", "regime",  "modes", "motion",       NULL };
+  static const char *const behind[] = {
+    "first_event", "first_event_T", "first_event_froude", "reversals", "best_order", "best_error", "status", NULL
+  };
+  struct page page;
+  const char *wrong = NULL;
+  if (!begin(&page, rows->request))
+    return "";
+  rows->has_parameters = true;
+  rows->visit = visit;
+  for (int i = 0; before[i] && !wrong; i++)
+    wrong = rows_own(rows, "%s", before[i]);
+  for (int i = 0; i < page.count && !wrong; i++)
+    wrong = page.series[i].formula ? add_formula(rows, page.series[i].name) : NULL;
+  for (int i = 0; behind[i] && !wrong; i++)
+    wrong = rows_own(rows, "%s", behind[i]);
+  return wrong;
+}
+
+/* What its page tells of the series */
+static void ask(struct quantities *all, const struct page *page)
+{
+  static const char *const of_series[] = { "reach_0.01.", "reach_0.05.", "error_limit." };
+  char name[2 * QUANTITY_NAME];
+  quantity_named(all, "v_start");
+  for (int i = 0; i < 3 * page->count; i++) {
+    snprintf(name, sizeof name, "%s%s", of_series[i % 3], page->series[i / 3].name);
+    quantity_named(all, name);
+  }
+}
+
+static enum exit_code write_breakdown(const struct request *request, struct page *page)
+{
+  struct table t;
+  const char *why = page_begin(page);
+  if (why)
+    return complain(request->style.command, "%s", why), EXIT_UNSOLVED;
+  if (!table_open(&t, &request->style))
+    return EXIT_FILE;
+  page->file = t.sink[0].out.stream;
+  page_of_breakdown(page);
+  return table_close(&t) ? EXIT_DONE : EXIT_FILE;
+}
+
+enum exit_code summary_of_breakdown(const struct request *request)
+{
+  struct page page = { .digits = digits_of(request) };
+  enum exit_code code = EXIT_UNSOLVED;
+  if (!begin(&page, request))
+    return EXIT_USAGE;
+  struct asked *asked = asked_nothing(request->style.command);
+  if (!asked) {
+    complain(request->style.command, "out of memory");
+  } else {
+    page.asked = &asked->quantities;
+    ask(page.asked, &page);
+    page.at = at_new(asked);
+    if (page.at) {
+      sweep_place_set(&page.at->place, &request->point);
+      at_move(page.at);
+      code = write_breakdown(request, &page);
     }
   }
+  at_free(page.at);
+  asked_free(asked);
+  return code;
 }
-
-static void find_best(struct summary *s)
-{
-  enum { DIGITS = 200 };
-  struct ball_answer exact;
-  ball_answer_init(&exact);
-  answer_of_doubles(&exact, &s->motion, DIGITS);
-  for (int i = 0; i < s->series; i++) {
-    enum quantity_id q = s->derived[i].item.quantity;
-    if (!study_best_order(&s->study, q, s->motion.crawler.T, exact.value[q], &s->best_order[i], &s->best_error[i]))
-      s->best_order[i] = 0;
-  }
-  ball_answer_clear(&exact);
-}
-
-const char *summary_make(struct summary *s, const struct point *point, bool verdicts)
-{
-  *s = (struct summary){ .motion = motion_of(point, OF_STEADY) };
-  const char *why = study_begin(&s->study, point, OF_STEADY, SUMMARY_ORDER, STUDY_MANY);
-  if (!why && !answer_in_double(&s->answer, &s->motion))
-    why = scallop_status_text(s->answer.status);
-  if (why)
-    return why;
-  study_events(&s->study);
-  examine_series(s, point, verdicts);
-  find_best(s);
-  return NULL;
-}
-
-void summary_clear(struct summary *s) { study_clear(&s->study); }
