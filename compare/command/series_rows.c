@@ -217,7 +217,7 @@ static bool T_varies(const struct sweep *s)
 /* The errors of the series, as quantities */
 static const char *begin_orders(struct rows *rows, const struct series_options *o, const struct names_of_series *list)
 {
-  char error[2 * QUANTITY_NAME];
+  char error[SERIES_NAME + 8];
   struct orders *all = rows->context = calloc(1, sizeof *all + (size_t)list->count * MOST_TIMES * sizeof *all->point);
   if (!all)
     return rows_no_memory;

@@ -37,7 +37,7 @@ static void tick(int signal)
 {
   const int error = errno;
   const double time = now(), passed = time - work.begun;
-  char line[200], count[50] = "", left[50] = "";
+  char line[300], count[50] = "", left[50] = "";
   (void)signal;
   if (is_changing || passed < LEAST || time < work.next)
     return;
