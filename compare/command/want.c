@@ -224,7 +224,8 @@ bool want_read(struct want *w, struct scene *s, const config_setting_t *at, cons
 void want_free(struct want *w)
 {
   rows_free(&w->rows);
-  w->arguments.options.request.sweep = (struct sweep){ .products = 0 }; /* the scene's */
+  if (w->has_rows)
+    w->arguments.options.request.sweep = (struct sweep){ .products = 0 }; /* the scene's */
   w->arguments.options.request.asked = NULL;
   options_free(&w->arguments);
 }
