@@ -243,7 +243,6 @@ const char *vary_text(struct request *r, const char *name, const char *text)
     return wrong;
   }
   bool is_range = has_ranges(&v) && strchr(values, ':');
-  struct point first = r->point;
   wrong = (is_range ? range_of_text : list_of_text)(r, &v, values);
   struct sweep_product *product = last_product(r);
   if (wrong) {
@@ -251,11 +250,7 @@ const char *vary_text(struct request *r, const char *name, const char *text)
     free(copy);
     return wrong;
   }
-  struct sweep_variable *added = &product->group[product->groups - 1].variable[0];
-  added->kept = copy;
-  bool is_held = v.target == TARGET_NUMBER; /* behind --and, where it does not vary */
-  if (v.target <= TARGET_V0 && !is_held && !added->from.is_formula)
-    point_set(&first, name, is_range ? values : added->texts[0]);
-  r->point = first;
+  product->group[product->groups - 1].variable[0].kept = copy;
+  r->point.has_v0 |= v.target == TARGET_V0; /* the point keeps its values, for blocks of rows where these do not vary */
   return NULL;
 }

@@ -30,7 +30,7 @@ TEST(lists_and_ranges_of_options)
   assert_true(r.point.crawler.T == 1 && !r.point.written[5]); /* where T does not vary, behind --and */
   assert_null(vary_text(&r, "gait", "trapezoidal:0.1,0.2,sinusoidal"));
   assert_null(vary_text(&r, "v0", "-1:1:3"));
-  assert_true(r.point.has_gait && r.point.has_v0 && r.point.v0 == -1);
+  assert_true(!r.point.has_gait && r.point.has_v0 && r.point.v0 == 0);
   assert_int_equal(sweep_points(&r.sweep), 12);
   assert_string_equal(sweep_variable(&r.sweep, 1)->texts[0], "trapezoidal:0.1,0.2");
   assert_null(vary_text(&r, "T", "1e-3:10:5:log")); /* in place of the list, and last */

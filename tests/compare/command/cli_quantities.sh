@@ -94,6 +94,9 @@ run 0 steady --F1_over_F2 2:8:3:log --F2 0.7 --label part=a --and --T '0.1:0.5*s
 [ "$(rows out | wc -l)" = 11 ] || note "$(rows out | wc -l) rows"
 rows out >got
 rows scene.tsv | cmp -s - got || note "$(rows scene.tsv | diff - got | head -n 4)"
+run 0 phase --F1 2,3 --and --gait sinusoidal,skewed --phase contraction,extension --v0 1,2 --columns F1,gait,phase,v0
+[ "$(cells out F1 gait phase v0 | sed -n '1p;2p;3p' | tr '\n' ';')" = '2 quadratic extension 0;3 quadratic extension 0;4 sinusoidal contraction 1;' ] ||
+  note "what varies behind --and does not hold in front of it: $(cells out F1 gait phase v0 | head -n 3)"
 finish "ratios, Froude numbers, labels, blocks and formulas as ends are the same in options and in scenes"
 
 # ---- threads ----
