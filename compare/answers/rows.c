@@ -6,6 +6,7 @@
 
 #include "compare/points/defaults.h"
 #include "compare/text/tsv.h"
+#include "compare/text/values.h"
 
 _Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
 
@@ -80,10 +81,7 @@ static const char *add_drawn(struct rows *r)
   const char *const lists[] = { plot->x, plot->y, plot->by }, *const options[] = { "x", "y", "by" };
   char name[QUANTITY_NAME];
   for (int i = 0; i < 3 && plot->file; i++)
-    for (const char *at = lists[i]; at && *at; at += *at == ',') {
-      size_t length = strcspn(at, ",");
-      snprintf(name, sizeof name, "%.*s", (int)length, at);
-      at += length;
+    for (const char *rest = lists[i]; next_item(name, sizeof name, &rest);) {
       const char *wrong = column_list_has(&r->sheet.columns, name) ? NULL : sheet_add(&r->sheet, name);
       if (wrong) {
         snprintf(message, sizeof message, "--plot-%s: %.350s", options[i], wrong);

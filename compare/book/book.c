@@ -6,6 +6,7 @@
 
 #include "compare/book/entry.h"
 #include "compare/text/memory.h"
+#include "compare/text/values.h"
 
 /* The formulas of the books that were read: in the order of reading, and as a tree by their names */
 static struct book_entry **entries;
@@ -89,10 +90,8 @@ const struct scallop_formula *formula_named(const char *name)
 bool formula_is_listed(const char *list, const char *name)
 {
   bool is = strcmp(list, "all") == 0;
-  for (const char *end; !is && *list; list = end + (*end == ',')) {
-    end = list + strcspn(list, ",");
-    char item[FORMULA_PLACE];
-    snprintf(item, sizeof item, "%.*s", (int)(end - list), list);
+  char item[FORMULA_PLACE];
+  while (!is && next_item(item, sizeof item, &list)) {
     const struct scallop_formula *f = *item == '(' ? formula_named(item) : NULL;
     is = strcmp(f ? f->name : item, name) == 0;
   }

@@ -182,11 +182,8 @@ static bool is_sound(const void *options)
 /* Is each item of --only a formula? Books have been read. False: the message is on stderr. */
 static bool only_holds(const char *only)
 {
-  const char *end = only;
-  for (; only && *end; only = end + (*end == ',')) {
-    char item[FORMULA_PLACE];
-    end = only + strcspn(only, ",");
-    snprintf(item, sizeof item, "%.*s", (int)(end - only), only);
+  char item[FORMULA_PLACE];
+  while (next_item(item, sizeof item, &only)) {
     const struct scallop_formula *f = formula_named(item), *listed = NULL;
     for (int i = 0; f && (listed = listed_formula(i)) && listed != f; i++)
       ;

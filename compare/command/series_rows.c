@@ -47,15 +47,7 @@ static bool is_of_scene(const struct series_options *o, const struct series_use 
          && !formula_takes_given(use->formula);
 }
 
-/* An item of a list with commas between; *rest: what is behind it, or NULL */
 enum { SERIES_NAME = 2 * QUANTITY_NAME };
-static void next_item(char item[SERIES_NAME], const char **rest)
-{
-  size_t length = strcspn(*rest, ",");
-  snprintf(item, SERIES_NAME, "%.*s", (int)length, *rest);
-  *rest = (*rest)[length] == ',' ? *rest + length + 1 : NULL;
-}
-
 struct names_of_series {
   int count;
   char name[MOST_SERIES][SERIES_NAME];
@@ -88,11 +80,9 @@ static void named(struct names_of_series *list, const struct series_options *o)
   int count = o->request.scene ? 0 : series_uses(uses, o);
   for (int i = 0; i < count; i++)
     series_use_name(list->name[list->count++], &uses[i]);
-  for (const char *rest = o->only; rest && list->count < MOST_SERIES;) {
-    char *item = list->name[list->count];
-    next_item(item, &rest);
-    list->count += o->request.scene || !formula_named(item);
-  }
+  const char *rest = o->only;
+  while (list->count < MOST_SERIES && next_item(list->name[list->count], SERIES_NAME, &rest))
+    list->count += o->request.scene || !formula_named(list->name[list->count]);
 }
 
 /* NULL, or what is wrong */
@@ -124,8 +114,8 @@ static const char *read_parts(bool has[4], const struct series_options *o)
 {
   static const char *const parts[] = { "value", "exact", "error", "relative", NULL };
   char item[SERIES_NAME];
-  for (const char *rest = o->parts ? o->parts : o->only ? "value,exact,relative" : "value"; rest;) {
-    next_item(item, &rest);
+  const char *rest = o->parts ? o->parts : o->only ? "value,exact,relative" : "value";
+  while (next_item(item, sizeof item, &rest)) {
     int part = word_place(item, parts);
     if (part < 0)
       return not_allowed(item, "parts of a series: value, exact, error and relative");

@@ -9,6 +9,7 @@
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
 #include "compare/points/defaults.h"
+#include "compare/text/values.h"
 
 struct axis map_axis(const struct breakdown_options *o, int i)
 {
@@ -48,10 +49,11 @@ struct grid {
 
 static bool has_name(const char *list, const char *name)
 {
-  size_t length = strlen(name);
-  while (list && (strncmp(list, name, length) != 0 || (list[length] != ',' && list[length] != '\0')))
-    list = (list = strchr(list, ',')) ? list + 1 : NULL;
-  return list != NULL;
+  char item[2 * QUANTITY_NAME];
+  while (next_item(item, sizeof item, &list))
+    if (strcmp(item, name) == 0)
+      return true;
+  return false;
 }
 
 /* Beside a picture of named columns, where no others are chosen, the table has of the series those alone that are

@@ -6,6 +6,7 @@
 #include "compare/order/order.h"
 #include "compare/text/memory.h"
 #include "compare/text/tsv.h"
+#include "compare/text/values.h"
 
 enum { MOST_Y = 64 };
 static const char out_of_memory[] = "out of memory";
@@ -80,10 +81,9 @@ static const char *add_y(struct reader *r, int place, bool values)
 static const char *add_list(struct reader *r, const char *list)
 {
   const char *wrong = NULL;
-  for (const char *at = list; at && !wrong; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL) {
-    char name[COLUMN_NAME];
-    int place, length = (int)strcspn(at, ",");
-    snprintf(name, sizeof name, "%.*s", length, at);
+  char name[COLUMN_NAME];
+  int place;
+  while (!wrong && next_item(name, sizeof name, &list)) {
     wrong = chosen(&place, &r->t, "--y: ", name);
     if (!wrong)
       wrong = place == r->x ? tsv_at(&r->t, "--y: this column is x") : add_y(r, place, strcmp(name, "value") == 0);

@@ -117,9 +117,9 @@ static double reach(struct at *at, const struct quantity *q)
 
 const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula)
 {
-  struct at_study *s = at->study;
   if (!study_of(at))
     return NULL;
+  struct at_study *s = at->study;
   for (int i = 0; i < s->claims; i++)
     if (s->claim[i].formula == formula)
       return &s->claim[i].row;

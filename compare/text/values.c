@@ -51,6 +51,16 @@ bool read_count(const char *text, long low, long high, long *value)
   return true;
 }
 
+bool next_item(char *item, size_t size, const char **list)
+{
+  if (!*list)
+    return false;
+  const char *begin = *list + strspn(*list, " "), *end = begin + strcspn(begin, ",");
+  snprintf(item, size, "%.*s", (int)(end - begin), begin);
+  *list = *end ? end + 1 : NULL;
+  return true;
+}
+
 const char *not_allowed(const char *text, const char *allowed)
 {
   snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes %s", text, allowed);

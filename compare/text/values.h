@@ -3,6 +3,7 @@
 #define SCALLOP_COMPARE_TEXT_VALUES_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* A finite number in C's decimal or hexadecimal notation and nothing else, of NUMBER_LENGTH characters at most: more
  * digits than any computation here is asked for. */
@@ -14,6 +15,10 @@ bool json_takes_number(const char *text);
 
 /* A whole number from low to high and nothing else. */
 bool read_count(const char *text, long low, long high, long *value);
+
+/* Takes an item off a list with commas between, without blanks in front: as much of it as there is room for. *list,
+ * then what is behind its comma, is NULL behind the last item. False: it was. */
+bool next_item(char *item, size_t size, const char **list);
 
 /* That text is not what is allowed. The message lives until the next call of this or of no_number. */
 const char *not_allowed(const char *text, const char *allowed);
