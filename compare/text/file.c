@@ -99,8 +99,10 @@ static int open_temporary(struct file *f, const struct stat *earlier)
   const int error = f->stream ? 0 : errno;
   if (f->stream)
     (void)fchmod(descriptor, earlier ? earlier->st_mode & 07777 : 0666 & ~mask);
-  else if (descriptor >= 0)
+  else if (descriptor >= 0) {
+    close(descriptor);
     unlink(f->temporary);
+  }
   return error;
 }
 

@@ -20,10 +20,12 @@ bool plot_kind(const char *file)
 
 static bool is_list(const char *text)
 {
-  int count = 1;
-  for (const char *comma = strchr(text, ','); comma; comma = strchr(comma + 1, ','))
-    count++;
-  return is_shown(text) && *text != ',' && text[strlen(text) - 1] != ',' && !strstr(text, ",,") && count <= 8;
+  char item[2];
+  int count = 0;
+  bool fine = is_shown(text);
+  for (; fine && next_item(item, sizeof item, &text); count++)
+    fine = *item != '\0';
+  return fine && count <= 8;
 }
 
 static bool is_range(const char *text)
