@@ -58,9 +58,9 @@ done
 printf 'want = ( { what = "steady"; columns = [ "%s" ]; } );\n' "$(echo $some | sed 's/,/", "/g')" >some.cfg
 run 0 run some.cfg --F1 3
 [ "$(of_last)" = "$cells_wanted" ] || note "a scene: $(of_last)"
-run 0 steady --F1 3 --columns friction_work,T
+run 0 steady --F1 3 --T 0.4 --columns friction_work,T
 mean=$(cells out friction_work T | awk '{ printf "%.15g", $1 / $2 }')
-run 0 steady --F1 3 --columns mean_power
+run 0 steady --F1 3 --T 0.4 --columns mean_power
 [ "$(cells out mean_power | awk '{ printf "%.15g", $1 }')" = "$mean" ] || note "mean_power: $(cells out mean_power), not $mean"
 finish "the same cells in steady, phase, trajectory, series, summary, a map and a scene"
 for command in steady phase trajectory 'summary --format tsv' 'series --rows'; do
