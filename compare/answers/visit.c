@@ -123,12 +123,12 @@ static void visit_product(struct rows_run *run, struct at *at, const struct swee
       sweep_place_copy(&b->row[b->count].place, &at->place);
       more = sweep_next(product, index);
     }
+    progress_count(run->points, sweep_points(&request->sweep)); /* so that no worker counts anything else */
     compute(b);
     for (const struct row *row = b->row; row < b->row + b->count; row++) {
       count_point(run, row->why);
       table_repeat(&run->rows->table, &row->cells);
     }
-    progress_count(run->points, sweep_points(&request->sweep));
   }
 }
 

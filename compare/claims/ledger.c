@@ -27,7 +27,8 @@ void ledger_add(struct ledger *ledger, const struct claim_row *row)
 {
   ledger->rows = flint_realloc(ledger->rows, (size_t)(ledger->count + 1) * sizeof *row);
   ledger->rows[ledger->count++] = *row;
-  progress_count(ledger->count, ledger->expected);
+  if (ledger->expected > 0) /* a table of its own, and no row of another */
+    progress_count(ledger->count, ledger->expected);
 }
 
 bool ledger_expects(struct ledger *ledger)

@@ -86,7 +86,7 @@ void progress_count(long done, long all)
   is_changing = false;
 }
 
-bool progress_is_counted(void) { return work.done > 0; }
+bool progress_is_counted(void) { return work.all > 0; }
 
 void progress_clear(void)
 {
