@@ -10,7 +10,7 @@ find "$build" -name '*.gcda' -delete # counts are added to those of earlier runs
 export GCOV_ERROR_FILE="$PWD/$build/lost.txt"
 : >"$GCOV_ERROR_FILE"
 passed=1
-"${MAKE:-make}" --no-print-directory check B="$build" WITH_OPENMP=0 CFLAGS="-O0 -g --coverage" \
+"${MAKE:-make}" --no-print-directory check B="$build" WITH_OPENMP=0 CFLAGS="-O0 -g --coverage -fprofile-update=atomic" \
   CPPFLAGS="${CPPFLAGS:-} -D'SCALLOP_INLINE=static inline' -DVECTOR=" || passed=0
 [ ! -s "$GCOV_ERROR_FILE" ] || { echo "coverage: counts were lost:" >&2; cat "$GCOV_ERROR_FILE" >&2; exit 1; }
 
