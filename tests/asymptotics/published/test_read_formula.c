@@ -1,7 +1,10 @@
 /* Formulas that were read once, through the public face, against the paper's values and against C arithmetic. */
 #include <stdio.h>
+#include <string.h>
 
 #include "asymptotics/asymptotics.h"
+#include "asymptotics/formula.h"
+#include "asymptotics/published/read.h"
 #include "tests/support/random_crawler.h"
 
 static struct scallop_read_formula *must_read(const struct scallop_formula *formula)
@@ -126,4 +129,22 @@ TEST(refusals)
     assert_null(scallop_formula_read(&row, message));
     assert_string_equal(message, refused[i].message);
   }
+}
+
+/* The name that has the same last letter */
+static const char *same_end(const char *name, const char *const *names)
+{
+  while (*names && (*names)[strlen(*names) - 1] != name[strlen(name) - 1])
+    names++;
+  return *names;
+}
+
+TEST(a_misspelt_part_is_among_the_names)
+{
+  static const struct scallop_part parts[] = { { "halfz", "F1/2" }, { NULL, NULL } };
+  const struct scallop_formula row = { .setting = SCALLOP_STEADY, .text = "T*hafz", .parts = parts };
+  char message[FORMULA_MESSAGE] = "";
+  struct formula read;
+  assert_non_null(scallop_formula_text(&read, &row, same_end, message));
+  assert_string_equal(message, "character 3: 'hafz' is no quantity known here: did you mean 'halfz'?");
 }
