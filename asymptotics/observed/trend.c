@@ -1,11 +1,10 @@
-#include "asymptotics/observed/trend.h"
-
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
 
-#include "asymptotics/observed/points.h"
-#include "asymptotics/observed/rounding.h"
 #include "asymptotics/observed/student.h"
+#include "asymptotics/observed/trend.h"
 
 /* A change of the local order over the run that is smaller decides nothing. */
 static const double SEEN = 0.005;
@@ -19,7 +18,7 @@ static const double FINEST = 4, COARSEST = 1;
 /* A floor of noise that is so much of an error halves its weight. */
 static const double WEIGHED = 0.03;
 /* Tables that people print; the bound on what rounding explains takes the square of their length. */
-enum { MOST_PRINTED = 64, MOST_STEPS = 30 };
+enum { MOST_PRINTED = 64, MOST_DIGITS = 6, MOST_STEPS = 30 };
 /* In h^p |log h|^r an r smaller than this is taken for a coincidence. */
 static const double LEAST_POWER = 0.4, LOG_09 = -0.105;
 /* Of two terms with opposite signs the smaller one is at most so much of the larger. */
@@ -250,23 +249,48 @@ static bool ends_explain(const struct run *r, const struct bend *bend, bool *fin
   return *finest || left[1] * COARSEST < bend->left;
 }
 
-/* The used points from first on. An error with noise of this level counts less. */
-static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int count,
-                                int first, double level)
+/* Digits of the shortest decimal that reads back as x, or more than MOST_DIGITS */
+static int digits_of(double x)
 {
-  const int from = points_next(points, count, first), n = points_count(SCALLOP_ORDER_USED, points, count, from);
-  const double coarsest = log(points[from].h), finest = log(points[points_last(points, count)].h);
-  const double part = (coarsest - finest) / MOST_ENTRIES;
-  struct rounding rounding = { 0, 0 };
-  if (n <= MOST_PRINTED)
-    rounding = rounding_of(points, count, from);
+  char text[40];
+  for (int digits = 1; digits <= MOST_DIGITS; digits++) {
+    snprintf(text, sizeof text, "%.*e", digits - 1, x);
+    if (strtod(text, NULL) == x)
+      return digits;
+  }
+  return MOST_DIGITS + 1;
+}
+
+static double last_place(double x, int digits) { return pow(10, floor(log10(fabs(x))) - digits + 1); }
+
+/* What rounding and known noise may have moved the logarithms of printed errors by. They were rounded to as many digits
+ * as the longest of them has, or to as many decimals, whichever is more; doubles were not. */
+static void note_rounding(struct run *r, struct entry *entry, const struct scallop_order_point *points, double level)
+{
+  int digits = 0;
+  double unit = INFINITY;
+  for (int i = 0; i < r->count; i++) {
+    int here = digits_of(points[i].err);
+    digits = here > digits ? here : digits;
+    unit = fmin(unit, last_place(points[i].err, here));
+  }
+  for (int i = 0; i < r->count; i++) {
+    double err = fabs(points[i].err), place = digits > MOST_DIGITS ? 0 : fmax(last_place(err, digits), unit);
+    entry[i].moved = place / 2 / err + (points[i].noise + level) / err;
+  }
+}
+
+/* An error with noise of this level counts less. */
+static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int n,
+                                double level)
+{
+  const double coarsest = log(points[0].h), part = (coarsest - log(points[n - 1].h)) / MOST_ENTRIES;
   int entries = 0, place = 0;
-  entry[0] = (struct entry){ 0 };
   double xx = 0, xy = 0, yy = 0; /* within entries */
-  for (int i = from; i < count; i = points_next(points, count, i + 1)) {
+  for (int i = 0; i < n; i++) {
     double x = log(points[i].h), err = fabs(points[i].err), y = log(err), noise = level / (err * WEIGHED);
     int here = (int)((coarsest - x) / part);
-    if (entries == 0 || n <= MOST_ENTRIES || (here > place && entries < MOST_ENTRIES))
+    if (i == 0 || n <= MOST_ENTRIES || (here > place && entries < MOST_ENTRIES))
       entry[entries++] = (struct entry){ .x = x, .y = y };
     place = here;
     struct entry *e = &entry[entries - 1];
@@ -277,18 +301,19 @@ static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct s
     e->x += share * dx;
     e->y += share * dy;
     e->weight += weight;
-    e->moved = n <= MOST_PRINTED ? rounding_share(&rounding, err) + (points[i].noise + level) / err : 0;
   }
   struct run r = run_of(entry, entries, n);
   double slope = r.xy / r.xx;
   r.within = fmax(0, yy - slope * (2 * xy - slope * xx));
+  if (n <= MOST_PRINTED)
+    note_rounding(&r, entry, points, level);
   return r;
 }
 
-struct trend trend_of(const struct scallop_order_point *points, int count, int first, double level)
+struct trend trend_of(const struct scallop_order_point *points, int count, double level)
 {
   struct entry entry[MOST_ENTRIES];
-  struct run r = run_of_points(entry, points, count, first, level);
+  struct run r = run_of_points(entry, points, count, level);
   struct bend line = bend_at(&r, NULL, 0);
   struct trend t = {
     .kind = TREND_STRAIGHT, .points = (int)r.n, .slope = line.slope, .low = line.slope, .high = line.slope
