@@ -12,9 +12,8 @@ static const double SEEN = 0.005;
  * much; one that does not has to be so many times better than those. */
 static const double AS_GOOD = 4, BETTER[] = { [TREND_LEAVING] = 8, [TREND_CREEPING] = 25 };
 static const double SURE = 0.995;
-/* Nor does it count if a line leaves at most so many times less of the points without the finest, or without the
- * coarsest. */
-static const double FINEST = 4, COARSEST = 1;
+/* Nor does it count if a line leaves at most so many times less of the points without the finest. */
+static const double FINEST = 4;
 /* A floor of noise that is so much of an error halves its weight. */
 static const double WEIGHED = 0.03;
 /* Tables that people print; the bound on what rounding explains takes the square of their length. */
@@ -236,17 +235,12 @@ static bool explained_by_rounding(const struct run *r, const struct bend *line)
   return explained;
 }
 
-/* Would leaving out the finest point, or the coarsest, do as well as a bend that does not die away? */
-static bool ends_explain(const struct run *r, const struct bend *bend, bool *finest)
+/* Would a line through all but the finest point do as well as a bend that does not die away? */
+static bool finest_is_off(const struct run *r, const struct bend *bend)
 {
-  struct run without[] = { run_of(r->entry, r->count - 1, r->n - 1), run_of(r->entry + 1, r->count - 1, r->n - 1) };
-  double left[2];
-  for (int end = 0; end < 2; end++) {
-    without[end].within = r->within;
-    left[end] = bend_at(&without[end], NULL, 0).left;
-  }
-  *finest = left[0] * FINEST < bend->left;
-  return *finest || left[1] * COARSEST < bend->left;
+  struct run without = run_of(r->entry, r->count - 1, r->n - 1);
+  without.within = r->within;
+  return bend_at(&without, NULL, 0).left * FINEST < bend->left;
 }
 
 /* Digits of the shortest decimal that reads back as x, or more than MOST_DIGITS */
@@ -336,7 +330,8 @@ struct trend trend_of(const struct scallop_order_point *points, int count, doubl
     t.half_width = fmax(t.half_width, fabs((bend.shape->kind == TREND_SETTLING ? bend.slope : to) - t.slope));
     return t;
   }
-  if (bend.shape->kind != TREND_SETTLING && ends_explain(&r, &bend, &t.finest_is_off))
+  t.finest_is_off = bend.shape->kind != TREND_SETTLING && finest_is_off(&r, &bend);
+  if (t.finest_is_off)
     return t;
   t.kind = bend.shape->kind;
   t.coarsest_order = from;
