@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "model/exact/fractions.h"
-#include "model/exact/scoped.h"
 
 static struct scallop_piece *piece_of(struct scallop_exact_gait *e, int kind, int i)
 {
