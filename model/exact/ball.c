@@ -176,9 +176,12 @@ static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
   arb_sub(x, u, o, precision);
 }
 
-/* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on; Horner's rule. */
-static void evaluate(arb_t value, const struct scallop_fractions *f, int order, const arb_t u, slong precision)
+/* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on, of a piece that is not a
+ * sine; Horner's rule. */
+static void evaluate(arb_t value, const struct scallop_piece *p, int order, const arb_t u, slong precision)
 {
+  SCOPED(fractions, made);
+  const struct scallop_fractions *f = fractions_for(p, &made);
   SCOPED(arb, x, sum);
   SCOPED(fmpz, c);
   shift(x, u, f->origin, precision);
@@ -198,13 +201,6 @@ static void evaluate(arb_t value, const struct scallop_fractions *f, int order, 
   if (order < 0)
     arb_mul(sum, sum, x, precision);
   arb_div_fmpz(value, sum, fmpq_poly_denref(f->speed), precision);
-}
-
-/* The same of a piece that is not a sine */
-static void evaluate_piece(arb_t value, const struct scallop_piece *p, int order, const arb_t u, slong precision)
-{
-  SCOPED(fractions, made);
-  evaluate(value, fractions_for(p, &made), order, u, precision);
 }
 
 static void set_place(arb_t u, const struct scallop_piece *p, void (*place)(fmpq_t, const struct scallop_piece *),
@@ -235,7 +231,7 @@ void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t 
     arb_mul(speed, speed, half_pi, precision);
     return;
   }
-  evaluate_piece(speed, p, 0, u, precision);
+  evaluate(speed, p, 0, u, precision);
 }
 
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u, slong precision)
@@ -248,7 +244,7 @@ void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u,
     arb_cos_pi(rate, u, precision);
     arb_mul(rate, rate, pi, precision);
   } else
-    evaluate_piece(rate, p, 1, u, precision);
+    evaluate(rate, p, 1, u, precision);
   arb_mul_si(rate, rate, law_sense(p), precision);
 }
 
@@ -264,10 +260,8 @@ void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, c
     arb_sin_pi(b, b, precision);
     arb_mul(way, a, b, precision);
   } else {
-    SCOPED(fractions, made);
-    const struct scallop_fractions *f = fractions_for(p, &made);
-    evaluate(a, f, -1, u, precision);
-    evaluate(b, f, -1, v, precision);
+    evaluate(a, p, -1, u, precision);
+    evaluate(b, p, -1, v, precision);
     arb_sub(way, b, a, precision);
   }
   arb_mul_si(way, way, law_sense(p), precision);

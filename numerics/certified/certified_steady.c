@@ -35,18 +35,13 @@ static bool is_zero_at(const struct scallop_piece *piece, double u)
   return arb_is_zero(speed);
 }
 
-static bool is_zero_at_end(const struct scallop_shape *shape)
-{
-  const struct scallop_piece *last = &shape->pieces[shape->count - 1];
-  return is_zero_at(last, last->end);
-}
-
 /* Where a phase begins l' is 0, and was so at the end of the phase before, or jumps. */
 static bool is_told_of_jumps(const struct scallop_gait *gait)
 {
   for (int kind = 0; kind < 2; kind++) {
-    const struct scallop_piece *first = &gait->phase[kind].pieces[0];
-    if (!first->jump && !(is_zero_at(first, first->begin) && is_zero_at_end(&gait->phase[1 - kind])))
+    const struct scallop_shape *before = &gait->phase[1 - kind];
+    const struct scallop_piece *first = &gait->phase[kind].pieces[0], *last = &before->pieces[before->count - 1];
+    if (!first->jump && !(is_zero_at(first, first->begin) && is_zero_at(last, last->end)))
       return false;
   }
   return true;
