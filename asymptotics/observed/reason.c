@@ -67,7 +67,7 @@ void reason_add_rows(const struct judged *j, int first, int what)
     reason_add(j, " and %d more", left);
 }
 
-const char *reason_add_all(const struct judged *j, int from, int to, const char *before, const char *between)
+const char *reason_add_all(const struct judged *j, bool faults, const char *before, const char *between)
 {
   static const char *const words[] = {
     [SCALLOP_ORDER_ZERO] = "err is 0",
@@ -79,7 +79,8 @@ const char *reason_add_all(const struct judged *j, int from, int to, const char 
     [POINT_NOT_POSITIVE] = "h <= 0",
     [POINT_BAD_NOISE] = "noise < 0 or NaN",
   };
-  for (int what = from; what <= to; what++)
+  const int last = faults ? POINT_BAD_NOISE : SCALLOP_ORDER_BEFORE_SIGN_CHANGE;
+  for (int what = faults ? POINT_NAN : SCALLOP_ORDER_ZERO; what <= last; what++)
     if (reason_count(j, 0, what) > 0) {
       reason_add(j, "%s%s", before, words[what]);
       reason_add_rows(j, 0, what);

@@ -324,7 +324,7 @@ static void judge(struct judged *j)
   for (int i = 0; i < j->count; i++)
     announced |= j->p[i].noise > 0;
   if (!valid) {
-    say_repeated(j, reason_add_all(j, POINT_NAN, POINT_BAD_NOISE, "", "; "));
+    say_repeated(j, reason_add_all(j, true, "", "; "));
     give(j, SCALLOP_ORDER_INVALID);
     return;
   }
@@ -340,7 +340,7 @@ static void judge(struct judged *j)
   if (!judge_used(j) && floor_leave_out_near(j))
     judge_used(j);
   if (j->result->used > 0 || j->result->verdict == SCALLOP_ORDER_INSUFFICIENT)
-    reason_add_all(j, SCALLOP_ORDER_ZERO, SCALLOP_ORDER_BEFORE_SIGN_CHANGE, "; left out: ", ", ");
+    reason_add_all(j, false, "; left out: ", ", ");
 }
 
 void scallop_order(struct scallop_order_point *points, int *count, const struct scallop_order_wanted *wanted,
