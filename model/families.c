@@ -18,11 +18,7 @@ const struct scallop_gait *scallop_gait_named(const char *name)
   return NULL;
 }
 
-const char *scallop_gait_name(int i)
-{
-  const struct scallop_gait_family *family = scallop_gait_family(i);
-  return family && family->fixed ? family->name : NULL;
-}
+const char *scallop_gait_name(int i) { return i >= 0 && i < FAMILIES && families[i]->fixed ? families[i]->name : NULL; }
 
 static bool is_count(const struct scallop_gait_family *family, int count)
 {

@@ -1,6 +1,4 @@
 /* Gaits whose |l'| is made of straight lines: trapezoidal, skewed, constant. */
-#include <stddef.h>
-
 #include "model/families.h"
 
 static const double least = 0x1p-100; /* fraction of a phase */
@@ -92,14 +90,6 @@ static void add_trapezoid(struct scallop_straight *g, int kind, double up, doubl
   end_phase(g, kind, (double)(1 / (1 - (long double)up / 2 - (long double)down / 2)));
 }
 
-/* |l'| = 1 throughout, in two pieces, so that times are measured from the nearer end of the phase */
-static void add_level(struct scallop_straight *g, int kind)
-{
-  add_plateau(g, kind, 0, 0);
-  g->gait.phase[kind].peak = 1;
-  g->gait.phase[kind].net = g->pieces[kind][0].direction;
-}
-
 enum scallop_status scallop_make_trapezoidal(struct scallop_straight *g, const char *name, const double up[2],
                                              const double down[2])
 {
@@ -130,12 +120,13 @@ enum scallop_status scallop_make_constant(struct scallop_straight *g, const char
       return SCALLOP_EDOMAIN;
   begin_gait(g, name);
   for (int kind = 0; kind < 2; kind++)
-    if (ramp[kind] == 0)
-      add_level(g, kind);
-    else
+    if (ramp[kind] != 0)
       add_trapezoid(g, kind, ramp[kind], ramp[kind]);
-  bool jumps = ramp[SCALLOP_EXTENSION] == 0 || ramp[SCALLOP_CONTRACTION] == 0;
-  for (int kind = 0; jumps && kind < 2; kind++) {
+    else { /* |l'| = 1, in two pieces, so that times are measured from the nearer end of the phase */
+      add_plateau(g, kind, 0, 0);
+      end_phase(g, kind, 1);
+    }
+  for (int kind = 0; kind < 2 && (ramp[0] == 0 || ramp[1] == 0); kind++) { /* l' jumps */
     g->pieces[kind][0].jump = true;
     g->gait.phase[kind].concave = g->gait.phase[kind].ramps = false;
   }
@@ -175,8 +166,7 @@ const struct scallop_gait_family scallop_family_trapezoidal = {
       "trapezoidal:UP,DOWN or trapezoidal:UP,DOWN,UP,DOWN, fractions of the extension and of the contraction in which "
       "|l'| rises and falls: from 2^-100, UP + DOWN at most 1",
   .sentence = "|l'| rises for a fraction UP of each phase, stays, and falls for DOWN; UP,DOWN,UP,DOWN: the second pair "
-              "is for the "
-              "contraction",
+              "is for the contraction",
   .sample = "trapezoidal:0.2,0.3",
   .each = 2,
   .make = make_trapezoidal
@@ -200,11 +190,9 @@ const struct scallop_gait_family scallop_family_constant = {
   .name = "constant",
   .numbers = "R",
   .allowed = "constant:R or constant:R,R, the fraction of each phase, or of the extension and of the contraction, that "
-             "each of two "
-             "ramps takes: 0, or from 2^-100 to 0.5",
+             "each of two ramps takes: 0, or from 2^-100 to 0.5",
   .sentence = "l' is constant out and back but for ramps that each take R of a phase; with R = 0 it jumps; R,R: the "
-              "second is for "
-              "the contraction",
+              "second is for the contraction",
   .sample = "constant:0",
   .each = 1,
   .make = make_constant

@@ -55,8 +55,8 @@ void reason_add(const struct judged *j, const char *format, ...) __attribute__((
 int reason_count(const struct judged *j, int first, int what);
 /* " in row 4", " in rows 2, 5 and 7 to 9": these points, the first few of them; in the order in which they stand. */
 void reason_add_rows(const struct judged *j, int first, int what);
-/* "NaN in row 4; h <= 0 in rows 1 and 2": the faults, or else the uses of what is left out, each behind the word before,
- * from the second one behind between. Returns the word that would come before the next one. */
+/* "NaN in row 4; h <= 0 in rows 1 and 2": the faults, or else the uses of what is left out, each behind the word
+ * before, from the second one behind between. Returns the word that would come before the next one. */
 const char *reason_add_all(const struct judged *j, bool faults, const char *before, const char *between);
 /* "1.97, 1.95, 1.90": the orders between neighbours that are used, the last few of them. */
 void reason_add_orders(const struct judged *j);
