@@ -125,6 +125,7 @@ enum scallop_status scallop_make_constant(struct scallop_straight *g, const char
     else { /* |l'| = 1, in two pieces, so that times are measured from the nearer end of the phase */
       add_plateau(g, kind, 0, 0);
       end_phase(g, kind, 1);
+      g->gait.phase[kind].l0 = g->gait.phase[kind].lT = 0; /* and not -0 */
     }
   for (int kind = 0; kind < 2 && (ramp[0] == 0 || ramp[1] == 0); kind++) { /* l' jumps */
     g->pieces[kind][0].jump = true;
