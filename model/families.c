@@ -1,5 +1,7 @@
 #include "model/families.h"
 
+#include <string.h>
+
 #define ADDRESS(family, law) &scallop_family_##family,
 static const struct scallop_gait_family *const families[] = { SCALLOP_GAIT_FAMILIES(ADDRESS) };
 enum { FAMILIES = sizeof families / sizeof *families };
@@ -7,6 +9,16 @@ enum { FAMILIES = sizeof families / sizeof *families };
 const size_t scallop_made_gait_size = sizeof(union scallop_made_gait);
 
 const struct scallop_gait_family *scallop_gait_family(int i) { return i >= 0 && i < FAMILIES ? families[i] : NULL; }
+
+const struct scallop_gait *scallop_gait_named(const char *name)
+{
+  for (int i = 0; i < FAMILIES; i++)
+    if (families[i]->fixed && strcmp(name, families[i]->name) == 0)
+      return families[i]->fixed;
+  return NULL;
+}
+
+const char *scallop_gait_name(int i) { return i >= 0 && i < FAMILIES && families[i]->fixed ? families[i]->name : NULL; }
 
 static bool is_count(const struct scallop_gait_family *family, int count)
 {

@@ -14,8 +14,8 @@
 extern "C" {
 #endif
 
-/* In the order in which they are listed: ROW(family, law) for scallop_family_FAMILY. law: the function of
- * model/exact/exact_gaits.c that makes fractions of its numbers; NULL: its doubles stand for it. */
+/* In the order in which they are listed, those with a fixed gait first: ROW(family, law) for scallop_family_FAMILY.
+ * law: what makes fractions of its numbers, in model/exact/exact_gaits.c; NULL: its doubles stand for it. */
 #define SCALLOP_GAIT_FAMILIES(ROW) \
   ROW(quadratic, NULL) \
   ROW(sinusoidal, NULL) \

@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <string.h>
 
 #include "model/families.h"
 #include "model/law.h"
@@ -115,19 +114,6 @@ const struct scallop_gait_family scallop_family_sinusoidal = { .name = "sinusoid
                                                                .sentence = "l is half a cosine in each phase",
                                                                .sample = "sinusoidal",
                                                                .fixed = &scallop_gait_sinusoidal };
-
-static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
-enum { GAITS = sizeof gaits / sizeof gaits[0] };
-
-const struct scallop_gait *scallop_gait_named(const char *name)
-{
-  for (int i = 0; i < GAITS; i++)
-    if (strcmp(name, gaits[i]->name) == 0)
-      return gaits[i];
-  return NULL;
-}
-
-const char *scallop_gait_name(int i) { return i >= 0 && i < GAITS ? gaits[i]->name : NULL; }
 
 /* Whether |l'| is the same function of the offset in both pieces */
 static bool same_law(const struct scallop_piece *a, const struct scallop_piece *b)

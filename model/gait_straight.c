@@ -1,19 +1,28 @@
-#include <stddef.h>
-
+/* Gaits whose |l'| is made of straight lines: trapezoidal, skewed, constant. */
 #include "model/families.h"
 
 static const double least = 0x1p-100; /* fraction of a phase */
 
+typedef struct scallop_straight_form form;
+static const form ZERO = { 0, 0, 0 }, HALF = { 0.5, 0, 0 }, ONE = { 1, 0, 0 }, UP = { 0, 1, 0 }, DOWN = { 0, 0, 1 },
+                  BUT_UP = { 1, -1, 0 }, BUT_DOWN = { 1, 0, -1 }, MEAN = { 1, -0.5, -0.5 };
+
+static double value(form f, double up, double down) { return f.one + f.up * up + f.down * down; }
+
 /* The next piece of a phase, from offset begin to offset end. */
-static void add(struct scallop_straight *g, int kind, enum scallop_anchor anchor, double begin, double end,
-                struct scallop_ramp_law ramp, double base)
+static void add(struct scallop_straight *g, int kind, enum scallop_anchor anchor, struct scallop_straight_line line,
+                double up, double down, double base)
 {
   struct scallop_shape *shape = &g->gait.phase[kind];
   int i = shape->count++, direction = kind == SCALLOP_EXTENSION ? 1 : -1, sense = anchor == SCALLOP_FROM_START ? 1 : -1;
+  struct scallop_ramp_law ramp = {
+    line.start, line.slope, value(line.divisor, up, down), { line.mean.one, line.mean.up * up, line.mean.down * down }
+  };
   long double divisor = (long double)ramp.divisor * ((long double)ramp.parts[0] + ramp.parts[1] + ramp.parts[2]);
+  g->lines[kind][i] = line;
   g->laws[kind][i] = (struct scallop_law){ SCALLOP_LAW_RAMP, 1, .ramp = ramp, .base = base };
-  g->pieces[kind][i] = (struct scallop_piece){ .begin = begin,
-                                               .end = end,
+  g->pieces[kind][i] = (struct scallop_piece){ .begin = value(line.begin, up, down),
+                                               .end = value(line.end, up, down),
                                                .anchor = anchor,
                                                .direction = direction,
                                                .linear = true,
@@ -43,13 +52,14 @@ static void end_phase(struct scallop_straight *g, int kind, double peak)
 /* Where a piece begins or ends must be a double, from the start or from the end: 1 - x is one if x >= 1/2. */
 static void add_plateau(struct scallop_straight *g, int kind, double up, double down)
 {
-  const struct scallop_ramp_law level = { 1, 0, 1, { 1, -up / 2, -down / 2 } };
   double V = (double)(1 / (1 - (long double)up / 2 - (long double)down / 2));
   bool from_start = up < 0.5, from_end = down < 0.5;
   if (from_start)
-    add(g, kind, SCALLOP_FROM_START, up, from_end ? 0.5 : 1 - down, level, -0.5 * V * up);
+    add(g, kind, SCALLOP_FROM_START, (struct scallop_straight_line){ UP, from_end ? HALF : BUT_DOWN, 1, 0, ONE, MEAN },
+        up, down, -0.5 * V * up);
   if (from_end)
-    add(g, kind, SCALLOP_FROM_END, from_start ? 0.5 : 1 - up, down, level, 0.5 * V * down);
+    add(g, kind, SCALLOP_FROM_END, (struct scallop_straight_line){ from_start ? HALF : BUT_UP, DOWN, 1, 0, ONE, MEAN },
+        up, down, 0.5 * V * down);
 }
 
 /* Rises for beta of the phase, falls for the rest */
@@ -57,22 +67,26 @@ static void add_skewed(struct scallop_straight *g, int kind, double b)
 {
   double rest = 1 - b;
   bool is_exact = 1 - rest == b; /* else what falls is split, so that it begins at a double */
-  add(g, kind, SCALLOP_FROM_START, 0, b, (struct scallop_ramp_law){ 0, 2, b, { 1, 0, 0 } }, 0);
+  add(g, kind, SCALLOP_FROM_START, (struct scallop_straight_line){ ZERO, UP, 0, 2, UP, ONE }, b, rest, 0);
   if (is_exact) {
-    add(g, kind, SCALLOP_FROM_END, rest, 0, (struct scallop_ramp_law){ 0, 2, rest, { 1, 0, 0 } }, 0);
+    add(g, kind, SCALLOP_FROM_END, (struct scallop_straight_line){ BUT_UP, ZERO, 0, 2, BUT_UP, ONE }, b, rest, 0);
   } else {
-    add(g, kind, SCALLOP_FROM_START, b, 0.5, (struct scallop_ramp_law){ 2, -2, 1, { 1, -b, 0 } },
+    add(g, kind, SCALLOP_FROM_START, (struct scallop_straight_line){ UP, HALF, 2, -2, ONE, BUT_UP }, b, rest,
         (double)(-b / (1 - (long double)b)));
-    add(g, kind, SCALLOP_FROM_END, 0.5, 0, (struct scallop_ramp_law){ 0, 2, 1, { 1, -b, 0 } }, 0);
+    add(g, kind, SCALLOP_FROM_END, (struct scallop_straight_line){ HALF, ZERO, 0, 2, ONE, BUT_UP }, b, rest, 0);
   }
   end_phase(g, kind, 2);
 }
 
 static void add_trapezoid(struct scallop_straight *g, int kind, double up, double down)
 {
-  add(g, kind, SCALLOP_FROM_START, 0, up, (struct scallop_ramp_law){ 0, 1, up, { 1, -up / 2, -down / 2 } }, 0);
+  if (up + down == 1) {
+    add_skewed(g, kind, up);
+    return;
+  }
+  add(g, kind, SCALLOP_FROM_START, (struct scallop_straight_line){ ZERO, UP, 0, 1, UP, MEAN }, up, down, 0);
   add_plateau(g, kind, up, down);
-  add(g, kind, SCALLOP_FROM_END, down, 0, (struct scallop_ramp_law){ 0, 1, down, { 1, -up / 2, -down / 2 } }, 0);
+  add(g, kind, SCALLOP_FROM_END, (struct scallop_straight_line){ DOWN, ZERO, 0, 1, DOWN, MEAN }, up, down, 0);
   end_phase(g, kind, (double)(1 / (1 - (long double)up / 2 - (long double)down / 2)));
 }
 
@@ -84,10 +98,7 @@ enum scallop_status scallop_make_trapezoidal(struct scallop_straight *g, const c
       return SCALLOP_EDOMAIN;
   begin_gait(g, name);
   for (int kind = 0; kind < 2; kind++)
-    if (up[kind] + down[kind] == 1)
-      add_skewed(g, kind, up[kind]);
-    else
-      add_trapezoid(g, kind, up[kind], down[kind]);
+    add_trapezoid(g, kind, up[kind], down[kind]);
   return SCALLOP_OK;
 }
 
@@ -99,6 +110,27 @@ enum scallop_status scallop_make_skewed(struct scallop_straight *g, const char *
   begin_gait(g, name);
   for (int kind = 0; kind < 2; kind++)
     add_skewed(g, kind, beta[kind]);
+  return SCALLOP_OK;
+}
+
+enum scallop_status scallop_make_constant(struct scallop_straight *g, const char *name, const double ramp[2])
+{
+  for (int kind = 0; kind < 2; kind++)
+    if (!(ramp[kind] == 0 || (ramp[kind] >= least && ramp[kind] <= 0.5)))
+      return SCALLOP_EDOMAIN;
+  begin_gait(g, name);
+  for (int kind = 0; kind < 2; kind++)
+    if (ramp[kind] != 0)
+      add_trapezoid(g, kind, ramp[kind], ramp[kind]);
+    else { /* |l'| = 1, in two pieces, so that times are measured from the nearer end of the phase */
+      add_plateau(g, kind, 0, 0);
+      end_phase(g, kind, 1);
+      g->gait.phase[kind].l0 = g->gait.phase[kind].lT = 0; /* and not -0 */
+    }
+  for (int kind = 0; kind < 2 && (ramp[0] == 0 || ramp[1] == 0); kind++) { /* l' jumps */
+    g->pieces[kind][0].jump = true;
+    g->gait.phase[kind].concave = g->gait.phase[kind].ramps = false;
+  }
   return SCALLOP_OK;
 }
 
@@ -119,6 +151,14 @@ static enum scallop_status make_skewed(union scallop_made_gait *made, const char
   return scallop_make_skewed(&made->straight, name, x);
 }
 
+static enum scallop_status make_constant(union scallop_made_gait *made, const char *name, const double *x, int count,
+                                         const char **why)
+{
+  (void)count;
+  (void)why;
+  return scallop_make_constant(&made->straight, name, x);
+}
+
 const struct scallop_gait_family scallop_family_trapezoidal = {
   .name = "trapezoidal",
   .numbers = "UP,DOWN",
@@ -127,8 +167,7 @@ const struct scallop_gait_family scallop_family_trapezoidal = {
       "trapezoidal:UP,DOWN or trapezoidal:UP,DOWN,UP,DOWN, fractions of the extension and of the contraction in which "
       "|l'| rises and falls: from 2^-100, UP + DOWN at most 1",
   .sentence = "|l'| rises for a fraction UP of each phase, stays, and falls for DOWN; UP,DOWN,UP,DOWN: the second pair "
-              "is for the "
-              "contraction",
+              "is for the contraction",
   .sample = "trapezoidal:0.2,0.3",
   .each = 2,
   .make = make_trapezoidal
@@ -146,4 +185,16 @@ const struct scallop_gait_family scallop_family_skewed = {
   .sample = "skewed:0.3",
   .each = 1,
   .make = make_skewed
+};
+
+const struct scallop_gait_family scallop_family_constant = {
+  .name = "constant",
+  .numbers = "R",
+  .allowed = "constant:R or constant:R,R, the fraction of each phase, or of the extension and of the contraction, that "
+             "each of two ramps takes: 0, or from 2^-100 to 0.5",
+  .sentence = "l' is constant out and back but for ramps that each take R of a phase; with R = 0 it jumps; R,R: the "
+              "second is for the contraction",
+  .sample = "constant:0",
+  .each = 1,
+  .make = make_constant
 };

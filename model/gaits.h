@@ -13,10 +13,22 @@
 extern "C" {
 #endif
 
+/* one + up (what |l'| rises for) + down (what it falls for), as fractions of a phase */
+struct scallop_straight_form {
+  double one, up, down;
+};
+/* What the doubles of a piece are made from: where it begins and ends, and |l'| = (start + slope u)/(divisor mean). */
+struct scallop_straight_line {
+  struct scallop_straight_form begin, end;
+  double start, slope;
+  struct scallop_straight_form divisor, mean;
+};
+
 struct scallop_straight {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][4];
   struct scallop_law laws[2][4];
+  struct scallop_straight_line lines[2][4];
 };
 
 /* Each phase takes a fraction up[kind] of its duration to bring |l'| from 0 to V along a straight line, stays there,

@@ -1,10 +1,6 @@
-#include "asymptotics/observed/floor.h"
-
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "asymptotics/observed/points.h"
+#include "asymptotics/observed/judged.h"
 
 /* A tail is a floor if its overall order is below this, or below this share of the steeper orders before it: the
  * second one of the middle one of the last FEW orders, where the rows are so far apart that noise makes none. */
@@ -25,77 +21,63 @@ static const double HELD_UP = 1.5;
  * no others are left it counts with less weight. */
 static const double FAR_ABOVE = 1000, ABOVE_FLOOR = 30, NEAR_FLOOR = 3;
 static const double LEAST_POWER = 0.5, MOST_POWER = 12, MOST_LOWER = 4, NEXT_POWER = 1.02;
-/* A trend takes LEAST points; BEGINS are the begin of a floor; BEFORE it so many are fitted; ENOUGH of them are far
- * above it. */
-enum { LEAST = 4, BEGINS = 3, BEFORE = 4, ENOUGH = 5, FEW = 5, MOST_FITTED = 512 };
+/* BEGINS are the begin of a floor; BEFORE it so many are fitted; ENOUGH of them are far above it. */
+enum { BEGINS = 3, BEFORE = 4, ENOUGH = 5, FEW = 5 };
 
-static bool is_used(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_USED; }
-static bool is_floor(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_FLOOR; }
-static bool is_zero(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_ZERO; }
-
-/* The upper quartile of the pairwise orders: how steep the table is where it is steep. */
-static double steepness(const struct scallop_order_point *points, int count)
+/* Of the slopes from points[first] on the one with so many below it */
+static double slope_ranked(const struct scallop_order_point *points, int first, int count, int rank)
 {
-  enum { MOST = 512 };
-  double slopes[MOST];
-  int n = 0;
-  for (int i = points_next(points, count, 0), j; i < count && n < MOST; i = j) {
-    j = points_next(points, count, i + 1);
-    if (j < count)
-      slopes[n++] = points_slope(&points[i], &points[j]);
-  }
-  if (n == 0)
-    return 0;
-  qsort(slopes, (size_t)n, sizeof *slopes, points_by_size);
-  return slopes[(3 * n) / 4];
+  double slopes[MOST_SORTED];
+  for (int i = 0; i < count; i++)
+    slopes[i] = points_slope(&points[first + i], &points[first + i + 1]);
+  return points_ranked(slopes, count, rank);
 }
 
-/* The middle one of the last FEW slopes, 0 for fewer */
-static double middle_of(const double slopes[FEW], int count)
+/* The upper quartile of the slopes */
+static double steepness(const struct scallop_order_point *points, int count)
 {
-  double sorted[FEW];
-  if (count < FEW)
-    return 0;
-  memcpy(sorted, slopes, sizeof sorted);
-  qsort(sorted, FEW, sizeof *sorted, points_by_size);
-  return sorted[FEW / 2];
+  int slopes = count > MOST_SORTED ? MOST_SORTED : count - 1;
+  return slopes > 0 ? slope_ranked(points, 0, slopes, 3 * slopes / 4) : 0;
+}
+
+/* The middle one of the last FEW slopes before point i, 0 for fewer or where rows are close */
+static double middle_before(const struct scallop_order_point *points, int i)
+{
+  for (int k = i - FEW; k < i; k++)
+    if (k < 0 || points[k].h <= APART * points[k + 1].h)
+      return 0;
+  return slope_ranked(points, i - FEW, FEW, FEW / 2);
 }
 
 /* From onset on the errors no longer fall, though they did before. */
 static int onset_before(const struct scallop_order_point *points, int count)
 {
   double steep = steepness(points, count);
-  int first = points_next(points, count, 0), last = points_last(points, count);
-  if (last <= 0 || steep < STEEP)
-    return -1;
-  double before[FEW];
-  int slopes = 0;
-  for (int i = first, next; i < last; i = next) {
-    next = points_next(points, count, i + 1);
-    double slope = points_slope(&points[i], &points[next]);
-    double flat = fmax(FLAT * fmin(1, steep), FLATTER * middle_of(before, slopes));
-    if (i > first && slope < flat && points_slope(&points[i], &points[last]) < flat)
+  for (int i = 1; i + 1 < count && steep >= STEEP; i++) {
+    double flat = fmax(FLAT * fmin(1, steep), FLATTER * middle_before(points, i));
+    if (points_slope(&points[i], &points[i + 1]) < flat && points_slope(&points[i], &points[count - 1]) < flat)
       return i;
-    before[slopes % FEW] = slope;
-    slopes = points[i].h > APART * points[next].h ? slopes + 1 : 0;
   }
   return -1;
 }
 
-/* Is what the points before end meet from onset on more than a pair of neighbours that noise brought together? */
-static bool holds_up(const struct judged *j, int onset, int end)
+/* Is what the points meet from onset on more than a pair of neighbours that noise brought together? */
+static bool holds_up(const struct scallop_order_point *points, int count, int onset)
 {
-  int last = points_last(j->points, end);
-  double steep = steepness(j->points, onset + 1), fallen = points_slope(&j->points[onset], &j->points[last]);
-  return (steep - fallen) * log(j->points[onset].h / j->points[last].h) > log(HELD_UP);
+  const struct scallop_order_point *from = &points[onset], *last = &points[count - 1];
+  return (steepness(points, onset + 1) - points_slope(from, last)) * log(from->h / last->h) > log(HELD_UP);
 }
 
-/* Where a floor begins, or -1. A rough one may have its finest point far down by chance. */
+/* Where a floor begins, or -1. A rough one may have its finest point far down by chance: it is not looked at, then,
+ * unless one that is 0 already is not. */
 static int find_floor(const struct judged *j)
 {
-  for (int end = j->count; end == j->count || (end == j->count - 1 && end > LEAST); end--) {
-    int onset = onset_before(j->points, end);
-    if (onset >= 0 && holds_up(j, onset, end))
+  int fewest = j->count > LEAST_TREND + 1 ? j->used - 1 : j->used;
+  for (int i = j->used; i < j->count; i++)
+    fewest = j->p[i].h < j->p[j->used - 1].h ? j->used : fewest;
+  for (int count = j->used; count > 0 && count >= fewest; count--) {
+    int onset = onset_before(j->p, count);
+    if (onset >= 0 && holds_up(j->p, count, onset))
       return onset;
   }
   return -1;
@@ -105,18 +87,15 @@ static int find_floor(const struct judged *j)
  * rows before onset on. NAN: too few rows to tell; INFINITY: D h^q is less than half of the finest error. */
 static double misfit_of(const struct judged *j, int onset, double q)
 {
-  const struct scallop_order_point *p = j->points, *finest = &p[points_last(p, j->count)];
-  int first = onset;
-  for (int k = 0; k < BEFORE && points_last(p, first) >= 0; k++)
-    first = points_last(p, first);
-  const double n = points_count(SCALLOP_ORDER_USED, p, j->count, first);
-  if (n < BEFORE + 1 || n > MOST_FITTED)
+  const struct scallop_order_point *finest = &j->p[j->used - 1];
+  const int first = onset > BEFORE ? onset - BEFORE : 0, n = j->used - first;
+  if (n < BEFORE + 1 || n > MOST_SORTED)
     return NAN;
   double best = INFINITY;
   for (double power = q + LEAST_POWER; power <= MOST_POWER; power *= NEXT_POWER) {
     double cc = 0, cd = 0, dd = 0, c = 0, d = 0;
-    for (int i = first; i < j->count; i = points_next(p, j->count, i + 1)) {
-      double x = p[i].h / finest->h, constant = pow(x, q) / fabs(p[i].err), falling = pow(x, power) / fabs(p[i].err);
+    for (const struct scallop_order_point *p = &j->p[first]; p <= finest; p++) {
+      double x = p->h / finest->h, constant = pow(x, q) / fabs(p->err), falling = pow(x, power) / fabs(p->err);
       cc += falling * falling;
       cd += falling * constant;
       dd += constant * constant;
@@ -130,63 +109,104 @@ static double misfit_of(const struct judged *j, int onset, double q)
   return best;
 }
 
-/* How many used rows before end are at least so large */
-static int count_above(const struct judged *j, int end, double least)
+/* A floor and its rows, which are p[onset..used) */
+struct floor {
+  int onset, rows;
+  double least, level; /* the smallest error, and the largest where it begins: roundoff may grow from there */
+  double largest;      /* of the whole table                                                                */
+  bool rough;          /* an error is larger than one of a larger h                                         */
+  bool dense;          /* the rows of the table are close, on the average                                   */
+  bool high, near_roundoff;
+};
+
+static struct floor floor_at(const struct judged *j, int onset)
 {
-  int above = 0;
-  for (int i = 0; i < end; i++)
-    above += is_used(j->points, i) && fabs(j->points[i].err) >= least;
-  return above;
+  struct floor f = { .onset = onset, .rows = j->used - onset, .least = INFINITY };
+  double finest = INFINITY, coarsest = 0;
+  for (int i = 0; i < j->count; i++) {
+    double err = fabs(j->p[i].err);
+    finest = fmin(finest, j->p[i].h);
+    coarsest = fmax(coarsest, j->p[i].h);
+    f.largest = fmax(f.largest, err);
+    if (i < onset || i >= j->used)
+      continue;
+    f.rough = f.rough || err > f.least;
+    f.least = fmin(f.least, err);
+    f.level = i < onset + BEGINS ? fmax(f.level, err) : f.level;
+  }
+  f.dense = pow(APART, j->count - 1) * finest > coarsest;
+  f.high = f.level > ROUGH * f.largest;
+  f.near_roundoff = f.level <= ROUNDOFF * fmax(1, f.largest);
+  return f;
 }
 
 /* The largest of the used errors from first on over the smallest */
 static double spread(const struct judged *j, int first)
 {
   double least = INFINITY, most = 0;
-  for (int i = points_next(j->points, j->count, first); i < j->count; i = points_next(j->points, j->count, i + 1)) {
-    least = fmin(least, fabs(j->points[i].err));
-    most = fmax(most, fabs(j->points[i].err));
+  for (int i = first; i < j->used; i++) {
+    least = fmin(least, fabs(j->p[i].err));
+    most = fmax(most, fabs(j->p[i].err));
   }
   return most / least;
 }
 
-/* A floor from onset on: false if the verdict is that it is a plateau. */
+static bool is_plateau(const struct judged *j, const struct floor *f)
+{
+  double misfit = f->dense ? NAN : misfit_of(j, f->onset, 0);
+  return !f->near_roundoff
+         && (misfit < FITS || (j->used >= 3 && !f->dense && spread(j, j->used - 3) <= LEVEL)
+             || (f->high ? isnan(misfit) && spread(j, f->onset) <= SMOOTH
+                         : f->rows > 2 && spread(j, f->onset) <= VERY_SMOOTH));
+}
+
+/* A term of lower order that takes over is no floor. */
+static bool is_lower_term(const struct judged *j, const struct floor *f)
+{
+  if (!f->rough && !f->near_roundoff)
+    for (double q = 0.5; q <= MOST_LOWER; q += 0.5)
+      if (misfit_of(j, f->onset, q) < FITS_WELL)
+        return true;
+  return false;
+}
+
+/* The rows of the floor, and those too near it */
+static void leave_out_floor(struct judged *j, const struct floor *f, bool smooth)
+{
+  int far = 0;
+  for (int i = 0; i < f->onset; i++)
+    far += fabs(j->p[i].err) >= ABOVE_FLOOR * f->level;
+  bool few = !f->near_roundoff && !smooth && !f->dense && far < ENOUGH;
+  for (int i = 0; i < j->used; i++)
+    if (i >= f->onset || fabs(j->p[i].err) < (few ? NEAR_FLOOR : ABOVE_FLOOR) * f->level)
+      j->p[i].use = SCALLOP_ORDER_FLOOR;
+  points_sort_by_use(j);
+  j->level = f->rough && !f->dense ? f->level : 0;
+  j->near_floor = fmax(j->near_floor, f->rough ? FAR_ABOVE * f->level : 0);
+}
+
+/* A floor from onset on: false if it fails the table. */
 static bool judge_floor(struct judged *j, int onset)
 {
-  double least = INFINITY, level = 0, largest = points_largest(j->points, j->count);
-  int rows = 0, third = points_last(j->points, points_last(j->points, points_last(j->points, j->count)));
-  bool rough = false, dense = pow(APART, j->count - 1) * j->points[j->count - 1].h > j->points[0].h;
-  for (int i = onset; i < j->count; i = points_next(j->points, j->count, i + 1)) {
-    double err = fabs(j->points[i].err);
-    rough = rough || err > least;
-    least = fmin(least, err);
-    level = rows++ < BEGINS ? fmax(level, err) : level; /* where it begins: roundoff may grow from there */
-  }
-  bool high = level > ROUGH * largest, near_roundoff = level <= ROUNDOFF * fmax(1, largest), smooth = false;
-  if (!near_roundoff) {
-    double misfit = dense ? NAN : misfit_of(j, onset, 0);
-    smooth = misfit < FITS || (third >= 0 && !dense && spread(j, third) <= LEVEL)
-             || (high ? isnan(misfit) && spread(j, onset) <= SMOOTH : rows > 2 && spread(j, onset) <= VERY_SMOOTH);
-  }
-  /* a term of lower order that takes over is no floor */
-  for (double q = 0.5; !rough && !smooth && !near_roundoff && q <= MOST_LOWER; q += 0.5)
-    if (misfit_of(j, onset, q) < FITS_WELL)
-      return true;
-  bool few = !near_roundoff && !smooth && !dense && count_above(j, onset, ABOVE_FLOOR * level) < ENOUGH;
-  for (int i = 0; i < j->count; i++)
-    if (is_used(j->points, i) && (i >= onset || fabs(j->points[i].err) < (few ? NEAR_FLOOR : ABOVE_FLOOR) * level))
-      j->points[i].use = SCALLOP_ORDER_FLOOR;
-  j->level = rough && !dense ? level : 0;
-  j->near_floor = fmax(j->near_floor, rough ? FAR_ABOVE * level : 0);
-  int enough = !high ? 0 : dense ? rows + 1 : LEAST;
-  if (near_roundoff || (!smooth && points_count(SCALLOP_ORDER_USED, j->points, j->count, 0) >= enough))
+  const struct floor f = floor_at(j, onset);
+  const double begins = j->p[onset].h;
+  bool smooth = is_plateau(j, &f);
+  if (!smooth && is_lower_term(j, &f))
+    return true;
+  leave_out_floor(j, &f, smooth);
+  int enough = !f.high ? 0 : f.dense ? f.rows + 1 : LEAST_TREND;
+  if (f.near_roundoff || (!smooth && j->used >= enough))
     return true;
   j->result->verdict = smooth ? SCALLOP_ORDER_PLATEAU : SCALLOP_ORDER_FLOOR_LIMITED;
-  reason_add(j, "err stops falling near %.2g", least);
-  reason_add_rows(j, is_floor, onset, j->count - 1);
-  reason_add(j, smooth  ? ": a plateau far above roundoff"
-                : rough ? ": a rough floor, with too few rows above"
-                        : ": a floor, with too few rows above");
+  points_sort(j->p, j->count);
+  int first = 0;
+  while (j->p[first].h > begins)
+    first++;
+  reason_add(j, "err stops falling near %.2g", f.least);
+  reason_add_rows(j, first, SCALLOP_ORDER_FLOOR);
+  reason_add(j, smooth    ? ": a plateau far above roundoff"
+                : f.rough ? ": a rough floor, with too few rows above"
+                          : ": a floor, with too few rows above");
   return false;
 }
 
@@ -199,15 +219,18 @@ bool floor_judge(struct judged *j, bool announced)
 
 bool floor_leave_out_near(struct judged *j)
 {
-  int above = 0, near = 0;
+  int candidates = 0, above = 0;
   for (int i = 0; i < j->count; i++)
-    if (!is_floor(j->points, i) && !is_zero(j->points, i))
-      *(fabs(j->points[i].err) >= j->near_floor ? &above : &near) += 1;
-  if (above < LEAST || near == 0)
+    if (j->p[i].use != SCALLOP_ORDER_FLOOR && j->p[i].use != SCALLOP_ORDER_ZERO) {
+      candidates++;
+      above += fabs(j->p[i].err) >= j->near_floor;
+    }
+  if (above < LEAST_TREND || above == candidates)
     return false;
   for (int i = 0; i < j->count; i++)
-    if (!is_floor(j->points, i) && !is_zero(j->points, i))
-      j->points[i].use = fabs(j->points[i].err) >= j->near_floor ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
+    if (j->p[i].use != SCALLOP_ORDER_FLOOR && j->p[i].use != SCALLOP_ORDER_ZERO)
+      j->p[i].use = fabs(j->p[i].err) >= j->near_floor ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
+  points_sort_by_use(j);
   *j->result->reason = '\0';
   return true;
 }

@@ -1,11 +1,10 @@
-#include "asymptotics/observed/trend.h"
-
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
 
-#include "asymptotics/observed/points.h"
-#include "asymptotics/observed/rounding.h"
 #include "asymptotics/observed/student.h"
+#include "asymptotics/observed/trend.h"
 
 /* A change of the local order over the run that is smaller decides nothing. */
 static const double SEEN = 0.005;
@@ -13,13 +12,12 @@ static const double SEEN = 0.005;
  * much; one that does not has to be so many times better than those. */
 static const double AS_GOOD = 4, BETTER[] = { [TREND_LEAVING] = 8, [TREND_CREEPING] = 25 };
 static const double SURE = 0.995;
-/* Nor does it count if a line leaves at most so many times less of the points without the finest, or without the
- * coarsest. */
-static const double FINEST = 4, COARSEST = 1;
+/* Nor does it count if a line leaves at most so many times less of the points without the finest. */
+static const double FINEST = 4;
 /* A floor of noise that is so much of an error halves its weight. */
 static const double WEIGHED = 0.03;
 /* Tables that people print; the bound on what rounding explains takes the square of their length. */
-enum { MOST_PRINTED = 64, MOST_STEPS = 30 };
+enum { MOST_PRINTED = 64, MOST_DIGITS = 6, MOST_STEPS = 30 };
 /* In h^p |log h|^r an r smaller than this is taken for a coincidence. */
 static const double LEAST_POWER = 0.4, LOG_09 = -0.105;
 /* Of two terms with opposite signs the smaller one is at most so much of the larger. */
@@ -237,36 +235,56 @@ static bool explained_by_rounding(const struct run *r, const struct bend *line)
   return explained;
 }
 
-/* Would leaving out the finest point, or the coarsest, do as well as a bend that does not die away? */
-static bool ends_explain(const struct run *r, const struct bend *bend, bool *finest)
+/* Would a line through all but the finest point do as well as a bend that does not die away? */
+static bool finest_is_off(const struct run *r, const struct bend *bend)
 {
-  struct run without[] = { run_of(r->entry, r->count - 1, r->n - 1), run_of(r->entry + 1, r->count - 1, r->n - 1) };
-  double left[2];
-  for (int end = 0; end < 2; end++) {
-    without[end].within = r->within;
-    left[end] = bend_at(&without[end], NULL, 0).left;
-  }
-  *finest = left[0] * FINEST < bend->left;
-  return *finest || left[1] * COARSEST < bend->left;
+  struct run without = run_of(r->entry, r->count - 1, r->n - 1);
+  without.within = r->within;
+  return bend_at(&without, NULL, 0).left * FINEST < bend->left;
 }
 
-/* The used points from first on. An error with noise of this level counts less. */
-static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int count,
-                                int first, double level)
+/* Digits of the shortest decimal that reads back as x, or more than MOST_DIGITS */
+static int digits_of(double x)
 {
-  const int from = points_next(points, count, first), n = points_count(SCALLOP_ORDER_USED, points, count, from);
-  const double coarsest = log(points[from].h), finest = log(points[points_last(points, count)].h);
-  const double part = (coarsest - finest) / MOST_ENTRIES;
-  struct rounding rounding = { 0, 0 };
-  if (n <= MOST_PRINTED)
-    rounding = rounding_of(points, count, from);
+  char text[40];
+  for (int digits = 1; digits <= MOST_DIGITS; digits++) {
+    snprintf(text, sizeof text, "%.*e", digits - 1, x);
+    if (strtod(text, NULL) == x)
+      return digits;
+  }
+  return MOST_DIGITS + 1;
+}
+
+static double last_place(double x, int digits) { return pow(10, floor(log10(fabs(x))) - digits + 1); }
+
+/* What rounding and known noise may have moved the logarithms of printed errors by. They were rounded to as many digits
+ * as the longest of them has, or to as many decimals, whichever is more; doubles were not. */
+static void note_rounding(struct run *r, struct entry *entry, const struct scallop_order_point *points, double level)
+{
+  int digits = 0;
+  double unit = INFINITY;
+  for (int i = 0; i < r->count; i++) {
+    int here = digits_of(points[i].err);
+    digits = here > digits ? here : digits;
+    unit = fmin(unit, last_place(points[i].err, here));
+  }
+  for (int i = 0; i < r->count; i++) {
+    double err = fabs(points[i].err), place = digits > MOST_DIGITS ? 0 : fmax(last_place(err, digits), unit);
+    entry[i].moved = place / 2 / err + (points[i].noise + level) / err;
+  }
+}
+
+/* An error with noise of this level counts less. */
+static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int n,
+                                double level)
+{
+  const double coarsest = log(points[0].h), part = (coarsest - log(points[n - 1].h)) / MOST_ENTRIES;
   int entries = 0, place = 0;
-  entry[0] = (struct entry){ 0 };
   double xx = 0, xy = 0, yy = 0; /* within entries */
-  for (int i = from; i < count; i = points_next(points, count, i + 1)) {
+  for (int i = 0; i < n; i++) {
     double x = log(points[i].h), err = fabs(points[i].err), y = log(err), noise = level / (err * WEIGHED);
     int here = (int)((coarsest - x) / part);
-    if (entries == 0 || n <= MOST_ENTRIES || (here > place && entries < MOST_ENTRIES))
+    if (i == 0 || n <= MOST_ENTRIES || (here > place && entries < MOST_ENTRIES))
       entry[entries++] = (struct entry){ .x = x, .y = y };
     place = here;
     struct entry *e = &entry[entries - 1];
@@ -277,18 +295,19 @@ static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct s
     e->x += share * dx;
     e->y += share * dy;
     e->weight += weight;
-    e->moved = n <= MOST_PRINTED ? rounding_share(&rounding, err) + (points[i].noise + level) / err : 0;
   }
   struct run r = run_of(entry, entries, n);
   double slope = r.xy / r.xx;
   r.within = fmax(0, yy - slope * (2 * xy - slope * xx));
+  if (n <= MOST_PRINTED)
+    note_rounding(&r, entry, points, level);
   return r;
 }
 
-struct trend trend_of(const struct scallop_order_point *points, int count, int first, double level)
+struct trend trend_of(const struct scallop_order_point *points, int count, double level)
 {
   struct entry entry[MOST_ENTRIES];
-  struct run r = run_of_points(entry, points, count, first, level);
+  struct run r = run_of_points(entry, points, count, level);
   struct bend line = bend_at(&r, NULL, 0);
   struct trend t = {
     .kind = TREND_STRAIGHT, .points = (int)r.n, .slope = line.slope, .low = line.slope, .high = line.slope
@@ -311,7 +330,8 @@ struct trend trend_of(const struct scallop_order_point *points, int count, int f
     t.half_width = fmax(t.half_width, fabs((bend.shape->kind == TREND_SETTLING ? bend.slope : to) - t.slope));
     return t;
   }
-  if (bend.shape->kind != TREND_SETTLING && ends_explain(&r, &bend, &t.finest_is_off))
+  t.finest_is_off = bend.shape->kind != TREND_SETTLING && finest_is_off(&r, &bend);
+  if (t.finest_is_off)
     return t;
   t.kind = bend.shape->kind;
   t.coarsest_order = from;

@@ -22,8 +22,7 @@ struct trend {
   double coarsest_order, finest_order; /* local, by the line and the term; the slope where it is straight       */
 };
 
-/* Of the used points[first..count), of which there are three or more. level: of a rough floor, by which errors are off;
- * 0 for none. */
-struct trend trend_of(const struct scallop_order_point *points, int count, int first, double level);
+/* Of three or more points by falling h. level: of a rough floor, by which errors are off; 0 for none. */
+struct trend trend_of(const struct scallop_order_point *points, int count, double level);
 
 #endif

@@ -1,9 +1,8 @@
-/* Values instead of errors */
+/* Values instead of errors, of which three refinements give one order. */
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
-#include "asymptotics/observed/points.h"
+#include "asymptotics/observed/judged.h"
 
 /* (h1^p - h2^p)/(h2^p - h3^p) with h1 > h2 > h3: rises with p from log(h1/h2)/log(h2/h3) at p = 0. */
 static double difference_ratio(double p, double h1, double h2, double h3)
@@ -12,7 +11,8 @@ static double difference_ratio(double p, double h1, double h2, double h3)
   return p == 0 ? a / b : exp(p * a) * -expm1(-p * a) / -expm1(-p * b);
 }
 
-double points_order_of_three(const struct scallop_order_point *p)
+/* The order that three values give, or nan */
+static double order_of_three(const struct scallop_order_point *p)
 {
   double ratio = (p[0].err - p[1].err) / (p[1].err - p[2].err);
   double low = -50, high = 50;
@@ -47,37 +47,14 @@ static bool is_above_noise(const struct scallop_order_point *values)
 /* The middle one of the orders that three values each give, or 1 */
 static double middle_order(const struct scallop_order_point *values, int count)
 {
-  enum { MOST = 512 };
-  double orders[MOST];
+  double orders[MOST_SORTED];
   int n = 0;
-  for (int i = 0; i + 2 < count && n < MOST; i++) {
-    double here = is_above_noise(&values[i]) && is_above_noise(&values[i + 1]) ? points_order_of_three(&values[i])
-                                                                               : NAN;
+  for (int i = 0; i + 2 < count && n < MOST_SORTED; i++) {
+    double here = is_above_noise(&values[i]) && is_above_noise(&values[i + 1]) ? order_of_three(&values[i]) : NAN;
     if (isfinite(here) && fabs(here) < 49)
       orders[n++] = here;
   }
-  if (n == 0)
-    return 1;
-  qsort(orders, (size_t)n, sizeof *orders, points_by_size);
-  return orders[n / 2];
-}
-
-void points_from_values(struct scallop_order_point *points, int *count)
-{
-  if (*count < 3 || !points_sort(points, *count)) {
-    *count = *count < 3 ? 0 : *count;
-    return;
-  }
-  if (!points_noise_is_known(points, *count))
-    note_noise(points, *count);
-  double p = middle_order(points, *count);
-  --*count;
-  /* v_i - v_{i+1} = C (h_i^p - h_{i+1}^p): divided by 1 - (h_{i+1}/h_i)^p it is C h_i^p */
-  for (int i = 0; i < *count; i++) {
-    double share = -expm1(-p * log(points[i].h / points[i + 1].h));
-    points[i].err = (points[i].err - points[i + 1].err) / share;
-    points[i].noise = (points[i].noise + points[i + 1].noise) / fabs(share);
-  }
+  return n == 0 ? 1 : points_ranked(orders, n, n / 2);
 }
 
 /* The index between two values, the second on the finer grid */
@@ -87,13 +64,32 @@ static double grid_index(const struct scallop_order_point *v, double p)
   return safety * fabs(v[0].err - v[1].err) / (fabs(v[1].err) * expm1(p * log(v[0].h / v[1].h)));
 }
 
-void points_grid_convergence(const struct scallop_order_point *values, int count, double expected, double *gci,
-                             double *asymptotic_ratio)
+static void set_grid_convergence(const struct judged *j)
 {
-  const struct scallop_order_point *v = values + count - 3; /* coarse, medium, fine */
-  double p = count >= 3 ? points_order_of_three(v) : NAN, q = isnan(expected) ? p : expected;
+  const struct scallop_order_point *v = j->p + j->count - 3; /* coarse, medium, fine */
+  double p = order_of_three(v), q = isnan(j->wanted->order) ? p : j->wanted->order;
   if (!(p > 0))
     return;
-  *gci = grid_index(v + 1, p);
-  *asymptotic_ratio = grid_index(v, q) / (pow(v[1].h / v[2].h, q) * grid_index(v + 1, q));
+  j->result->gci = grid_index(v + 1, p);
+  j->result->asymptotic_ratio = grid_index(v, q) / (pow(v[1].h / v[2].h, q) * grid_index(v + 1, q));
+}
+
+void points_from_values(struct judged *j, bool announced)
+{
+  struct scallop_order_point *v = j->p;
+  if (j->count < 3) {
+    j->count = 0;
+    return;
+  }
+  set_grid_convergence(j);
+  if (!announced)
+    note_noise(v, j->count);
+  double p = middle_order(v, j->count);
+  /* v_i - v_{i+1} = C (h_i^p - h_{i+1}^p): divided by 1 - (h_{i+1}/h_i)^p it is C h_i^p */
+  for (int i = 0; i + 1 < j->count; i++) {
+    double share = -expm1(-p * log(v[i].h / v[i + 1].h));
+    v[i].err = (v[i].err - v[i + 1].err) / share;
+    v[i].noise = (v[i].noise + v[i + 1].noise) / fabs(share);
+  }
+  j->count--;
 }

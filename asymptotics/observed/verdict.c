@@ -1,9 +1,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "asymptotics/observed/floor.h"
-#include "asymptotics/observed/points.h"
-#include "asymptotics/observed/reason.h"
+#include "asymptotics/observed/judged.h"
 #include "asymptotics/observed/trend.h"
 
 /* The tail of a table that has just settled: the finest three or more points, over this many times in h. */
@@ -15,22 +13,14 @@ static const double FAR_BETTER = 10;
 /* Three points of a longer table count if they are on a line so well. */
 static const double ALIGNED = 0.05;
 /* Of so many points and more, the coarsest are left out several at a time. */
-enum { LEAST = 4, MOST_FEW = 6, MANY = 32 };
+enum { MOST_FEW = 6, MANY = 32 };
 
-static bool is_used(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_USED; }
-static bool is_zero(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_ZERO; }
-static bool is_floor(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_FLOOR; }
-static bool is_coarse(const struct scallop_order_point *p, int i) { return p[i].use == SCALLOP_ORDER_COARSE; }
-static bool is_before_change(const struct scallop_order_point *p, int i)
+/* The rows are named in the order of h. */
+static void give(struct judged *j, enum scallop_order_verdict verdict)
 {
-  return p[i].use == SCALLOP_ORDER_BEFORE_SIGN_CHANGE;
+  j->result->verdict = verdict;
+  points_sort(j->p, j->count);
 }
-static bool is_nan(const struct scallop_order_point *p, int i) { return isnan(p[i].err) || isnan(p[i].h); }
-static bool is_infinite(const struct scallop_order_point *p, int i) { return isinf(p[i].err) || isinf(p[i].h); }
-static bool is_not_positive(const struct scallop_order_point *p, int i) { return p[i].h <= 0; }
-static bool is_bad_noise(const struct scallop_order_point *p, int i) { return !(p[i].noise >= 0); }
-
-static void give(struct judged *j, enum scallop_order_verdict verdict) { j->result->verdict = verdict; }
 
 /* The rows of the first h that is repeated. Points with another fault are not sorted: of those as many as a page
  * holds are compared. */
@@ -40,39 +30,15 @@ static void say_repeated(struct judged *j, const char *between)
   bool sorted = *between == '\0';
   for (int i = 0; i + 1 < j->count && (sorted || i < PAGE); i++)
     for (int k = i + 1; k < j->count && k <= (sorted ? i + 1 : PAGE); k++)
-      if (j->points[i].h == j->points[k].h) {
-        long a = j->points[i].row, b = j->points[k].row;
+      if (j->p[i].h == j->p[k].h) {
+        long a = j->p[i].row, b = j->p[k].row;
         reason_add(j, "%sh repeated in rows %ld and %ld", between, a < b ? a : b, a < b ? b : a);
         return;
       }
 }
 
-static void say_invalid(struct judged *j)
-{
-  static const struct {
-    reason_picks *picks;
-    const char *what;
-  } faults[] = { { is_nan, "NaN" },
-                 { is_infinite, "an infinite number" },
-                 { is_not_positive, "h <= 0" },
-                 { is_bad_noise, "noise < 0 or NaN" } };
-  bool said = false;
-  for (size_t f = 0; f < sizeof faults / sizeof *faults; f++)
-    if (reason_count(j, faults[f].picks, 0, j->count - 1) > 0) {
-      reason_add(j, "%s%s", said ? "; " : "", faults[f].what);
-      reason_add_rows(j, faults[f].picks, 0, j->count - 1);
-      said = true;
-    }
-  say_repeated(j, said ? "; " : "");
-  give(j, SCALLOP_ORDER_INVALID);
-}
-
 /* The pairwise order of the two finest used points */
-static double finest_order(const struct judged *j)
-{
-  int last = points_last(j->points, j->count);
-  return points_slope(&j->points[points_last(j->points, last)], &j->points[last]);
-}
+static double finest_order(const struct judged *j) { return points_slope(&j->p[j->used - 2], &j->p[j->used - 1]); }
 
 static void set_order(struct judged *j, enum scallop_order_interval interval, double order, double low, double high)
 {
@@ -81,34 +47,29 @@ static void set_order(struct judged *j, enum scallop_order_interval interval, do
   r->low = low;
   r->high = high;
   r->interval = interval;
-  r->used = points_count(SCALLOP_ORDER_USED, j->points, j->count, 0);
+  r->used = j->used;
 }
 
 /* The pairwise orders of the used points from first on */
 static void set_pairwise_order(struct judged *j, int first, double order)
 {
-  double low = INFINITY, high = -INFINITY;
-  for (int i = points_next(j->points, j->count, first), k; i < j->count; i = k) {
-    k = points_next(j->points, j->count, i + 1);
-    if (k < j->count) {
-      low = fmin(low, points_slope(&j->points[i], &j->points[k]));
-      high = fmax(high, points_slope(&j->points[i], &j->points[k]));
-    }
+  double low = order, high = order;
+  for (int i = first; i + 1 < j->used; i++) {
+    double slope = points_slope(&j->p[i], &j->p[i + 1]);
+    low = fmin(low, slope);
+    high = fmax(high, slope);
   }
-  set_order(j, SCALLOP_ORDER_PAIRWISE, order, fmin(low, order), fmax(high, order));
+  set_order(j, SCALLOP_ORDER_PAIRWISE, order, low, high);
 }
 
-static bool judge_few(struct judged *j)
+/* Fewer than three points have no order, unless all are exact. */
+static void judge_few(struct judged *j)
 {
-  int used = points_count(SCALLOP_ORDER_USED, j->points, j->count, 0);
-  int zero = points_count(SCALLOP_ORDER_ZERO, j->points, j->count, 0);
-  int floor = points_count(SCALLOP_ORDER_FLOOR, j->points, j->count, 0);
+  int zero = reason_count(j, 0, SCALLOP_ORDER_ZERO), floor = reason_count(j, 0, SCALLOP_ORDER_FLOOR);
   bool exact = j->count >= 3 && !j->wanted->values;
   for (int i = 0; i < j->count; i++)
-    exact = exact && fabs(j->points[i].err) <= j->points[i].noise;
-  if (used >= 3)
-    return false;
-  if (used == 2)
+    exact = exact && fabs(j->p[i].err) <= j->p[i].noise;
+  if (j->used == 2)
     set_pairwise_order(j, 0, finest_order(j));
   give(j, exact ? (isnan(j->wanted->order) ? SCALLOP_ORDER_MEASURED : SCALLOP_ORDER_PASS)
           : floor + (j->wanted->values ? zero : 0) == 0 ? SCALLOP_ORDER_INSUFFICIENT
@@ -116,29 +77,10 @@ static bool judge_few(struct judged *j)
   if (exact)
     reason_add(j, zero == j->count ? "exact: every err is 0" : "exact: every err is within its noise");
   else
-    reason_add(j, "%d usable %s, an order takes 3", used,
+    reason_add(j, "%d usable %s, an order takes 3", j->used,
                j->wanted->values ? "differences of values"
-               : used == 1       ? "row"
+               : j->used == 1    ? "row"
                                  : "rows");
-  return true;
-}
-
-static void say_left_out(struct judged *j)
-{
-  static const struct {
-    reason_picks *picks;
-    const char *what;
-  } uses[] = { { is_zero, "err is 0" },
-               { is_floor, "roundoff" },
-               { is_coarse, "not yet in the trend" },
-               { is_before_change, "before a change of sign" } };
-  const char *between = "; left out: ";
-  for (size_t u = 0; u < sizeof uses / sizeof *uses; u++)
-    if (reason_count(j, uses[u].picks, 0, j->count - 1) > 0) {
-      reason_add(j, "%s%s", between, uses[u].what);
-      reason_add_rows(j, uses[u].picks, 0, j->count - 1);
-      between = ", ";
-    }
 }
 
 static bool meets(const struct scallop_order_wanted *w, double order)
@@ -146,34 +88,21 @@ static bool meets(const struct scallop_order_wanted *w, double order)
   return order >= w->order - w->tolerance && (w->at_least || order <= w->order + w->tolerance);
 }
 
-/* How far the pairwise orders of few points are off the one that is expected. Returns how many there are, 0 for too
- * many. */
-static int few_orders(const struct judged *j, double off[MOST_FEW])
-{
-  int pairs = 0;
-  for (int i = points_next(j->points, j->count, 0), k; i < j->count; i = k) {
-    k = points_next(j->points, j->count, i + 1);
-    if (k < j->count && pairs == MOST_FEW)
-      return 0;
-    if (k < j->count)
-      off[pairs++] = points_slope(&j->points[i], &j->points[k]) - j->wanted->order;
-  }
-  return pairs;
-}
+/* How far the i-th pairwise order is off the one that is expected */
+static double off(const struct judged *j, int i) { return points_slope(&j->p[i], &j->p[i + 1]) - j->wanted->order; }
 
-/* They move away from the one that is expected, faster and faster. */
+/* The pairwise orders of few points move away from the one that is expected, faster and faster. */
 static bool moves_away(const struct judged *j)
 {
   const struct scallop_order_wanted *w = j->wanted;
-  double off[MOST_FEW];
-  int pairs = few_orders(j, off);
-  if (pairs < 3 || (w->at_least && off[pairs - 1] > 0))
+  const int pairs = j->used - 1;
+  if (pairs < 3 || pairs > MOST_FEW || (w->at_least && off(j, pairs - 1) > 0))
     return false;
-  double side = off[pairs - 1] < 0 ? -1 : 1;
-  bool away = side * off[pairs - 1] > w->tolerance / (pairs == 3 ? 2 : 4);
+  double side = off(j, pairs - 1) < 0 ? -1 : 1;
+  bool away = side * off(j, pairs - 1) > w->tolerance / (pairs == 3 ? 2 : 4);
   for (int k = 1; k < pairs; k++)
-    away = away && fabs(off[k]) > fabs(off[k - 1])
-           && side * (off[k] - off[k - 1]) > (k == 1 ? 0 : side * (off[k - 1] - off[k - 2]));
+    away = away && fabs(off(j, k)) > fabs(off(j, k - 1))
+           && side * (off(j, k) - off(j, k - 1)) > (k == 1 ? 0 : side * (off(j, k - 1) - off(j, k - 2)));
   return away;
 }
 
@@ -181,28 +110,26 @@ static bool moves_away(const struct judged *j)
  * asked for. */
 static bool comes_closer(const struct judged *j, bool in_shorter_steps)
 {
-  double off[MOST_FEW];
-  int pairs = few_orders(j, off);
-  bool closer = pairs >= 3 && fabs(off[pairs - 1]) <= j->wanted->tolerance;
-  for (int k = 1; k < pairs; k++)
-    closer = closer && off[k] * off[k - 1] > 0 && fabs(off[k]) < fabs(off[k - 1])
-             && (!in_shorter_steps || k < 2 || fabs(off[k - 1] - off[k]) < fabs(off[k - 2] - off[k - 1]));
+  const int pairs = j->used - 1;
+  bool closer = pairs >= 3 && pairs <= MOST_FEW && fabs(off(j, pairs - 1)) <= j->wanted->tolerance;
+  for (int k = 1; k < pairs && closer; k++)
+    closer = off(j, k) * off(j, k - 1) > 0 && fabs(off(j, k)) < fabs(off(j, k - 1))
+             && (!in_shorter_steps || k < 2 || fabs(off(j, k - 1) - off(j, k)) < fabs(off(j, k - 2) - off(j, k - 1)));
   return closer;
 }
 
 /* Do the finest three or more points, over a factor TAIL, have the order, and the pair of the finest two, and are
  * those before farther from it? Then that is set. */
-static bool tail_arrives(struct judged *j, const struct trend *all)
+static bool tail_arrives(struct judged *j)
 {
   const struct scallop_order_wanted *w = j->wanted;
-  int first = points_last(j->points, j->count), tail = 1, coarsest = points_next(j->points, j->count, 0);
-  double finest = j->points[first].h;
-  while (first > 0 && (tail < 3 || j->points[first].h < TAIL * finest))
-    tail += is_used(j->points, --first);
-  if (tail == all->points || j->points[first].h < TAIL * finest)
+  int first = j->used - 3;
+  while (first > 0 && j->p[first].h < TAIL * j->p[j->used - 1].h)
+    first--;
+  if (first <= 0)
     return false;
-  double order = trend_of(j->points, j->count, first, j->level).slope;
-  double before = points_slope(&j->points[coarsest], &j->points[first]);
+  double order = trend_of(j->p + first, j->used - first, j->level).slope;
+  double before = points_slope(&j->p[0], &j->p[first]);
   if (!meets(w, order) || !meets(w, finest_order(j)) || fabs(before - w->order) < fabs(order - w->order))
     return false;
   set_pairwise_order(j, first, order);
@@ -214,7 +141,7 @@ static bool tail_arrives(struct judged *j, const struct trend *all)
 static bool has_arrived(struct judged *j, const struct trend *all)
 {
   bool on_the_way = fabs(all->slope - j->wanted->order) <= ON_THE_WAY * j->wanted->tolerance;
-  if (on_the_way && tail_arrives(j, all))
+  if (on_the_way && tail_arrives(j))
     return true;
   if (!comes_closer(j, !on_the_way))
     return false;
@@ -224,10 +151,10 @@ static bool has_arrived(struct judged *j, const struct trend *all)
 
 static void say_drift(struct judged *j, const char *how)
 {
-  give(j, SCALLOP_ORDER_DRIFTING);
   reason_add(j, "%s: pairwise orders ", how);
   reason_add_orders(j);
-  reason_add_rows(j, is_used, 0, j->count - 1);
+  give(j, SCALLOP_ORDER_DRIFTING);
+  reason_add_rows(j, 0, SCALLOP_ORDER_USED);
 }
 
 /* The order is known: is it the one that is expected? */
@@ -249,7 +176,7 @@ static void compare(struct judged *j, const struct trend *whole)
   if (!pass)
     reason_add(j, " is %.2g %s the expected %g", fabs(r->order - w->order), r->order < w->order ? "below" : "above",
                w->order);
-  reason_add_rows(j, is_used, 0, j->count - 1);
+  reason_add_rows(j, 0, SCALLOP_ORDER_USED);
 }
 
 /* What a run of points says, from first on: the order, give or take off */
@@ -263,14 +190,14 @@ struct answer {
 static struct answer answer_of(const struct judged *j, int first, const struct trend *t, const struct trend *finer)
 {
   double off = fmax(t->half_width, fabs(t->slope - t->finest_order));
-  double limit_off = fmax(t->limit_half_width, finer->points >= LEAST ? fabs(finer->limit - t->limit) : 0);
+  double limit_off = fmax(t->limit_half_width, finer->points >= LEAST_TREND ? fabs(finer->limit - t->limit) : 0);
   if (t->kind == TREND_SETTLING && limit_off <= j->wanted->tolerance)
     return (
         struct answer){ SCALLOP_ORDER_LIMIT, t->limit, limit_off, t->limit - limit_off, t->limit + limit_off, first };
   if (t->kind == TREND_SETTLING) /* a slope that bends towards another order is none */
     off = fmax(off, fabs(t->slope - t->limit));
   struct answer a = { SCALLOP_ORDER_SLOPE, t->slope, off, t->slope - off, t->slope + off, first };
-  if (t->kind == TREND_STRAIGHT && finer->kind == TREND_STRAIGHT && t->points > LEAST
+  if (t->kind == TREND_STRAIGHT && finer->kind == TREND_STRAIGHT && t->points > LEAST_TREND
       && t->high - t->low <= 2 * j->wanted->tolerance) {
     a.interval = SCALLOP_ORDER_CONFIDENCE;
     a.low = t->low;
@@ -298,7 +225,7 @@ static void judge_drift(struct judged *j, const struct trend *t)
   if (w->at_least && t->finest_order >= w->order && creeps) {
     give(j, SCALLOP_ORDER_PASS);
     reason_add(j, "the local order is %.3g at the finest h", t->finest_order);
-    reason_add_rows(j, is_used, 0, j->count - 1);
+    reason_add_rows(j, 0, SCALLOP_ORDER_USED);
     return;
   }
   say_drift(j, creeps  ? "the orders change as slowly as a logarithm"
@@ -310,29 +237,30 @@ static void judge_drift(struct judged *j, const struct trend *t)
  * limit, until the shortest, and one that knows it far better counts instead. */
 static void judge_trend(struct judged *j)
 {
-  struct trend whole = trend_of(j->points, j->count, 0, j->level);
+  struct trend whole = trend_of(j->p, j->used, j->level);
   if (whole.finest_is_off) {
-    j->points[points_last(j->points, j->count)].use = SCALLOP_ORDER_FLOOR;
-    whole = trend_of(j->points, j->count, 0, j->level);
+    j->p[j->used - 1].use = SCALLOP_ORDER_FLOOR;
+    points_sort_by_use(j);
+    whole = trend_of(j->p, j->used, j->level);
   }
-  int least = whole.points <= LEAST ? whole.points : (whole.points + 1) / 2 > LEAST ? (whole.points + 1) / 2 : LEAST;
+  int half = (whole.points + 1) / 2, least = whole.points <= LEAST_TREND ? whole.points
+                                             : half > LEAST_TREND        ? half
+                                                                         : LEAST_TREND;
   struct trend t = whole, finer;
   struct answer all = { .interval = SCALLOP_ORDER_NO_INTERVAL }, best = all;
   for (int first = 0, next; t.points >= least || (t.points == 3 && t.half_width < ALIGNED); first = next, t = finer) {
     bool known = best.interval != SCALLOP_ORDER_NO_INTERVAL,
          drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
-    drifts = drifts && (first == 0 || t.points > LEAST); /* few points bend by chance */
+    drifts = drifts && (first == 0 || t.points > LEAST_TREND); /* few points bend by chance */
     if (known && (best.interval != SCALLOP_ORDER_LIMIT || drifts))
       break;
     if (drifts) {
-      points_leave_out_first(j->points, first, SCALLOP_ORDER_COARSE);
+      points_leave_out(j, first, SCALLOP_ORDER_COARSE);
       judge_drift(j, &t);
       return;
     }
-    next = first;
-    for (int k = 0; k <= t.points / MANY; k++)
-      next = points_next(j->points, j->count, next) + 1;
-    finer = t.points >= LEAST ? trend_of(j->points, j->count, next, j->level) : (struct trend){ 0 };
+    next = first + 1 + t.points / MANY;
+    finer = t.points >= LEAST_TREND ? trend_of(j->p + next, j->used - next, j->level) : (struct trend){ 0 };
     struct answer a = answer_of(j, first, &t, &finer);
     if (first == 0)
       all = a;
@@ -340,58 +268,79 @@ static void judge_trend(struct judged *j)
       best = a;
   }
   if (best.interval != SCALLOP_ORDER_NO_INTERVAL) {
-    points_leave_out_first(j->points, best.first, SCALLOP_ORDER_COARSE);
+    points_leave_out(j, best.first, SCALLOP_ORDER_COARSE);
     sets_order(j, &best);
     compare(j, &whole);
     return;
   }
   sets_order(j, &all);
   if (!isnan(j->wanted->order) && has_arrived(j, &whole)) {
-    give(j, SCALLOP_ORDER_PASS);
     reason_add(j, "the orders have come to %.3g: ", j->result->order);
     reason_add_orders(j);
+    give(j, SCALLOP_ORDER_PASS);
   } else if (whole.kind == TREND_SETTLING) {
     set_pairwise_order(j, 0, finest_order(j));
     say_drift(j, "the orders have not settled");
   } else {
-    give(j, SCALLOP_ORDER_SCATTERED);
     reason_add(j, "the order is %.3g to no better than %.2g: pairwise orders ", j->result->order,
                j->result->high - j->result->order);
     reason_add_orders(j);
+    give(j, SCALLOP_ORDER_SCATTERED);
   }
+}
+
+static void leave_out_before_sign_change(struct judged *j)
+{
+  int change = 0;
+  for (int i = 1; i < j->used; i++)
+    if ((j->p[i].err < 0) != (j->p[i - 1].err < 0))
+      change = i;
+  points_leave_out(j, change, SCALLOP_ORDER_BEFORE_SIGN_CHANGE);
 }
 
 /* Judges the points that are used, and returns whether they decide. */
 static bool judge_used(struct judged *j)
 {
-  points_leave_out_before_sign_change(j->points, j->count);
-  if (!judge_few(j))
-    judge_trend(j);
+  leave_out_before_sign_change(j);
+  (j->used < 3 ? judge_few : judge_trend)(j);
   return j->result->verdict <= SCALLOP_ORDER_MEASURED;
+}
+
+/* Zeros, and errors too near their known noise. Once an error has met its noise, so have all finer ones. */
+static void leave_out_noise(struct judged *j)
+{
+  bool met = false;
+  for (int i = 0; i < j->count; i++) {
+    struct scallop_order_point *p = &j->p[i];
+    met |= p->noise > 0 && fabs(p->err) <= POINTS_ABOVE_NOISE * p->noise;
+    p->use = p->err == 0 ? SCALLOP_ORDER_ZERO : met ? SCALLOP_ORDER_FLOOR : SCALLOP_ORDER_USED;
+  }
+  points_sort_by_use(j);
 }
 
 static void judge(struct judged *j)
 {
+  bool announced = false, valid = points_sort(j->p, j->count);
   for (int i = 0; i < j->count; i++)
-    if (j->points[i].row == 0)
-      j->points[i].row = i + 1;
-  if (!points_sort(j->points, j->count)) {
-    say_invalid(j);
+    announced |= j->p[i].noise > 0;
+  if (!valid) {
+    say_repeated(j, reason_add_all(j, true, "", "; "));
+    give(j, SCALLOP_ORDER_INVALID);
     return;
   }
-  bool announced = points_noise_is_known(j->points, j->count);
-  if (j->wanted->values) {
-    points_grid_convergence(j->points, j->count, j->wanted->order, &j->result->gci, &j->result->asymptotic_ratio);
-    points_from_values(j->points, &j->count);
-  }
-  points_note_pairwise(j->points, j->count);
-  points_leave_out_noise(j->points, j->count);
+  if (j->wanted->values)
+    points_from_values(j, announced);
+  for (int i = 0; i < j->count; i++)
+    j->p[i].pairwise = i + 1 < j->count && j->p[i].err != 0 && j->p[i + 1].err != 0
+                           ? points_slope(&j->p[i], &j->p[i + 1])
+                           : NAN;
+  leave_out_noise(j);
   if (!floor_judge(j, announced))
     return;
   if (!judge_used(j) && floor_leave_out_near(j))
     judge_used(j);
   if (j->result->used > 0 || j->result->verdict == SCALLOP_ORDER_INSUFFICIENT)
-    say_left_out(j);
+    reason_add_all(j, false, "; left out: ", ", ");
 }
 
 void scallop_order(struct scallop_order_point *points, int *count, const struct scallop_order_wanted *wanted,
@@ -400,7 +349,10 @@ void scallop_order(struct scallop_order_point *points, int *count, const struct 
   *result = (struct scallop_order_result){
     .order = NAN, .low = NAN, .high = NAN, .gci = NAN, .asymptotic_ratio = NAN, .interval = SCALLOP_ORDER_NO_INTERVAL
   };
-  struct judged j = { .points = points, .count = *count, .wanted = wanted, .result = result };
+  struct judged j = { .p = points, .count = *count, .wanted = wanted, .result = result };
+  for (int i = 0; i < j.count; i++)
+    if (points[i].row == 0)
+      points[i].row = i + 1;
   judge(&j);
   *count = j.count;
 }

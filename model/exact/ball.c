@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "model/exact/fractions.h"
-#include "model/exact/scoped.h"
 #include "model/law.h"
 
 static fmpq *fields(struct scallop_rational_crawler *c, int i)
@@ -148,40 +147,25 @@ bool scallop_gait_is_rational(const struct scallop_gait *gait)
   return scallop_gait_is_exact(gait);
 }
 
-/* |l'| of a piece that is not a sine: its own fractions, or some that are made for now. */
-struct view {
-  const struct scallop_fractions *of;
-  struct scallop_fractions made;
-};
-
-static void view_open(struct view *view, const struct scallop_piece *p)
+/* |l'| of a piece that is not a sine: its own fractions, or what its doubles are, in *made */
+static const struct scallop_fractions *fractions_for(const struct scallop_piece *p, struct scallop_fractions *made)
 {
-  view->of = p->exact;
-  if (p->exact)
-    return;
-  fractions_init(&view->made);
-  fractions_of_doubles(&view->made, p);
-  view->of = &view->made;
-}
-
-static void view_close(struct view *view)
-{
-  if (view->of == &view->made)
-    fractions_clear(&view->made);
+  if (!p->exact)
+    fractions_of_doubles(made, p);
+  return p->exact ? p->exact : made;
 }
 
 /* The same as a polynomial in sign time + start: exact, of an exact start */
 static void polynomial_of_time(fmpq_poly_t law, const struct scallop_piece *p, int sign, const fmpq_t start)
 {
-  struct view view;
   SCOPED(fmpq, offset);
   SCOPED(fmpq_poly, shifted);
-  view_open(&view, p);
-  fmpq_sub(offset, start, view.of->origin);
+  SCOPED(fractions, made);
+  const struct scallop_fractions *f = fractions_for(p, &made);
+  fmpq_sub(offset, start, f->origin);
   fmpq_poly_set_coeff_si(shifted, 1, sign);
   fmpq_poly_set_coeff_fmpq(shifted, 0, offset);
-  fmpq_poly_compose(law, view.of->speed, shifted);
-  view_close(&view);
+  fmpq_poly_compose(law, f->speed, shifted);
 }
 
 /* x = u - origin */
@@ -192,9 +176,12 @@ static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
   arb_sub(x, u, o, precision);
 }
 
-/* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on; Horner's rule. */
-static void evaluate(arb_t value, const struct scallop_fractions *f, int order, const arb_t u, slong precision)
+/* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on, of a piece that is not a
+ * sine; Horner's rule. */
+static void evaluate(arb_t value, const struct scallop_piece *p, int order, const arb_t u, slong precision)
 {
+  SCOPED(fractions, made);
+  const struct scallop_fractions *f = fractions_for(p, &made);
   SCOPED(arb, x, sum);
   SCOPED(fmpz, c);
   shift(x, u, f->origin, precision);
@@ -214,15 +201,6 @@ static void evaluate(arb_t value, const struct scallop_fractions *f, int order, 
   if (order < 0)
     arb_mul(sum, sum, x, precision);
   arb_div_fmpz(value, sum, fmpq_poly_denref(f->speed), precision);
-}
-
-/* The same of a piece that is not a sine */
-static void evaluate_piece(arb_t value, const struct scallop_piece *p, int order, const arb_t u, slong precision)
-{
-  struct view view;
-  view_open(&view, p);
-  evaluate(value, view.of, order, u, precision);
-  view_close(&view);
 }
 
 static void set_place(arb_t u, const struct scallop_piece *p, void (*place)(fmpq_t, const struct scallop_piece *),
@@ -253,7 +231,7 @@ void scallop_ball_speed(arb_t speed, const struct scallop_piece *p, const arb_t 
     arb_mul(speed, speed, half_pi, precision);
     return;
   }
-  evaluate_piece(speed, p, 0, u, precision);
+  evaluate(speed, p, 0, u, precision);
 }
 
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u, slong precision)
@@ -266,7 +244,7 @@ void scallop_ball_rate(arb_t rate, const struct scallop_piece *p, const arb_t u,
     arb_cos_pi(rate, u, precision);
     arb_mul(rate, rate, pi, precision);
   } else
-    evaluate_piece(rate, p, 1, u, precision);
+    evaluate(rate, p, 1, u, precision);
   arb_mul_si(rate, rate, law_sense(p), precision);
 }
 
@@ -282,11 +260,8 @@ void scallop_ball_way(arb_t way, const struct scallop_piece *p, const arb_t u, c
     arb_sin_pi(b, b, precision);
     arb_mul(way, a, b, precision);
   } else {
-    struct view view;
-    view_open(&view, p);
-    evaluate(a, view.of, -1, u, precision);
-    evaluate(b, view.of, -1, v, precision);
-    view_close(&view);
+    evaluate(a, p, -1, u, precision);
+    evaluate(b, p, -1, v, precision);
     arb_sub(way, b, a, precision);
   }
   arb_mul_si(way, way, law_sense(p), precision);
@@ -306,14 +281,13 @@ void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p,
     arb_mul_2exp_si(s, s, -1);
     arb_poly_scalar_mul(series, series, s, precision);
   } else {
-    struct view view;
-    view_open(&view, p);
-    shift(s, u, view.of->origin, precision);
+    SCOPED(fractions, made);
+    const struct scallop_fractions *f = fractions_for(p, &made);
+    shift(s, u, f->origin, precision);
     arb_poly_set_coeff_arb(time, 0, s);
-    arb_poly_set_fmpq_poly(series, view.of->speed, precision);
+    arb_poly_set_fmpq_poly(series, f->speed, precision);
     arb_poly_compose(series, series, time, precision);
     arb_poly_truncate(series, length);
-    view_close(&view);
   }
 }
 
@@ -352,15 +326,14 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
     arb_mul_2exp_si(pi, pi, 1);
     arb_poly_scalar_mul(rate, rate, pi, precision);
   } else {
-    struct view view;
     SCOPED(fmpq_poly, slope);
-    view_open(&view, p);
-    shift(pi, u, view.of->origin, precision);
+    SCOPED(fractions, made);
+    const struct scallop_fractions *f = fractions_for(p, &made);
+    shift(pi, u, f->origin, precision);
     arb_poly_set_coeff_arb(offset, 0, pi);
-    evaluate_along(speed, view.of->speed, offset, length, precision);
-    fmpq_poly_derivative(slope, view.of->speed);
+    evaluate_along(speed, f->speed, offset, length, precision);
+    fmpq_poly_derivative(slope, f->speed);
     evaluate_along(rate, slope, offset, length, precision);
-    view_close(&view);
   }
   if (law_sense(p) < 0)
     arb_poly_neg(rate, rate);

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "model/exact/fractions.h"
-#include "model/exact/scoped.h"
 
 static struct scallop_piece *piece_of(struct scallop_exact_gait *e, int kind, int i)
 {
@@ -62,102 +61,67 @@ static void leave_out_empty(struct scallop_exact_gait *e)
   }
 }
 
-/* The parts of a phase in which |l'| rises, stays, and falls; the fall may be split at half of the phase, and what
- * stays as well. */
-enum part { RISES, STAYS, FALLS, FALLS_FROM_START };
-
-static enum part part_of(const struct scallop_piece *p)
+static void set_form(fmpq_t x, const struct scallop_straight_form *form, const fmpq_t up, const fmpq_t down)
 {
-  if (p->acceleration == 0)
-    return STAYS;
-  return p->velocity != 0 ? FALLS_FROM_START : is_from_start(p) ? RISES : FALLS;
+  SCOPED(fmpq, c);
+  scallop_rational_set_double(x, form->one);
+  scallop_rational_set_double(c, form->up);
+  fmpq_addmul(x, c, up);
+  scallop_rational_set_double(c, form->down);
+  fmpq_addmul(x, c, down);
 }
 
-/* What a piece with the other anchor leaves of the phase: half, where a part is split there */
-static void set_most(struct scallop_fractions *f, const struct scallop_shape *shape, int i, const fmpq_t up,
-                     const fmpq_t down)
+/* A piece from how its doubles were made */
+static void set_straight(struct scallop_fractions *f, const struct scallop_straight_line *line, bool from_start,
+                         const fmpq_t up, const fmpq_t down)
 {
-  enum part here = part_of(&shape->pieces[i]);
-  bool from_start = is_from_start(&shape->pieces[i]);
-  enum part other = part_of(&shape->pieces[i + (from_start ? 1 : -1)]);
-  if (here == RISES)
-    fmpq_set(f->most, up);
-  else if ((here == STAYS && other == STAYS) || here == FALLS_FROM_START || other == FALLS_FROM_START)
-    fmpq_set_si(f->most, 1, 2);
-  else if (here == FALLS)
-    fmpq_set(f->most, down);
-  else
-    rest_of(f->most, from_start ? down : up);
-}
-
-/* height: of |l'| where it stays */
-static void set_straight(struct scallop_fractions *f, const struct scallop_shape *shape, int i, const fmpq_t up,
-                         const fmpq_t down, const fmpq_t height)
-{
-  enum part here = part_of(&shape->pieces[i]);
-  SCOPED(fmpq, steep);
+  SCOPED(fmpq, divisor, mean, c);
   fmpq_zero(f->origin);
+  set_form(from_start ? f->least : f->most, &line->begin, up, down);
+  set_form(from_start ? f->most : f->least, &line->end, up, down);
+  set_form(divisor, &line->divisor, up, down);
+  set_form(mean, &line->mean, up, down);
+  fmpq_mul(divisor, divisor, mean);
   fmpq_poly_zero(f->speed);
-  set_most(f, shape, i, up, down);
-  fmpq_zero(f->least);
-  if (here == STAYS || here == FALLS_FROM_START)
-    fmpq_set(f->least, is_from_start(&shape->pieces[i]) ? up : down);
-  if (here != STAYS)
-    fmpq_div(steep, height, here == RISES ? up : down);
-  if (here == STAYS)
-    fmpq_poly_set_coeff_fmpq(f->speed, 0, height);
-  else if (here == FALLS_FROM_START) {
-    fmpq_poly_set_coeff_fmpq(f->speed, 0, steep);
-    fmpq_neg(steep, steep);
+  for (int k = 0; k < 2; k++) {
+    scallop_rational_set_double(c, k == 0 ? line->start : line->slope);
+    fmpq_poly_set_coeff_fmpq(f->speed, k, c);
   }
-  if (here != STAYS)
-    fmpq_poly_set_coeff_fmpq(f->speed, 1, steep);
+  fmpq_poly_scalar_div_fmpq(f->speed, f->speed, divisor);
 }
 
-static void set_straight_phase(struct scallop_exact_gait *e, int kind, const fmpq_t up, const fmpq_t down)
+/* up: of each phase; down: likewise, `apart` numbers from one phase to the next. What falls takes the rest where up and
+ * down add up to more than 1, which as doubles they do not. */
+static void set_straights(struct scallop_exact_gait *e, const struct scallop_straight *made, const fmpq *up,
+                          const fmpq *down, int apart)
 {
-  const struct scallop_shape *shape = &e->gait.phase[kind];
-  bool stays = false;
-  SCOPED(fmpq, fall, height);
-  for (int i = 0; i < shape->count; i++)
-    stays = stays || part_of(&shape->pieces[i]) == STAYS;
-  fmpq_add(height, up, down);
-  if (stays && fmpq_cmp_si(height, 1) <= 0)
-    fmpq_set(fall, down);
-  else
-    rest_of(fall, up);
-  fmpq_add(height, up, fall);
-  fmpq_div_2exp(height, height, 1);
-  rest_of(height, height);
-  fmpq_inv(height, height);
-  for (int i = 0; i < shape->count; i++)
-    set_straight(fractions_of(e, kind, i), shape, i, up, fall, height);
-}
-
-/* up: of each phase; down: likewise, `apart` numbers from one phase to the next */
-static void set_straights(struct scallop_exact_gait *e, const fmpq *up, const fmpq *down, int apart)
-{
-  for (int kind = 0; kind < 2; kind++)
-    set_straight_phase(e, kind, up + apart * kind, down + apart * kind);
+  SCOPED(fmpq, rest);
+  for (int kind = 0; kind < 2; kind++, up += apart, down += apart) {
+    rest_of(rest, up);
+    for (int i = 0; i < e->gait.phase[kind].count; i++)
+      set_straight(fractions_of(e, kind, i), &made->lines[kind][i], is_from_start(piece_of(e, kind, i)), up,
+                   fmpq_cmp(down, rest) > 0 ? rest : down);
+  }
   share(e);
   leave_out_empty(e);
 }
 
-/* What families.h calls the law of a family: what the numbers x, of both phases, make of what the doubles say, which *e
- * is. False: it is left as it is. */
-typedef bool exact_law(struct scallop_exact_gait *e, const fmpq *x, int count);
+/* What families.h calls the law of a family: what the numbers x, of both phases, make of what the doubles of the gait
+ * say, which *e is. False: it is left as it is. */
+typedef bool exact_law(struct scallop_exact_gait *e, const union scallop_made_gait *made, const fmpq *x, int count);
 
-static bool exact_trapezoidal(struct scallop_exact_gait *e, const fmpq *x, int count)
+static bool exact_trapezoidal(struct scallop_exact_gait *e, const union scallop_made_gait *made, const fmpq *x,
+                              int count)
 {
-  set_straights(e, x, x + 1, count / 2);
+  set_straights(e, &made->straight, x, x + 1, count / 2);
   return true;
 }
 
 /* A number of each phase: |l'| rises for that, stays, and falls for as much; or, where it does not stay, for the
  * rest */
-static bool exact_one_ramp(struct scallop_exact_gait *e, const fmpq *x, int count)
+static bool exact_one_ramp(struct scallop_exact_gait *e, const union scallop_made_gait *made, const fmpq *x, int count)
 {
-  set_straights(e, x, x, count / 2);
+  set_straights(e, &made->straight, x, x, count / 2);
   return true;
 }
 
@@ -194,8 +158,10 @@ static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int
 
 /* c: of s, s^2, ... False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its
  * zeros are no fractions. */
-static bool exact_polynomial(struct scallop_exact_gait *e, const fmpq *c, int degree)
+static bool exact_polynomial(struct scallop_exact_gait *e, const union scallop_made_gait *made, const fmpq *c,
+                             int degree)
 {
+  (void)made;
   SCOPED(fmpq_poly, forward, back);
   bool right = never_turns(&e->gait) && set_speeds(forward, back, c, degree);
   for (int i = 0; right && i < e->count; i++) {
@@ -222,7 +188,7 @@ bool scallop_exact_made(struct scallop_exact_gait *e, const struct scallop_gait_
   fmpq *both = _fmpq_vec_init(all);
   for (int i = 0; i < all; i++)
     fmpq_set(both + i, x + i % count);
-  bool made = laws[of](e, both, all);
+  bool made = laws[of](e, (const union scallop_made_gait *)gait, both, all);
   _fmpq_vec_clear(both, all);
   return made;
 }

@@ -3,25 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "model/exact/ball.h"
-#include "model/exact/scoped.h"
 #include "model/law.h"
-
-void fractions_init(struct scallop_fractions *f)
-{
-  fmpq_init(f->origin);
-  fmpq_init(f->least);
-  fmpq_init(f->most);
-  fmpq_poly_init(f->speed);
-}
-
-void fractions_clear(struct scallop_fractions *f)
-{
-  fmpq_clear(f->origin);
-  fmpq_clear(f->least);
-  fmpq_clear(f->most);
-  fmpq_poly_clear(f->speed);
-}
 
 static void set_coefficient(fmpq_poly_t law, int k, double value)
 {

@@ -4,7 +4,7 @@
 #ifndef SCALLOP_MODEL_EXACT_FRACTIONS_H
 #define SCALLOP_MODEL_EXACT_FRACTIONS_H
 
-#include "model/exact/flint.h"
+#include "model/exact/scoped.h"
 #include "model/families.h"
 
 #ifdef __cplusplus
@@ -16,8 +16,9 @@ struct scallop_fractions { /* of a piece: |l'| in powers of u - origin, for offs
   fmpq_poly_t speed;
 };
 
-void fractions_init(struct scallop_fractions *fractions);
-void fractions_clear(struct scallop_fractions *fractions);
+#define FRACTIONS_PARTS(of) of(fmpq, s->origin) of(fmpq, s->least) of(fmpq, s->most) of(fmpq_poly, s->speed)
+SCOPED_PARTS(fractions, struct scallop_fractions, FRACTIONS_PARTS)
+
 /* Of a piece that is linear or has a law that is no sine: the very numbers that its doubles are */
 void fractions_of_doubles(struct scallop_fractions *fractions, const struct scallop_piece *piece);
 
@@ -30,6 +31,7 @@ struct scallop_exact_gait {
 };
 void scallop_exact_init(struct scallop_exact_gait *exact);
 void scallop_exact_clear(struct scallop_exact_gait *exact);
+SCOPED_KIND(scallop_exact, struct scallop_exact_gait)
 
 /* What the doubles of the gait say, or its fractions where it has them. Pieces without rational coefficients (sines)
  * have no fractions. */

@@ -1,5 +1,5 @@
-#include "model/exact/scoped.h"
 #include "numerics/certified/certify.h"
+#include "numerics/certified/scoped.h"
 
 #include <stdlib.h>
 
@@ -119,12 +119,9 @@ enum scallop_status scallop_certified_phase(const struct scallop_rational_crawle
 {
   if (!certified_domain(crawler, digits))
     return SCALLOP_EDOMAIN;
-  ENDED_BY(scallop_certified_phase_clear) struct scallop_certified_phase result;
-  scallop_certified_phase_init(&result);
-  ENDED_BY(scallop_forces_clear) struct scallop_forces forces;
-  scallop_forces_init(&forces);
-  ENDED_BY(scallop_march_clear) struct scallop_march march;
-  scallop_march_init(&march);
+  SCOPED(scallop_certified_phase, result);
+  SCOPED(scallop_forces, forces);
+  SCOPED(scallop_march, march);
   SCOPED(fmpq, tau, scaled);
   SCOPED(arb, start);
   scallop_forces_of(&forces, crawler, kind);
@@ -132,19 +129,18 @@ enum scallop_status scallop_certified_phase(const struct scallop_rational_crawle
   fmpq_mul(scaled, v0, tau);
   fmpq_div(scaled, scaled, crawler->L);
   slong bits = certified_bits(digits), first = bits + certified_lost_bits(crawler);
-  bool done = false;
   const char *reason = NULL;
-  for (slong p = first; !done && p <= certified_most(first); p = certified_more(p)) {
+  for (slong p = first; p <= certified_most(first); p = certified_more(p)) {
     arb_set_fmpq(start, scaled, p);
     bool marched = scallop_march_phase(&march, &forces, start, p);
-    done = marched && phase_result(&result, &march, tau, crawler->L, bits);
+    if (marched && phase_result(&result, &march, tau, crawler->L, bits)) {
+      struct scallop_certified_phase before = *phase;
+      *phase = result;
+      result = before;
+      return SCALLOP_OK;
+    }
     reason = marched ? certified_not_enough : march.why;
   }
-  if (done) {
-    struct scallop_certified_phase before = *phase;
-    *phase = result;
-    result = before;
-  } else
-    certified_say(why, reason);
-  return done ? SCALLOP_OK : SCALLOP_EUNDECIDED;
+  certified_say(why, reason);
+  return SCALLOP_EUNDECIDED;
 }

@@ -1,8 +1,8 @@
 /* The steady state in ball arithmetic: found by Newton's method, and then proven. */
 #include <stdlib.h>
 
-#include "model/exact/scoped.h"
 #include "numerics/certified/certify.h"
+#include "numerics/certified/scoped.h"
 
 enum { STEADY_BALLS = 7 };
 
@@ -35,18 +35,13 @@ static bool is_zero_at(const struct scallop_piece *piece, double u)
   return arb_is_zero(speed);
 }
 
-static bool is_zero_at_end(const struct scallop_shape *shape)
-{
-  const struct scallop_piece *last = &shape->pieces[shape->count - 1];
-  return is_zero_at(last, last->end);
-}
-
 /* Where a phase begins l' is 0, and was so at the end of the phase before, or jumps. */
 static bool is_told_of_jumps(const struct scallop_gait *gait)
 {
   for (int kind = 0; kind < 2; kind++) {
-    const struct scallop_piece *first = &gait->phase[kind].pieces[0];
-    if (!first->jump && !(is_zero_at(first, first->begin) && is_zero_at_end(&gait->phase[1 - kind])))
+    const struct scallop_shape *before = &gait->phase[1 - kind];
+    const struct scallop_piece *first = &gait->phase[kind].pieces[0], *last = &before->pieces[before->count - 1];
+    if (!first->jump && !(is_zero_at(first, first->begin) && is_zero_at(last, last->end)))
       return false;
   }
   return true;
@@ -70,33 +65,11 @@ struct period {
   arb_t v_mid, v_end, multiplier;
   const char *why;
 };
-
-static void period_init(struct period *period, const struct scallop_rational_crawler *crawler)
-{
-  for (int kind = 0; kind < 2; kind++) {
-    scallop_forces_init(&period->forces[kind]);
-    scallop_forces_of(&period->forces[kind], crawler, (enum scallop_phase_kind)kind);
-    scallop_march_init(&period->march[kind]);
-    fmpq_init(period->fraction[kind]);
-    scallop_rational_fraction(period->fraction[kind], crawler, (enum scallop_phase_kind)kind);
-  }
-  arb_init(period->v_mid);
-  arb_init(period->v_end);
-  arb_init(period->multiplier);
-  period->why = NULL;
-}
-
-static void period_clear(struct period *period)
-{
-  for (int kind = 0; kind < 2; kind++) {
-    scallop_forces_clear(&period->forces[kind]);
-    scallop_march_clear(&period->march[kind]);
-    fmpq_clear(period->fraction[kind]);
-  }
-  arb_clear(period->v_mid);
-  arb_clear(period->v_end);
-  arb_clear(period->multiplier);
-}
+#define PERIOD_PARTS(of) \
+  of(scallop_forces, &s->forces[0]) of(scallop_forces, &s->forces[1]) of(scallop_march, &s->march[0]) \
+      of(scallop_march, &s->march[1]) of(fmpq, s->fraction[0]) of(fmpq, s->fraction[1]) of(arb, s->v_mid) \
+          of(arb, s->v_end) of(arb, s->multiplier)
+SCOPED_PARTS(period, struct period, PERIOD_PARTS)
 
 static bool march_phase(struct period *period, int kind, arb_t after, const arb_t before, slong precision)
 {
@@ -129,27 +102,19 @@ struct search {
   bool jumps;         /* l' does: steady states may fill an interval */
 };
 
-enum { SEARCH_BALLS = 5 };
-static arb_ptr search_ball(struct search *s, int i)
-{
-  arb_ptr all[SEARCH_BALLS] = { s->v, s->low, s->high, s->gain, s->fall };
-  return all[i];
-}
+#define SEARCH_PARTS(of) \
+  of(period, &s->period) of(arb, s->v) of(arb, s->low) of(arb, s->high) of(arb, s->gain) of(arb, s->fall)
+SCOPED_PARTS(search, struct search, SEARCH_PARTS)
 
-static void search_init(struct search *s, const struct scallop_rational_crawler *crawler)
+static void search_of(struct search *s, const struct scallop_rational_crawler *crawler)
 {
-  for (int i = 0; i < SEARCH_BALLS; i++)
-    arb_init(search_ball(s, i));
   s->known = 0;
   s->jumps = has_jump(crawler->gait);
-  period_init(&s->period, crawler);
-}
-
-static void search_clear(struct search *s)
-{
-  for (int i = 0; i < SEARCH_BALLS; i++)
-    arb_clear(search_ball(s, i));
-  period_clear(&s->period);
+  s->period.why = NULL;
+  for (int kind = 0; kind < 2; kind++) {
+    scallop_forces_of(&s->period.forces[kind], crawler, (enum scallop_phase_kind)kind);
+    scallop_rational_fraction(s->period.fraction[kind], crawler, (enum scallop_phase_kind)kind);
+  }
 }
 
 /* From beyond every curve both bodies go one way for the whole period, whatever l does: friction takes (F1 + F2) T / M
@@ -216,7 +181,7 @@ static void middle(arb_t v, const struct search *s, slong precision)
  * rigorous. True: it cannot be better at this precision. */
 static bool step(struct search *s, mag_t last, slong precision)
 {
-  arb_ptr t = _arb_vec_init(2);
+  SCOPED(arb, t);
   SCOPED(mag, size);
   arb_div(t, s->gain, s->fall, precision);
   arb_get_mag(size, t);
@@ -234,7 +199,6 @@ static bool step(struct search *s, mag_t last, slong precision)
   bool same = arb_equal(t, s->v);
   s->known = same ? s->known : 0;
   arb_swap(s->v, t);
-  _arb_vec_clear(t, 2);
   return same;
 }
 
@@ -294,27 +258,29 @@ static void first_radius(arb_t radius, const struct search *s, slong precision)
 static bool prove(struct search *s, arb_t proven, slong precision)
 {
   enum { TRIES = 6, WIDER = 6 };
-  SCOPED(arb, radius, side);
-  bool found = false, known = s->known == precision || probe(s, precision);
-  if (known && arb_is_zero(s->gain) && !s->jumps) {
+  SCOPED(arb, radius, low, high);
+  if (s->known != precision && !probe(s, precision))
+    return false;
+  if (arb_is_zero(s->gain) && !s->jumps) {
     arb_set(proven, s->v);
-    found = true;
-  } else if (known && s->jumps && arb_contains_zero(s->gain) && arb_contains_zero(s->fall)) {
-    s->period.why = not_unique;
-  } else if (known) {
-    first_radius(radius, s, precision);
-    for (int i = 0; i < TRIES && !found && arb_is_finite(radius); i++) {
-      arb_sub(side, s->v, radius, ARF_PREC_EXACT);
-      found = has_sign_at(s, side, 1, precision);
-      arb_add(side, s->v, radius, ARF_PREC_EXACT);
-      found = found && has_sign_at(s, side, -1, precision);
-      if (!found)
-        arb_mul_2exp_si(radius, radius, WIDER); /* GCOVR_EXCL_LINE: the first radius has always done */
-    }
-    arb_set(proven, s->v);
-    arb_add_error(proven, radius);
+    return march_period(&s->period, proven, precision);
   }
-  return found && march_period(&s->period, proven, precision);
+  if (s->jumps && arb_contains_zero(s->gain) && arb_contains_zero(s->fall)) {
+    s->period.why = not_unique;
+    return false;
+  }
+  first_radius(radius, s, precision);
+  for (int i = 0; i < TRIES && arb_is_finite(radius); i++) {
+    arb_sub(low, s->v, radius, ARF_PREC_EXACT);
+    arb_add(high, s->v, radius, ARF_PREC_EXACT);
+    if (has_sign_at(s, low, 1, precision) && has_sign_at(s, high, -1, precision)) {
+      arb_set(proven, s->v);
+      arb_add_error(proven, radius);
+      return march_period(&s->period, proven, precision);
+    }
+    arb_mul_2exp_si(radius, radius, WIDER); /* GCOVR_EXCL_LINE: the first radius has always done */
+  }
+  return false;
 }
 
 /* The search begins at 0, where all can be exact: a crawler that friction brings to rest, equal forces. */
@@ -421,26 +387,24 @@ enum scallop_status scallop_certified_steady(const struct scallop_rational_crawl
 {
   if (!certified_domain(crawler, digits) || !is_told_of_jumps(crawler->gait))
     return SCALLOP_EDOMAIN;
-  ENDED_BY(scallop_certified_steady_clear) struct scallop_certified_steady result;
-  scallop_certified_steady_init(&result);
-  ENDED_BY(search_clear) struct search search;
-  search_init(&search, crawler);
+  SCOPED(scallop_certified_steady, result);
+  SCOPED(search, search);
   SCOPED(arb, v);
+  search_of(&search, crawler);
   bracket(&search, crawler);
   slong bits = certified_bits(digits), rough = certified_lost_bits(crawler) + 64,
         first = bits + certified_lost_bits(crawler);
-  bool done = false;
   const char *reason = NULL;
-  for (slong p = first; !done && p <= certified_most(first); p = certified_more(p)) {
+  for (slong p = first; p <= certified_most(first); p = certified_more(p)) {
     bool found = find_steady(&search, v, rough, p);
-    done = found && steady_result(&result, &search.period, v, crawler, bits, p);
+    if (found && steady_result(&result, &search.period, v, crawler, bits, p)) {
+      struct scallop_certified_steady before = *steady;
+      *steady = result;
+      result = before;
+      return SCALLOP_OK;
+    }
     reason = !found && search.period.why ? search.period.why : certified_not_enough;
   }
-  if (done) {
-    struct scallop_certified_steady before = *steady;
-    *steady = result;
-    result = before;
-  } else
-    certified_say(why, reason);
-  return done ? SCALLOP_OK : SCALLOP_EUNDECIDED;
+  certified_say(why, reason);
+  return SCALLOP_EUNDECIDED;
 }

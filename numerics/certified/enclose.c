@@ -1,16 +1,20 @@
 #include "numerics/certified/enclose.h"
 
 #include "model/exact/fractions.h"
-#include "model/exact/scoped.h"
 
-void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const arb_t s, int order, slong precision)
+void scallop_enclose_offset(arb_t u, const struct scallop_piece *piece, const arb_t s, slong precision)
 {
-  SCOPED(arb, u);
   arb_set(u, s);
   if (piece->anchor == SCALLOP_FROM_END) {
     arb_sub_ui(u, u, 1, precision);
     arb_neg(u, u);
   }
+}
+
+void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const arb_t s, int order, slong precision)
+{
+  SCOPED(arb, u);
+  scallop_enclose_offset(u, piece, s, precision);
   if (order == 0)
     scallop_ball_speed(value, piece, u, precision);
   else if (order == 1)
@@ -33,20 +37,6 @@ void scallop_enclose_end(arb_t s, const struct scallop_piece *piece, slong preci
     fmpq_neg(u, u);
   }
   arb_set_fmpq(s, u, precision);
-}
-
-void scallop_track_init(struct scallop_track *f)
-{
-  arb_init(f->constant);
-  arb_init(f->slope);
-  arb_init(f->factor);
-}
-
-void scallop_track_clear(struct scallop_track *f)
-{
-  arb_clear(f->constant);
-  arb_clear(f->slope);
-  arb_clear(f->factor);
 }
 
 /* A derivative of f, or f itself, over the ball s. */
@@ -77,15 +67,13 @@ static int sign_over(const struct scallop_track *f, const arb_t s, int derivativ
 /* f over the ball s by the mean value theorem: where the slope is small, so is the excess. */
 static int sign_by_mean_value(const struct scallop_track *f, const arb_t s, slong precision)
 {
-  arb_ptr t = _arb_vec_init(3);
-  arb_get_mid_arb(t, s);
-  enclose(t + 1, f, t, 0, precision);
-  enclose(t + 2, f, s, 1, precision);
-  arb_sub(t, s, t, precision);
-  arb_addmul(t + 1, t + 2, t, precision);
-  int sign = arb_sgn_nonzero(t + 1);
-  _arb_vec_clear(t, 3);
-  return sign;
+  SCOPED(arb, middle, value, slope);
+  arb_get_mid_arb(middle, s);
+  enclose(value, f, middle, 0, precision);
+  enclose(slope, f, s, 1, precision);
+  arb_sub(middle, s, middle, precision);
+  arb_addmul(value, slope, middle, precision);
+  return arb_sgn_nonzero(value);
 }
 
 /* One half of the ball, the earlier one or the later one. */
@@ -184,11 +172,9 @@ enum scallop_found scallop_first_zero(arb_t zero, const struct scallop_track *f,
 {
   if (is_gait_itself(f))
     return SCALLOP_NONE;
-  arb_ptr t = _arb_vec_init(4);
-  arb_ptr begin = t, end = t + 1, over = t + 2, step = t + 3;
+  SCOPED(arb, begin, end, over, step);
   arb_set(begin, stretch->begin);
   struct scallop_stretch now = { begin, end, stretch->sign, stretch->departure };
-  enum scallop_found found = SCALLOP_GRAZES;
   for (slong halvings = 0; halvings <= precision;) {
     arb_one(step);
     arb_mul_2exp_si(step, step, -halvings);
@@ -203,19 +189,15 @@ enum scallop_found scallop_first_zero(arb_t zero, const struct scallop_track *f,
     enum judgement judged = judge(f, &now, over, precision);
     if (judged == ZERO) {
       arb_set(zero, over);
-      found = refine(zero, f, precision) ? SCALLOP_CROSSES : SCALLOP_GRAZES;
-      break;
+      return refine(zero, f, precision) ? SCALLOP_CROSSES : SCALLOP_GRAZES;
     }
-    if (last && (judged == NOTHING || judged == UNKNOWN_AT_END)) {
-      found = judged == NOTHING || ends_in_zero(f, end, precision) ? SCALLOP_NONE : SCALLOP_AT_END;
-      break;
-    }
+    if (last && (judged == NOTHING || judged == UNKNOWN_AT_END))
+      return judged == NOTHING || ends_in_zero(f, end, precision) ? SCALLOP_NONE : SCALLOP_AT_END;
     halvings += judged == NOTHING ? -(halvings > 0) : 1;
     if (judged == NOTHING) {
       arb_set(begin, end);
       now.departure = SCALLOP_APART;
     }
   }
-  _arb_vec_clear(t, 4);
-  return found;
+  return SCALLOP_GRAZES;
 }

@@ -3,10 +3,13 @@
 #ifndef SCALLOP_NUMERICS_CERTIFIED_ENCLOSE_H
 #define SCALLOP_NUMERICS_CERTIFIED_ENCLOSE_H
 
-#include "model/exact/ball.h"
+#include "model/exact/scoped.h"
 
 /* l', l'' or l''' (order 0, 1, 2) over all of the ball s, as the law of this piece has it. */
 void scallop_enclose_gait(arb_t value, const struct scallop_piece *piece, const arb_t s, int order, slong precision);
+
+/* The offset at time s; s and the offset may be one ball. */
+void scallop_enclose_offset(arb_t u, const struct scallop_piece *piece, const arb_t s, slong precision);
 
 /* The time at which a piece ends, rounded once */
 void scallop_enclose_end(arb_t s, const struct scallop_piece *piece, slong precision);
@@ -17,8 +20,8 @@ struct scallop_track {
   int order;
   arb_t constant, slope, factor;
 };
-void scallop_track_init(struct scallop_track *f);
-void scallop_track_clear(struct scallop_track *f);
+#define TRACK_PARTS(of) of(arb, s->constant) of(arb, s->slope) of(arb, s->factor)
+SCOPED_PARTS(scallop_track, struct scallop_track, TRACK_PARTS)
 
 /* How f leaves its start: from a value that is not 0, from 0 with a slope, from 0 with slope 0. */
 enum scallop_departure { SCALLOP_APART, SCALLOP_FROM_ZERO, SCALLOP_FROM_ZERO_FLAT };

@@ -1,4 +1,3 @@
-#include "model/exact/scoped.h"
 #include "numerics/certified/march_mode.h"
 
 static const char *const grazing[] = { "body 1 touches zero velocity without turning, or almost: grazing",
@@ -223,7 +222,7 @@ static void set_margin_track(struct scallop_track *f, struct scallop_march *m, i
 
 /* The earlier of the first zeros of two tracks: its number and when, or -1; false if not decided. Each is asked about
  * the time before the zero of the other only, so that one which comes later need not be decided. */
-static bool earlier(struct scallop_march *m, const struct scallop_track *f, const int *signs, const arb_t end,
+static bool earlier(struct scallop_march *m, struct scallop_track *const f[2], const int *signs, const arb_t end,
                     arb_t when, int *which)
 {
   enum scallop_found found[2] = { SCALLOP_GRAZES, SCALLOP_GRAZES };
@@ -237,7 +236,7 @@ static bool earlier(struct scallop_march *m, const struct scallop_track *f, cons
     struct scallop_stretch stretch = { m->now, until, signs[i], (enum scallop_departure)m->departure[i] };
     if (is_stuck(m))
       stretch.departure = SCALLOP_APART;
-    found[i] = scallop_first_zero(when, &f[i], &stretch, m->precision);
+    found[i] = scallop_first_zero(when, f[i], &stretch, m->precision);
     if (found[i] == SCALLOP_CROSSES) {
       arb_set(until, when);
       *which = i;
@@ -258,22 +257,19 @@ static bool next_change(struct scallop_march *m, const arb_t end, arb_t when, in
   *which = -1;
   if (is_stuck(m) && m->even) /* what holds it is constant */
     return true;
-  struct scallop_track f[2];
+  SCOPED(scallop_track, one, other);
+  struct scallop_track *const f[2] = { &one, &other };
   int signs[2] = { 1, 1 };
   for (int i = 0; i < 2; i++) {
-    scallop_track_init(&f[i]);
-    f[i].piece = m->piece;
+    f[i]->piece = m->piece;
     if (is_stuck(m))
-      set_margin_track(&f[i], m, i == 0 ? -1 : 1);
+      set_margin_track(f[i], m, i == 0 ? -1 : 1);
     else {
-      set_velocity_track(&f[i], m, i);
+      set_velocity_track(f[i], m, i);
       signs[i] = m->s[i];
     }
   }
-  bool decided = earlier(m, f, signs, end, when, which);
-  scallop_track_clear(&f[0]);
-  scallop_track_clear(&f[1]);
-  return decided;
+  return earlier(m, f, signs, end, when, which);
 }
 
 /* While l' stays 0: v' = -s (F1 + F2) until both are at rest, if they move at all. */
@@ -325,21 +321,20 @@ static bool march_piece(struct scallop_march *m)
  * common. */
 static bool finish(struct scallop_march *m)
 {
-  arb_ptr t = _arb_vec_init(2);
+  SCOPED(arb, t, left, right);
+  const arb_ptr v_end[2] = { left, right };
   int gained = m->forces->kind == SCALLOP_EXTENSION ? 1 : -1;
   slong p = m->precision;
   arb_add(t, m->l_since, m->l_now, p);
-  bool right = arb_contains_si(t, gained);
+  bool agrees = arb_contains_si(t, gained);
   arb_sub_si(t, m->l_since, gained, p);
   arb_neg(m->l_now, t);
   march_settle(m);
   for (int i = 0; i < 2; i++) {
-    arb_mul(t + i, m->share[i], m->rate, p);
-    arb_sub(t + i, m->v[i], t + i, p);
+    arb_mul(v_end[i], m->share[i], m->rate, p);
+    arb_sub(v_end[i], m->v[i], v_end[i], p);
   }
-  right = right && arb_intersection(m->v_end, t, t + 1, p);
-  _arb_vec_clear(t, 2);
-  if (!right)
+  if (!agrees || !arb_intersection(m->v_end, left, right, p))
     return undecided(m, "the law of the gait contradicts its amplitude, or the bodies each other: a defect");
   bool rests = arb_is_zero(m->v_end) && arb_contains_zero(m->rate);
   return m->piece->direction == 0 || !rests || turn_back(m);

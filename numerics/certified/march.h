@@ -3,7 +3,6 @@
 #ifndef SCALLOP_NUMERICS_CERTIFIED_MARCH_H
 #define SCALLOP_NUMERICS_CERTIFIED_MARCH_H
 
-#include "model/exact/ball.h"
 #include "model/exact/fractions.h"
 #include "numerics/numerics.h"
 
@@ -14,8 +13,10 @@ struct scallop_forces {
   fmpq_t share[2];                 /* x_i'' has share_i l'' in it: -m2/M, m1/M */
   fmpq_t friction[2];              /* F_i tau^2 / (M L)                        */
 };
-void scallop_forces_init(struct scallop_forces *forces);
-void scallop_forces_clear(struct scallop_forces *forces);
+#define FORCES_PARTS(of) \
+  of(scallop_exact, &s->exact) of(fmpq, s->share[0]) of(fmpq, s->share[1]) of(fmpq, s->friction[0]) \
+      of(fmpq, s->friction[1])
+SCOPED_PARTS(scallop_forces, struct scallop_forces, FORCES_PARTS)
 void scallop_forces_of(struct scallop_forces *forces, const struct scallop_rational_crawler *crawler,
                        enum scallop_phase_kind kind);
 
@@ -42,8 +43,12 @@ struct scallop_march {
   struct scallop_modes modes;
   const char *why; /* what could not be decided                                             */
 };
-void scallop_march_init(struct scallop_march *march);
-void scallop_march_clear(struct scallop_march *march);
+#define MARCH_PARTS(of) \
+  of(fmpq, s->bend) of(arb, s->now) of(arb, s->since) of(arb, s->rate) of(arb, s->v[0]) of(arb, s->v[1]) \
+      of(arb, s->x[0]) of(arb, s->x[1]) of(arb, s->path[0]) of(arb, s->path[1]) of(arb, s->l_since) of(arb, s->l_now) \
+          of(arb, s->share[0]) of(arb, s->share[1]) of(arb, s->first) of(arb, s->last) of(arb, s->at_first) \
+              of(arb, s->at_last) of(arb, s->multiplier) of(arb, s->v_end)
+SCOPED_PARTS(scallop_march, struct scallop_march, MARCH_PARTS)
 
 /* From both bodies at velocity v0, over all of that ball, to the end of the phase: x1, x2, v_end and what
  * follows it hold then. False: not decided at this precision, and why says what. */

@@ -2,26 +2,6 @@
 
 #include <string.h>
 
-#include "model/exact/scoped.h"
-
-void scallop_forces_init(struct scallop_forces *forces)
-{
-  scallop_exact_init(&forces->exact);
-  for (int i = 0; i < 2; i++) {
-    fmpq_init(forces->share[i]);
-    fmpq_init(forces->friction[i]);
-  }
-}
-
-void scallop_forces_clear(struct scallop_forces *forces)
-{
-  scallop_exact_clear(&forces->exact);
-  for (int i = 0; i < 2; i++) {
-    fmpq_clear(forces->share[i]);
-    fmpq_clear(forces->friction[i]);
-  }
-}
-
 void scallop_forces_of(struct scallop_forces *forces, const struct scallop_rational_crawler *c,
                        enum scallop_phase_kind kind)
 {
@@ -40,33 +20,12 @@ void scallop_forces_of(struct scallop_forces *forces, const struct scallop_ratio
   fmpq_mul(forces->friction[1], c->F2, unit);
 }
 
-enum { BALLS = 19 };
-static arb_ptr ball(struct scallop_march *m, int i)
-{
-  arb_ptr all[BALLS] = { m->v[0],    m->v[1],     m->x[0],    m->x[1],       m->share[0], m->share[1], m->path[0],
-                         m->path[1], m->now,      m->since,   m->rate,       m->l_since,  m->l_now,    m->first,
-                         m->last,    m->at_first, m->at_last, m->multiplier, m->v_end };
-  return all[i];
-}
-
-void scallop_march_init(struct scallop_march *m)
-{
-  for (int i = 0; i < BALLS; i++)
-    arb_init(ball(m, i));
-  fmpq_init(m->bend);
-}
-
-void scallop_march_clear(struct scallop_march *m)
-{
-  for (int i = 0; i < BALLS; i++)
-    arb_clear(ball(m, i));
-  fmpq_clear(m->bend);
-}
+#define ZERO(kind, part) kind##_zero(part);
+static void set_to_zero(struct scallop_march *s) { MARCH_PARTS(ZERO) }
 
 void march_reset(struct scallop_march *m, const struct scallop_forces *forces, const arb_t v0, slong precision)
 {
-  for (int i = 0; i < BALLS; i++)
-    arb_zero(ball(m, i));
+  set_to_zero(m);
   m->forces = forces;
   m->precision = precision;
   arb_one(m->multiplier);
@@ -140,25 +99,20 @@ void march_shear(struct scallop_march *m, int body, int s)
 
 void march_advance(struct scallop_march *m, const arb_t to)
 {
-  arb_ptr t = _arb_vec_init(3);
-  arb_set(t, m->now);
-  arb_set(t + 1, to);
-  for (int i = 0; m->piece->anchor == SCALLOP_FROM_END && i < 2; i++) {
-    arb_sub_ui(t + i, t + i, 1, m->precision);
-    arb_neg(t + i, t + i);
-  }
-  scallop_ball_way(t + 2, m->piece, t, t + 1, m->precision);
-  arb_mul_si(t + 2, t + 2, m->piece->direction, m->precision);
-  arb_add(m->l_now, m->l_now, t + 2, m->precision);
+  SCOPED(arb, from, until, way);
+  scallop_enclose_offset(from, m->piece, m->now, m->precision);
+  scallop_enclose_offset(until, m->piece, to, m->precision);
+  scallop_ball_way(way, m->piece, from, until, m->precision);
+  arb_addmul_si(m->l_now, way, m->piece->direction, m->precision);
   arb_set(m->now, to);
-  _arb_vec_clear(t, 3);
 }
 
 /* v += share (l' - rate) - drag h, x += v h + share (l gained - rate h) - drag h^2/2 */
 static void slide(struct scallop_march *m, int body, const arb_t rate, const arb_t h, const arb_t drag)
 {
-  arb_ptr t = _arb_vec_init(2), v = m->v[body], x = m->x[body];
+  arb_ptr v = m->v[body], x = m->x[body];
   slong p = m->precision;
+  SCOPED(arb, t);
   arb_mul(t, m->rate, h, p);
   arb_sub(t, m->l_now, t, p);
   arb_addmul(x, t, m->share[body], p);
@@ -169,7 +123,6 @@ static void slide(struct scallop_march *m, int body, const arb_t rate, const arb
   arb_sub(t, rate, m->rate, p);
   arb_addmul(v, t, m->share[body], p);
   arb_submul(v, drag, h, p);
-  _arb_vec_clear(t, 2);
 }
 
 void march_rest(struct scallop_march *m, int body)
@@ -180,10 +133,11 @@ void march_rest(struct scallop_march *m, int body)
 
 void march_settle_at(struct scallop_march *m, const arb_t rate)
 {
-  arb_ptr t = _arb_vec_init(4), h = t, drag = t + 1, before = t + 2;
+  SCOPED(arb, h, drag, x1, x2);
+  const arb_ptr before[2] = { x1, x2 };
   slong p = m->precision;
   for (int i = 0; i < 2; i++)
-    arb_set(before + i, m->x[i]);
+    arb_set(before[i], m->x[i]);
   if (is_stuck(m)) {
     int body = the_stuck(m);
     (body == 0 ? arb_add : arb_sub)(m->x[1 - body], m->x[1 - body], m->l_now, p);
@@ -197,13 +151,12 @@ void march_settle_at(struct scallop_march *m, const arb_t rate)
     arb_set(m->rate, rate);
   }
   for (int i = 0; i < 2; i++) { /* in the directions of the mode */
-    arb_sub(before + i, m->x[i], before + i, p);
-    arb_addmul_si(m->path[i], before + i, m->s[i], p);
+    arb_sub(before[i], m->x[i], before[i], p);
+    arb_addmul_si(m->path[i], before[i], m->s[i], p);
   }
   arb_set(m->since, m->now);
   arb_add(m->l_since, m->l_since, m->l_now, p);
   arb_zero(m->l_now);
-  _arb_vec_clear(t, 4);
 }
 
 void march_settle(struct scallop_march *m)
