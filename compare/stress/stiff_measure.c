@@ -6,8 +6,8 @@
 
 #include <gsl/gsl_integration.h>
 
+#include "compare/answers/answer_flint.h"
 #include "compare/answers/stretches.h"
-#include "compare/stress/periods.h"
 
 enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */
 
@@ -70,33 +70,30 @@ static void find_held(struct stiff_scene *scene, double v_mid)
     predict(scene);
 }
 
-static const char *why(const struct ball_answer *a) { return a->why ? a->why : scallop_status_text(a->status); }
-
-/* The certified steady start velocity, rounded, and the period from it: its own certified values, not those of the
- * steady state. */
+/* The certified steady start velocity, rounded, and the period from it: its own values, not those of the steady
+ * state. */
 const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler)
 {
-  SCOPED(scallop_rational, exact);
-  SCOPED(ball_answer, steady, first, second);
-  SCOPED(arb, displacement);
-  SCOPED(fmpq, v_start);
+  const struct motion motion = { .of = OF_STEADY, .crawler = *crawler };
+  struct scallop_wide_period period;
+  SCOPED(ball_answer, steady);
   *scene = (struct stiff_scene){ .names = { name, crawler->gait->name }, .crawler = *crawler };
   enum scallop_status status = scallop_scale(crawler, &scene->scaled);
+  if (status == SCALLOP_OK && !answer_of_doubles(&steady, &motion, DIGITS))
+    return steady.why ? steady.why : scallop_status_text(steady.status);
+  if (status == SCALLOP_OK) {
+    const arb_struct *v = steady.value[Q_V_START];
+    scene->v_start = arb_contains_zero(v) ? 0 : arf_get_d(arb_midref(v), ARF_RND_NEAR);
+    status = scallop_wide_period(SCALLOP_BINARY128, crawler, scene->v_start, &period);
+  }
   if (status != SCALLOP_OK)
     return scallop_status_text(status);
-  scallop_rational_of(&exact, crawler);
-  if (!answer_in_balls(&steady, &exact, OF_STEADY, SCALLOP_EXTENSION, NULL, DIGITS))
-    return why(&steady);
-  scene->v_start = ball_middle(steady.value[Q_V_START]).high;
-  scallop_rational_set_double(v_start, scene->v_start);
-  if (!period_in_balls(&first, &second, displacement, &exact, v_start))
-    return why(first.status == SCALLOP_OK ? &second : &first);
   scene->names[2] = scallop_regime_text(steady.regime);
   scene->names[3] = "msbdf";
-  scene->v_end = ball_middle(second.value[Q_V_END]);
-  scene->displacement = ball_middle(displacement);
-  motion_modes_text(scene->modes, OF_STEADY, first.modes);
-  find_held(scene, ball_middle(first.value[Q_V_END]).high);
+  scene->v_end = period.v_end;
+  scene->displacement = period.displacement;
+  motion_modes_text(scene->modes, OF_STEADY, period.modes);
+  find_held(scene, period.v_mid.high);
   return NULL;
 }
 
