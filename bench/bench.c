@@ -15,6 +15,7 @@
 #include <sys/wait.h>
 
 #include "bench/floor.h"
+#include "compare/text/message.h"
 #include "compare/text/stopwatch.h"
 #include "numerics/numerics.h"
 #include "numerics/rivals/rival.h"
@@ -24,8 +25,8 @@ enum { MANY = 1024, FEW = 64, BATCHES = 61, PARAMETERS = 7, MOST_ROWS = 64 };
 static const double batch_seconds = 2e-3;
 
 /* What crawlers a set has. eps = T^2 (F1 + F2)/(M L) decides the regime: small slides, large sticks. */
-enum choice { REGULAR, STICK_SLIP, ANY, NO_CRAWLERS };
-static const char *const choice_text[] = { "regular", "stick-slip", "any", "-" };
+enum choice { REGULAR, STICK_SLIP, ANY, CHOICES };
+static const char *const choice_text[] = { "regular", "stick-slip", "any", NULL };
 
 struct set {
   enum choice choice;
@@ -37,13 +38,11 @@ struct set {
   const struct scallop_gait *gait[MANY];
 };
 
-struct row;
 struct method {
   const char *name;
-  stopwatch_task *body;             /* an answer for each crawler of the set, or one start; context is the row      */
-  double (*setup)(struct row *row); /* makes what the body needs besides; returns the error of the answers; or NULL */
+  stopwatch_task *body; /* an answer for each crawler of the set, or one start; context is the row */
   enum scallop_odeiv_stepper stepper;
-  double goal; /* the error that a rival has to reach */
+  double goal; /* the error that a rival has to reach; else 0 */
 };
 
 struct row {
@@ -92,21 +91,16 @@ static struct scallop_crawler any_crawler(const struct scallop_gait *gait, enum 
   return c;
 }
 
-/* How far the floor is from the exact solver. */
-static double off_floor(const struct scallop_crawler *c, const struct scallop_period_result *r)
+/* The regular case of the paper: each phase begins and ends with both bodies moving forward, and in between they move
+ * apart or together, turning while the separation speeds up and while it slows down. Where the floor, which is for the
+ * quadratic gait, is off, the turning point of l' lies outside of the opposite motion. */
+static bool is_regular(const struct scallop_crawler *c, const struct scallop_period_result *r)
 {
   struct floor_result f;
   floor_steady(c, &f);
-  return fmax(fabs(f.v_start / r->v_start - 1), fabs(f.displacement / r->displacement - 1));
-}
-
-/* The regular case of the paper: each phase begins and ends with both bodies moving forward, and in between they move
- * apart or together, turning while the separation speeds up and while it slows down. Where the floor is off, the
- * turning point of l' lies outside of the opposite motion. */
-static bool is_regular(const struct scallop_crawler *c, const struct scallop_period_result *r)
-{
   return r->regime == SCALLOP_SLIDING && r->modes[0].count == 3 && r->modes[1].count == 3 && r->v_start > 0
-         && (c->gait != &scallop_gait_quadratic || off_floor(c, r) <= 1e-10);
+         && (c->gait != &scallop_gait_quadratic
+             || (fabs(f.v_start / r->v_start - 1) <= 1e-10 && fabs(f.displacement / r->displacement - 1) <= 1e-10));
 }
 
 /* Relative errors mean something only where the answer is not a small difference. */
@@ -241,29 +235,6 @@ static double one_start(void *context)
 /* The larger error, where nan is larger than all. */
 static double larger(double worst, double error) { return isnan(worst) || error <= worst ? worst : error; }
 
-/* How far a period moves the steady state: it should not. */
-static double steady_error(struct row *row)
-{
-  double worst = 0;
-  struct scallop_steady_result r;
-  for (int i = 0; i < row->set->count; i++) {
-    const struct scallop_crawler *c = &row->set->crawler[i];
-    if (scallop_steady(c, &r) != SCALLOP_OK)
-      give_up("no steady state");
-    worst = larger(worst, fabs(r.period.v_end - r.period.v_start) / (c->L / c->T));
-  }
-  return worst;
-}
-
-static double floor_error(struct row *row)
-{
-  double worst = 0;
-  struct scallop_steady_result r;
-  for (int i = 0; i < row->set->count && scallop_steady(&row->set->crawler[i], &r) >= 0; i++)
-    worst = larger(worst, off_floor(&row->set->crawler[i], &r.period));
-  return worst;
-}
-
 /* Largest relative error in v_end and displacement over the set */
 static double rival_error(const struct row *row)
 {
@@ -295,14 +266,14 @@ static double loosest_rival(struct row *row)
 
 enum { FLOOR, STEADY, BATCH, PERIOD, RIVALS, NOTHING = RIVALS + 4, SCALLOP };
 static const struct method methods[] = {
-  { .name = "floor", .body = floors, .setup = floor_error },
-  { .name = "steady", .body = steady_states, .setup = steady_error },
-  { .name = "batch", .body = batches, .setup = steady_error },
+  { .name = "floor", .body = floors },
+  { .name = "steady", .body = steady_states },
+  { .name = "batch", .body = batches },
   { .name = "period", .body = exact_periods },
-  { "gsl rkf45", rival_periods, loosest_rival, SCALLOP_ODEIV_RKF45, 1e-12 },
-  { "gsl rk8pd", rival_periods, loosest_rival, SCALLOP_ODEIV_RK8PD, 1e-12 },
-  { "gsl rkf45 to 1e-6", rival_periods, loosest_rival, SCALLOP_ODEIV_RKF45, 1e-6 },
-  { "gsl rk8pd to 1e-6", rival_periods, loosest_rival, SCALLOP_ODEIV_RK8PD, 1e-6 },
+  { "gsl rkf45", rival_periods, SCALLOP_ODEIV_RKF45, 1e-12 },
+  { "gsl rk8pd", rival_periods, SCALLOP_ODEIV_RK8PD, 1e-12 },
+  { "gsl rkf45 to 1e-6", rival_periods, SCALLOP_ODEIV_RKF45, 1e-6 },
+  { "gsl rk8pd to 1e-6", rival_periods, SCALLOP_ODEIV_RK8PD, 1e-6 },
   { .name = "nothing", .body = one_start },
   { .name = "scallop", .body = one_start },
 };
@@ -313,8 +284,8 @@ static const struct row *add(int of, const struct set *set, const struct row *un
   const struct method *method = &methods[of];
   struct row *row = &rows[row_count++];
   *row = (struct row){ method, set, unit ? unit : row, .tolerance = NAN, .error = NAN };
-  if (method->setup)
-    row->error = method->setup(row);
+  if (method->goal > 0)
+    row->error = loosest_rival(row);
   if (isnan(method->body(row)))
     give_up("a method failed");
   row->passes = stopwatch_passes(method->body, row, batch_seconds);
@@ -325,7 +296,7 @@ static void add_rows(void)
 {
   enum { GAITS = 2, TIMES = 4 };
   static const struct scallop_gait *const gaits[GAITS] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
-  static struct set many[ANY + 1][GAITS], few[STICK_SLIP + 1][GAITS], small_T[GAITS][TIMES], one;
+  static struct set many[CHOICES][GAITS], few[ANY][GAITS], small_T[GAITS][TIMES], one;
   const struct row *unit = NULL;
   for (int choice = REGULAR; choice <= ANY; choice++)
     for (int g = 0; g < GAITS; g++) {
@@ -344,7 +315,6 @@ static void add_rows(void)
       for (int rival = RIVALS; rival < NOTHING; rival++)
         add(rival, set, unit);
     }
-  one.choice = NO_CRAWLERS;
   one.count = 1;
   add(SCALLOP, &one, add(NOTHING, &one, NULL));
 }
@@ -366,9 +336,8 @@ static void print(void)
       "# scallop %s: nanoseconds for one answer, median and quartiles of %d batches of at least %g ms\n"
       "# one thread; rows take turns; a reading of the clock takes %.0f ns\n"
       "# sets of %d crawlers, for periods %d; any: T^2 (F1 + F2)/(M L) from e^-9 to e^7\n"
-      "# floor: the closed form of the regular modes written out by hand, which checks nothing\n"
-      "# error: how far one period moves the steady velocity, over L/T; of the floor its largest relative difference\n"
-      "#        from exact; of GSL the largest one of v_end and displacement from those of an exact period\n"
+      "# floor: the closed form of the regular modes written out by hand, which checks nothing; within 1e-10 of exact\n"
+      "# error: GSL's, the largest relative one of v_end and displacement\n"
       "# ratio: of the medians, to the floor; GSL: to an exact period; scallop (a steady state, from the start of the\n"
       "#        process to its end): to a program that does nothing\n"
       "# tolerance: GSL's, the largest of 1e-2, 3e-3 ... 1e-15 with error <= 1e-12, or 1e-6 as said\n"
@@ -378,9 +347,9 @@ static void print(void)
   for (const struct row *row = rows; row < rows + row_count; row++) {
     const struct stopwatch_spread *s = &row->spread;
     const struct scallop_gait *gait = row->set->gait[0];
-    printf("%s\t%s\t%s\t%g\t%.4g\t%.4g\t%.4g\t%.2g\t%.3g\t%.2g\n", row->method->name, choice_text[row->set->choice],
-           gait ? gait->name : "-", row->set->crawler[0].T, s->median, s->q1, s->q3, row->error,
-           s->median / row->unit->spread.median, row->tolerance);
+    printf("%s\t%s\t%s\t%g\t%.4g\t%.4g\t%.4g\t%.2g\t%.3g\t%.2g\n", row->method->name,
+           gait ? choice_text[row->set->choice] : "-", gait ? gait->name : "-", row->set->crawler[0].T, s->median,
+           s->q1, s->q3, row->error, s->median / row->unit->spread.median, row->tolerance);
   }
 }
 
@@ -390,12 +359,10 @@ static void repeat(const char *name, const char *choice_name, const char *gait_n
   static struct set set;
   struct row row = { .set = &set };
   const struct scallop_gait *gait = scallop_gait_named(gait_name);
-  int method = 0, choice = 0;
+  int method = 0, choice = word_place(choice_name, choice_text);
   while (method < RIVALS && strcmp(name, methods[method].name) != 0)
     method++;
-  while (choice <= ANY && strcmp(choice_name, choice_text[choice]) != 0)
-    choice++;
-  if (!gait || method == RIVALS || choice > ANY || passes < 0)
+  if (!gait || method == RIVALS || choice < 0 || passes < 0)
     give_up("usage: scallop-bench [floor|steady|batch|period regular|stick-slip|any quadratic|sinusoidal PASSES]");
   fill(&set, FEW, gait, (enum choice)choice, false);
   double sum = 0;
