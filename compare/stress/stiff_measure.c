@@ -48,23 +48,21 @@ static void predict(struct stiff_scene *scene)
   held->creep = done ? way / scene->crawler.T : NAN;
 }
 
-static void find_held(struct stiff_scene *scene, double v_mid)
+static void find_held(struct stiff_scene *scene, const struct answer *starts)
 {
-  const struct answer none = { .status = SCALLOP_OK };
-  for (int k = SCALLOP_EXTENSION; k <= SCALLOP_CONTRACTION; k++) {
-    const struct motion phase = { OF_PHASE, scene->crawler, (enum scallop_phase_kind)k,
-                                  k == 0 ? scene->v_start : v_mid };
-    struct stretch all[MOST_STRETCHES];
-    struct stiff_held now = { .body = 0 };
-    int count = stretches_of(all, &phase, &none);
-    for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
-      int body = all[i].mode.s1 == 0 ? 1 : all[i].mode.s2 == 0 ? 2 : 0;
-      if (body != now.body)
-        now = (struct stiff_held){ .body = body, .phase = phase.phase, .v0 = phase.v0, .begin = all[i].from };
-      now.end = all[i].until;
-      if (body != 0 && now.end - now.begin > scene->held.end - scene->held.begin)
-        scene->held = now;
-    }
+  const struct motion steady = { .of = OF_STEADY, .crawler = scene->crawler };
+  const double v0[] = { starts->value[Q_V_START].high, starts->value[Q_V_MID].high };
+  const double since[] = { 0, scallop_phase_duration(&scene->crawler, SCALLOP_EXTENSION) };
+  struct stretch all[MOST_STRETCHES];
+  struct stiff_held now = { .body = 0 };
+  int count = stretches_of(all, &steady, starts);
+  for (const struct stretch *s = all; s < all + count && s < all + MOST_STRETCHES; s++) {
+    int body = s->mode.s1 == 0 ? 1 : s->mode.s2 == 0 ? 2 : 0;
+    if (body != now.body || s->phase != now.phase)
+      now = (struct stiff_held){ body, s->phase, v0[s->phase], .begin = s->from - since[s->phase] };
+    now.end = s->until - since[s->phase];
+    if (body != 0 && now.end - now.begin > scene->held.end - scene->held.begin)
+      scene->held = now;
   }
   if (scene->held.body != 0)
     predict(scene);
@@ -77,7 +75,7 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
   const struct motion motion = { .of = OF_STEADY, .crawler = *crawler };
   struct scallop_wide_period period;
   SCOPED(ball_answer, steady);
-  *scene = (struct stiff_scene){ .names = { name, crawler->gait->name }, .crawler = *crawler };
+  *scene = (struct stiff_scene){ .names = { name, crawler->gait->name, NULL, "msbdf" }, .crawler = *crawler };
   enum scallop_status status = scallop_scale(crawler, &scene->scaled);
   if (status == SCALLOP_OK && !answer_of_doubles(&steady, &motion, DIGITS))
     return steady.why ? steady.why : scallop_status_text(steady.status);
@@ -88,12 +86,12 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
   }
   if (status != SCALLOP_OK)
     return scallop_status_text(status);
+  const struct answer starts = { .value = { [Q_V_START] = period.v_start, [Q_V_MID] = period.v_mid } };
   scene->names[2] = scallop_regime_text(steady.regime);
-  scene->names[3] = "msbdf";
   scene->v_end = period.v_end;
   scene->displacement = period.displacement;
   motion_modes_text(scene->modes, OF_STEADY, period.modes);
-  find_held(scene, period.v_mid.high);
+  find_held(scene, &starts);
   return NULL;
 }
 

@@ -45,27 +45,25 @@ static double estimate(const struct stress_number *n)
 }
 static double estimate_known(const struct stress_number *n) { return n->error >= 0x1p-7 * n->ulp ? estimate(n) : NAN; }
 
-/* Which of all numbers of a family its row has: the worst one, that is of the largest error/unit; the median; or the
- * least or the largest. */
-enum choice { OF_WORST, OF_MEDIAN, OF_LEAST, OF_LARGEST };
+enum { WORST = -1 };
 static const struct measure {
   const char *name, *format;
   double (*of)(const struct stress_number *number);
-  enum choice choice;
-  bool of_many; /* the row of a number does not have it */
+  double quantile; /* over all numbers of a family; WORST: of the one with the largest error/unit */
+  bool of_many;    /* the row of a number does not have it */
 } measures[] = {
-  { "units", "%.3g", units, OF_WORST, false },
-  { "ulp", "%.3g", ulps, OF_WORST, false },
-  { "condition", "%.3g", condition, OF_WORST, false },
-  { "digits", "%.1f", digits, OF_WORST, false },
-  { "ulp_median", "%.3g", ulps, OF_MEDIAN, true },
-  { "rounding", "%.3g", rounding, OF_LARGEST, false },
-  { "perturbed", "%.3g", perturbed, OF_LARGEST, false },
-  { "lost_double", "%.1f", lost_double, OF_LARGEST, false },
-  { "lost_long_double", "%.1f", lost_long, OF_LARGEST, false },
-  { "lost_binary128", "%.1f", lost_binary128, OF_LARGEST, false },
-  { "estimate_least", "%.4f", estimate_known, OF_LEAST, true },
-  { "estimate_most", "%.4f", estimate, OF_LARGEST, true },
+  { "units", "%.3g", units, WORST, false },
+  { "ulp", "%.3g", ulps, WORST, false },
+  { "condition", "%.3g", condition, WORST, false },
+  { "digits", "%.1f", digits, WORST, false },
+  { "ulp_median", "%.3g", ulps, 0.5, true },
+  { "rounding", "%.3g", rounding, 1, false },
+  { "perturbed", "%.3g", perturbed, 1, false },
+  { "lost_double", "%.1f", lost_double, 1, false },
+  { "lost_long_double", "%.1f", lost_long, 1, false },
+  { "lost_binary128", "%.1f", lost_binary128, 1, false },
+  { "estimate_least", "%.4f", estimate_known, 0, true },
+  { "estimate_most", "%.4f", estimate, 1, true },
 };
 enum { MEASURES = sizeof measures / sizeof *measures, VERDICT = 200 };
 
@@ -126,7 +124,6 @@ struct run {
   long judged, to_judge; /* cases */
   size_t most;           /* in a row */
   struct stress_case *stressed;
-  struct stress_judgement *judgements;
   double *values; /* room for one measure of all numbers */
   struct table table;
   struct progress progress;
@@ -160,7 +157,7 @@ static void judge_all(struct run *run, int count)
   {
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < count; i++) {
-      stress_judge(&run->stressed[i], &run->judgements[i]);
+      stress_judge(&run->stressed[i]);
 #ifdef _OPENMP
 #pragma omp critical
 #endif
@@ -186,13 +183,12 @@ static void add_broken(struct row *r, const struct stress_case *s, const char *w
 static void sum_up(const struct run *run, struct row *r)
 {
   for (int i = 0; i < r->cases; i++) {
-    const struct stress_judgement *j = &run->judgements[i];
     const struct stress_case *s = &run->stressed[i];
-    r->refused += j->outcome == STRESS_REFUSED;
-    r->undecided += j->outcome == STRESS_UNDECIDED;
-    r->other_modes += j->other_modes;
+    r->refused += s->outcome == STRESS_REFUSED;
+    r->undecided += s->outcome == STRESS_UNDECIDED;
+    r->other_modes += s->other_modes;
     for (int q = (int)quantity_first(s->motion.of); q < (int)quantity_end(s->motion.of); q++) {
-      const struct stress_number *n = &j->number[q];
+      const struct stress_number *n = &s->number[q];
       if (n->broken)
         add_broken(r, s, n->broken, q);
       if (n->judged && (!r->worst || units(n) > units(r->worst))) {
@@ -207,19 +203,16 @@ static void sum_up(const struct run *run, struct row *r)
 static double choose(const struct run *run, const struct row *r, const struct measure *m)
 {
   size_t count = 0;
-  if (m->choice == OF_WORST)
+  if (m->quantile == WORST)
     return r->worst ? m->of(r->worst) : NAN;
   for (int i = 0; i < r->cases; i++)
     for (int q = 0; q < QUANTITIES; q++) {
-      const struct stress_number *n = &run->judgements[i].number[q];
+      const struct stress_number *n = &run->stressed[i].number[q];
       if (n->judged && !isnan(m->of(n)))
         run->values[count++] = m->of(n);
     }
   gsl_sort(run->values, 1, count);
-  return count == 0                ? NAN
-         : m->choice == OF_LEAST   ? run->values[0]
-         : m->choice == OF_LARGEST ? run->values[count - 1]
-                                   : gsl_stats_median_from_sorted_data(run->values, 1, count);
+  return count > 0 ? gsl_stats_quantile_from_sorted_data(run->values, 1, count, m->quantile) : NAN;
 }
 
 static void write_row(struct run *run, const struct row *r)
@@ -282,8 +275,6 @@ static bool begin(struct run *run)
 static enum exit_code run_rows(struct run *run)
 {
   bool broken = false;
-  if (!run->stressed || !run->judgements || !run->values)
-    return complain("stress", "out of memory"), EXIT_UNSOLVED;
   if (!begin(run))
     return EXIT_FILE;
   for (struct row *r = run->row; r < run->row + run->rows && !table_failed(&run->table); r++) {
@@ -300,21 +291,23 @@ enum exit_code stress_table(const struct stress_options *o)
                                : o->check ? &quick
                                           : &usual,
                      .progress = progress_begin(o->request.style.quiet) };
+  enum exit_code code = EXIT_UNSOLVED;
   if (!plan(&run))
     return EXIT_USAGE;
   run.stressed = calloc(run.most, sizeof *run.stressed);
-  run.judgements = calloc(run.most, sizeof *run.judgements);
   run.values = calloc(run.most * QUANTITIES, sizeof *run.values);
-  enum exit_code code = run_rows(&run);
+  if (run.stressed && run.values)
+    code = run_rows(&run);
+  else
+    complain("stress", "out of memory");
   free(run.stressed);
-  free(run.judgements);
   free(run.values);
   return code;
 }
 
-static void write_number(struct table *t, const struct stress_judgement *j, int q)
+static void write_number(struct table *t, const struct stress_case *s, int q)
 {
-  const struct stress_number *n = &j->number[q];
+  const struct stress_number *n = &s->number[q];
   char text[VERDICT];
   table_text(t, quantity_rows[q].name);
   table_number(t, n->judged ? n->got : NAN);
@@ -323,7 +316,7 @@ static void write_number(struct table *t, const struct stress_judgement *j, int 
     if (!measures[m].of_many)
       table_rounded(t, n->judged ? measures[m].of(n) : NAN, measures[m].format);
   table_rounded(t, n->judged ? 1.0005 * n->estimate : NAN, "%.4g"); /* up */
-  table_text(t, j->outcome == STRESS_REFUSED ? j->why
+  table_text(t, s->outcome == STRESS_REFUSED ? s->why
                 : !n->judged && !n->broken   ? "-"
                                              : verdict(text, n->broken, false));
 }
@@ -333,27 +326,26 @@ enum exit_code stress_point(const struct stress_options *o)
   static const char *const before[] = { "quantity", "value", "certified", NULL };
   static const char *const after[] = { "estimate", "verdict", NULL };
   const struct point *p = &o->request.point;
-  const struct stress_case s = { .motion = motion_of(p, p->has_phase || p->has_v0 ? OF_PHASE : OF_STEADY) };
+  struct stress_case s = { .motion = motion_of(p, p->has_phase || p->has_v0 ? OF_PHASE : OF_STEADY) };
   struct table t;
-  struct stress_judgement j;
   char arguments[STRESS_ARGUMENTS];
   bool broken = false;
-  stress_judge(&s, &j);
+  stress_judge(&s);
   flint_cleanup();
   stress_arguments(&s, arguments);
   if (!table_head(&t, &o->request.style, "stress %s", arguments))
     return EXIT_FILE;
   t.of = "stress of a point";
-  if (j.outcome == STRESS_UNDECIDED)
-    table_note(&t, "certified: not decided (%s); binary128 in its place", j.why ? j.why : "no reason");
+  if (s.outcome == STRESS_UNDECIDED)
+    table_note(&t, "certified: not decided (%s); binary128 in its place", s.why ? s.why : "no reason");
   begin_rows(&t, before, false, after);
   for (int q = (int)quantity_first(s.motion.of); q < (int)quantity_end(s.motion.of); q++) {
-    write_number(&t, &j, q);
-    broken |= j.number[q].broken != NULL;
+    write_number(&t, &s, q);
+    broken |= s.number[q].broken != NULL;
   }
   if (broken)
     complain("stress", "a promise is broken here: see the column 'verdict'");
   if (!table_close(&t))
     return EXIT_FILE;
-  return j.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->check ? EXIT_CHECK_FAILED : EXIT_DONE;
+  return s.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->check ? EXIT_CHECK_FAILED : EXIT_DONE;
 }
