@@ -98,22 +98,15 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
 /* Counts the steps down that are left. */
 static bool lasts(void *left) { return --*(long *)left >= 0; }
 
-static bool keep(void *context, const struct scallop_sample *sample)
-{
-  struct scallop_sample **next = context;
-  *(*next)++ = *sample;
-  return true;
-}
-
 /* Follows the stuck body from the beginning over the middle to the end of the stretch. */
 static enum scallop_status look_inside(const struct stiff_scene *scene, struct scallop_rival *rival,
                                        const struct scallop_patience *patience, struct stiff_run *run)
 {
   const struct stiff_held *held = &scene->held;
   const struct scallop_crawler *c = &scene->crawler;
-  const double times[] = { held->begin, (held->begin + held->end) / 2, held->end }, unit = run->delta * c->L / c->T;
-  struct scallop_sample sample[3] = { { 0 } }, *next = sample;
-  enum scallop_status status = scallop_smoothed_phase(rival, c, held->phase, held->v0, patience, times, 3, keep, &next);
+  const double unit = run->delta * c->L / c->T;
+  struct scallop_sample sample[] = { { .t = held->begin }, { .t = (held->begin + held->end) / 2 }, { .t = held->end } };
+  enum scallop_status status = scallop_smoothed_phase(rival, c, held->phase, held->v0, patience, sample, 3);
   if (status != SCALLOP_OK)
     return status;
   bool first = held->body == 1;
