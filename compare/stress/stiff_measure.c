@@ -75,7 +75,9 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
   const struct motion motion = { .of = OF_STEADY, .crawler = *crawler };
   struct scallop_wide_period period;
   SCOPED(ball_answer, steady);
-  *scene = (struct stiff_scene){ .names = { name, crawler->gait->name, NULL, "msbdf" }, .crawler = *crawler };
+  *scene = (struct stiff_scene){ .names = { name, crawler->gait->name, NULL, "msbdf" },
+                                 .crawler = *crawler,
+                                 .held = { .velocity = NAN, .creep = NAN } };
   enum scallop_status status = scallop_scale(crawler, &scene->scaled);
   if (status == SCALLOP_OK && !answer_of_doubles(&steady, &motion, DIGITS))
     return steady.why ? steady.why : scallop_status_text(steady.status);
@@ -158,10 +160,8 @@ static void solve_once(const struct stiff_scene *scene, double delta, double tol
   *run = unknown;
   run->delta = delta;
   run->tolerance = tolerance;
-  if (scene->held.body != 0) {
-    run->predicted_creep = scene->held.creep;
-    run->predicted_velocity = scene->held.velocity;
-  }
+  run->predicted_creep = scene->held.creep;
+  run->predicted_velocity = scene->held.velocity;
   if (rival)
     solve_with(rival, scene, most, run);
   scallop_rival_destroy(rival);

@@ -10,7 +10,7 @@
 /* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of
  * it: the body creeps at the velocity whose friction is the force that holds it, v_delta artanh(force/friction). */
 struct stiff_held {
-  int body; /* 1 or 2; 0: no body is stuck for any length of time, and nothing else is set */
+  int body; /* 1 or 2; 0: no body is stuck for any length of time */
   enum scallop_phase_kind phase;
   double v0;         /* velocity of both bodies where that phase begins */
   double begin, end; /* since the phase began */

@@ -129,8 +129,8 @@ struct run {
   struct progress progress;
 };
 
-/* False: there is no such family; the message is on stderr. */
-static bool plan(struct run *run)
+/* The rows, and room for the cases of the largest. EXIT_DONE, or why not; the message is on stderr. */
+static enum exit_code plan(struct run *run)
 {
   const struct stress_options *o = run->options;
   const char *names[MOST_ROWS] = { NULL };
@@ -146,9 +146,16 @@ static bool plan(struct run *run)
       run->most = (size_t)cases > run->most ? (size_t)cases : run->most;
     }
   }
-  return run->rows > 0
-         || complain("stress", "--family: there is no family '%s'%s", o->family,
-                     did_you_mean(nearest(o->family, names)));
+  if (run->rows == 0) {
+    complain("stress", "--family: there is no family '%s'%s", o->family, did_you_mean(nearest(o->family, names)));
+    return EXIT_USAGE;
+  }
+  run->stressed = calloc(run->most, sizeof *run->stressed);
+  run->values = calloc(run->most * QUANTITIES, sizeof *run->values);
+  if (run->stressed && run->values)
+    return EXIT_DONE;
+  complain("stress", "out of memory");
+  return EXIT_UNSOLVED;
 }
 
 static void judge_all(struct run *run, int count)
@@ -271,7 +278,6 @@ static bool begin(struct run *run)
   return true;
 }
 
-/* With room for the cases of a row */
 static enum exit_code run_rows(struct run *run)
 {
   bool broken = false;
@@ -291,15 +297,9 @@ enum exit_code stress_table(const struct stress_options *o)
                                : o->check ? &quick
                                           : &usual,
                      .progress = progress_begin(o->request.style.quiet) };
-  enum exit_code code = EXIT_UNSOLVED;
-  if (!plan(&run))
-    return EXIT_USAGE;
-  run.stressed = calloc(run.most, sizeof *run.stressed);
-  run.values = calloc(run.most * QUANTITIES, sizeof *run.values);
-  if (run.stressed && run.values)
+  enum exit_code code = plan(&run);
+  if (code == EXIT_DONE)
     code = run_rows(&run);
-  else
-    complain("stress", "out of memory");
   free(run.stressed);
   free(run.values);
   return code;
