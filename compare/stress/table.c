@@ -122,7 +122,7 @@ struct run {
   struct row row[MOST_ROWS];
   int rows;
   long judged, to_judge; /* cases */
-  size_t most;           /* in a row */
+  size_t most;           /* in a row, at least 1 */
   struct stress_case *stressed;
   double *values; /* room for one measure of all numbers */
   struct table table;
@@ -296,6 +296,7 @@ enum exit_code stress_table(const struct stress_options *o)
                      .effort = o->full    ? &full
                                : o->check ? &quick
                                           : &usual,
+                     .most = 1,
                      .progress = progress_begin(o->request.style.quiet) };
   enum exit_code code = plan(&run);
   if (code == EXIT_DONE)

@@ -242,11 +242,11 @@ static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop
                                    double delta, const double *times, int count, struct look *look)
 {
   RIVAL(rival, scallop_smoothed_rival(delta, 1e-8 * delta));
-  for (int i = 0; i < count; i++)
-    look->samples[i] = (struct scallop_sample){ .t = times[i], .x1 = NAN };
+  for (int i = 0; i < LOOKS; i++)
+    look->samples[i] = (struct scallop_sample){ .t = i < count ? times[i] : NAN, .x1 = NAN };
   enum scallop_status status = scallop_smoothed_phase(rival, c, kind, v0, NULL, look->samples, count);
   look->count = 0;
-  while (look->count < count && !isnan(look->samples[look->count].x1))
+  while (look->count < LOOKS && !isnan(look->samples[look->count].x1))
     look->count++;
   return status;
 }
