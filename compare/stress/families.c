@@ -235,9 +235,9 @@ int stress_make(const struct stress_family *family, const struct scallop_gait *g
 {
   enum { TRIES = 300 }; /* for each case, on average */
   const struct scallop_crawler ones = { 1, 1, 1, 1, 1, 1, 1, gait };
-  const struct stress_case first = { { family->kind == STRESS_STEADY ? OF_STEADY : OF_PHASE, ones, SCALLOP_EXTENSION,
-                                       0 },
-                                     family->kind == STRESS_TRAJECTORY };
+  const struct stress_case first = { .motion = { .of = family->kind == STRESS_STEADY ? OF_STEADY : OF_PHASE,
+                                                 .crawler = ones },
+                                     .periods = family->kind == STRESS_TRAJECTORY };
   const char *const names[] = { family->name, gait->name };
   double x[DIMENSIONS], shift[DIMENSIONS];
   gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);

@@ -4,15 +4,15 @@
 #include <math.h>
 #include <string.h>
 
+#include "compare/answers/answer_flint.h"
 #include "compare/stress/periods.h"
+#include "model/exact/scoped.h"
 
 enum { PARAMETERS = 8, DIGITS = 36 };
 
-/* What is found of a case. Of a trajectory the closed form stands for both wider answers. */
+/* The answers of a case. Of a trajectory the closed form stands for both wider ones. */
 struct found {
   struct answer got, exact, wide[2];
-  double estimate[QUANTITIES], unit[QUANTITIES], perturbed[QUANTITIES], rounding[QUANTITIES];
-  double size[QUANTITIES]; /* the magnitude of the parts that a number is the sum of */
 };
 
 static bool is_trajectory(const struct stress_case *s) { return s->periods > 0; }
@@ -27,40 +27,57 @@ static double distance(struct scallop_wide a, struct scallop_wide b)
   return fabs((a.high - b.high) + (a.low - b.low));
 }
 
-static bool fail(struct stress_judgement *j, enum stress_outcome outcome, const char *why)
+/* The middle of a ball; 0 where the ball holds 0. */
+static struct scallop_wide ball_middle(const arb_t x)
 {
-  j->outcome = outcome;
-  j->why = why;
+  double high = arb_contains_zero(x) ? 0 : arf_get_d(arb_midref(x), ARF_RND_NEAR);
+  SCOPED(arf, low);
+  arf_set_d(low, high);
+  arf_sub(low, arb_midref(x), low, ARF_PREC_EXACT, ARF_RND_NEAR);
+  return (struct scallop_wide){ high, high != 0 && isfinite(high) ? arf_get_d(low, ARF_RND_NEAR) : 0 };
+}
+
+static bool fail(struct stress_case *s, enum stress_outcome outcome, const char *why)
+{
+  s->outcome = outcome;
+  s->why = why;
   return false;
 }
 
-static bool solve_motion(const struct motion *m, struct found *f, struct stress_judgement *j)
+static bool solve_motion(struct stress_case *s, struct found *f)
 {
+  const struct motion *m = &s->motion;
   SCOPED(ball_answer, proven);
-  if (!answer_with_errors(&f->got, m, f->estimate))
-    return fail(j, f->got.status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_BROKEN,
+  double estimate[QUANTITIES];
+  if (!answer_with_errors(&f->got, m, estimate))
+    return fail(s, f->got.status == SCALLOP_ERANGE ? STRESS_REFUSED : STRESS_BROKEN,
                 scallop_status_text(f->got.status));
   if (f->got.status == SCALLOP_INTERVAL)
-    return fail(j, STRESS_REFUSED, "the steady states fill an interval: none of them is the one to judge");
+    return fail(s, STRESS_REFUSED, "the steady states fill an interval: none of them is the one to judge");
   for (int w = 0; w < 2; w++)
     if (!answer_in_wide(&f->wide[w], m, (enum scallop_width)w))
-      return fail(j, STRESS_BROKEN, "wider arithmetic finds no solution");
+      return fail(s, STRESS_BROKEN, "wider arithmetic finds no solution");
   f->exact = f->wide[SCALLOP_BINARY128];
-  bool done = answer_of_doubles(&proven, m, DIGITS) || fail(j, STRESS_UNDECIDED, proven.why);
-  for (int q = 0; q < QUANTITIES && done; q++)
-    f->exact.value[q] = proven.value[q] ? ball_middle(proven.value[q]) : (struct scallop_wide){ NAN, 0 };
-  if (isnan(f->estimate[m->of == OF_PHASE ? Q_V_END : Q_V_START]))
-    fail(j, STRESS_BROKEN, "there is no estimate of the error");
+  bool done = answer_of_doubles(&proven, m, DIGITS) || fail(s, STRESS_UNDECIDED, proven.why);
+  for (int q = 0; q < QUANTITIES; q++) {
+    s->number[q] = (struct stress_number){ .estimate = estimate[q] };
+    if (done)
+      f->exact.value[q] = proven.value[q] ? ball_middle(proven.value[q]) : (struct scallop_wide){ NAN, 0 };
+  }
+  if (isnan(estimate[m->of == OF_PHASE ? Q_V_END : Q_V_START]))
+    fail(s, STRESS_BROKEN, "there is no estimate of the error");
   return true;
 }
 
-static bool solve_trajectory(const struct stress_case *s, struct found *f, struct stress_judgement *j)
+static bool solve_trajectory(struct stress_case *s, struct found *f)
 {
-  if (!trajectory_in_balls(s, &f->exact))
-    return fail(j, STRESS_REFUSED, "no closed form: the modes change on the way");
+  if (!trajectory_closed_form(s, &f->exact))
+    return fail(s, STRESS_REFUSED, "no closed form: the modes change on the way");
   if (!trajectory_in_double(s, &f->got))
-    return fail(j, STRESS_BROKEN, "the trajectory was not solved");
+    return fail(s, STRESS_BROKEN, "the trajectory was not solved");
   f->wide[0] = f->wide[1] = f->exact;
+  for (int q = 0; q < QUANTITIES; q++)
+    s->number[q] = (struct stress_number){ .estimate = NAN, .rounding = NAN, .perturbed = NAN };
   return true;
 }
 
@@ -73,12 +90,10 @@ static double natural_unit(const struct stress_case *s, int q)
   const char *unit = quantity_rows[q].unit;
   if (is_trajectory(s) || q == Q_FROUDE)
     return 0;
-  if (q == Q_MEAN_VELOCITY)
-    return c->L / c->T;
   return strcmp(unit, "1") == 0        ? 1
          : strcmp(unit, "time") == 0   ? time
          : strcmp(unit, "length") == 0 ? c->L
-                                       : c->L / time;
+                                       : c->L / (q == Q_MEAN_VELOCITY ? c->T : time);
 }
 
 /* Replaces one of the parameters m1 m2 F1 F2 L T alpha v0 by the double so many places further. False: the case has no
@@ -96,65 +111,61 @@ static bool neighbour(const struct stress_case *s, int parameter, double towards
   return scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
-static void grow(double most[QUANTITIES], const struct answer *a, const struct answer *b)
-{
-  for (int q = 0; q < QUANTITIES; q++)
-    most[q] = fmax(most[q], distance(a->value[q], b->value[q]));
-}
-
-/* What changes of each parameter, so many doubles up and down, do to the numbers, for each double: by one; or by as
- * many as are promised, as a kink that far away counts in proportion. */
-static void find_units(const struct stress_case *s, int places, struct found *f)
-{
-  double unit[QUANTITIES] = { 0 };
-  struct stress_case next;
-  struct answer there;
-  for (int parameter = 0; parameter < PARAMETERS; parameter++) {
-    double most[QUANTITIES] = { 0 };
-    for (int side = -1; side <= 1; side += 2)
-      if (neighbour(s, parameter, side * INFINITY, places, &next)
-          && (is_trajectory(s) ? trajectory_in_balls(&next, &there)
-                               : answer_in_wide(&there, &next.motion, SCALLOP_BINARY128)))
-        grow(most, &there, &f->wide[SCALLOP_BINARY128]);
-    for (int q = 0; q < QUANTITIES; q++)
-      unit[q] += most[q] / places;
-  }
-  for (int q = 0; q < QUANTITIES; q++)
-    f->unit[q] = fmax(f->unit[q], unit[q]);
-}
-
 /* The multiplier and the switching times jump where modes change, however small the change of a parameter. */
 static bool may_jump(int q) { return q == Q_T1 || q == Q_DT || q == Q_MULTIPLIER; }
 
 /* The same motion, or nearly the same, once more in double; nan: there is no such number, or it may have jumped. The
  * motion may be out of range; any other failure breaks the promise. */
-static struct answer solve_again(const struct motion *m, const struct answer *got, struct stress_judgement *j,
+static struct answer solve_again(struct stress_case *s, const struct motion *m, const struct answer *got,
                                  const char *why)
 {
   struct answer there;
   if (!answer_in_double(&there, m) && there.status != SCALLOP_ERANGE)
-    fail(j, STRESS_BROKEN, why);
+    fail(s, STRESS_BROKEN, why);
   for (int q = 0; q < QUANTITIES; q++)
     if (may_jump(q) && !same_modes(there.modes, got->modes))
       there.value[q].high = NAN;
   return there;
 }
 
-/* What changes of one parameter, and the other three rounding modes, do to the result in double */
-static void solve_otherwise(const struct stress_case *s, struct found *f, struct stress_judgement *j)
+/* What changes of each parameter, so many doubles up and down, do to the numbers, for each double: by one, which the
+ * result in double is tried with too; or by as many as are promised, as a kink that far away counts in proportion. */
+static void move_parameters(struct stress_case *s, int places, const struct found *f)
+{
+  double unit[QUANTITIES] = { 0 };
+  struct stress_case next;
+  struct answer there;
+  for (int parameter = 0; parameter < PARAMETERS; parameter++) {
+    double most[QUANTITIES] = { 0 };
+    for (int side = -1; side <= 1; side += 2) {
+      if (!neighbour(s, parameter, side * INFINITY, places, &next))
+        continue;
+      if (is_trajectory(s) ? trajectory_closed_form(&next, &there)
+                           : answer_in_wide(&there, &next.motion, SCALLOP_BINARY128))
+        for (int q = 0; q < QUANTITIES; q++)
+          most[q] = fmax(most[q], distance(there.value[q], f->wide[SCALLOP_BINARY128].value[q]));
+      if (is_trajectory(s) || places > 1)
+        continue;
+      there = solve_again(s, &next.motion, &f->got, "no solution where a parameter is an ulp off");
+      for (int q = 0; q < QUANTITIES; q++)
+        s->number[q].perturbed = fmax(s->number[q].perturbed, distance(there.value[q], f->got.value[q]));
+    }
+    for (int q = 0; q < QUANTITIES; q++)
+      unit[q] += most[q] / places;
+  }
+  for (int q = 0; q < QUANTITIES; q++)
+    s->number[q].unit = fmax(s->number[q].unit, unit[q]);
+}
+
+/* What the other three rounding modes do to the result in double */
+static void round_otherwise(struct stress_case *s, const struct answer *got)
 {
   static const int directions[] = { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO };
-  struct answer there, low = f->got, high = f->got;
-  struct stress_case next;
-  for (int i = 0; i < 2 * PARAMETERS; i++)
-    if (neighbour(s, i / 2, i % 2 ? INFINITY : -INFINITY, 1, &next)) {
-      there = solve_again(&next.motion, &f->got, j, "no solution where a parameter is an ulp off");
-      grow(f->perturbed, &there, &f->got);
-    }
+  struct answer low = *got, high = *got;
   for (int i = 0; i < 3; i++) {
     int before = fegetround();
     fesetround(directions[i]);
-    there = solve_again(&s->motion, &f->got, j, "no solution in a directed rounding");
+    struct answer there = solve_again(s, &s->motion, got, "no solution in a directed rounding");
     fesetround(before);
     for (int q = 0; q < QUANTITIES; q++) {
       low.value[q].high = fmin(low.value[q].high, there.value[q].high);
@@ -162,7 +173,7 @@ static void solve_otherwise(const struct stress_case *s, struct found *f, struct
     }
   }
   for (int q = 0; q < QUANTITIES; q++)
-    f->rounding[q] = high.value[q].high - low.value[q].high;
+    s->number[q].rounding = high.value[q].high - low.value[q].high;
 }
 
 /* The magnitudes of the parts that binary128 sums */
@@ -201,47 +212,47 @@ const char *stress_broken(const struct stress_number *n)
 }
 
 /* Returns whether a promise is broken. */
-static bool measure(const struct stress_case *s, const struct found *f, struct stress_judgement *j)
+static bool measure(struct stress_case *s, const struct found *f, const double size[QUANTITIES])
 {
-  bool any = false, motion = !is_trajectory(s);
-  j->other_modes = !same_modes(f->got.modes, f->wide[SCALLOP_BINARY128].modes);
+  bool any = false;
+  s->other_modes = !same_modes(f->got.modes, f->wide[SCALLOP_BINARY128].modes);
   for (int q = 0; q < QUANTITIES; q++) {
-    struct stress_number *n = &j->number[q];
+    struct stress_number *n = &s->number[q];
     const struct scallop_wide exact = f->exact.value[q], got = f->got.value[q];
     double y = exact.high, natural = natural_unit(s, q), floor = 0x1p-960 * natural; /* below it digits may be lost */
     bool exists = !isnan(y) || !isnan(got.high), has_ulp = fabs(y) > 0x1p53 * floor && isfinite(y);
-    *n = (struct stress_number){ .exact = y, .got = got.high, .error = distance(got, exact) };
-    n->judged = exists && !(j->other_modes && may_jump(q));
+    n->exact = y;
+    n->got = got.high;
+    n->error = distance(got, exact);
+    n->judged = exists && !(s->other_modes && may_jump(q));
     n->ulp = has_ulp ? ldexp(1, ilogb(y) - (DBL_MANT_DIG - 1)) : NAN;
-    n->unit = fmax(fmax(f->unit[q], n->ulp), fmax(floor, DBL_MIN));
-    n->estimate = motion ? f->estimate[q] : NAN;
-    n->rounding = motion ? f->rounding[q] : NAN;
-    n->perturbed = motion ? f->perturbed[q] : NAN;
-    n->resolved = 0x1p-111 * fmax(f->size[q], has_ulp ? 0 : natural);
+    n->unit = fmax(fmax(n->unit, n->ulp), fmax(floor, DBL_MIN));
+    n->resolved = 0x1p-111 * fmax(size[q], has_ulp ? 0 : natural);
     for (int w = 0; w < 3; w++)
-      n->wide_error[w] = !motion ? NAN : w == 0 ? n->error : distance(f->wide[w - 1].value[q], exact);
+      n->wide_error[w] = is_trajectory(s) ? NAN : w == 0 ? n->error : distance(f->wide[w - 1].value[q], exact);
     if (exists && fabs(y) > floor && !isnormal(y))
-      fail(j, STRESS_BROKEN, "a number beyond the range of doubles was not refused, or one is there that is not");
+      fail(s, STRESS_BROKEN, "a number beyond the range of doubles was not refused, or one is there that is not");
     n->broken = n->judged ? stress_broken(n) : NULL;
     any = any || n->broken;
   }
   return any;
 }
 
-void stress_judge(const struct stress_case *s, struct stress_judgement *j)
+void stress_judge(struct stress_case *s)
 {
-  struct found f = { .size = { 0 } };
-  *j = (struct stress_judgement){ .outcome = STRESS_SOLVED };
-  if (is_trajectory(s) ? solve_trajectory(s, &f, j) : solve_motion(&s->motion, &f, j)) {
-    find_units(s, 1, &f);
+  struct found f;
+  double size[QUANTITIES] = { 0 };
+  *s = (struct stress_case){ .motion = s->motion, .periods = s->periods };
+  if (is_trajectory(s) ? solve_trajectory(s, &f) : solve_motion(s, &f)) {
+    move_parameters(s, 1, &f);
     if (!is_trajectory(s))
-      solve_otherwise(s, &f, j);
-    if (measure(s, &f, j) && !is_trajectory(s)) {
-      find_sizes(&s->motion, f.size);
-      find_units(s, STRESS_PROMISE, &f);
-      measure(s, &f, j);
+      round_otherwise(s, &f.got);
+    if (measure(s, &f, size) && !is_trajectory(s)) {
+      find_sizes(&s->motion, size);
+      move_parameters(s, STRESS_PROMISE, &f);
+      measure(s, &f, size);
     }
   }
-  for (int q = 0; q < QUANTITIES && j->outcome == STRESS_BROKEN; q++)
-    j->number[q] = (struct stress_number){ .broken = j->why };
+  for (int q = 0; q < QUANTITIES && s->outcome == STRESS_BROKEN; q++)
+    s->number[q] = (struct stress_number){ .broken = s->why };
 }

@@ -1,22 +1,15 @@
 #include "compare/stress/periods.h"
 
+#include <float.h>
 #include <math.h>
 
-enum { DIGITS = 60, BITS = 220 };
+#include "numerics/wide/wide_parts.h"
 
-struct scallop_wide ball_middle(const arb_t x)
-{
-  struct scallop_wide w = { 0, 0 };
-  SCOPED(arf, low);
-  if (arb_contains_zero(x))
-    return w;
-  w.high = arf_get_d(arb_midref(x), ARF_RND_NEAR);
-  arf_set_d(low, w.high);
-  arf_sub(low, arb_midref(x), low, ARF_PREC_EXACT, ARF_RND_NEAR);
-  if (isfinite(w.high))
-    w.low = arf_get_d(low, ARF_RND_NEAR);
-  return w;
-}
+#if WIDE_HAS_FLOAT128
+__extension__ typedef __float128 real;
+#else
+typedef long double real;
+#endif
 
 static void set_end(struct answer *a, struct scallop_wide x, struct scallop_wide v)
 {
@@ -41,72 +34,36 @@ bool trajectory_in_double(const struct stress_case *s, struct answer *end)
   return solved;
 }
 
-static void middle_exact(fmpq_t middle, const arb_t x)
+static real sum(struct scallop_wide w) { return (real)w.high + w.low; }
+
+static struct scallop_wide parts(real x) { return (struct scallop_wide){ (double)x, (double)(x - (double)x) }; }
+
+static real power(real x, long n)
 {
-  if (arb_contains_zero(x))
-    fmpq_zero(middle);
-  else
-    arf_get_fmpq(middle, arb_midref(x));
+  real y = 1;
+  for (; n > 0; n /= 2, x *= x)
+    y *= n % 2 ? x : 1;
+  return y;
 }
 
-bool period_in_balls(struct ball_answer *first, struct ball_answer *second, arb_t displacement,
-                     const struct scallop_rational_crawler *c, const fmpq_t v_start)
+bool trajectory_closed_form(const struct stress_case *s, struct answer *end)
 {
-  SCOPED(fmpq, v_mid);
-  if (!answer_in_balls(first, c, OF_PHASE, SCALLOP_EXTENSION, v_start, DIGITS))
+  const struct scallop_crawler *c = &s->motion.crawler;
+  struct scallop_wide_steady steady;
+  struct scallop_wide_period at, above, below;
+  if (scallop_wide_steady(SCALLOP_BINARY128, c, &steady) != SCALLOP_OK)
     return false;
-  middle_exact(v_mid, first->value[Q_V_END]);
-  if (!answer_in_balls(second, c, OF_PHASE, SCALLOP_CONTRACTION, v_mid, DIGITS))
+  at = steady.period;
+  double v = at.v_start.high, away = fmax(fabs(s->motion.v0 - v), 4 * DBL_EPSILON * fabs(v));
+  if (scallop_wide_period(SCALLOP_BINARY128, c, v + away, &above) != SCALLOP_OK
+      || scallop_wide_period(SCALLOP_BINARY128, c, v - away, &below) != SCALLOP_OK
+      || !same_modes(above.modes, below.modes))
     return false;
-  arb_add(displacement, first->value[Q_DXC], second->value[Q_DXC], BITS);
-  first->modes[1] = second->modes[0];
-  return true;
-}
-
-/* x_n, from D(v* - d), D(v*), D(v* + d), lambda and its power lambda^n */
-static void sum_periods(arb_t x, const arb_t before, const arb_t steady, const arb_t after, const arb_t lambda,
-                        const arb_t power, long n)
-{
-  SCOPED(arb, linear, bent, sum, ratio);
-  arb_sub(linear, after, before, BITS); /* 2 B d */
-  arb_add(bent, after, before, BITS);
-  arb_submul_si(bent, steady, 2, BITS); /* 2 C d^2 */
-  arb_sub_ui(sum, power, 1, BITS);
-  arb_sub_ui(ratio, lambda, 1, BITS);
-  arb_div(sum, sum, ratio, BITS);
-  arb_mul_si(x, steady, 2 * n, BITS);
-  arb_addmul(x, linear, sum, BITS);
-  arb_add_ui(ratio, power, 1, BITS);
-  arb_mul(sum, sum, ratio, BITS);
-  arb_add_ui(ratio, lambda, 1, BITS);
-  arb_div(sum, sum, ratio, BITS);
-  arb_addmul(x, bent, sum, BITS);
-  arb_mul_2exp_si(x, x, -1);
-}
-
-bool trajectory_in_balls(const struct stress_case *s, struct answer *end)
-{
-  SCOPED(scallop_rational, c);
-  SCOPED(ball_answer, steady, plus, minus, rest);
-  SCOPED(fmpq, v0, mirrored);
-  SCOPED(arb, before, after, x, v, power);
-  scallop_rational_of(&c, &s->motion.crawler);
-  scallop_rational_set_double(v0, s->motion.v0);
-  if (!answer_in_balls(&steady, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, DIGITS))
-    return false;
-  const arb_struct *v_start = steady.value[Q_V_START], *lambda = steady.value[Q_MULTIPLIER];
-  middle_exact(mirrored, v_start);
-  fmpq_mul_2exp(mirrored, mirrored, 1);
-  fmpq_sub(mirrored, mirrored, v0);
-  if (!period_in_balls(&plus, &rest, after, &c, v0) || !period_in_balls(&minus, &rest, before, &c, mirrored)
-      || !same_modes(plus.modes, minus.modes))
-    return false;
-  arb_pow_ui(power, lambda, (ulong)s->periods, BITS);
-  sum_periods(x, before, steady.value[Q_DISPLACEMENT], after, lambda, power, s->periods);
-  arb_set_fmpq(v, v0, BITS);
-  arb_sub(v, v, v_start, BITS);
-  arb_mul(v, v, power, BITS);
-  arb_add(v, v, v_start, BITS);
-  set_end(end, ball_middle(x), ball_middle(v));
+  const real D = sum(at.displacement), lambda = sum(at.multiplier), lambda_n = power(lambda, s->periods);
+  const real d = s->motion.v0 - sum(at.v_start), e = (v + away) - sum(at.v_start), f = (v - away) - sum(at.v_start);
+  const real rise = (sum(above.displacement) - D) / e, C = (rise - (sum(below.displacement) - D) / f) / (e - f);
+  const real B = rise - C * e, x = s->periods * D + B * d * (1 - lambda_n) / (1 - lambda)
+                                   + C * d * d * (1 - lambda_n * lambda_n) / (1 - lambda * lambda);
+  set_end(end, parts(x), parts(sum(at.v_start) + lambda_n * d));
   return true;
 }

@@ -107,7 +107,7 @@ static void note_scene(struct table *t, const struct stiff_scene *scene)
 static void note_meaning(struct table *t, bool summary, long most)
 {
   table_note(t, "friction F tanh(v/v_delta), v_delta = delta L/T; one period from the certified steady start velocity");
-  table_note(t, "errors: answer - certified, of v_end over L/T, of displacement over L; rejected steps count");
+  table_note(t, "errors: answer - that of binary128, of v_end over L/T, of displacement over L; rejected steps count");
   table_note(t,
              "tolerance: 1e-9 delta, 1e-15 at least; own error: of the stepper, what ten times the tolerance changes");
   table_note(t, "a period of more than %ld accepted steps is cut off, and a series ends where the stepper gives up",

@@ -6,8 +6,8 @@
 
 #include <gsl/gsl_integration.h>
 
+#include "compare/answers/answer_flint.h"
 #include "compare/answers/stretches.h"
-#include "compare/stress/periods.h"
 
 enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */
 
@@ -48,67 +48,57 @@ static void predict(struct stiff_scene *scene)
   held->creep = done ? way / scene->crawler.T : NAN;
 }
 
-static void find_held(struct stiff_scene *scene, double v_mid)
+static void find_held(struct stiff_scene *scene, const struct answer *starts)
 {
-  const struct answer none = { .status = SCALLOP_OK };
-  for (int k = SCALLOP_EXTENSION; k <= SCALLOP_CONTRACTION; k++) {
-    const struct motion phase = { OF_PHASE, scene->crawler, (enum scallop_phase_kind)k,
-                                  k == 0 ? scene->v_start : v_mid };
-    struct stretch all[MOST_STRETCHES];
-    struct stiff_held now = { .body = 0 };
-    int count = stretches_of(all, &phase, &none);
-    for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
-      int body = all[i].mode.s1 == 0 ? 1 : all[i].mode.s2 == 0 ? 2 : 0;
-      if (body != now.body)
-        now = (struct stiff_held){ .body = body, .phase = phase.phase, .v0 = phase.v0, .begin = all[i].from };
-      now.end = all[i].until;
-      if (body != 0 && now.end - now.begin > scene->held.end - scene->held.begin)
-        scene->held = now;
-    }
+  const struct motion steady = { .of = OF_STEADY, .crawler = scene->crawler };
+  const double v0[] = { starts->value[Q_V_START].high, starts->value[Q_V_MID].high };
+  const double since[] = { 0, scallop_phase_duration(&scene->crawler, SCALLOP_EXTENSION) };
+  struct stretch all[MOST_STRETCHES];
+  struct stiff_held now = { .body = 0 };
+  int count = stretches_of(all, &steady, starts);
+  for (const struct stretch *s = all; s < all + count && s < all + MOST_STRETCHES; s++) {
+    int body = s->mode.s1 == 0 ? 1 : s->mode.s2 == 0 ? 2 : 0;
+    if (body != now.body || s->phase != now.phase)
+      now = (struct stiff_held){ body, s->phase, v0[s->phase], .begin = s->from - since[s->phase] };
+    now.end = s->until - since[s->phase];
+    if (body != 0 && now.end - now.begin > scene->held.end - scene->held.begin)
+      scene->held = now;
   }
   if (scene->held.body != 0)
     predict(scene);
 }
 
-static const char *why(const struct ball_answer *a) { return a->why ? a->why : scallop_status_text(a->status); }
-
-/* The certified steady start velocity, rounded, and the period from it: its own certified values, not those of the
- * steady state. */
+/* The certified steady start velocity, rounded, and the period from it: its own values, not those of the steady
+ * state. */
 const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler)
 {
-  SCOPED(scallop_rational, exact);
-  SCOPED(ball_answer, steady, first, second);
-  SCOPED(arb, displacement);
-  SCOPED(fmpq, v_start);
-  *scene = (struct stiff_scene){ .names = { name, crawler->gait->name }, .crawler = *crawler };
+  const struct motion motion = { .of = OF_STEADY, .crawler = *crawler };
+  struct scallop_wide_period period;
+  SCOPED(ball_answer, steady);
+  *scene = (struct stiff_scene){ .names = { name, crawler->gait->name, NULL, "msbdf" },
+                                 .crawler = *crawler,
+                                 .held = { .velocity = NAN, .creep = NAN } };
   enum scallop_status status = scallop_scale(crawler, &scene->scaled);
+  if (status == SCALLOP_OK && !answer_of_doubles(&steady, &motion, DIGITS))
+    return steady.why ? steady.why : scallop_status_text(steady.status);
+  if (status == SCALLOP_OK) {
+    const arb_struct *v = steady.value[Q_V_START];
+    scene->v_start = arb_contains_zero(v) ? 0 : arf_get_d(arb_midref(v), ARF_RND_NEAR);
+    status = scallop_wide_period(SCALLOP_BINARY128, crawler, scene->v_start, &period);
+  }
   if (status != SCALLOP_OK)
     return scallop_status_text(status);
-  scallop_rational_of(&exact, crawler);
-  if (!answer_in_balls(&steady, &exact, OF_STEADY, SCALLOP_EXTENSION, NULL, DIGITS))
-    return why(&steady);
-  scene->v_start = ball_middle(steady.value[Q_V_START]).high;
-  scallop_rational_set_double(v_start, scene->v_start);
-  if (!period_in_balls(&first, &second, displacement, &exact, v_start))
-    return why(first.status == SCALLOP_OK ? &second : &first);
+  const struct answer starts = { .value = { [Q_V_START] = period.v_start, [Q_V_MID] = period.v_mid } };
   scene->names[2] = scallop_regime_text(steady.regime);
-  scene->names[3] = "msbdf";
-  scene->v_end = ball_middle(second.value[Q_V_END]);
-  scene->displacement = ball_middle(displacement);
-  motion_modes_text(scene->modes, OF_STEADY, first.modes);
-  find_held(scene, ball_middle(first.value[Q_V_END]).high);
+  scene->v_end = period.v_end;
+  scene->displacement = period.displacement;
+  motion_modes_text(scene->modes, OF_STEADY, period.modes);
+  find_held(scene, &starts);
   return NULL;
 }
 
 /* Counts the steps down that are left. */
 static bool lasts(void *left) { return --*(long *)left >= 0; }
-
-static bool keep(void *context, const struct scallop_sample *sample)
-{
-  struct scallop_sample **next = context;
-  *(*next)++ = *sample;
-  return true;
-}
 
 /* Follows the stuck body from the beginning over the middle to the end of the stretch. */
 static enum scallop_status look_inside(const struct stiff_scene *scene, struct scallop_rival *rival,
@@ -116,9 +106,9 @@ static enum scallop_status look_inside(const struct stiff_scene *scene, struct s
 {
   const struct stiff_held *held = &scene->held;
   const struct scallop_crawler *c = &scene->crawler;
-  const double times[] = { held->begin, (held->begin + held->end) / 2, held->end }, unit = run->delta * c->L / c->T;
-  struct scallop_sample sample[3] = { { 0 } }, *next = sample;
-  enum scallop_status status = scallop_smoothed_phase(rival, c, held->phase, held->v0, patience, times, 3, keep, &next);
+  const double unit = run->delta * c->L / c->T;
+  struct scallop_sample sample[] = { { .t = held->begin }, { .t = (held->begin + held->end) / 2 }, { .t = held->end } };
+  enum scallop_status status = scallop_smoothed_phase(rival, c, held->phase, held->v0, patience, sample, 3);
   if (status != SCALLOP_OK)
     return status;
   bool first = held->body == 1;
@@ -170,10 +160,8 @@ static void solve_once(const struct stiff_scene *scene, double delta, double tol
   *run = unknown;
   run->delta = delta;
   run->tolerance = tolerance;
-  if (scene->held.body != 0) {
-    run->predicted_creep = scene->held.creep;
-    run->predicted_velocity = scene->held.velocity;
-  }
+  run->predicted_creep = scene->held.creep;
+  run->predicted_velocity = scene->held.velocity;
   if (rival)
     solve_with(rival, scene, most, run);
   scallop_rival_destroy(rival);

@@ -1,5 +1,5 @@
 /* Friction smoothed over delta (scallop_smoothed_rival): one period from the exact steady start, as delta -> 0:
- * certified scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
+ * scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
 #define SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
 
@@ -10,7 +10,7 @@
 /* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of
  * it: the body creeps at the velocity whose friction is the force that holds it, v_delta artanh(force/friction). */
 struct stiff_held {
-  int body; /* 1 or 2; 0: no body is stuck for any length of time, and nothing else is set */
+  int body; /* 1 or 2; 0: no body is stuck for any length of time */
   enum scallop_phase_kind phase;
   double v0;         /* velocity of both bodies where that phase begins */
   double begin, end; /* since the phase began */
@@ -24,7 +24,7 @@ struct stiff_scene {
   struct scallop_crawler crawler;
   struct scallop_scaled scaled;
   double v_start;                          /* the certified steady one, rounded */
-  struct scallop_wide v_end, displacement; /* certified, of the period from this very v_start */
+  struct scallop_wide v_end, displacement; /* in binary128, of the period from this very v_start */
   char modes[MOTION_MODES_TEXT];
   struct stiff_held held;
 };
@@ -36,7 +36,7 @@ enum { STIFF_V_END, STIFF_DISPLACEMENT, STIFF_CREEP, STIFF_QUANTITIES, STIFF_STA
 /* nan: not known */
 struct stiff_run {
   double delta, tolerance;
-  double error[STIFF_QUANTITIES]; /* smoothed - certified, over L/T and L; all of creep, which ought to be 0 */
+  double error[STIFF_QUANTITIES]; /* smoothed - exact, over L/T and L; all of creep, which ought to be 0 */
   double own[STIFF_QUANTITIES];   /* of the stepper: how much the answer changes with ten times the tolerance */
   double creep_over_delta, velocity, last; /* of the held body; velocities in the middle and at the end, over v_delta */
   double predicted_creep, predicted_velocity; /* those of struct stiff_held */

@@ -16,56 +16,56 @@
 #include "numerics/threads.h"
 
 /* Decimal digits of a type that an error takes away: its ulp is 2^(53 - bits) of a double's. nan stays nan. */
-static double lost(double error, double ulp, int bits)
+static double lost(const struct stress_number *n, int wide, int bits)
 {
-  double ulps = ldexp(error / ulp, bits - DBL_MANT_DIG);
+  double ulps = ldexp(n->wide_error[wide] / n->ulp, bits - DBL_MANT_DIG);
   return ulps > 1 ? log10(ulps) : 0 * ulps;
 }
 
-/* What is said of a number; nan: of an exact value of 0, or of a trajectory. In estimates over errors an error below
- * the 128th part of an ulp counts as that. */
-enum { UNITS, ULPS, CONDITION, DIGITS, MEDIAN, ROUNDING, PERTURBED, LOST, LEAST = LOST + 3, MOST, MEASURES };
-static double measure(const struct stress_number *n, int m)
+/* What is said of a number; nan: of an exact value of 0, or of a trajectory. */
+static double units(const struct stress_number *n) { return n->error / n->unit; }
+static double ulps(const struct stress_number *n) { return n->error / n->ulp; }
+static double condition(const struct stress_number *n) { return n->unit / n->ulp; }
+static double digits(const struct stress_number *n)
 {
-  const double least = 0x1p-7 * n->ulp;
-  switch (m) {
-  case UNITS: return n->error / n->unit;
-  case ULPS:
-  case MEDIAN: return n->error / n->ulp;
-  case CONDITION: return n->unit / n->ulp;
-  case DIGITS: return n->ulp > 0 ? fmin(DBL_MANT_DIG * log10(2), fmax(0, -log10(n->error / fabs(n->exact)))) : NAN;
-  case ROUNDING: return n->rounding / n->unit;
-  case PERTURBED: return n->perturbed / n->unit;
-  case LOST: return lost(n->wide_error[0], n->ulp, DBL_MANT_DIG);
-  case LOST + 1: return lost(n->wide_error[1], n->ulp, scallop_width_bits(SCALLOP_LONG_DOUBLE));
-  case LOST + 2: return lost(n->wide_error[2], n->ulp, scallop_width_bits(SCALLOP_BINARY128));
-  case LEAST: return n->error >= least ? measure(n, MOST) : NAN;
-  default: return n->ulp > 0 ? n->estimate / fmax(n->error, least) : NAN; /* MOST */
-  }
+  return n->ulp > 0 ? fmin(DBL_MANT_DIG * log10(2), fmax(0, -log10(n->error / fabs(n->exact)))) : NAN;
 }
+static double rounding(const struct stress_number *n) { return n->rounding / n->unit; }
+static double perturbed(const struct stress_number *n) { return n->perturbed / n->unit; }
+static double lost_double(const struct stress_number *n) { return lost(n, 0, DBL_MANT_DIG); }
+static double lost_long(const struct stress_number *n) { return lost(n, 1, scallop_width_bits(SCALLOP_LONG_DOUBLE)); }
+static double lost_binary128(const struct stress_number *n)
+{
+  return lost(n, 2, scallop_width_bits(SCALLOP_BINARY128));
+}
+/* The estimate of the error over it; an error below the 128th part of an ulp counts as that, or for nothing. */
+static double estimate(const struct stress_number *n)
+{
+  return n->ulp > 0 ? n->estimate / fmax(n->error, 0x1p-7 * n->ulp) : NAN;
+}
+static double estimate_known(const struct stress_number *n) { return n->error >= 0x1p-7 * n->ulp ? estimate(n) : NAN; }
 
-/* Which of all numbers of a family its row has: the worst one, that is of the largest error/unit; the median; or the
- * least or the largest. */
-enum choice { OF_WORST, OF_MEDIAN, OF_LEAST, OF_LARGEST };
-static const struct {
+enum { WORST = -1 };
+static const struct measure {
   const char *name, *format;
-  enum choice choice;
-  bool of_many; /* the row of a number does not have it */
-} measures[MEASURES] = {
-  [UNITS] = { "units", "%.3g", OF_WORST, false },
-  [ULPS] = { "ulp", "%.3g", OF_WORST, false },
-  [CONDITION] = { "condition", "%.3g", OF_WORST, false },
-  [DIGITS] = { "digits", "%.1f", OF_WORST, false },
-  [MEDIAN] = { "ulp_median", "%.3g", OF_MEDIAN, true },
-  [ROUNDING] = { "rounding", "%.3g", OF_LARGEST, false },
-  [PERTURBED] = { "perturbed", "%.3g", OF_LARGEST, false },
-  [LOST] = { "lost_double", "%.1f", OF_LARGEST, false },
-  [LOST + 1] = { "lost_long_double", "%.1f", OF_LARGEST, false },
-  [LOST + 2] = { "lost_binary128", "%.1f", OF_LARGEST, false },
-  [LEAST] = { "estimate_least", "%.4f", OF_LEAST, true },
-  [MOST] = { "estimate_most", "%.4f", OF_LARGEST, true },
+  double (*of)(const struct stress_number *number);
+  double quantile; /* over all numbers of a family; WORST: of the one with the largest error/unit */
+  bool of_many;    /* the row of a number does not have it */
+} measures[] = {
+  { "units", "%.3g", units, WORST, false },
+  { "ulp", "%.3g", ulps, WORST, false },
+  { "condition", "%.3g", condition, WORST, false },
+  { "digits", "%.1f", digits, WORST, false },
+  { "ulp_median", "%.3g", ulps, 0.5, true },
+  { "rounding", "%.3g", rounding, 1, false },
+  { "perturbed", "%.3g", perturbed, 1, false },
+  { "lost_double", "%.1f", lost_double, 1, false },
+  { "lost_long_double", "%.1f", lost_long, 1, false },
+  { "lost_binary128", "%.1f", lost_binary128, 1, false },
+  { "estimate_least", "%.4f", estimate_known, 0, true },
+  { "estimate_most", "%.4f", estimate, 1, true },
 };
-enum { VERDICT = 200 };
+enum { MEASURES = sizeof measures / sizeof *measures, VERDICT = 200 };
 
 static void begin_rows(struct table *t, const char *const *before, bool of_many, const char *const *after)
 {
@@ -122,15 +122,15 @@ struct run {
   struct row row[MOST_ROWS];
   int rows;
   long judged, to_judge; /* cases */
+  size_t most;           /* in a row, at least 1 */
   struct stress_case *stressed;
-  struct stress_judgement *judgements;
   double *values; /* room for one measure of all numbers */
   struct table table;
   struct progress progress;
 };
 
-/* False: there is no such family; the message is on stderr. */
-static bool plan(struct run *run)
+/* The rows, and room for the cases of the largest. EXIT_DONE, or why not; the message is on stderr. */
+static enum exit_code plan(struct run *run)
 {
   const struct stress_options *o = run->options;
   const char *names[MOST_ROWS] = { NULL };
@@ -143,11 +143,19 @@ static bool plan(struct run *run)
       assert(run->rows < MOST_ROWS);
       run->row[run->rows++] = (struct row){ .family = f, .gait = gait, .cases = cases };
       run->to_judge += cases;
+      run->most = (size_t)cases > run->most ? (size_t)cases : run->most;
     }
   }
-  return run->rows > 0
-         || complain("stress", "--family: there is no family '%s'%s", o->family,
-                     did_you_mean(nearest(o->family, names)));
+  if (run->rows == 0) {
+    complain("stress", "--family: there is no family '%s'%s", o->family, did_you_mean(nearest(o->family, names)));
+    return EXIT_USAGE;
+  }
+  run->stressed = calloc(run->most, sizeof *run->stressed);
+  run->values = calloc(run->most * QUANTITIES, sizeof *run->values);
+  if (run->stressed && run->values)
+    return EXIT_DONE;
+  complain("stress", "out of memory");
+  return EXIT_UNSOLVED;
 }
 
 static void judge_all(struct run *run, int count)
@@ -156,7 +164,7 @@ static void judge_all(struct run *run, int count)
   {
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < count; i++) {
-      stress_judge(&run->stressed[i], &run->judgements[i]);
+      stress_judge(&run->stressed[i]);
 #ifdef _OPENMP
 #pragma omp critical
 #endif
@@ -182,16 +190,15 @@ static void add_broken(struct row *r, const struct stress_case *s, const char *w
 static void sum_up(const struct run *run, struct row *r)
 {
   for (int i = 0; i < r->cases; i++) {
-    const struct stress_judgement *j = &run->judgements[i];
     const struct stress_case *s = &run->stressed[i];
-    r->refused += j->outcome == STRESS_REFUSED;
-    r->undecided += j->outcome == STRESS_UNDECIDED;
-    r->other_modes += j->other_modes;
+    r->refused += s->outcome == STRESS_REFUSED;
+    r->undecided += s->outcome == STRESS_UNDECIDED;
+    r->other_modes += s->other_modes;
     for (int q = (int)quantity_first(s->motion.of); q < (int)quantity_end(s->motion.of); q++) {
-      const struct stress_number *n = &j->number[q];
+      const struct stress_number *n = &s->number[q];
       if (n->broken)
         add_broken(r, s, n->broken, q);
-      if (n->judged && (!r->worst || measure(n, UNITS) > measure(r->worst, UNITS))) {
+      if (n->judged && (!r->worst || units(n) > units(r->worst))) {
         r->worst = n;
         r->worst_at = s;
         r->quantity = stress_quantity_name(s, q);
@@ -200,23 +207,19 @@ static void sum_up(const struct run *run, struct row *r)
   }
 }
 
-static double choose(const struct run *run, const struct row *r, int m)
+static double choose(const struct run *run, const struct row *r, const struct measure *m)
 {
-  const enum choice choice = measures[m].choice;
   size_t count = 0;
-  if (choice == OF_WORST)
-    return r->worst ? measure(r->worst, m) : NAN;
+  if (m->quantile == WORST)
+    return r->worst ? m->of(r->worst) : NAN;
   for (int i = 0; i < r->cases; i++)
     for (int q = 0; q < QUANTITIES; q++) {
-      const struct stress_number *n = &run->judgements[i].number[q];
-      if (n->judged && !isnan(measure(n, m)))
-        run->values[count++] = measure(n, m);
+      const struct stress_number *n = &run->stressed[i].number[q];
+      if (n->judged && !isnan(m->of(n)))
+        run->values[count++] = m->of(n);
     }
   gsl_sort(run->values, 1, count);
-  return count == 0             ? NAN
-         : choice == OF_LEAST   ? run->values[0]
-         : choice == OF_LARGEST ? run->values[count - 1]
-                                : gsl_stats_median_from_sorted_data(run->values, 1, count);
+  return count > 0 ? gsl_stats_quantile_from_sorted_data(run->values, 1, count, m->quantile) : NAN;
 }
 
 static void write_row(struct run *run, const struct row *r)
@@ -230,7 +233,7 @@ static void write_row(struct run *run, const struct row *r)
     table_count(t, counts[i]);
   table_text(t, r->worst ? r->quantity : "-");
   for (int m = 0; m < MEASURES; m++)
-    table_rounded(t, choose(run, r, m), measures[m].format);
+    table_rounded(t, choose(run, r, &measures[m]), measures[m].format);
   table_text(t, verdict(text, r->what, r->broken > 1));
   if (r->worst)
     stress_arguments(r->worst_at, arguments);
@@ -238,28 +241,16 @@ static void write_row(struct run *run, const struct row *r)
   table_flush(t);
 }
 
-/* False: out of memory */
-static bool run_row(struct run *run, struct row *r)
+static void run_row(struct run *run, struct row *r)
 {
-  const size_t count = (size_t)r->cases;
   progress_show(&run->progress, "%s, %s gait", r->family->name, r->gait->name);
-  run->stressed = calloc(count, sizeof *run->stressed);
-  run->judgements = calloc(count, sizeof *run->judgements);
-  run->values = calloc(count * QUANTITIES, sizeof *run->values);
-  bool room = run->stressed && run->judgements && run->values;
-  if (room) {
-    r->cases = stress_make(r->family, r->gait, (unsigned long)run->options->seed.value, r->cases, run->stressed);
-    for (int i = 0; i < r->cases; i++)
-      run->stressed[i].periods *= run->effort->periods;
-    judge_all(run, r->cases);
-    sum_up(run, r);
-    progress_end(&run->progress);
-    write_row(run, r);
-  }
-  free(run->stressed);
-  free(run->judgements);
-  free(run->values);
-  return room;
+  r->cases = stress_make(r->family, r->gait, (unsigned long)run->options->seed.value, r->cases, run->stressed);
+  for (int i = 0; i < r->cases; i++)
+    run->stressed[i].periods *= run->effort->periods;
+  judge_all(run, r->cases);
+  sum_up(run, r);
+  progress_end(&run->progress);
+  write_row(run, r);
 }
 
 static bool begin(struct run *run)
@@ -287,41 +278,46 @@ static bool begin(struct run *run)
   return true;
 }
 
+static enum exit_code run_rows(struct run *run)
+{
+  bool broken = false;
+  if (!begin(run))
+    return EXIT_FILE;
+  for (struct row *r = run->row; r < run->row + run->rows && !table_failed(&run->table); r++) {
+    run_row(run, r);
+    broken |= r->broken > 0;
+  }
+  return !table_close(&run->table) ? EXIT_FILE : run->options->check && broken ? EXIT_CHECK_FAILED : EXIT_DONE;
+}
+
 enum exit_code stress_table(const struct stress_options *o)
 {
   struct run run = { .options = o,
                      .effort = o->full    ? &full
                                : o->check ? &quick
                                           : &usual,
+                     .most = 1,
                      .progress = progress_begin(o->request.style.quiet) };
-  bool broken = false;
-  if (!plan(&run))
-    return EXIT_USAGE;
-  if (!begin(&run))
-    return EXIT_FILE;
-  for (struct row *r = run.row; r < run.row + run.rows && !table_failed(&run.table); r++) {
-    if (!run_row(&run, r)) {
-      table_abandon(&run.table);
-      complain("stress", "out of memory");
-      return EXIT_UNSOLVED;
-    }
-    broken |= r->broken > 0;
-  }
-  return !table_close(&run.table) ? EXIT_FILE : o->check && broken ? EXIT_CHECK_FAILED : EXIT_DONE;
+  enum exit_code code = plan(&run);
+  if (code == EXIT_DONE)
+    code = run_rows(&run);
+  free(run.stressed);
+  free(run.values);
+  return code;
 }
 
-static void write_number(struct table *t, const struct stress_judgement *j, int q)
+static void write_number(struct table *t, const struct stress_case *s, int q)
 {
-  const struct stress_number *n = &j->number[q];
+  const struct stress_number *n = &s->number[q];
   char text[VERDICT];
   table_text(t, quantity_rows[q].name);
   table_number(t, n->judged ? n->got : NAN);
   table_number(t, n->judged ? n->exact : NAN);
   for (int m = 0; m < MEASURES; m++)
     if (!measures[m].of_many)
-      table_rounded(t, n->judged ? measure(n, m) : NAN, measures[m].format);
+      table_rounded(t, n->judged ? measures[m].of(n) : NAN, measures[m].format);
   table_rounded(t, n->judged ? 1.0005 * n->estimate : NAN, "%.4g"); /* up */
-  table_text(t, j->outcome == STRESS_REFUSED ? j->why
+  table_text(t, s->outcome == STRESS_REFUSED ? s->why
                 : !n->judged && !n->broken   ? "-"
                                              : verdict(text, n->broken, false));
 }
@@ -331,27 +327,26 @@ enum exit_code stress_point(const struct stress_options *o)
   static const char *const before[] = { "quantity", "value", "certified", NULL };
   static const char *const after[] = { "estimate", "verdict", NULL };
   const struct point *p = &o->request.point;
-  const struct stress_case s = { .motion = motion_of(p, p->has_phase || p->has_v0 ? OF_PHASE : OF_STEADY) };
+  struct stress_case s = { .motion = motion_of(p, p->has_phase || p->has_v0 ? OF_PHASE : OF_STEADY) };
   struct table t;
-  struct stress_judgement j;
   char arguments[STRESS_ARGUMENTS];
   bool broken = false;
-  stress_judge(&s, &j);
+  stress_judge(&s);
   flint_cleanup();
   stress_arguments(&s, arguments);
   if (!table_head(&t, &o->request.style, "stress %s", arguments))
     return EXIT_FILE;
   t.of = "stress of a point";
-  if (j.outcome == STRESS_UNDECIDED)
-    table_note(&t, "certified: not decided (%s); binary128 in its place", j.why ? j.why : "no reason");
+  if (s.outcome == STRESS_UNDECIDED)
+    table_note(&t, "certified: not decided (%s); binary128 in its place", s.why ? s.why : "no reason");
   begin_rows(&t, before, false, after);
   for (int q = (int)quantity_first(s.motion.of); q < (int)quantity_end(s.motion.of); q++) {
-    write_number(&t, &j, q);
-    broken |= j.number[q].broken != NULL;
+    write_number(&t, &s, q);
+    broken |= s.number[q].broken != NULL;
   }
   if (broken)
     complain("stress", "a promise is broken here: see the column 'verdict'");
   if (!table_close(&t))
     return EXIT_FILE;
-  return j.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->check ? EXIT_CHECK_FAILED : EXIT_DONE;
+  return s.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->check ? EXIT_CHECK_FAILED : EXIT_DONE;
 }

@@ -67,9 +67,8 @@ static void step_to(struct run *r, const struct point *from, double t, struct po
 {
   const struct odeiv *tools = r->tools;
   double error[DIMENSION];
+  *to = *from;
   to->t = t;
-  to->y[0] = from->y[0];
-  to->y[1] = from->y[1];
   r->motion.phases.steps++;
   check(r, gsl_odeiv2_step_apply(tools->driver->s, from->t, t - from->t, to->y, error, from->dydt, to->dydt,
                                  &tools->system));
@@ -173,9 +172,7 @@ static void accepted_step(struct run *r, double end, struct point *from, struct 
   const gsl_odeiv2_driver *d = r->tools->driver;
   const gsl_odeiv2_evolve *e = d->e;
   long before = tried(e);
-  to->t = from->t;
-  to->y[0] = from->y[0];
-  to->y[1] = from->y[1];
+  *to = *from;
   check(r, gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &r->tools->system, &to->t, end, &r->h, to->y));
   r->motion.phases.steps += tried(e) - before;
   from->dydt[0] = e->dydt_in[0];

@@ -44,6 +44,15 @@ static enum scallop_status next_period(struct search *s, double v0, struct scall
   return SCALLOP_OK;
 }
 
+/* Where patience ends a search, what it has found so far is its result. */
+static enum scallop_status conclude(enum scallop_status status, const struct scallop_rival_steady *found,
+                                    struct scallop_rival_steady *steady)
+{
+  if (status == SCALLOP_OK || status == SCALLOP_ESTOPPED)
+    *steady = *found;
+  return status == SCALLOP_ESTOPPED ? SCALLOP_STOPPED : status;
+}
+
 /* Changes of the start velocity, each over a stride of so many periods. */
 struct watch {
   double mark;   /* where the last stride ended */
@@ -110,10 +119,7 @@ enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const st
     s.at.displacement = period.displacement;
     done = settled(&w, from, period.v_end, tolerance * size, 8 * DBL_EPSILON * size);
   }
-  if (status != SCALLOP_OK && status != SCALLOP_ESTOPPED)
-    return status;
-  *steady = s.at;
-  return status == SCALLOP_OK ? SCALLOP_OK : SCALLOP_STOPPED;
+  return conclude(status, &s.at, steady);
 }
 
 /* The map at a start velocity, as it was found. */
@@ -204,9 +210,5 @@ enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct
   bracket(&scaled, &lo, &hi);
   if (!isfinite(lo) || !isfinite(hi))
     return SCALLOP_ERANGE;
-  status = find_root(&r, lo, hi, tolerance, scaled.velocity);
-  if (status != SCALLOP_OK && status != SCALLOP_ESTOPPED)
-    return status;
-  *steady = r.search.at;
-  return status == SCALLOP_OK ? SCALLOP_OK : SCALLOP_STOPPED;
+  return conclude(find_root(&r, lo, hi, tolerance, scaled.velocity), &r.search.at, steady);
 }

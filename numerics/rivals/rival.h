@@ -135,16 +135,15 @@ struct scallop_rival *scallop_cvode_rival(double tolerance);
  * No step is longer than 1/32 of a phase, so that none leaps over a crossing. */
 struct scallop_rival *scallop_smoothed_rival(double delta, double tolerance);
 
-/* Inside one phase: the motion from start velocity v0, at the given times since the phase began, where steps are made
- * to end. times: count of them, rising, from 0 to the duration of the phase. rival: one of the above. A sample has t,
- * x1, x2, xC, v1, v2 and l; x1 = 0 and x2 = l where the phase begins, and positions are good to the tolerance and an
- * ulp of L. Where l' jumps the velocities are those before the jump. Return false from sampler to end early:
- * SCALLOP_STOPPED. SCALLOP_EDOMAIN also for bad times. Else the statuses of the period; below zero the samples so far
- * have been given. */
+/* Inside one phase: the motion from start velocity v0, at the times samples[i].t since the phase began, where steps are
+ * made to end. samples: count of them, times rising, from 0 to the duration of the phase. rival: one of the above. A
+ * sample gets x1, x2, xC, v1, v2 and l; x1 = 0 and x2 = l where the phase begins, and positions are good to the
+ * tolerance and an ulp of L. Where l' jumps the velocities are those before the jump. SCALLOP_EDOMAIN also for bad
+ * times. Else the statuses of the period; below zero the samples so far have been taken. */
 enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
                                            enum scallop_phase_kind kind, double v0,
-                                           const struct scallop_patience *patience, const double *times, int count,
-                                           scallop_sampler *sampler, void *context);
+                                           const struct scallop_patience *patience, struct scallop_sample *samples,
+                                           int count);
 
 /* ---- Moreau and Jean's time stepping, which steps over events and needs to know nothing of them. One step of the
  * velocity c of the centre of mass (numerics.h) is the implicit Euler step with the set-valued sign, Sgn(0) = [-1, 1],

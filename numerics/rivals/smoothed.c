@@ -25,15 +25,13 @@ struct smoothed {
   double delta;
 };
 
-/* Who looks at a phase from inside; a period has nobody, and count is 0. */
+/* The samples of a phase that are to come; of a period none. */
 struct watch {
   const struct scallop_crawler *crawler;
   enum scallop_phase_kind kind;
   double duration;
-  const double *times; /* those to come */
+  struct scallop_sample *sample; /* t is set */
   int count;
-  scallop_sampler *sampler;
-  void *context;
 };
 
 struct run {
@@ -95,7 +93,7 @@ static enum scallop_status one_step(struct run *run, double *t, double end, doub
   return run->phases.steps + steps_of(d->e) > RIVAL_MAX_STEPS ? SCALLOP_ECONVERGE : SCALLOP_OK;
 }
 
-static double next_time(const struct watch *w) { return w->count > 0 ? w->times[0] / w->duration : INFINITY; }
+static double next_time(const struct watch *w) { return w->count > 0 ? w->sample->t / w->duration : INFINITY; }
 
 static struct scallop_sample sample_at(const struct run *run, double t, const double y[])
 {
@@ -105,7 +103,7 @@ static struct scallop_sample sample_at(const struct run *run, double t, const do
   double l1 = run->piece->curve->velocity(run->piece, rival_flip(run->piece, t));
   scallop_gait_at(w->crawler->gait, w->kind, 0, &start, NULL, NULL);
   scallop_gait_at(w->crawler->gait, w->kind, t, &length, NULL, NULL);
-  struct scallop_sample s = { .t = w->times[0], .l = L * length };
+  struct scallop_sample s = { .t = w->sample->t, .l = L * length };
   s.x1 = L * (y[1] - r->mu[1] * (length - start));
   s.x2 = s.x1 + s.l;
   s.xC = s.x1 + s.l / 2;
@@ -114,16 +112,15 @@ static struct scallop_sample sample_at(const struct run *run, double t, const do
   return s;
 }
 
-/* Gives the samples whose time has come, or is so near that a step to there would be too short. */
-static enum scallop_status show(struct run *run, double t, const double y[])
+/* Takes the samples whose time has come, or is so near that a step to there would be too short. */
+static enum scallop_status take_due(struct run *run, double t, const double y[])
 {
   struct watch *w = &run->watch;
-  for (; next_time(w) <= t + 4 * DBL_EPSILON; w->times++, w->count--) {
-    struct scallop_sample sample = sample_at(run, t, y);
-    if (!isfinite(sample.x1) || !isfinite(sample.x2) || !isfinite(sample.v1) || !isfinite(sample.v2))
+  for (; next_time(w) <= t + 4 * DBL_EPSILON; w->sample++, w->count--) {
+    struct scallop_sample s = sample_at(run, t, y);
+    if (!isfinite(s.x1) || !isfinite(s.x2) || !isfinite(s.v1) || !isfinite(s.v2))
       return SCALLOP_ERANGE;
-    if (!w->sampler(w->context, &sample))
-      return SCALLOP_STOPPED;
+    *w->sample = s;
   }
   return SCALLOP_OK;
 }
@@ -137,11 +134,11 @@ static enum scallop_status run_piece(struct run *run, const struct scallop_piece
   run->piece = piece;
   if (gsl_odeiv2_evolve_reset(d->e) != GSL_SUCCESS || gsl_odeiv2_step_reset(d->s) != GSL_SUCCESS)
     return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: GSL's steppers never refuse this */
-  enum scallop_status status = show(run, t, y);
+  enum scallop_status status = take_due(run, t, y);
   while (t < end && status == SCALLOP_OK) {
     status = one_step(run, &t, fmin(end, next_time(&run->watch)), y);
     if (status == SCALLOP_OK)
-      status = show(run, t, y);
+      status = take_due(run, t, y);
   }
   r->steps += steps_of(d->e);
   r->c = y[0];
@@ -170,18 +167,18 @@ static enum scallop_status smoothed_period(struct scallop_rival *self, const str
   return rival_period(&run.phases, crawler, v0, period);
 }
 
-static bool are_times(const double *times, int count, double duration)
+static bool are_times(const struct scallop_sample *samples, int count, double duration)
 {
   for (int i = 0; i < count; i++)
-    if (!(times[i] >= (i == 0 ? 0 : times[i - 1]) && times[i] <= duration))
+    if (!(samples[i].t >= (i == 0 ? 0 : samples[i - 1].t) && samples[i].t <= duration))
       return false;
   return count >= 0;
 }
 
 enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
                                            enum scallop_phase_kind kind, double v0,
-                                           const struct scallop_patience *patience, const double *times, int count,
-                                           scallop_sampler *sampler, void *context)
+                                           const struct scallop_patience *patience, struct scallop_sample *samples,
+                                           int count)
 {
   struct scallop_scaled s;
   double c0;
@@ -189,7 +186,7 @@ enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const st
   if (status != SCALLOP_OK)
     return status;
   double duration = scallop_phase_duration(crawler, kind), fraction = s.fraction[kind];
-  if (!are_times(times, count, duration))
+  if (!are_times(samples, count, duration))
     return SCALLOP_EDOMAIN;
   struct run run = { .phases = { .patience = patience,
                                  .mu = { s.mu1, s.mu2 },
@@ -199,7 +196,7 @@ enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const st
                                  .c = c0 * fraction },
                      .tools = (const struct smoothed *)rival,
                      .h = first_step,
-                     .watch = { crawler, kind, duration, times, count, sampler, context } };
+                     .watch = { crawler, kind, duration, samples, count } };
   return run_phase(&run.phases, &s.gait->phase[kind]);
 }
 

@@ -205,11 +205,18 @@ static const struct {
          4.197851447048273, 12008.486149002609, 0.986654625752944),
 };
 
+static struct stress_case judged(const struct stress_case *made)
+{
+  struct stress_case stressed = *made;
+  stress_judge(&stressed);
+  return stressed;
+}
+
 static void check_promises(const struct stress_case *c)
 {
-  struct stress_judgement j;
+  struct stress_case j;
   char arguments[STRESS_ARGUMENTS];
-  stress_judge(c, &j);
+  j = judged(c);
   stress_arguments(c, arguments);
   for (int q = 0; q < QUANTITIES; q++)
     if (j.number[q].broken)
@@ -263,12 +270,12 @@ TEST(units_far_below_the_natural_one)
 {
   const struct stress_case lost = { .motion.crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-152, SINUSOIDAL } };
   const struct stress_case kept = { .motion.crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-130, SINUSOIDAL } };
-  struct stress_judgement j;
+  struct stress_case j;
   check_promises(&lost);
   check_promises(&kept);
-  stress_judge(&lost, &j);
+  j = judged(&lost);
   assert_true(isnan(j.number[Q_V_MID].ulp) && j.number[Q_V_MID].error > 0);
-  stress_judge(&kept, &j);
+  j = judged(&kept);
   assert_true(j.number[Q_V_MID].ulp > 0);
 }
 
@@ -282,8 +289,8 @@ TEST(refusals)
     { .motion = { .of = OF_PHASE, .crawler = { 1, 1, 4, 1, 1e300, 1e-10, 0.75, QUADRATIC } } }, /* L/tau overflows */
   };
   for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-    struct stress_judgement j;
-    stress_judge(&refused[i], &j);
+    struct stress_case j;
+    j = judged(&refused[i]);
     assert_int_equal(j.outcome, STRESS_REFUSED);
     for (int q = 0; q < QUANTITIES; q++)
       assert_true(!j.number[q].judged && !j.number[q].broken);
@@ -295,8 +302,8 @@ TEST(refusals)
 TEST(condition_numbers)
 {
   struct stress_case c = { .motion.crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, SINUSOIDAL } };
-  struct stress_judgement j;
-  stress_judge(&c, &j);
+  struct stress_case j;
+  j = judged(&c);
   assert_int_equal(j.outcome, STRESS_SOLVED);
   double condition = j.number[Q_FROUDE].unit
                      / j.number[Q_FROUDE].ulp; /* ulps of parameters and of the result are 1 to 2 roundings each */
@@ -308,8 +315,8 @@ TEST(condition_numbers)
 TEST(sees_what_is_wrong)
 {
   struct stress_case c = { .motion.crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, QUADRATIC } };
-  struct stress_judgement right, j;
-  stress_judge(&c, &right);
+  struct stress_case right, j;
+  right = judged(&c);
   for (int q = Q_FROUDE; q <= Q_MULTIPLIER; q++)
     assert_true(right.number[q].judged && !right.number[q].broken && !stress_broken(&right.number[q]));
   j = right;
@@ -340,7 +347,7 @@ TEST(sees_what_is_wrong)
   j.number[Q_FROUDE].rounding = NAN; /* of a trajectory there is but the error */
   assert_null(stress_broken(&j.number[Q_FROUDE]));
   c.motion.crawler.T = -1; /* and a case may be broken as a whole */
-  stress_judge(&c, &j);
+  j = judged(&c);
   assert_int_equal(j.outcome, STRESS_BROKEN);
   for (int q = 0; q < QUANTITIES; q++) {
     assert_string_equal(j.number[q].broken, scallop_status_text(SCALLOP_EDOMAIN));
@@ -419,17 +426,17 @@ TEST(trajectories)
   struct stress_case c = {
     .motion = { .of = OF_PHASE, .crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.31, 0.63, QUADRATIC } }, .periods = 500
   };
-  struct stress_judgement j;
+  struct stress_case j;
   struct scallop_steady_result s = steady_of(&c.motion.crawler);
   for (int k = 0; k < 3; k++) {
     c.motion.v0 = s.period.v_start * (1 + 0.02 * k);
-    stress_judge(&c, &j);
+    j = judged(&c);
     assert_int_equal(j.outcome, STRESS_SOLVED);
     CHECK_AT_MOST(j.number[Q_DXC].error, 8 * j.number[Q_DXC].unit);
     CHECK_AT_MOST(j.number[Q_V_END].error, 8 * j.number[Q_V_END].unit);
     CHECK_RELATIVE(j.number[Q_DXC].exact, 500 * s.period.displacement, 0.01);
   }
   c.motion.v0 = 0; /* starts from rest: other modes at first */
-  stress_judge(&c, &j);
+  j = judged(&c);
   assert_int_equal(j.outcome, STRESS_REFUSED);
 }
