@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/breakdown/motion.h"
+#include "compare/breakdown/study.h"
 #include "compare/text/halfway.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"

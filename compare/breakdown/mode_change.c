@@ -1,4 +1,4 @@
-#include "compare/breakdown/motion.h"
+#include "compare/breakdown/study.h"
 
 #include <stdarg.h>
 #include <stdio.h>

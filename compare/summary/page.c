@@ -47,7 +47,7 @@ void page_init(struct page *p)
 /* Has the crawler this series? */
 static bool has_series(const struct page *p, const struct page_series *f)
 {
-  return f->formula || p->study->expansions.derived.value[f->of];
+  return f->formula || p->study->derived.value[f->of];
 }
 
 const char *page_begin(struct page *p)
@@ -244,7 +244,7 @@ static void write_formula(const struct page *p, const struct page_series *f)
 
 static void write_best(const struct page *p, enum quantity_id of)
 {
-  const struct best_order best = best_of(p->at, of);
+  const struct best_order best = study_best_order(p->study, of, p->at->place.point.crawler.T);
   if (isinf(best.error))
     return;
   fprintf(p->file, "  derived %s: %s below T^%ld", quantity_rows[of].name,

@@ -6,7 +6,7 @@
 
 #include "compare/answers/rows.h"
 #include "compare/book/book.h"
-#include "compare/breakdown/motion.h"
+#include "compare/breakdown/study.h"
 #include "compare/claims/claims.h"
 
 enum { SUMMARY_FORMULAS = BOOK_MOST + 8, SUMMARY_LEVELS = 2, SUMMARY_ORDER = 8 };
@@ -43,7 +43,5 @@ void page_of_breakdown(const struct page *page);
  * parameters. NULL: there is none, and at->why says why. */
 struct study *study_of(struct at *at);
 const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula);
-/* study_best_order at the point's T */
-struct best_order best_of(struct at *at, enum quantity_id quantity);
 
 #endif

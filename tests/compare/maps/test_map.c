@@ -1,5 +1,5 @@
 /* Axes and the words for a change of modes. */
-#include "compare/breakdown/motion.h"
+#include "compare/breakdown/study.h"
 #include "compare/maps/maps.h"
 #include "tests/support/cases.h"
 #include "tests/support/scratch_folder.h"
