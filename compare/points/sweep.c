@@ -182,16 +182,21 @@ static double *ratio_of(const struct move *m, const struct sweep_variable *v)
   return is ? &m->place->ratio[v->target - TARGET_F1_OVER_F2] : NULL;
 }
 
+static void set_number(const struct move *m, const struct sweep_variable *v, double x, bool is_written)
+{
+  if (ratio_of(m, v))
+    *ratio_of(m, v) = x;
+  else
+    set(m, v->name, x, is_written, v->name);
+}
+
 /* Value i of a range in *known; stays: that is there already. */
 static void set_range(const struct move *m, const struct sweep_variable *v, long i, double *known, bool stays)
 {
   stays = stays && !has_formula(v);
   if (!stays)
     *known = range_value(m, v, i);
-  if (ratio_of(m, v))
-    *ratio_of(m, v) = *known;
-  else
-    set(m, v->name, *known, stays, v->name);
+  set_number(m, v, *known, stays);
 }
 
 /* A value of a list, which was found good when the sweep was read, if not at this point */
@@ -232,6 +237,13 @@ static void settle(const struct move *m)
     set(m, "m1", p->ratio[M1_OVER_M2] * c->m2, false, "m1_over_m2");
   if (!isnan(p->ratio[FROUDE]))
     set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / p->ratio[FROUDE]), false, "froude");
+}
+
+void sweep_set(struct sweep_place *place, const struct sweep_variable *v, double value)
+{
+  const struct move m = { .place = place };
+  set_number(&m, v, value, false);
+  settle(&m);
 }
 
 void sweep_move(struct sweep_cursor *cursor, struct sweep_place *place, const struct point *base,
