@@ -41,7 +41,7 @@ static struct look look_beside(const struct comparison *c, double T, const arb_t
 {
   struct look look = { T, NAN, NAN, .side = 0 };
   SCOPED(arb, x, tolerance);
-  series_item_value(x, &c->item, c->study, T, BREAKDOWN_BITS);
+  series_item_value(x, &c->item, c->study, T);
   if (arb_is_zero(exact) && arb_is_finite(x))
     look.error = look.excess = INFINITY;
   relative_error(x, exact, BREAKDOWN_BITS);

@@ -197,8 +197,7 @@ int series_items(struct series_item items[MOST_ITEMS], const struct study *study
   return count;
 }
 
-void series_item_value(arb_t value, const struct series_item *item, const struct study *study, double T,
-                       slong precision)
+void series_item_value(arb_t value, const struct series_item *item, const struct study *study, double T)
 {
   const struct motion *m = &study->motion;
   const struct series *s = study->derived.value[item->quantity];
@@ -207,7 +206,7 @@ void series_item_value(arb_t value, const struct series_item *item, const struct
   SCOPED(fmpq, time);
   arb_set_d(x, T);
   if (!f) {
-    series_value(value, s, x, item->source == FROM_LIMIT ? series_first_power(s) + 1 : item->before, precision);
+    series_value(value, s, x, item->source == FROM_LIMIT ? series_first_power(s) + 1 : item->before, BREAKDOWN_BITS);
     return;
   }
   /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no

@@ -105,8 +105,7 @@ bool series_is_about(const struct scallop_formula *formula, const struct motion 
 int series_items(struct series_item items[MOST_ITEMS], const struct study *study, enum quantity_id quantity,
                  slong order);
 /* Value at T; nan or not finite where there is none. */
-void series_item_value(arb_t value, const struct series_item *item, const struct study *study, double T,
-                       slong precision);
+void series_item_value(arb_t value, const struct series_item *item, const struct study *study, double T);
 
 /* reach.c. series/exact - 1 as a function of T */
 struct comparison {

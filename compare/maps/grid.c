@@ -91,11 +91,8 @@ static bool is_about_quantity(const void *context, const struct scallop_formula 
 static const struct scallop_formula *published(const struct grid *g)
 {
   const struct scallop_formula *f, *last = NULL;
-  int books = 0;
-  while (book_formula(books))
-    books++;
-  for (int i = books; (f = listed_formula(i)); i++)
-    last = is_about_quantity(&g->quantity, f) ? f : last;
+  for (int i = 0; (f = listed_formula(i)); i++)
+    last = !book_formula(i) && is_about_quantity(&g->quantity, f) ? f : last;
   return last;
 }
 

@@ -135,7 +135,7 @@ static double order_of(const struct claim_row *c)
 static double value_of(const struct comparison *c, double T)
 {
   SCOPED(arb, value);
-  series_item_value(value, &c->item, c->study, T, BREAKDOWN_BITS);
+  series_item_value(value, &c->item, c->study, T);
   return arb_is_finite(value) ? arf_get_d(arb_midref(value), ARF_RND_NEAR) : NAN;
 }
 

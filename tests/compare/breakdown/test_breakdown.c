@@ -209,7 +209,7 @@ static double error_at(const struct series_item *item, const struct study *study
   struct answer exact;
   SCOPED(arb, value);
   answer_in_double(&exact, &at);
-  series_item_value(value, item, study, T, 64);
+  series_item_value(value, item, study, T);
   return fabs(middle(value) / exact.value[item->quantity].high - 1);
 }
 
