@@ -9,7 +9,7 @@
 #include "compare/points/point_flint.h"
 #include "compare/summary/summary.h"
 
-enum { LEAST_ORDER = 8, MOST_KEPT = 1 << 20, MOST_CLAIMS = 64, REVERSALS_TEXT = 8 * NUMBER_TEXT };
+enum { LEAST_ORDER = 8, MOST_KEPT = 1 << 20, REVERSALS_TEXT = 8 * NUMBER_TEXT };
 
 /* How far a series reaches does not depend on T: it is kept, whatever varies fastest. */
 struct kept_reach {
@@ -20,13 +20,9 @@ struct kept_reach {
 };
 
 struct at_study {
-  struct study study; /* of the crawler with T = 1 */
-  int claims;
-  struct claim {
-    const struct scallop_formula *formula;
-    struct claim_row row;
-  } claim[MOST_CLAIMS];
-  void *reaches; /* a tree (tsearch) of struct kept_reach */
+  struct study study;   /* of the crawler with T = 1 */
+  struct ledger ledger; /* of this crawler: rows as they are asked for */
+  void *reaches;        /* a tree (tsearch) of struct kept_reach */
   long kept;
   char text[REVERSALS_TEXT];
 };
@@ -36,6 +32,7 @@ static struct at_study *create(void) { return calloc(1, sizeof(struct at_study))
 static void end(struct at_study *s)
 {
   study_clear(&s->study);
+  ledger_free(&s->ledger);
   tdestroy(s->reaches, free);
   free(s);
 }
@@ -57,7 +54,7 @@ struct study *study_of(struct at *at)
     return at_fail(at, "out of memory"), NULL;
   if (s->study.cache && same_crawler(&s->study.motion.crawler, &motion.crawler))
     return &s->study;
-  s->claims = 0;
+  ledger_free(&s->ledger);
   const char *why = study_begin(&s->study, &motion, most_order(&at->asked->quantities));
   return why ? at_fail(at, why), NULL : &s->study;
 }
@@ -111,20 +108,14 @@ const struct claim_row *claim_of(struct at *at, const struct scallop_formula *fo
 {
   if (!study_of(at))
     return NULL;
-  struct at_study *s = at->study;
-  for (int i = 0; i < s->claims; i++)
-    if (s->claim[i].formula == formula)
-      return &s->claim[i].row;
-  struct ledger ledger = { .rows = NULL };
+  struct ledger *l = &at->study->ledger;
+  for (int i = 0; i < l->count; i++)
+    if (strcmp(l->rows[i].claim, formula->name) == 0)
+      return &l->rows[i];
   SCOPED(scallop_rational, exact);
   rational_point(&exact, NULL, &at->place.point);
-  ledger_add_formula(&ledger, &exact, true, formula);
-  struct claim *c = &s->claim[s->claims < MOST_CLAIMS ? s->claims++ : MOST_CLAIMS - 1];
-  *c = (struct claim){ .formula = formula };
-  if (ledger.count > 0)
-    c->row = ledger.rows[0];
-  ledger_free(&ledger);
-  return &c->row;
+  ledger_add_formula(l, &exact, true, formula);
+  return &l->rows[l->count - 1];
 }
 
 static double order_of(const struct claim_row *c)

@@ -28,7 +28,7 @@ void page_of_crawler(struct rows *rows, struct at *at);
 void page_of_breakdown(struct rows *rows, struct at *at);
 
 /* studied.c. At a point: its study along T; the row of the ledger for a formula, this gait and these
- * parameters. NULL: there is none, and at->why says why. */
+ * parameters, until the next row is asked for. NULL: there is none, and at->why says why. */
 struct study *study_of(struct at *at);
 const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula);
 
