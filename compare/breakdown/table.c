@@ -33,32 +33,17 @@ static bool is_about(const struct report *r, enum quantity_id q)
 
 struct row {
   const char *what, *quantity, *series;
-  double order, tolerance, T, error;
-  const struct scallop_modes *modes;
-  const char *note, *status;
-  const struct motion *motion;
+  double order, tolerance, T, froude, error;
+  const struct scallop_modes *modes; /* or NULL */
+  const char *modes_text, *note, *status;
 };
 
 static struct row row_of(const struct report *r, const char *what, enum quantity_id quantity, const char *series,
                          double T)
 {
   const char *name = quantity < QUANTITIES ? quantity_rows[quantity].name : "-";
-  return (struct row){ what, name, series, NAN, NAN, T, NAN, NULL, "-", "-", &r->study.motion };
-}
-
-static void put_froude(struct table *t, const struct table_column *c, const void *row)
-{
-  const struct row *r = row;
-  (void)c;
-  table_number(t, motion_froude(r->motion, r->T));
-}
-
-static void put_modes(struct table *t, const struct table_column *c, const void *row)
-{
-  const struct row *r = row;
-  char modes[MOTION_MODES_TEXT];
-  (void)c;
-  table_text(t, r->modes ? motion_modes_text(modes, r->motion->of, r->modes) : "-");
+  double froude = motion_froude(&r->study.motion, T);
+  return (struct row){ what, name, series, NAN, NAN, T, froude, NAN, NULL, "-", "-", "-" };
 }
 
 #define AT(member) offsetof(struct row, member)
@@ -69,9 +54,9 @@ static const struct table_column columns[] = {
   { TABLE_COLUMN("order", column_number, AT(order)) },
   { TABLE_COLUMN("tolerance", column_number, AT(tolerance)) },
   { TABLE_COLUMN("T", column_number, AT(T)) },
-  { TABLE_COLUMN("froude", put_froude, 0) },
+  { TABLE_COLUMN("froude", column_number, AT(froude)) },
   { TABLE_COLUMN("error", column_rounded, AT(error)), .format = "%.4g" },
-  { TABLE_COLUMN("modes", put_modes, 0) },
+  { TABLE_COLUMN("modes", column_text, AT(modes_text)) },
   { TABLE_COLUMN("note", column_text, AT(note)) },
   { TABLE_COLUMN("status", column_text, AT(status)) },
   { .name = NULL },
@@ -79,6 +64,8 @@ static const struct table_column columns[] = {
 
 static void write_row(struct report *r, struct row *row, const char *note, const char *status)
 {
+  char modes[MOTION_MODES_TEXT];
+  row->modes_text = row->modes ? motion_modes_text(modes, r->study.motion.of, row->modes) : "-";
   row->note = note;
   row->status = status;
   table_row(&r->table, columns, row, true);

@@ -9,7 +9,7 @@
 #include "compare/points/point_flint.h"
 #include "compare/summary/summary.h"
 
-enum { LEAST_ORDER = 8, MOST_KEPT = 1 << 20, REVERSALS_TEXT = 8 * NUMBER_TEXT };
+enum { LEAST_ORDER = 8, MOST_KEPT = 1 << 20 };
 
 /* How far a series reaches does not depend on T: it is kept, whatever varies fastest. */
 struct kept_reach {
@@ -24,7 +24,6 @@ struct at_study {
   struct ledger ledger; /* of this crawler: rows as they are asked for */
   void *reaches;        /* a tree (tsearch) of struct kept_reach */
   long kept;
-  char text[REVERSALS_TEXT];
 };
 
 static struct at_study *create(void) { return calloc(1, sizeof(struct at_study)); }
@@ -160,13 +159,13 @@ static double number(struct at *at, const struct quantity *q)
   }
 }
 
-static const char *reversals_text(char text[REVERSALS_TEXT], const struct events *e)
+static const char *reversals_text(char text[MOTION_WORDS], const struct events *e)
 {
-  size_t used = (size_t)snprintf(text, REVERSALS_TEXT, "%s", e->reversals == 0 ? "-" : "");
-  for (long i = 0; i < e->reversals && used < REVERSALS_TEXT - NUMBER_TEXT; i++) {
+  size_t used = (size_t)snprintf(text, MOTION_WORDS, "%s", e->reversals == 0 ? "-" : "");
+  for (long i = 0; i < e->reversals && used < MOTION_WORDS - NUMBER_TEXT; i++) {
     char number[NUMBER_TEXT];
     number_text(number, e->reversal[i].T, 0);
-    used += (size_t)snprintf(text + used, REVERSALS_TEXT - used, "%s%s", i > 0 ? " " : "", number);
+    used += (size_t)snprintf(text + used, MOTION_WORDS - used, "%s%s", i > 0 ? " " : "", number);
   }
   return text;
 }
@@ -182,7 +181,7 @@ static const char *text(struct at *at, const struct quantity *q)
     return "-";
   const struct events *e = study_events(study);
   if (q->which == STUDIED_REVERSALS)
-    return reversals_text(at->study->text, e);
+    return reversals_text(at->text, e);
   return e->count > 0 ? e->event[0].what : "-";
 }
 
