@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "compare/answers/stretches.h"
+#include "compare/book/book.h"
 #include "compare/breakdown/study.h"
 #include "compare/text/halfway.h"
 #include "compare/text/memory.h"
@@ -184,8 +185,7 @@ static void describe_move(struct event *e, const struct signature *before, const
                      : (body == 1 ? from.s1 : from.s2) == 0 ? "starts"
                                                             : "turns";
   snprintf(e->what, sizeof e->what, "body %d %s in the %s during piece %d of the gait, no longer during piece %d", body,
-           does, kind_of(before->motion, phase) == SCALLOP_EXTENSION ? "extension" : "contraction",
-           after->part[phase][i], before->part[phase][i]);
+           does, book_phases[kind_of(before->motion, phase)], after->part[phase][i], before->part[phase][i]);
 }
 
 /* Behind the others; without memory it is left out. */

@@ -78,9 +78,11 @@ double motion_last_time(const struct motion *s)
   return 2 * fmax(rest, 16 * stop);
 }
 
+#define PARTS(of) \
+  of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(series_answer, &s->derived) of(series_answer, &s->many)
+
 static void expand(struct series_answer *a, const struct study *s, slong order, slong precision)
 {
-  series_answer_init(a);
   if (!answer_in_series(a, &s->crawler, s->motion.of, s->motion.phase, s->v0, order, precision)) {
     memset(a->value, 0, sizeof a->value);
     a->modes = "";
@@ -96,9 +98,8 @@ const char *study_begin(struct study *s, const struct motion *motion, slong orde
   s->cache = status == SCALLOP_OK ? exact_cache_new(motion) : NULL;
   if (!s->cache)
     return status == SCALLOP_OK ? "out of memory" : scallop_status_text(status);
-  scallop_rational_init(&s->crawler);
+  PARTS(SCOPED_INIT)
   scallop_rational_of(&s->crawler, &motion->crawler);
-  fmpq_init(s->v0);
   scallop_rational_set_double(s->v0, motion->v0);
   expand(&s->derived, s, order, BREAKDOWN_BITS);
   return NULL;
@@ -107,12 +108,8 @@ const char *study_begin(struct study *s, const struct motion *motion, slong orde
 void study_clear(struct study *s)
 {
   if (s->cache) {
-    series_answer_clear(&s->derived);
-    fmpq_clear(s->v0);
-    scallop_rational_clear(&s->crawler);
+    PARTS(SCOPED_CLEAR)
   }
-  if (s->has_many)
-    series_answer_clear(&s->many);
   events_clear(&s->events);
   free(s->cache);
   *s = (struct study){ .cache = NULL };
@@ -127,9 +124,8 @@ const struct events *study_events(struct study *s)
 
 const struct series *study_many(struct study *s, enum quantity_id quantity)
 {
-  if (!s->has_many)
+  if (!s->many.modes) /* not yet */
     expand(&s->many, s, STUDY_MANY, STUDY_MANY_BITS);
-  s->has_many = true;
   return s->many.value[quantity];
 }
 

@@ -62,11 +62,10 @@ struct study { /* zero at first */
   struct motion motion;
   struct scallop_rational_crawler crawler; /* the same in fractions */
   fmpq_t v0;
-  struct series_answer derived,
-      many;             /* the terms below T^order, and T^STUDY_MANY; without a series no value, modes "" */
-  struct events events; /* until: 0, before they are first asked for */
-  bool has_many;
-  struct exact_cache *cache; /* NULL: there is no study */
+  struct series_answer derived; /* the terms below T^order; where there is no series no value, and modes "" */
+  struct series_answer many;    /* likewise below T^STUDY_MANY; modes: NULL, before they are first asked for */
+  struct events events;         /* until: 0, likewise */
+  struct exact_cache *cache;    /* NULL: there is no study */
 };
 /* In place of an earlier one. order: of the derived series below T^order. NULL, or what is wrong with the crawler, of
  * which there is then no study. */

@@ -236,8 +236,7 @@ static bool begin(struct report *r)
   if (m->of == OF_PHASE) {
     char v0[NUMBER_TEXT];
     number_text(v0, m->v0, 0);
-    table_note(t, "%s from v0 = %s; T is its duration, not the period",
-               m->phase == SCALLOP_EXTENSION ? "extension" : "contraction", v0);
+    table_note(t, "%s from v0 = %s; T is its duration, not the period", book_phases[m->phase], v0);
   }
   if (r->study.derived.status != SCALLOP_OK)
     table_note(t, "no derived series: %s", study_why_none(&r->study));

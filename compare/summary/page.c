@@ -59,14 +59,13 @@ static void write_way(const struct page *p)
 
 static void write_stretches(const struct page *p)
 {
-  static const char *const names[] = { "extension", "contraction" };
   struct stretch stretch[MOST_STRETCHES];
   int count = stretches_of(stretch, &p->at->solved[STEADY_STATE].motion, answer_of(p));
   int kept = count < MOST_STRETCHES ? count : MOST_STRETCHES;
   for (int i = 0; i < kept; i++) {
     char words[MODE_WORDS];
     bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
-    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? names[stretch[i].phase] : "",
+    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? book_phases[stretch[i].phase] : "",
             mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
   }
   if (kept < count)
