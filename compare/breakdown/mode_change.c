@@ -1,5 +1,5 @@
 #include "compare/book/book.h"
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 
 #include <stdarg.h>
 #include <stdio.h>

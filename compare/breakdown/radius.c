@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 
 enum { MOST_POLES = 12, CONFIRMED = 4 };
 

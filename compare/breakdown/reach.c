@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "compare/text/halfway.h"
 
 /* T = natural time times 2^(k/PER_OCTAVE - OCTAVES): between two of these an error is taken to have one maximum at

@@ -5,7 +5,7 @@
 
 #include "compare/points/defaults.h"
 #include "compare/book/book.h"
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "compare/text/progress.h"
 #include "compare/text/table.h"
 

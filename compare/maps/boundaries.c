@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "compare/maps/maps.h"
 #include "compare/text/progress.h"
 #include "numerics/threads.h"

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "compare/book/book.h"
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "compare/points/defaults.h"
 #include "compare/text/values.h"
 

@@ -175,16 +175,20 @@ static double range_value(const struct move *m, const struct sweep_variable *v, 
   return has_formula(v) ? x : rounded(x, 15);
 }
 
-/* Where a ratio or the Froude number is set; NULL: the variable is none. */
+static bool is_ratio(const struct sweep_variable *v)
+{
+  return v->target >= TARGET_F1_OVER_F2 && v->target <= TARGET_FROUDE;
+}
+
+/* Where a ratio or the Froude number is set */
 static double *ratio_of(const struct move *m, const struct sweep_variable *v)
 {
-  bool is = v->target >= TARGET_F1_OVER_F2 && v->target <= TARGET_FROUDE;
-  return is ? &m->place->ratio[v->target - TARGET_F1_OVER_F2] : NULL;
+  return &m->place->ratio[v->target - TARGET_F1_OVER_F2];
 }
 
 static void set_number(const struct move *m, const struct sweep_variable *v, double x, bool is_written)
 {
-  if (ratio_of(m, v))
+  if (is_ratio(v))
     *ratio_of(m, v) = x;
   else
     set(m, v->name, x, is_written, v->name);
@@ -204,7 +208,7 @@ static void set_text(const struct move *m, const struct sweep_variable *v, const
 {
   if (v->target == TARGET_LABEL)
     m->place->label[v->place] = text;
-  else if (ratio_of(m, v))
+  else if (is_ratio(v))
     read_number(text, ratio_of(m, v));
   else
     note(m, v->name, point_set(&m->place->point, v->name, text));

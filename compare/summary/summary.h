@@ -6,7 +6,7 @@
 
 #include "compare/answers/rows.h"
 #include "compare/book/book.h"
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "compare/claims/claims.h"
 
 /* `scallop summary`: a page, or a row, for each point; `scallop breakdown` without more: the part of the page about

@@ -1,7 +1,7 @@
 /* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and
  * brute force, radii of convergence by two routes. */
 #include "compare/points/gaits.h"
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "tests/support/exact.h"
 #include "tests/support/solved.h"
 

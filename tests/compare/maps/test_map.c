@@ -1,5 +1,5 @@
 /* The words for a change of modes. */
-#include "compare/breakdown/study.h"
+#include "compare/breakdown/motion.h"
 #include "tests/support/cases.h"
 #include "tests/support/scratch_folder.h"
 

@@ -1,8 +1,8 @@
 /* What is known of one motion as a function of T: its series, how far each reaches, where the motion changes, and where
  * the series converge. Of a steady state T is the period, of one phase from velocity v0 its duration; T of the crawler
  * is not used, and parameters are the doubles they are. */
-#ifndef SCALLOP_COMPARE_BREAKDOWN_STUDY_H
-#define SCALLOP_COMPARE_BREAKDOWN_STUDY_H
+#ifndef SCALLOP_COMPARE_BREAKDOWN_MOTION_H
+#define SCALLOP_COMPARE_BREAKDOWN_MOTION_H
 
 #include "asymptotics/derived/singularity.h"
 #include "compare/answers/answer_flint.h"
@@ -17,7 +17,7 @@ enum {
   STUDY_MANY_BITS = 1024
 };
 
-/* study.c. The motion at T. A phase is the half of a period: its duration is then exactly T. */
+/* series.c. The motion at T. A phase is the half of a period: its duration is then exactly T. */
 struct motion motion_at(const struct motion *motion, double T);
 /* The answer in binary128 at T. A displacement that is 0 in double is 0. */
 bool motion_in_wide(const struct motion *motion, double T, struct answer *answer);
@@ -86,7 +86,7 @@ struct best_order { /* of truncation: with the terms below T^order the size of t
 /* At T, by the certified value there */
 struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T);
 
-/* Makes x, beside what it should be, its relative error; 0/0 is none. */
+/* series.c. Makes x, beside what it should be, its relative error; 0/0 is none. */
 void relative_error(arb_t x, const arb_t exact, slong precision);
 
 struct series_item { /* one series for one quantity */
