@@ -24,7 +24,7 @@ extern const struct flint_part {
   enum exit_code (*breakdown_table)(const struct breakdown_options *options);
   const char *(*breakdown_map)(const struct breakdown_options *options, struct rows *rows);
   enum exit_code (*breakdown_boundaries)(const struct breakdown_options *options);
-  enum exit_code (*summary_of_breakdown)(const struct request *request);
+  const char *(*breakdown_page)(struct rows *rows);
   const char *(*summary_plan)(struct rows *rows);
   enum exit_code (*stress_table)(const struct stress_options *options);
   enum exit_code (*stress_point)(const struct stress_options *options);

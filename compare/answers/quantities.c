@@ -62,7 +62,7 @@ const struct quantity_row quantity_rows[] = {
   { "phase_motion", .of = OF_PHASE, .kind = QUANTITY_WORDS },
   { "first_event", NULL, "along T, as `breakdown` has it", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_EVENT },
   { "first_event_T", .kind = QUANTITY_STUDIED, .which = STUDIED_EVENT_T },
-  { "first_event_froude", .kind = QUANTITY_STUDIED, .which = STUDIED_EVENT_FROUDE },
+  { "first_event_froude", .kind = QUANTITY_FORMULA, .formula = "(m1 + m2)/(F1 + F2)*L/first_event_T/first_event_T" },
   { "reversals", NULL, "likewise", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_REVERSALS },
   { "best_order", NULL, "the terms below T^best_order have the least error of the displacement at this T",
     .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ORDER },

@@ -73,8 +73,8 @@ static const char *settle(struct rows *r)
   return NULL;
 }
 
-/* What is drawn and not among the usual columns stands behind them. */
-static const char *add_drawn(struct rows *r)
+/* What is drawn and not among the usual columns stands behind them; among chosen ones it has to be. */
+static const char *add_drawn(struct rows *r, bool are_chosen)
 {
   static char message[400];
   const struct plot *plot = &r->request->style.plot;
@@ -82,7 +82,9 @@ static const char *add_drawn(struct rows *r)
   char name[QUANTITY_NAME];
   for (int i = 0; i < 3 && plot->file; i++)
     for (const char *rest = lists[i]; next_item(name, sizeof name, &rest);) {
-      const char *wrong = column_list_has(&r->sheet.columns, name) ? NULL : sheet_add(&r->sheet, name);
+      const char *wrong = column_list_has(&r->sheet.columns, name) ? NULL
+                          : are_chosen                             ? wrong_text("the table has no column %s", name)
+                                                                   : sheet_add(&r->sheet, name);
       if (wrong) {
         snprintf(message, sizeof message, "--plot-%s: %.350s", options[i], wrong);
         return message;
@@ -101,11 +103,11 @@ static const char *add_columns(struct rows *r)
   const char *wrong = choice ? add_all(&r->sheet, choice->names, choice->count)
                              : add_all(&r->sheet, all->label, all->labels);
   if (choice)
-    return wrong;
+    return wrong ? wrong : add_drawn(r, true);
   const char *const *const lists[] = { crawler_parameters, r->extra, all->carried, (const char *const *)r->own };
   for (size_t i = r->has_parameters ? 0 : 1; i < sizeof lists / sizeof *lists && !wrong; i++)
     wrong = add_all(&r->sheet, lists[i], lists[i] == all->carried ? all->carries : TABLE_COLUMNS);
-  return wrong || r->behind ? wrong : add_drawn(r);
+  return wrong || r->behind ? wrong : add_drawn(r, false);
 }
 
 const char *rows_columns(struct rows *r)

@@ -25,7 +25,7 @@ static void stretch_on(void *context, const struct scallop_interval *interval)
 {
   struct stretching *s = context;
   const struct scallop_span span = scallop_interval_span(interval, s->crawler, s->phase);
-  const struct stretch now = { s->phase, s->since + span.t_begin, s->since + span.t_end, span.mode };
+  const struct stretch now = { s->phase, s->since + span.t_begin, s->since + span.t_end, span.mode, interval->piece };
   const int n = s->count;
   if (n > 0 && n <= MOST_STRETCHES && s->stretch[n - 1].phase == now.phase && s->stretch[n - 1].mode.s1 == now.mode.s1
       && s->stretch[n - 1].mode.s2 == now.mode.s2)

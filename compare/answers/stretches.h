@@ -14,6 +14,7 @@ struct stretch {
   enum scallop_phase_kind phase;
   double from, until;
   struct scallop_mode mode;
+  const struct scallop_piece *piece; /* of the gait, in which it begins */
 };
 enum { MOST_STRETCHES = 2 * SCALLOP_MODES_KEPT };
 /* The modes of a motion that was solved in double, in the order of time. Returns how many; past MOST_STRETCHES they are

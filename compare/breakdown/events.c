@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/stretches.h"
+#include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/halfway.h"
 #include "compare/text/memory.h"
@@ -39,43 +41,27 @@ static int part_of(const struct scallop_shape *shape, const struct scallop_piece
   return part;
 }
 
-struct walk {
-  struct scallop_modes modes;
-  int *part;
-  const struct scallop_shape *shape;
-};
-
-static void collect(void *context, const struct scallop_interval *interval)
-{
-  struct walk *w = context;
-  int n = w->modes.count;
-  const struct scallop_mode *last = n > 0 ? &w->modes.kept[n - 1] : NULL, mode = interval->mode;
-  if (n == SCALLOP_MODES_KEPT || (last && last->s1 == mode.s1 && last->s2 == mode.s2))
-    return;
-  w->modes.kept[n] = mode;
-  w->part[n] = part_of(w->shape, interval->piece);
-  w->modes.count++;
-}
-
 /* Phases that start from the rounded velocities of a steady state may have other modes than the steady state: then the
  * parts are not known. */
 static bool signature_at(struct signature *s, const struct motion *motion, double T)
 {
   const struct motion m = motion_at(motion, T);
-  struct scallop_modes walked[2] = { { 0 } };
+  struct scallop_modes seen[2] = { { 0 } };
+  struct stretch stretch[MOST_STRETCHES];
   s->motion = motion;
   s->T = T;
   if (!answer_in_double(&s->answer, &m))
     return false;
-  const double v[] = { m.of == OF_PHASE ? m.v0 : s->answer.value[Q_V_START].high, s->answer.value[Q_V_MID].high };
-  for (int phase = 0; phase < (m.of == OF_STEADY ? 2 : 1); phase++) {
-    enum scallop_phase_kind kind = kind_of(&m, phase);
-    struct walk walk = { .part = s->part[phase], .shape = &m.crawler.gait->phase[kind] };
-    if (scallop_phase_intervals(&m.crawler, kind, v[phase], collect, &walk) < 0)
-      return false;
-    walked[phase] = walk.modes;
+  int count = stretches_of(stretch, &m, &s->answer);
+  for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
+    int phase = m.of == OF_STEADY ? (int)stretch[i].phase : 0, n = seen[phase].count;
+    if (n == SCALLOP_MODES_KEPT)
+      continue;
+    seen[phase].kept[n] = stretch[i].mode;
+    seen[phase].count++;
+    s->part[phase][n] = part_of(&m.crawler.gait->phase[stretch[i].phase], stretch[i].piece);
   }
-  if (!same_modes(walked, s->answer.modes))
+  if (!same_modes(seen, s->answer.modes))
     memset(s->part, 0, sizeof s->part);
   return true;
 }
@@ -199,8 +185,7 @@ static void describe_move(struct event *e, const struct signature *before, const
                      : (body == 1 ? from.s1 : from.s2) == 0 ? "starts"
                                                             : "turns";
   snprintf(e->what, sizeof e->what, "body %d %s in the %s during piece %d of the gait, no longer during piece %d", body,
-           does, kind_of(before->motion, phase) == SCALLOP_EXTENSION ? "extension" : "contraction",
-           after->part[phase][i], before->part[phase][i]);
+           does, book_phases[kind_of(before->motion, phase)], after->part[phase][i], before->part[phase][i]);
 }
 
 /* Behind the others; without memory it is left out. */

@@ -29,53 +29,6 @@ double motion_natural_time(const struct motion *motion);
 /* Beyond this T nothing changes any more: the body with the larger friction rests for good. */
 double motion_last_time(const struct motion *motion);
 
-struct series_item { /* one series for one quantity */
-  enum breakdown_source source;
-  enum quantity_id quantity;
-  const char *name;
-  const struct scallop_formula *formula; /* of a book, or published */
-  const struct series *series;           /* derived and limit: their terms below T^before */
-  slong before;
-};
-struct expansions {
-  const struct motion *motion;
-  struct scallop_rational_crawler crawler;
-  fmpq_t v0;
-  struct series_answer derived; /* where there is none, no value and modes "" */
-};
-/* Derives all terms below T^order, in balls of so many bits where they are not rational. */
-void expansions_init(struct expansions *e, const struct motion *motion, slong order, slong precision);
-void expansions_clear(struct expansions *e);
-/* Is the formula about the quantity, or about one that becomes it: a displacement the mean velocity, a change of
- * velocity the velocity at the end? */
-bool series_is_about(const struct scallop_formula *formula, const struct motion *motion, enum quantity_id quantity);
-/* All series of a quantity, by their source; order: of the derived one. Returns how many. */
-int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity,
-                 long order);
-/* Value at T; nan or not finite where there is none. */
-void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T,
-                       slong precision);
-
-/* reach.c. series/exact - 1 as a function of T */
-struct comparison {
-  const struct expansions *expansions;
-  struct series_item item;
-  struct exact_cache *cache; /* what is known of the motion, shared by its comparisons; for reach and limit */
-  double tolerance;
-};
-/* To be freed; NULL: out of memory. */
-struct exact_cache *exact_cache_new(const struct motion *motion);
-/* The error at T by binary128; nan where it has none, 0 where both are 0 */
-double comparison_error(const struct comparison *c, double T);
-/* Is the error proven to be below the tolerance just below T, and not just above? Of gaits with many pieces that would
- * take seconds: false. */
-bool comparison_is_proven(const struct comparison *c, double T);
-/* The largest T up to which |error| stays below the tolerance: 0 if it does not as T -> 0, INFINITY if for every T up
- * to permanent rest, nan where there is no such value. */
-double comparison_reach(const struct comparison *c);
-/* The error for T -> 0, if it settles at a value other than 0; else nan. */
-double comparison_limit(const struct comparison *c);
-
 /* mode_change.c. What happens where the modes change, in words: one or several causes, separated by "; ", in text,
  * which is returned. What follows from another cause is left out: a body that is held to the end of a phase makes the
  * next one begin from rest, so what changes at its beginning is not said. "no change of modes" where they are the same.
@@ -104,30 +57,19 @@ void events_find(struct events *events, const struct motion *motion, const char 
 void events_clear(struct events *events);
 const struct scallop_modes *events_modes_at(const struct events *events, double T);
 
-/* radius.c. The radius of convergence of a series */
-struct radius {
-  const char *method;  /* poles, singularity, or bound: T is proven to be no more than the radius         */
-  double T, low, high; /* |T| of the nearest singularity; the radius is proven to be within [low, high]   */
-  const char *status;
-  char note[800];
-};
-/* From the coefficients below T^order, where the series is that of a rational function. False: it is not. */
-bool radius_from_poles(struct radius *r, const struct series *series, slong order);
-/* Of the branch that the series expand, of a phase of so many crossings: t1 depends on the first alone. False: there is
- * none. */
-bool singularity_of(struct scallop_singularity *s, const struct expansions *e, int crossings);
-void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum quantity_id quantity);
-
 /* study.c */
 struct study { /* zero at first */
   struct motion motion;
-  struct expansions expansions, many;
-  struct events events;      /* zero, as `many` is, until they are first asked for */
-  struct exact_cache *cache; /* NULL: there is no study */
+  struct scallop_rational_crawler crawler; /* the same in fractions */
+  fmpq_t v0;
+  struct series_answer derived; /* the terms below T^order; where there is no series no value, and modes "" */
+  struct series_answer many;    /* likewise below T^STUDY_MANY; modes: NULL, before they are first asked for */
+  struct events events;         /* until: 0, likewise */
+  struct exact_cache *cache;    /* NULL: there is no study */
 };
-/* In place of an earlier one. order: of the derived series below T^order. The point must outlive the study. NULL, or
- * what is wrong with the crawler, of which there is then no study. */
-const char *study_begin(struct study *study, const struct point *point, enum quantity_of of, slong order);
+/* In place of an earlier one. order: of the derived series below T^order. NULL, or what is wrong with the crawler, of
+ * which there is then no study. */
+const char *study_begin(struct study *study, const struct motion *motion, slong order);
 void study_clear(struct study *study);
 const struct events *study_events(struct study *study);
 /* Of a quantity the derived series with the terms below T^STUDY_MANY, or NULL */
@@ -141,7 +83,60 @@ struct best_order { /* of truncation: with the terms below T^order the size of t
   double error;         /* INFINITY: there is none */
   bool gains_from_more; /* that is all terms below T^STUDY_MANY, and more might be better still */
 };
-/* At T, beside the exact value there, or NULL */
-struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T, const arb_struct *exact);
+/* At T, by the certified value there */
+struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T);
+
+/* series.c. Makes x, beside what it should be, its relative error; 0/0 is none. */
+void relative_error(arb_t x, const arb_t exact, slong precision);
+
+struct series_item { /* one series for one quantity */
+  enum breakdown_source source;
+  enum quantity_id quantity;
+  const struct scallop_formula *formula; /* of a book, or published */
+  slong before;                          /* derived: the terms below T^before */
+};
+struct series_item series_of_formula(const struct scallop_formula *formula, enum quantity_id quantity);
+const char *series_name(const struct series_item *item);
+/* Is the formula about the quantity, or about one that becomes it: a displacement the mean velocity, a change of
+ * velocity the velocity at the end? */
+bool series_is_about(const struct scallop_formula *formula, const struct motion *motion, enum quantity_id quantity);
+/* All series of a quantity, by their source; order: of the derived one. Returns how many. */
+int series_items(struct series_item items[MOST_ITEMS], const struct study *study, enum quantity_id quantity,
+                 slong order);
+/* Value at T; nan or not finite where there is none. */
+void series_item_value(arb_t value, const struct series_item *item, const struct study *study, double T);
+
+/* reach.c. series/exact - 1 as a function of T */
+struct comparison {
+  const struct study *study;
+  struct series_item item;
+  double tolerance;
+};
+/* What is known of the motion, shared by its comparisons; for reach and limit. To be freed; NULL: out of memory. */
+struct exact_cache *exact_cache_new(const struct motion *motion);
+/* The error at T by binary128; nan where it has none, 0 where both are 0 */
+double comparison_error(const struct comparison *c, double T);
+/* Is the error proven to be below the tolerance just below T, and not just above? Of gaits with many pieces that would
+ * take seconds: false. */
+bool comparison_is_proven(const struct comparison *c, double T);
+/* The largest T up to which |error| stays below the tolerance: 0 if it does not as T -> 0, INFINITY if for every T up
+ * to permanent rest, nan where there is no such value. */
+double comparison_reach(const struct comparison *c);
+/* The error for T -> 0, if it settles at a value other than 0; else nan. */
+double comparison_limit(const struct comparison *c);
+
+/* radius.c. The radius of convergence of a series */
+struct radius {
+  const char *method;  /* poles, singularity, or bound: T is proven to be no more than the radius         */
+  double T, low, high; /* |T| of the nearest singularity; the radius is proven to be within [low, high]   */
+  const char *status;
+  char note[800];
+};
+/* From the coefficients below T^order, where the series is that of a rational function. False: it is not. */
+bool radius_from_poles(struct radius *r, const struct series *series, slong order);
+/* Of the branch that the series expand, of a phase of so many crossings: t1 depends on the first alone. False: there is
+ * none. */
+bool singularity_of(struct scallop_singularity *s, const struct study *study, int crossings);
+void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum quantity_id quantity);
 
 #endif

@@ -139,10 +139,11 @@ void radius_from_singularity(struct radius *r, const struct scallop_singularity 
              place, r->low);
 }
 
-bool singularity_of(struct scallop_singularity *s, const struct expansions *e, int crossings)
+bool singularity_of(struct scallop_singularity *s, const struct study *of, int crossings)
 {
-  const struct motion *m = e->motion;
-  return (m->of == OF_STEADY ? scallop_steady_singularity(s, &e->crawler, PLACE_BITS, NULL)
-                             : scallop_phase_singularity(s, &e->crawler, m->phase, e->v0, crossings, PLACE_BITS, NULL))
+  const struct motion *m = &of->motion;
+  return (m->of == OF_STEADY
+              ? scallop_steady_singularity(s, &of->crawler, PLACE_BITS, NULL)
+              : scallop_phase_singularity(s, &of->crawler, m->phase, of->v0, crossings, PLACE_BITS, NULL))
          == SCALLOP_OK;
 }

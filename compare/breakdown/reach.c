@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "compare/breakdown/motion.h"
-#include "numerics/event/itp.h"
+#include "compare/text/halfway.h"
 
 /* T = natural time times 2^(k/PER_OCTAVE - OCTAVES): between two of these an error is taken to have one maximum at
  * most. As T -> 0 it is what it is at FARTHEST. */
@@ -41,12 +41,10 @@ static struct look look_beside(const struct comparison *c, double T, const arb_t
 {
   struct look look = { T, NAN, NAN, .side = 0 };
   SCOPED(arb, x, tolerance);
-  series_item_value(x, &c->item, c->expansions, T, BREAKDOWN_BITS);
+  series_item_value(x, &c->item, c->study, T);
   if (arb_is_zero(exact) && arb_is_finite(x))
     look.error = look.excess = INFINITY;
-  arb_sub(x, x, exact, BREAKDOWN_BITS);
-  if (!arb_is_zero(x)) /* 0/0 is no error */
-    arb_div(x, x, exact, BREAKDOWN_BITS);
+  relative_error(x, exact, BREAKDOWN_BITS);
   if (!arb_is_finite(x))
     return look;
   look.error = arf_get_d(arb_midref(x), ARF_RND_NEAR);
@@ -64,7 +62,7 @@ static struct look look_at(const struct comparison *c, double T, const struct an
   struct answer here;
   SCOPED(arb, exact, low);
   if (!known)
-    motion_in_wide(c->expansions->motion, T, &here);
+    motion_in_wide(&c->study->motion, T, &here);
   const struct answer *answer = known ? known : &here;
   arb_set_d(exact, answer->value[c->item.quantity].high);
   arb_set_d(low, answer->value[c->item.quantity].low);
@@ -76,10 +74,10 @@ static struct look look_at(const struct comparison *c, double T, const struct an
 
 static struct look look_at_place(const struct comparison *c, int place)
 {
-  struct exact_cache *cache = c->cache;
+  struct exact_cache *cache = c->study->cache;
   double T = cache->natural * exp2((double)(place - MIDDLE) / PER_OCTAVE);
   if (!cache->place[place].known)
-    motion_in_wide(c->expansions->motion, T, &cache->place[place].exact);
+    motion_in_wide(&c->study->motion, T, &cache->place[place].exact);
   cache->place[place].known = true;
   return look_at(c, T, &cache->place[place].exact);
 }
@@ -89,7 +87,7 @@ double comparison_error(const struct comparison *c, double T) { return look_at(c
 bool comparison_is_proven(const struct comparison *c, double T)
 {
   enum { DIGITS = 40, MOST_PIECES = 32 };
-  const struct motion *m = c->expansions->motion;
+  const struct motion *m = &c->study->motion;
   const struct scallop_shape *phase = m->crawler.gait->phase;
   bool proven = phase[0].count <= MOST_PIECES && phase[1].count <= MOST_PIECES;
   for (int side = -1; side <= 1 && proven; side += 2) {
@@ -108,37 +106,17 @@ static double exact_of(const struct comparison *c, const struct look *look)
   return look->exact.value[c->item.quantity].high;
 }
 
-struct rise {
-  const struct comparison *comparison;
-  struct look low;
-  /* the error changes less than T does: a double of it has too few digits to tell where it reaches the tolerance */
-  bool flat;
-};
-
-/* The logarithm of |error|/tolerance, within bounds: as if it were above where the exact motion has no such value, and
- * beyond a zero of that, where the error is without bound. */
-static double level(const void *context, double T, double *slope)
-{
-  static const double most = 40;
-  const struct rise *r = context;
-  const struct look look = look_at(r->comparison, T, NULL);
-  double tolerance = r->comparison->tolerance;
-  *slope = 0; /* of no use */
-  if (exact_of(r->comparison, &r->low) * exact_of(r->comparison, &look) < 0)
-    return most;
-  return fmax(fmin(r->flat ? log1p(look.excess / tolerance) : log(fabs(look.error) / tolerance), most), -most);
-}
-
-/* |error| < tolerance at low, not at high: the last double between them at which it is. */
+/* |error| < tolerance at low, not at high: the last double between them at which it is. Beyond a zero of the exact
+ * value the error is without bound. */
 static double crossing(const struct comparison *c, const struct look *low, double high)
 {
-  struct rise r = { c, *low, false };
-  double slope;
-  r.flat = level(&r, high, &slope) - level(&r, low->T, &slope) < log(high / low->T) / 2;
-  double T = itp_root(level, &r, low->T, high);
-  while (T > low->T && !(level(&r, T, &slope) < 0))
-    T = nextafter(T, low->T);
-  return T;
+  double below = low->T;
+  for (double T; halfway(&T, below, high);) {
+    const struct look look = look_at(c, T, NULL);
+    bool is_below = look.excess < 0 && exact_of(c, low) * exact_of(c, &look) >= 0;
+    *(is_below ? &below : &high) = T;
+  }
+  return below;
 }
 
 /* Where |error| is largest between two times, by golden section. */
@@ -174,7 +152,7 @@ static int lowest_place(const struct comparison *c)
   enum { ENOUGH = 3 };
   static const double SMALL = 1.0 / 64;
   double limit = look_at_place(c, FARTHEST).excess;
-  int settled = 0, place = c->cache->middle;
+  int settled = 0, place = c->study->cache->middle;
   while (settled < ENOUGH && place > FARTHEST) {
     place -= PER_OCTAVE;
     settled = fabs(look_at_place(c, place).excess - limit) < SMALL * fabs(limit) ? settled + 1 : 0;
@@ -222,9 +200,9 @@ double comparison_reach(const struct comparison *c)
   struct search s = { .comparison = c, .reach = INFINITY, .before.error = NAN };
   int first = lowest_place(c);
   if (first < 0)
-    return isnan(look_at_place(c, c->cache->middle).error) ? NAN : 0;
+    return isnan(look_at_place(c, c->study->cache->middle).error) ? NAN : 0;
   s.here = look_at_place(c, first);
-  for (int place = first; place < c->cache->last && s.reach == INFINITY; place++) {
+  for (int place = first; place < c->study->cache->last && s.reach == INFINITY; place++) {
     const struct look next = look_at_place(c, place + 1);
     go_over(&s, &next);
   }

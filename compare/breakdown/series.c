@@ -75,27 +75,6 @@ double motion_last_time(const struct motion *s)
   return 2 * fmax(rest, 16 * stop);
 }
 
-void expansions_init(struct expansions *e, const struct motion *motion, slong order, slong precision)
-{
-  *e = (struct expansions){ .motion = motion };
-  scallop_rational_init(&e->crawler);
-  fmpq_init(e->v0);
-  series_answer_init(&e->derived);
-  scallop_rational_of(&e->crawler, &motion->crawler);
-  scallop_rational_set_double(e->v0, motion->v0);
-  if (!answer_in_series(&e->derived, &e->crawler, motion->of, motion->phase, e->v0, order, precision)) {
-    memset(e->derived.value, 0, sizeof e->derived.value);
-    e->derived.modes = "";
-  }
-}
-
-void expansions_clear(struct expansions *e)
-{
-  series_answer_clear(&e->derived);
-  fmpq_clear(e->v0);
-  scallop_rational_clear(&e->crawler);
-}
-
 bool series_is_about(const struct scallop_formula *f, const struct motion *m, enum quantity_id quantity)
 {
   enum quantity_id own = quantity_of_formula(f, m->phase);
@@ -108,34 +87,44 @@ bool series_is_about(const struct scallop_formula *f, const struct motion *m, en
              || (own == Q_CHANGE && quantity == Q_V_END));
 }
 
-int series_items(struct series_item items[MOST_ITEMS], const struct expansions *e, enum quantity_id quantity,
-                 long order)
+struct series_item series_of_formula(const struct scallop_formula *f, enum quantity_id quantity)
 {
-  const struct series *s = e->derived.value[quantity];
+  int i = 0;
+  while (book_formula(i) && book_formula(i) != f)
+    i++;
+  return (struct series_item){ book_formula(i) ? FROM_BOOK : FROM_PUBLISHED, quantity, f, 0 };
+}
+
+const char *series_name(const struct series_item *item)
+{
+  return item->formula ? item->formula->name : item->source == FROM_DERIVED ? "derived" : "limit";
+}
+
+int series_items(struct series_item items[MOST_ITEMS], const struct study *study, enum quantity_id quantity,
+                 slong order)
+{
   const struct scallop_formula *f;
   int count = 0;
   for (int i = 0; (f = listed_formula(i)) && count < MOST_ITEMS - 2; i++)
-    if (series_is_about(f, e->motion, quantity))
-      items[count++] = (struct series_item){ book_formula(i) ? FROM_BOOK : FROM_PUBLISHED, quantity, f->name,
-                                             .formula = f };
-  if (s) {
-    items[count++] = (struct series_item){ FROM_DERIVED, quantity, "derived", .series = s, .before = order };
-    items[count++] = (struct series_item){ FROM_LIMIT, quantity, "limit", .series = s,
-                                           .before = series_first_power(s) + 1 };
+    if (series_is_about(f, &study->motion, quantity))
+      items[count++] = series_of_formula(f, quantity);
+  if (study->derived.value[quantity]) {
+    items[count++] = (struct series_item){ FROM_DERIVED, quantity, NULL, order };
+    items[count++] = (struct series_item){ FROM_LIMIT, quantity, NULL, 0 };
   }
   return count;
 }
 
-void series_item_value(arb_t value, const struct series_item *item, const struct expansions *e, double T,
-                       slong precision)
+void series_item_value(arb_t value, const struct series_item *item, const struct study *study, double T)
 {
-  const struct motion *m = e->motion;
+  const struct motion *m = &study->motion;
+  const struct series *s = study->derived.value[item->quantity];
   const struct scallop_formula *f = item->formula;
   SCOPED(arb, x);
   SCOPED(fmpq, time);
   arb_set_d(x, T);
   if (!f) {
-    series_value(value, item->series, x, item->before, precision);
+    series_value(value, s, x, item->source == FROM_LIMIT ? series_first_power(s) + 1 : item->before, BREAKDOWN_BITS);
     return;
   }
   /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no
@@ -143,12 +132,19 @@ void series_item_value(arb_t value, const struct series_item *item, const struct
   bool divides = item->source == FROM_PUBLISHED || formula_takes(f, SCALLOP_SYMBOL_L_kin);
   scallop_rational_set_double(time, T);
   if ((divides && !gait_has_ends(m->crawler.gait))
-      || !published_in_balls(value, f, &e->crawler, m->phase, e->v0, time, NULL, BREAKDOWN_BITS))
+      || !published_in_balls(value, f, &study->crawler, m->phase, study->v0, time, NULL, BREAKDOWN_BITS))
     arb_indeterminate(value);
   enum quantity_id own = quantity_of_formula(f, m->phase);
   if (own == Q_CHANGE && item->quantity == Q_V_END) {
-    arb_set_fmpq(x, e->v0, BREAKDOWN_BITS);
+    arb_set_fmpq(x, study->v0, BREAKDOWN_BITS);
     arb_add(value, value, x, BREAKDOWN_BITS);
   } else if (own == Q_DISPLACEMENT && item->quantity == Q_MEAN_VELOCITY)
     arb_div(value, value, x, BREAKDOWN_BITS);
+}
+
+void relative_error(arb_t x, const arb_t exact, slong precision)
+{
+  arb_sub(x, x, exact, precision);
+  if (!arb_is_zero(x))
+    arb_div(x, x, exact, precision);
 }

@@ -5,26 +5,39 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *study_begin(struct study *s, const struct point *point, enum quantity_of of, slong order)
+#define PARTS(of) \
+  of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(series_answer, &s->derived) of(series_answer, &s->many)
+
+static void expand(struct series_answer *a, const struct study *s, slong order, slong precision)
+{
+  if (!answer_in_series(a, &s->crawler, s->motion.of, s->motion.phase, s->v0, order, precision)) {
+    memset(a->value, 0, sizeof a->value);
+    a->modes = "";
+  }
+}
+
+const char *study_begin(struct study *s, const struct motion *motion, slong order)
 {
   struct scallop_scaled scaled;
-  enum scallop_status status = scallop_scale(&point->crawler, &scaled);
+  enum scallop_status status = scallop_scale(&motion->crawler, &scaled);
   study_clear(s);
-  s->motion = motion_of(point, of);
-  s->cache = status == SCALLOP_OK ? exact_cache_new(&s->motion) : NULL;
+  s->motion = *motion;
+  s->cache = status == SCALLOP_OK ? exact_cache_new(motion) : NULL;
   if (!s->cache)
     return status == SCALLOP_OK ? "out of memory" : scallop_status_text(status);
-  expansions_init(&s->expansions, &s->motion, order, BREAKDOWN_BITS);
+  PARTS(SCOPED_INIT)
+  scallop_rational_of(&s->crawler, &motion->crawler);
+  scallop_rational_set_double(s->v0, motion->v0);
+  expand(&s->derived, s, order, BREAKDOWN_BITS);
   return NULL;
 }
 
 void study_clear(struct study *s)
 {
+  if (s->cache) {
+    PARTS(SCOPED_CLEAR)
+  }
   events_clear(&s->events);
-  if (s->many.motion)
-    expansions_clear(&s->many);
-  if (s->cache)
-    expansions_clear(&s->expansions);
   free(s->cache);
   *s = (struct study){ .cache = NULL };
 }
@@ -32,21 +45,20 @@ void study_clear(struct study *s)
 const struct events *study_events(struct study *s)
 {
   if (s->events.until == 0)
-    events_find(&s->events, &s->motion, s->expansions.derived.modes);
+    events_find(&s->events, &s->motion, s->derived.modes);
   return &s->events;
 }
 
 const struct series *study_many(struct study *s, enum quantity_id quantity)
 {
-  if (!s->many.motion)
-    expansions_init(&s->many, &s->motion, STUDY_MANY, STUDY_MANY_BITS);
-  return s->many.derived.value[quantity];
+  if (!s->many.modes) /* not yet */
+    expand(&s->many, s, STUDY_MANY, STUDY_MANY_BITS);
+  return s->many.value[quantity];
 }
 
 const char *study_why_none(const struct study *s)
 {
-  const struct series_answer *a = &s->expansions.derived;
-  return a->why ? a->why : scallop_status_text(a->status);
+  return s->derived.why ? s->derived.why : scallop_status_text(s->derived.status);
 }
 
 const char *study_where(const struct study *s, double T)
@@ -68,19 +80,22 @@ const char *study_where(const struct study *s, double T)
   return text;
 }
 
-struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T, const arb_struct *exact)
+struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T)
 {
+  enum { DIGITS = 200 };
+  const struct motion at = motion_at(&study->motion, T);
   const struct series *s = study_many(study, quantity);
   struct best_order best = { .order = 0, .error = INFINITY };
   SCOPED(arb, x, time);
+  SCOPED(ball_answer, exact);
+  if (!s || !answer_of_doubles(&exact, &at, DIGITS) || !exact.value[quantity])
+    return best;
   arb_set_d(time, T);
-  for (slong k = s && exact ? s->first : STUDY_MANY; k < STUDY_MANY; k++) {
+  for (slong k = s->first; k < STUDY_MANY; k++) {
     if (series_coefficient_is_zero(s, k))
       continue;
     series_value(x, s, time, k + 1, STUDY_MANY_BITS);
-    arb_sub(x, x, exact, STUDY_MANY_BITS);
-    if (!arb_is_zero(x)) /* 0/0 is no error */
-      arb_div(x, x, exact, STUDY_MANY_BITS);
+    relative_error(x, exact.value[quantity], STUDY_MANY_BITS);
     double here = fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR));
     best.gains_from_more = here < best.error;
     if (best.gains_from_more) {

@@ -33,32 +33,17 @@ static bool is_about(const struct report *r, enum quantity_id q)
 
 struct row {
   const char *what, *quantity, *series;
-  double order, tolerance, T, error;
-  const struct scallop_modes *modes;
-  const char *note, *status;
-  const struct motion *motion;
+  double order, tolerance, T, froude, error;
+  const struct scallop_modes *modes; /* or NULL */
+  const char *modes_text, *note, *status;
 };
 
 static struct row row_of(const struct report *r, const char *what, enum quantity_id quantity, const char *series,
                          double T)
 {
   const char *name = quantity < QUANTITIES ? quantity_rows[quantity].name : "-";
-  return (struct row){ what, name, series, NAN, NAN, T, NAN, NULL, "-", "-", &r->study.motion };
-}
-
-static void put_froude(struct table *t, const struct table_column *c, const void *row)
-{
-  const struct row *r = row;
-  (void)c;
-  table_number(t, motion_froude(r->motion, r->T));
-}
-
-static void put_modes(struct table *t, const struct table_column *c, const void *row)
-{
-  const struct row *r = row;
-  char modes[MOTION_MODES_TEXT];
-  (void)c;
-  table_text(t, r->modes ? motion_modes_text(modes, r->motion->of, r->modes) : "-");
+  double froude = motion_froude(&r->study.motion, T);
+  return (struct row){ what, name, series, NAN, NAN, T, froude, NAN, NULL, "-", "-", "-" };
 }
 
 #define AT(member) offsetof(struct row, member)
@@ -69,9 +54,9 @@ static const struct table_column columns[] = {
   { TABLE_COLUMN("order", column_number, AT(order)) },
   { TABLE_COLUMN("tolerance", column_number, AT(tolerance)) },
   { TABLE_COLUMN("T", column_number, AT(T)) },
-  { TABLE_COLUMN("froude", put_froude, 0) },
+  { TABLE_COLUMN("froude", column_number, AT(froude)) },
   { TABLE_COLUMN("error", column_rounded, AT(error)), .format = "%.4g" },
-  { TABLE_COLUMN("modes", put_modes, 0) },
+  { TABLE_COLUMN("modes", column_text, AT(modes_text)) },
   { TABLE_COLUMN("note", column_text, AT(note)) },
   { TABLE_COLUMN("status", column_text, AT(status)) },
   { .name = NULL },
@@ -79,6 +64,8 @@ static const struct table_column columns[] = {
 
 static void write_row(struct report *r, struct row *row, const char *note, const char *status)
 {
+  char modes[MOTION_MODES_TEXT];
+  row->modes_text = row->modes ? motion_modes_text(modes, r->study.motion.of, row->modes) : "-";
   row->note = note;
   row->status = status;
   table_row(&r->table, columns, row, true);
@@ -89,19 +76,18 @@ static void write_row(struct report *r, struct row *row, const char *note, const
 static void write_limit(struct report *r)
 {
   enum { BITS = 128 };
-  const struct expansions *e = &r->study.expansions;
   struct row row = row_of(r, "event", QUANTITIES, "-", 0);
   char note[120];
   const char *ends;
   SCOPED(arb, T);
   SCOPED(arf, least);
   bool proven = r->study.motion.of == OF_STEADY
-                && scallop_steady_modes_hold(&e->crawler, BITS, T, &ends, NULL) == SCALLOP_OK;
+                && scallop_steady_modes_hold(&r->study.crawler, BITS, T, &ends, NULL) == SCALLOP_OK;
   arb_get_lbound_arf(least, T, BITS);
   snprintf(note, sizeof note, proven ? "the limit T -> 0; these modes are proven up to T = %.4g" : "the limit T -> 0",
            arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
   row.modes = r->study.events.first;
-  write_row(r, &row, note, proven ? "certified" : *e->derived.modes ? "derived" : "double");
+  write_row(r, &row, note, proven ? "certified" : *r->study.derived.modes ? "derived" : "double");
 }
 
 static void write_changes(struct report *r, const char *what, enum quantity_id of, const struct event *e, long count)
@@ -118,7 +104,7 @@ static void write_reach(struct report *r, const struct comparison *c)
   char text[160];
   const char *note = text, *status = "binary128";
   double T = comparison_reach(c);
-  struct row row = row_of(r, "reach", c->item.quantity, c->item.name, T);
+  struct row row = row_of(r, "reach", c->item.quantity, series_name(&c->item), T);
   row.order = c->item.source == FROM_DERIVED ? (double)c->item.before : NAN;
   row.tolerance = c->tolerance;
   if (isnan(T)) {
@@ -145,12 +131,11 @@ static void write_reaches(struct report *r, enum quantity_id quantity)
   static const double usual[] = { BREAKDOWN_TOLERANCES };
   const struct given_number *given = &r->options->tolerance;
   struct series_item items[MOST_ITEMS];
-  int count = series_items(items, &r->study.expansions, quantity, r->options->order.value);
+  int count = series_items(items, &r->study, quantity, r->options->order.value);
   for (int i = 0; i < count; i++)
     for (int k = 0; k < (given->given ? 1 : (int)(sizeof usual / sizeof *usual)); k++)
       if (breakdown_takes(r->options, items[i].source))
-        write_reach(r, &(struct comparison){ &r->study.expansions, items[i], r->study.cache,
-                                             given->given ? given->value : usual[k] });
+        write_reach(r, &(struct comparison){ &r->study, items[i], given->given ? given->value : usual[k] });
 }
 
 /* What the series' coefficients tell, else what its branch does; false: there is none, as the note says. */
@@ -163,7 +148,7 @@ static bool find_radius(struct radius *radius, struct report *r, enum quantity_i
   *radius = (struct radius){ "-", NAN, NAN, NAN, "-", "there is no derived series" };
   if (s && r->crossings != crossings) {
     progress_show(&r->progress, "singularities ...");
-    r->found = singularity_of(&r->singularity, &r->study.expansions, crossings);
+    r->found = singularity_of(&r->singularity, &r->study, crossings);
     r->crossings = crossings;
   }
   if (s && r->found)
@@ -200,14 +185,10 @@ static double best_time(const struct report *r, int i)
 
 static void write_best(struct report *r, enum quantity_id quantity)
 {
-  enum { DIGITS = 200 };
-  for (int i = 0; study_many(&r->study, quantity) && i < BEST; i++) {
+  for (int i = 0; i < BEST; i++) {
     struct row row = row_of(r, "best", quantity, "derived", best_time(r, i));
-    const struct motion at = motion_at(&r->study.motion, row.T);
+    const struct best_order best = study_best_order(&r->study, quantity, row.T);
     char note[240];
-    SCOPED(ball_answer, exact);
-    answer_of_doubles(&exact, &at, DIGITS);
-    const struct best_order best = study_best_order(&r->study, quantity, row.T, exact.value[quantity]);
     if (isinf(best.error))
       continue;
     snprintf(note, sizeof note, "%s%s", best.gains_from_more ? "more terms are better still; " : "",
@@ -255,10 +236,9 @@ static bool begin(struct report *r)
   if (m->of == OF_PHASE) {
     char v0[NUMBER_TEXT];
     number_text(v0, m->v0, 0);
-    table_note(t, "%s from v0 = %s; T is its duration, not the period",
-               m->phase == SCALLOP_EXTENSION ? "extension" : "contraction", v0);
+    table_note(t, "%s from v0 = %s; T is its duration, not the period", book_phases[m->phase], v0);
   }
-  if (r->study.expansions.derived.status != SCALLOP_OK)
+  if (r->study.derived.status != SCALLOP_OK)
     table_note(t, "no derived series: %s", study_why_none(&r->study));
   table_note(t, "modes may change and change back unseen within a 256th of an octave of T, from T = %.3g to %.3g",
              r->study.events.from, r->study.events.until);
@@ -269,7 +249,7 @@ static bool begin(struct report *r)
 
 static enum exit_code report(struct report *r)
 {
-  bool derived = r->study.expansions.derived.status == SCALLOP_OK;
+  bool derived = r->study.derived.status == SCALLOP_OK;
   if (!derived && r->options->only.given && (is_wanted(r, "radius") || is_wanted(r, "best"))) {
     complain("breakdown", "no derived series: %s", study_why_none(&r->study));
     return EXIT_UNSOLVED;
@@ -314,12 +294,13 @@ enum exit_code breakdown_table(const struct breakdown_options *o)
 {
   const struct point *point = &o->request.point;
   enum quantity_of of = point->has_phase || point->has_v0 ? OF_PHASE : OF_STEADY;
-  struct report r = { .options = o, .study.motion = motion_of(point, of) };
+  const struct motion motion = motion_of(point, of);
+  struct report r = { .options = o, .study.motion = motion };
   if (!serves(&r))
     return EXIT_USAGE;
   r.progress = progress_begin(o->request.style.quiet);
   scallop_singularity_init(&r.singularity);
-  const char *why = study_begin(&r.study, point, of, o->order.value);
+  const char *why = study_begin(&r.study, &motion, o->order.value);
   if (why)
     complain("breakdown", "%s", why);
   enum exit_code code = why ? EXIT_UNSOLVED : report(&r);

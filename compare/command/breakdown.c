@@ -50,7 +50,6 @@ static const struct option options_of_breakdown[] = {
   OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
-#define NARROWS "all only quantity source order tol phase v0 format columns plot"
 static const struct option_rule rules[] = {
   { "all only phase v0", RULE_WITH, "map", NULL },
   { "x y boundaries T", RULE_WITHOUT, "map", NULL },
@@ -105,12 +104,23 @@ static const char *set_by_option(const struct breakdown_options *o, int i, int a
   return o->request.point.written[crawler_place(v.sets)] ? message : NULL;
 }
 
-/* The axes are what varies, x fastest. */
-static const char *vary_axes(void *options)
+/* Is it the page about events and reach? A scene, whose files are tables, sets a format. */
+static bool is_page(const struct breakdown_options *o)
+{
+  const struct request *r = &o->request;
+  bool narrows = o->all || o->map[0] || o->only.given || o->quantity.given || o->source.given || o->order.given
+                 || o->tolerance.given || r->point.has_phase || r->point.has_v0;
+  return !narrows && !r->style.has_format && !r->style.choice && !r->style.plot.file;
+}
+
+/* The axes are what varies, x fastest; a page is for people. */
+static const char *complete(void *options)
 {
   struct breakdown_options *o = options;
   const char *names[AXES + 1] = { NULL }, *wrong = NULL;
   int axis[2];
+  if (is_page(o))
+    o->request.style.format = FORMAT_TABLE;
   for (int i = 0; i < AXES; i++)
     names[i] = axes[i].name;
   for (int i = 0; o->map[0] && i < 2; i++) {
@@ -140,24 +150,23 @@ static const char *vary_axes(void *options)
 static bool has_rows(const void *options)
 {
   const struct breakdown_options *o = options;
-  return o->map[0] && !o->boundaries;
+  return is_page(o) || (o->map[0] && !o->boundaries);
 }
 
 static const char *plan(const void *options, struct rows *rows)
 {
   const struct flint_part *flint = flint_for("breakdown", "this command");
-  return flint ? flint->breakdown_map(options, rows) : "";
+  return !flint ? "" : is_page(options) ? flint->breakdown_page(rows) : flint->breakdown_map(options, rows);
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct breakdown_options *o = options;
   const struct flint_part *flint = flint_for("breakdown", "this command");
+  (void)arguments;
   if (!flint)
     return EXIT_UNSOLVED;
-  if (o->boundaries)
-    return flint->breakdown_boundaries(o);
-  return given_option(arguments, NARROWS) ? flint->breakdown_table(o) : flint->summary_of_breakdown(&o->request);
+  return o->boundaries ? flint->breakdown_boundaries(o) : flint->breakdown_table(o);
 }
 
 const struct command command_breakdown = {
@@ -168,7 +177,7 @@ const struct command command_breakdown = {
   .rules = rules,
   .size = sizeof(struct breakdown_options),
   .initial = &initial,
-  .complete = vary_axes,
+  .complete = complete,
   .plan = plan,
   .has_rows = has_rows,
   .run = run,

@@ -200,6 +200,8 @@ static bool place_files(struct want *w, struct scene *s, const config_setting_t 
   else if (!place(s, at, o->folder, &f->table) || !place(s, plot, o->folder, &f->plot.file))
     return false;
   f->has_plot &= f->table && !o->no_plots;
+  if (!f->plot.x || !f->plot.y) /* then the picture is that of such a table */
+    f->plot.of = w->rows.of ? w->rows.of : w->arguments.command->name;
   f->plot.table = w->arguments.options.request.style.output = f->table;
   return true;
 }
@@ -213,12 +215,12 @@ bool want_read(struct want *w, struct scene *s, const config_setting_t *at, cons
   if (!what)
     return refuse_at(&s->config, at, "what is wanted? what = \"steady\", for one");
   const struct kind *kind = find_kind(s, what);
-  if (!kind || !read_options(w, s, at, kind, o) || (w->has_rows && !plan_rows(w, s, at, o->request.style.choice))
-      || !scene_read_files(&w->files, s, at, style, w->has_rows ? &w->rows : NULL) || !place_files(w, s, at, o))
+  if (!kind || !read_options(w, s, at, kind, o) || !scene_read_files(&w->files, s, at, style))
     return false;
-  if (o->request.style.plot.file)
-    style->plot = o->request.style.plot; /* of figure */
-  return true;
+  style->plot = w->files.plot; /* the table has its columns, too */
+  bool is_planned = !w->has_rows || plan_rows(w, s, at, o->request.style.choice);
+  style->plot = o->request.style.plot; /* of figure */
+  return is_planned && place_files(w, s, at, o);
 }
 
 void want_free(struct want *w)

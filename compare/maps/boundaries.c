@@ -30,21 +30,39 @@ struct changes {
 };
 struct boundaries {
   const struct breakdown_options *options;
-  struct axis axes[2];
+  const struct sweep_variable *axes[2];
   int cells[2];
   struct table table;
   struct place nodes[2][MOST_NODES]; /* of the lines of the grid with an even number, and an odd one, at hand */
 };
 
+/* The value at u: an end at 0 and at 1; their mean at 1/2, the geometric one where the axis is logarithmic. */
+static double value_at(const struct sweep_variable *axis, double u)
+{
+  double from = axis->from.number, to = axis->to.number;
+  if (u == 0 || u == 1)
+    return u == 0 ? from : to;
+  return axis->is_log ? from * pow(to / from, u) : from + u * (to - from);
+}
+
+/* How much of the value a step in u is: |d value/du| over the value on a logarithmic axis, over the larger end on a
+ * linear one. */
+static double scale_of(const struct sweep_variable *axis)
+{
+  double from = axis->from.number, to = axis->to.number;
+  return fabs(axis->is_log ? log(to / from) : (to - from) / fmax(from, to));
+}
+
 /* In binary128, where there is one: rounding in double may choose the modes near a boundary. Without a steady state
  * there are no modes. */
 static struct place place_at(const struct boundaries *b, double u, double v)
 {
-  const struct scallop_crawler *base = &b->options->request.point.crawler;
-  const struct motion m = {
-    .of = OF_STEADY, .crawler = axes_crawler(b->axes, base, axis_value(b->axes[0], u), axis_value(b->axes[1], v))
-  };
+  struct sweep_place at;
   struct place place = { u, v, .rounded = false };
+  sweep_place_set(&at, &b->options->request.point);
+  sweep_set(&at, b->axes[0], value_at(b->axes[0], u));
+  sweep_set(&at, b->axes[1], value_at(b->axes[1], v));
+  const struct motion m = motion_of(&at.point, OF_STEADY);
   place.rounded = !answer_in_wide(&place.answer, &m, SCALLOP_BINARY128) && answer_in_double(&place.answer, &m);
   return place;
 }
@@ -53,7 +71,7 @@ static bool same(const struct place *a, const struct place *b) { return same_mod
 
 static double apart(const struct boundaries *b, double du, double dv)
 {
-  return fmax(fabs(du) * axis_scale(b->axes[0]), fabs(dv) * axis_scale(b->axes[1]));
+  return fmax(fabs(du) * scale_of(b->axes[0]), fabs(dv) * scale_of(b->axes[1]));
 }
 
 /* A region that is thinner than the promise, such as a line on which a symmetry holds, is a part of the boundary. */
@@ -120,7 +138,7 @@ static void write_part(struct boundaries *b, const struct change *from, double u
   int more = sticking(modes[0], sides[0]) - sticking(modes[1], sides[1]);
   bool turned = more != 0 ? more > 0 : strcmp(modes[0], modes[1]) > 0;
   for (int i = 0; i < 4; i++)
-    table_number(&b->table, axis_value(b->axes[i % 2], ends[(i / 2) ^ turned][i % 2]));
+    table_number(&b->table, value_at(b->axes[i % 2], ends[(i / 2) ^ turned][i % 2]));
   table_text(&b->table, modes[turned]);
   table_text(&b->table, modes[!turned]);
   table_text(&b->table, mode_change_text(what, sides[turned], sides[!turned]));
@@ -204,22 +222,25 @@ static void write_row(struct boundaries *b, int j)
   }
 }
 
-static void begin_table(struct boundaries *b)
+static bool begin_table(struct boundaries *b)
 {
   struct table *t = &b->table;
   static char to[2][32];
+  const char *const *names = b->options->map;
+  if (!table_head(t, &b->options->request.style, "breakdown --map %s %s --boundaries", names[0], names[1]))
+    return false;
   t->of = "boundaries";
-  table_command(t, "breakdown --map %s %s --boundaries", b->axes[0].name, b->axes[1].name);
   map_head(t, b->options);
   table_note(t, "regions: of the same modes; a row: the part of a boundary within a cell of the grid, from one edge of "
                 "it to another");
   table_note(t, "region_1 is on the left from the first end to the second, x to the right and y up; what: happens from "
                 "region_1 to region_2");
   for (int i = 0; i < 2; i++)
-    snprintf(to[i], sizeof to[i], "to_%s", b->axes[i].name);
-  table_columns(t, (const char *const[]){ b->axes[0].name, b->axes[1].name, to[0], to[1], "region_1", "region_2",
-                                          "what", "status", NULL });
+    snprintf(to[i], sizeof to[i], "to_%s", names[i]);
+  table_columns(
+      t, (const char *const[]){ names[0], names[1], to[0], to[1], "region_1", "region_2", "what", "status", NULL });
   table_begin_rows(t);
+  return true;
 }
 
 enum exit_code breakdown_boundaries(const struct breakdown_options *o)
@@ -228,8 +249,7 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
   const struct progress progress = progress_begin(o->request.style.quiet);
   b.options = o;
   for (int i = 0; i < 2; i++) {
-    b.axes[i] = map_axis(o, i);
-    const struct sweep_variable *v = b.axes[i].varies;
+    const struct sweep_variable *v = b.axes[i] = map_axis(o, i);
     if (v->count < 2 || v->count > MOST_NODES) {
       complain("breakdown", "--%c: %ld values; --boundaries takes 2 to %d along each axis", "xy"[i], v -> count,
                MOST_NODES);
@@ -239,9 +259,8 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
       return complain("breakdown", "--%c: FROM < TO for --boundaries", "xy"[i]), EXIT_USAGE;
     b.cells[i] = (int)v->count - 1;
   }
-  if (!table_open(&b.table, &o->request.style))
+  if (!begin_table(&b))
     return EXIT_FILE;
-  begin_table(&b);
   for (int j = 0; j <= b.cells[1] && !table_failed(&b.table); j++) {
     progress_show(&progress, "row %d of %d", j, b.cells[1]);
     write_row(&b, j);

@@ -11,14 +11,14 @@
 #include "compare/points/defaults.h"
 #include "compare/text/values.h"
 
-struct axis map_axis(const struct breakdown_options *o, int i)
+const struct sweep_variable *map_axis(const struct breakdown_options *o, int i)
 {
-  return (struct axis){ o->map[i], &o->request.sweep.product[0].group[1 - i].variable[0] };
+  return &o->request.sweep.product[0].group[1 - i].variable[0];
 }
 
 void map_head(struct table *t, const struct breakdown_options *o)
 {
-  const struct sweep_variable *axes[] = { map_axis(o, 0).varies, map_axis(o, 1).varies };
+  const struct sweep_variable *axes[] = { map_axis(o, 0), map_axis(o, 1) };
   if (o->request.book)
     table_note(t, "book: %s", o->request.book);
   for (int i = 0; i < 2; i++) {
@@ -63,27 +63,21 @@ static bool is_drawn(const struct style *style, const char *name)
   return !style->plot.file || !style->plot.y || style->choice || has_name(style->plot.y, name);
 }
 
-/* The error of a series, or how far it reaches for a tolerance: "error_published", "T_1e-2_published" */
-static const char *add_one(const struct grid *g, const char *called, const char *series, double tolerance)
-{
-  double power = log10(tolerance);
-  bool is_power = power == rint(power);
-  char name[2 * QUANTITY_NAME];
-  if (tolerance == 0)
-    snprintf(name, sizeof name, "error_%s", called);
-  else
-    snprintf(name, sizeof name, is_power ? "T_1e%.0f_%s" : "T_%g_%s", is_power ? power : tolerance, called);
-  if (!is_drawn(&g->options->request.style, name))
-    return NULL;
-  return tolerance == 0 ? rows_own(g->rows, "%s = deviation.%s", name, series)
-                        : rows_own(g->rows, "%s = reach_%g.%s", name, tolerance, series);
-}
-
+/* The error of a series, without tolerances, or how far it reaches: "error_published", "T_1e-2_published" */
 static const char *add_series(const struct grid *g, const char *called, const char *series, const double *tolerances)
 {
   const char *wrong = NULL;
-  for (int i = 0; tolerances[i] >= 0 && !wrong; i++)
-    wrong = add_one(g, called, series, tolerances[i]);
+  char name[2 * QUANTITY_NAME];
+  snprintf(name, sizeof name, "error_%s", called);
+  if (!tolerances && is_drawn(&g->options->request.style, name))
+    return rows_own(g->rows, "%s = deviation.%s", name, series);
+  for (const double *of = tolerances; of && *of > 0 && !wrong; of++) {
+    double power = log10(*of);
+    bool is_power = power == rint(power);
+    snprintf(name, sizeof name, is_power ? "T_1e%.0f_%s" : "T_%g_%s", is_power ? power : *of, called);
+    if (is_drawn(&g->options->request.style, name))
+      wrong = rows_own(g->rows, "%s = reach_%g.%s", name, *of, series);
+  }
   return wrong;
 }
 
@@ -97,11 +91,8 @@ static bool is_about_quantity(const void *context, const struct scallop_formula 
 static const struct scallop_formula *published(const struct grid *g)
 {
   const struct scallop_formula *f, *last = NULL;
-  int books = 0;
-  while (book_formula(books))
-    books++;
-  for (int i = books; (f = listed_formula(i)); i++)
-    last = is_about_quantity(&g->quantity, f) ? f : last;
+  for (int i = 0; (f = listed_formula(i)); i++)
+    last = !book_formula(i) && is_about_quantity(&g->quantity, f) ? f : last;
   return last;
 }
 
@@ -132,7 +123,7 @@ static const char *add_parameters(const struct grid *g)
   const struct breakdown_options *o = g->options;
   const char *wrong = NULL;
   for (int i = 0; i < 2 && !wrong; i++)
-    wrong = rows_own(g->rows, strchr(o->map[i], '/') ? "%s = %s" : "%s", o->map[i], map_axis(o, i).varies->name);
+    wrong = rows_own(g->rows, strchr(o->map[i], '/') ? "%s = %s" : "%s", o->map[i], map_axis(o, i)->name);
   for (const char *const *p = parameters; *p && !wrong; p++)
     wrong = strcmp(*p, o->map[0]) == 0 || strcmp(*p, o->map[1]) == 0 ? NULL : rows_own(g->rows, "%s", *p);
   return wrong;
@@ -141,8 +132,8 @@ static const char *add_parameters(const struct grid *g)
 const char *breakdown_map(const struct breakdown_options *o, struct rows *rows)
 {
   static const char *const states[] = { "modes", "regime", "v_start", "displacement", "mean_velocity", NULL };
-  static const double usual[] = { BREAKDOWN_MAP_TOLERANCES, -1 }, error[] = { 0, -1 };
-  const double given[] = { o->tolerance.value, -1 };
+  static const double usual[] = { BREAKDOWN_MAP_TOLERANCES, 0 };
+  const double given[] = { o->tolerance.value, 0 };
   struct grid g = { o, rows, quantity_of_name(o->quantity.value) };
   char what[80], *command;
   snprintf(what, sizeof what, "the %s of the steady state", quantity_rows[g.quantity].name);
@@ -156,7 +147,7 @@ const char *breakdown_map(const struct breakdown_options *o, struct rows *rows)
   const char *wrong = add_parameters(&g);
   for (const char *const *s = states; *s && !wrong; s++)
     wrong = rows_own(rows, "%s", *s);
-  wrong = wrong ? wrong : add_all_series(&g, error);
+  wrong = wrong ? wrong : add_all_series(&g, NULL);
   wrong = wrong ? wrong : add_all_series(&g, o->tolerance.given ? given : usual);
   return wrong ? wrong : rows_own(rows, "status");
 }

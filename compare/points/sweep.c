@@ -175,11 +175,23 @@ static double range_value(const struct move *m, const struct sweep_variable *v, 
   return has_formula(v) ? x : rounded(x, 15);
 }
 
-/* Where a ratio or the Froude number is set; NULL: the variable is none. */
+static bool is_ratio(const struct sweep_variable *v)
+{
+  return v->target >= TARGET_F1_OVER_F2 && v->target <= TARGET_FROUDE;
+}
+
+/* Where a ratio or the Froude number is set */
 static double *ratio_of(const struct move *m, const struct sweep_variable *v)
 {
-  bool is = v->target >= TARGET_F1_OVER_F2 && v->target <= TARGET_FROUDE;
-  return is ? &m->place->ratio[v->target - TARGET_F1_OVER_F2] : NULL;
+  return &m->place->ratio[v->target - TARGET_F1_OVER_F2];
+}
+
+static void set_number(const struct move *m, const struct sweep_variable *v, double x, bool is_written)
+{
+  if (is_ratio(v))
+    *ratio_of(m, v) = x;
+  else
+    set(m, v->name, x, is_written, v->name);
 }
 
 /* Value i of a range in *known; stays: that is there already. */
@@ -188,10 +200,7 @@ static void set_range(const struct move *m, const struct sweep_variable *v, long
   stays = stays && !has_formula(v);
   if (!stays)
     *known = range_value(m, v, i);
-  if (ratio_of(m, v))
-    *ratio_of(m, v) = *known;
-  else
-    set(m, v->name, *known, stays, v->name);
+  set_number(m, v, *known, stays);
 }
 
 /* A value of a list, which was found good when the sweep was read, if not at this point */
@@ -199,7 +208,7 @@ static void set_text(const struct move *m, const struct sweep_variable *v, const
 {
   if (v->target == TARGET_LABEL)
     m->place->label[v->place] = text;
-  else if (ratio_of(m, v))
+  else if (is_ratio(v))
     read_number(text, ratio_of(m, v));
   else
     note(m, v->name, point_set(&m->place->point, v->name, text));
@@ -232,6 +241,13 @@ static void settle(const struct move *m)
     set(m, "m1", p->ratio[M1_OVER_M2] * c->m2, false, "m1_over_m2");
   if (!isnan(p->ratio[FROUDE]))
     set(m, "T", sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / p->ratio[FROUDE]), false, "froude");
+}
+
+void sweep_set(struct sweep_place *place, const struct sweep_variable *v, double value)
+{
+  const struct move m = { .place = place };
+  set_number(&m, v, value, false);
+  settle(&m);
 }
 
 void sweep_move(struct sweep_cursor *cursor, struct sweep_place *place, const struct point *base,

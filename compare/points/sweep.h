@@ -91,6 +91,9 @@ void sweep_place_set(struct sweep_place *place, const struct point *point);
 /* What the copy's point was written as is in the copy. */
 void sweep_place_copy(struct sweep_place *copy, const struct sweep_place *place);
 
+/* Sets a variable that takes numbers at the place, and what follows from it. */
+void sweep_set(struct sweep_place *place, const struct sweep_variable *variable, double value);
+
 /* Where a sweep is. What a group that stays sets is not worked out again. Zero at first. */
 struct sweep_cursor {
   const struct sweep_product *product;

@@ -50,7 +50,7 @@ static bool take_member(struct scene *s, struct plot *p, const config_setting_t 
   return !wrong || refuse_at(&s->config, at, "%s: %s", name, wrong);
 }
 
-static bool read_plot(struct scene *s, struct plot *p, const config_setting_t *at, const struct rows *rows)
+static bool read_plot(struct scene *s, struct plot *p, const config_setting_t *at)
 {
   static const struct member members[] = { OTHER("file"),
                                            MEMBER(TEXT, "script", plot, script, ),
@@ -75,21 +75,10 @@ static bool read_plot(struct scene *s, struct plot *p, const config_setting_t *a
   }
   if (!p->file)
     return refuse_at(&s->config, at, "a plot needs a file that ends in .svg, .png or .pdf");
-  if (p->script)
-    return find_script(s, at, p);
-  if (!p->x || !p->y)
-    return refuse_at(&s->config, at, "a plot without a script of its own needs x and y, columns of the table");
-  const config_setting_t *y = config_setting_get_member(at, "y");
-  for (int i = -1; i < element_count(y) && rows; i++) {
-    const char *name = i < 0 ? p->x : text_of(&s->config, element_at(y, i));
-    if (name && !column_list_has(&rows->sheet.columns, name) && !name_among(rows->behind, name))
-      return refuse_at(&s->config, at, "the table has no column %s", name);
-  }
-  return true;
+  return !p->script || find_script(s, at, p);
 }
 
-bool scene_read_files(struct scene_files *f, struct scene *s, const config_setting_t *want, const struct style *style,
-                      const struct rows *rows)
+bool scene_read_files(struct scene_files *f, struct scene *s, const config_setting_t *want, const struct style *style)
 {
   const struct style *given = &s->request.style;
   const config_setting_t *file = config_setting_get_member(want, "file");
@@ -107,7 +96,7 @@ bool scene_read_files(struct scene_files *f, struct scene *s, const config_setti
   if (plot && (!f->table || (style->format != FORMAT_TSV && !given->has_format)))
     return refuse_at(&s->config, plot,
                      "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
-  if (plot && !read_plot(s, &f->plot, plot, rows))
+  if (plot && !read_plot(s, &f->plot, plot))
     return false;
   f->has_plot = plot && style->format == FORMAT_TSV;
   f->plot.meaning = quantity_meaning;

@@ -37,9 +37,9 @@ struct scene_files {
   bool has_plot;
   struct plot plot;
 };
-/* style: of the want; rows: as they are planned, or NULL: a command's own. False: the message is on stderr. */
+/* style: of the want. False: the message is on stderr. */
 bool scene_read_files(struct scene_files *files, struct scene *scene, const config_setting_t *want,
-                      const struct style *style, const struct rows *rows);
+                      const struct style *style);
 /* The texts of a list with commas between, as on the command line; NULL: not all are texts */
 const char *scene_text_of_list(struct scene *scene, const config_setting_t *at);
 

@@ -1,13 +1,36 @@
-/* The page of a summary, in sentences. */
+/* The page of a summary, in sentences, and that of breakdown, which is a part of it. */
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "compare/answers/stretches.h"
 #include "compare/summary/summary.h"
 
-const double summary_levels[SUMMARY_LEVELS] = { 0.01, 0.05 };
+enum { DIGITS = 6 };
+
+struct page {
+  FILE *file;
+  int digits;
+  struct at *at;            /* the point */
+  struct quantities *asked; /* of it: all that the page tells */
+  struct study *study;
+  const struct scallop_formula *formula[SUMMARY_FORMULAS];
+  int formulas;
+};
+
+const struct page_quantity page_quantities[PAGE_QUANTITIES] = { { Q_V_START, "derived_8.v_start" },
+                                                                { Q_DISPLACEMENT, "derived_8.displacement" } };
+
+int page_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS])
+{
+  const struct scallop_formula *f;
+  int count = 0;
+  for (int q = 0; q < PAGE_QUANTITIES; q++)
+    for (int i = 0; (f = listed_formula(i)) && count < SUMMARY_FORMULAS; i++)
+      if (f->setting == SCALLOP_STEADY && quantity_of_formula(f, SCALLOP_EXTENSION) == page_quantities[q].id)
+        formulas[count++] = f;
+  return count;
+}
 
 /* The quantity of this name, or, of a series, what its name begins with */
 static double number(const struct page *p, const char *of, const char *series)
@@ -20,41 +43,6 @@ static double number(const struct page *p, const char *of, const char *series)
 static double value(const struct page *p, enum quantity_id q) { return number(p, quantity_rows[q].name, ""); }
 
 static const struct answer *answer_of(const struct page *p) { return &p->at->solved[STEADY_STATE].answer; }
-
-static void add_series(struct page *p, const char *begins, const char *name, const struct scallop_formula *f,
-                       enum quantity_id of)
-{
-  struct page_series *added = &p->series[p->count++];
-  *added = (struct page_series){ .formula = f, .of = of };
-  snprintf(added->name, sizeof added->name, "%s%s", begins, name);
-}
-
-void page_init(struct page *p)
-{
-  static const enum quantity_id quantities[] = { Q_V_START, Q_DISPLACEMENT };
-  const struct scallop_formula *f;
-  char derived[QUANTITY_NAME];
-  p->count = 0;
-  for (int q = 0; q < 2; q++)
-    for (int i = 0; (f = listed_formula(i)) && p->count < SUMMARY_FORMULAS; i++)
-      if (f->setting == SCALLOP_STEADY && quantity_of_formula(f, SCALLOP_EXTENSION) == quantities[q])
-        add_series(p, "", f->name, f, quantities[q]);
-  snprintf(derived, sizeof derived, "derived_%d.", SUMMARY_ORDER);
-  for (int q = 0; q < 2; q++)
-    add_series(p, derived, quantity_rows[quantities[q]].name, NULL, quantities[q]);
-}
-
-/* Has the crawler this series? */
-static bool has_series(const struct page *p, const struct page_series *f)
-{
-  return f->formula || p->study->expansions.derived.value[f->of];
-}
-
-const char *page_begin(struct page *p)
-{
-  p->study = study_of(p->at);
-  return p->study && !isnan(value(p, Q_V_START)) ? NULL : p->at->why;
-}
 
 static void write_way(const struct page *p)
 {
@@ -71,14 +59,13 @@ static void write_way(const struct page *p)
 
 static void write_stretches(const struct page *p)
 {
-  static const char *const names[] = { "extension", "contraction" };
   struct stretch stretch[MOST_STRETCHES];
   int count = stretches_of(stretch, &p->at->solved[STEADY_STATE].motion, answer_of(p));
   int kept = count < MOST_STRETCHES ? count : MOST_STRETCHES;
   for (int i = 0; i < kept; i++) {
     char words[MODE_WORDS];
     bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
-    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? names[stretch[i].phase] : "",
+    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? book_phases[stretch[i].phase] : "",
             mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
   }
   if (kept < count)
@@ -129,9 +116,9 @@ static const char *order_text(char text[24], double order)
   return text;
 }
 
-static void write_verdict(const struct page *p, const struct page_series *f)
+static void write_verdict(const struct page *p, const struct scallop_formula *f)
 {
-  const struct claim_row *c = claim_of(p->at, f->formula);
+  const struct claim_row *c = claim_of(p->at, f);
   double limit = number(p, "error_limit.", f->name);
   char claimed[24], derived[24];
   order_text(claimed, c->claimed_order);
@@ -152,32 +139,27 @@ static void write_verdict(const struct page *p, const struct page_series *f)
     fprintf(p->file, "proven: the error is %s, as claimed", derived);
 }
 
-static double reach_of(const struct page *p, const struct page_series *f, int level)
-{
-  char reach[32];
-  snprintf(reach, sizeof reach, "reach_%g.", summary_levels[level]);
-  return number(p, reach, f->name);
-}
-
-/* Where the error reaches the levels */
-static void write_reach(const struct page *p, const struct page_series *f)
+/* Where the error of a series reaches 1 and 5 percent */
+static void write_reach(const struct page *p, const char *series)
 {
   enum { FROUDE_DIGITS = 3 };
-  double limit = number(p, "error_limit.", f->name);
-  for (int i = 0; i < SUMMARY_LEVELS; i++) {
-    double T = reach_of(p, f, i), percent = 100 * summary_levels[i];
+  static const char *const reaches[] = { "reach_0.01.", "reach_0.05." };
+  double limit = number(p, "error_limit.", series);
+  for (int i = 0; i < 2; i++) {
+    double T = number(p, reaches[i], series);
+    int percent = i == 0 ? 1 : 5;
     fputs(i > 0 ? ", " : "off ", p->file);
     if (isnan(T))
-      fprintf(p->file, "%g %%: no exact value", percent);
+      fprintf(p->file, "%d %%: no exact value", percent);
     else if (isinf(T))
-      fprintf(p->file, "by less than %g %% at every T", percent);
+      fprintf(p->file, "by less than %d %% at every T", percent);
     else if (T > 0)
-      fprintf(p->file, "by %g %% at T = %.*g (Froude %.*g)", percent, p->digits, T, FROUDE_DIGITS,
+      fprintf(p->file, "by %d %% at T = %.*g (Froude %.*g)", percent, p->digits, T, FROUDE_DIGITS,
               motion_froude(&p->study->motion, T));
     else if (isnan(limit))
-      fprintf(p->file, "by more than %g %% at every small T", percent);
+      fprintf(p->file, "by more than %d %% at every small T", percent);
     else
-      fprintf(p->file, "by more than %g %% however small T is (%.3g %% as T -> 0)", percent, 100 * limit);
+      fprintf(p->file, "by more than %d %% however small T is (%.3g %% as T -> 0)", percent, 100 * limit);
     if (isinf(T) || !(T > 0))
       break; /* the same holds for the levels above, or nothing more is known */
   }
@@ -187,64 +169,61 @@ static void write_reach(const struct page *p, const struct page_series *f)
 static bool agree(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
 
 /* Formulas that agree in all that is told of them are told once. */
-static bool is_same(const struct page *p, const struct page_series *a, const struct page_series *b)
+static bool is_same(const struct page *p, const struct scallop_formula *a, const struct scallop_formula *b)
 {
-  static const char *const told[] = { "value.", "deviation.", "error_limit." };
-  if (a->of != b->of)
-    return false;
-  bool same = true;
-  for (int i = 0; i < 3 && same; i++)
+  static const char *const told[] = { "value.", "deviation.", "error_limit.", "reach_0.01.", "reach_0.05.", "order." };
+  bool same = a->quantity == b->quantity && a->remainder == b->remainder;
+  for (size_t i = 0; i < sizeof told / sizeof *told && same; i++)
     same = agree(number(p, told[i], a->name), number(p, told[i], b->name));
-  for (int i = 0; i < SUMMARY_LEVELS && same; i++)
-    same = agree(reach_of(p, a, i), reach_of(p, b, i));
-  const struct claim_row *c = claim_of(p->at, a->formula), *d = claim_of(p->at, b->formula);
-  return same && c->verdict == d->verdict && agree(c->claimed_order, d->claimed_order)
-         && strcmp(c->coefficient, d->coefficient) == 0;
+  return same;
 }
 
-static const char *equation_of(const struct page_series *f)
+static const char *name_of(const struct scallop_formula *f) { return f->name; }
+
+static const char *equation_of(const struct scallop_formula *f)
 {
-  const char *equation = f->formula->equation;
-  return *equation && strcmp(equation, "-") != 0 ? equation : f->formula->name;
+  return *f->equation && strcmp(f->equation, "-") != 0 ? f->equation : f->name;
 }
 
-/* The equations, or the names, of a formula and of those behind it that are the same */
-static void write_names(const struct page *p, const struct page_series *f, bool of_names)
+/* The names of formula i and of those behind it that are the same */
+static void write_names(const struct page *p, int i, const char *(*name)(const struct scallop_formula *))
 {
-  for (const struct page_series *k = f; k < p->series + p->count && k->formula; k++)
-    if (is_same(p, f, k))
-      fprintf(p->file, "%s%s", k == f ? "" : ", ", of_names ? k->name : equation_of(k));
+  for (int k = i; k < p->formulas; k++)
+    if (is_same(p, p->formula[i], p->formula[k]))
+      fprintf(p->file, "%s%s", k == i ? "" : ", ", name(p->formula[k]));
 }
 
-static void write_formula(const struct page *p, const struct page_series *f)
+static void write_formula(const struct page *p, int i)
 {
-  for (const struct page_series *before = p->series; before < f; before++)
-    if (is_same(p, before, f))
+  const struct scallop_formula *f = p->formula[i];
+  enum quantity_id of = quantity_of_formula(f, SCALLOP_EXTENSION);
+  for (int before = 0; before < i; before++)
+    if (is_same(p, p->formula[before], f))
       return;
   double of_formula = number(p, "value.", f->name);
   fputs("  ", p->file);
-  write_names(p, f, false);
-  fprintf(p->file, " %s ", quantity_rows[f->of].name);
+  write_names(p, i, equation_of);
+  fprintf(p->file, " %s ", quantity_rows[of].name);
   if (isnan(of_formula)) {
     fputs("has no value: it divides by l'', which is 0 at an end of a phase [", p->file);
   } else {
-    fprintf(p->file, "= %.*g, exact %.*g", p->digits, of_formula, p->digits, value(p, f->of));
+    fprintf(p->file, "= %.*g, exact %.*g", p->digits, of_formula, p->digits, value(p, of));
     write_error(p, number(p, "deviation.", f->name));
     fputs(" [", p->file);
   }
-  write_names(p, f, true);
+  write_names(p, i, name_of);
   fputs("]\n", p->file);
   if (isnan(of_formula))
     return;
   fputs("       ", p->file);
   write_verdict(p, f);
   fputs("\n       ", p->file);
-  write_reach(p, f);
+  write_reach(p, f->name);
 }
 
 static void write_best(const struct page *p, enum quantity_id of)
 {
-  const struct best_order best = best_of(p->at, of);
+  const struct best_order best = study_best_order(p->study, of, p->at->place.point.crawler.T);
   if (isinf(best.error))
     return;
   fprintf(p->file, "  derived %s: %s below T^%ld", quantity_rows[of].name,
@@ -255,17 +234,13 @@ static void write_best(const struct page *p, enum quantity_id of)
 
 static void write_formulas(const struct page *p)
 {
-  bool is_derived = false;
   fputs("\nFormulas of the paper, for this gait and these parameters\n", p->file);
-  for (const struct page_series *f = p->series; f < p->series + p->count; f++)
-    if (f->formula)
-      write_formula(p, f);
-    else if (has_series(p, f)) {
-      write_best(p, f->of);
-      is_derived = true;
-    }
-  if (!is_derived)
+  for (int i = 0; i < p->formulas; i++)
+    write_formula(p, i);
+  if (p->study->derived.status != SCALLOP_OK)
     fprintf(p->file, "  There is no derived series: %s.\n", study_why_none(p->study));
+  for (int q = 0; q < PAGE_QUANTITIES; q++)
+    write_best(p, page_quantities[q].id);
 }
 
 static void write_events(const struct page *p)
@@ -273,7 +248,7 @@ static void write_events(const struct page *p)
   enum { SHOWN = 8 };
   const struct events *e = study_events(p->study);
   fputs("\nWhere the expansion ends\n", p->file);
-  if (e->count == 0 && !has_series(p, &p->series[p->count - 1]))
+  if (e->count == 0 && p->study->derived.status != SCALLOP_OK)
     fputs("  There is no expansion.\n", p->file);
   else if (e->count == 0)
     fprintf(p->file, "  Nowhere: the sequence of modes is the same at every T up to %.3g.\n", e->until);
@@ -293,13 +268,12 @@ static void write_crawler(const struct page *p, const char *const *not_held)
 {
   char parameters[PARAMETERS_TEXT];
   parameters_text(parameters, &p->at->place.point, not_held, true);
-  fprintf(p->file, "Crawler:%s\n", parameters);
+  fprintf(p->file, "\nCrawler:%s\n", parameters);
 }
 
-void page_of_crawler(const struct page *p)
+static void write_summary(const struct page *p)
 {
   double T = p->at->place.point.crawler.T;
-  fputc('\n', p->file);
   write_crawler(p, NULL);
   fputc('\n', p->file);
   write_motion(p);
@@ -314,26 +288,41 @@ void page_of_crawler(const struct page *p)
         p->file);
 }
 
-static void write_title(const struct page *p, const struct page_series *f)
-{
-  const char *of = quantity_rows[f->of].name;
-  if (!f->formula)
-    fprintf(p->file, "  derived terms below T^%d, %s\n       ", SUMMARY_ORDER, of);
-  else if (equation_of(f) != f->formula->name)
-    fprintf(p->file, "  %s %s, %s\n       ", equation_of(f), f->name, of);
-  else
-    fprintf(p->file, "  %s, %s\n       ", f->name, of);
-}
-
-void page_of_breakdown(const struct page *p)
+static void write_breakdown(const struct page *p)
 {
   write_crawler(p, (const char *const[]){ "T", NULL });
   write_events(p);
   fputs("\nUp to which T a series holds\n", p->file);
-  for (const struct page_series *f = p->series; f < p->series + p->count; f++)
-    if (has_series(p, f)) {
-      write_title(p, f);
-      write_reach(p, f);
-    }
+  for (int i = 0; i < p->formulas; i++) {
+    const struct scallop_formula *f = p->formula[i];
+    const char *equation = equation_of(f), *of = quantity_rows[quantity_of_formula(f, SCALLOP_EXTENSION)].name;
+    fprintf(p->file, equation != f->name ? "  %s %s, %s\n       " : "  %s%.0s, %s\n       ", equation, f->name, of);
+    write_reach(p, f->name);
+  }
+  for (int q = 0; q < PAGE_QUANTITIES && p->study->derived.status == SCALLOP_OK; q++) {
+    fprintf(p->file, "  derived terms below T^8, %s\n       ", quantity_rows[page_quantities[q].id].name);
+    write_reach(p, page_quantities[q].derived);
+  }
   fputs("\nMore: --all, or --only event, reversal, reach, radius or best, gives the table with every row.\n", p->file);
 }
+
+/* To people a page, else a row */
+static void visit(struct rows *rows, struct at *at, void (*write)(const struct page *))
+{
+  int digits = (int)rows->request->style.digits;
+  struct page p = { .at = at, .asked = &rows->sheet.asked->quantities, .digits = digits > 0 ? digits : DIGITS };
+  p.file = table_page(&rows->table);
+  if (!p.file) {
+    sheet_row(&rows->sheet, &rows->table, at);
+    return;
+  }
+  p.study = at->is_outside ? NULL : study_of(at);
+  p.formulas = page_formulas(p.formula);
+  if (!p.study || isnan(value(&p, Q_V_START)))
+    fprintf(p.file, "\nThis crawler has no page: %s.\n", at->why);
+  else
+    write(&p);
+}
+
+void page_of_crawler(struct rows *rows, struct at *at) { visit(rows, at, write_summary); }
+void page_of_breakdown(struct rows *rows, struct at *at) { visit(rows, at, write_breakdown); }

@@ -9,41 +9,27 @@
 #include "compare/breakdown/motion.h"
 #include "compare/claims/claims.h"
 
-enum { SUMMARY_FORMULAS = BOOK_MOST + 8, SUMMARY_LEVELS = 2, SUMMARY_ORDER = 8 };
-extern const double summary_levels[SUMMARY_LEVELS]; /* relative errors whose T are looked for: 0.01 and 0.05 */
-
-/* `scallop summary`: a page, or a row, for each point */
+/* `scallop summary`: a page, or a row, for each point; `scallop breakdown` without more: the part of the page about
+ * events and reach */
 const char *summary_plan(struct rows *rows);
-/* `scallop breakdown` without more: the part of the page about events and reach. */
-enum exit_code summary_of_breakdown(const struct request *request);
+const char *breakdown_page(struct rows *rows);
 
-/* page.c. A formula, or the derived terms below T^SUMMARY_ORDER, for a quantity of the steady state */
-struct page_series {
-  char name[QUANTITY_NAME];              /* as of a quantity                 */
-  const struct scallop_formula *formula; /* NULL: it is derived */
-  enum quantity_id of;
+/* page.c. It is about formulas, and derived terms, for these quantities of the steady state. */
+enum { SUMMARY_FORMULAS = BOOK_MOST + 8, PAGE_QUANTITIES = 2 };
+struct page_quantity {
+  enum quantity_id id;
+  const char *derived; /* the name of these terms */
 };
-struct page {
-  FILE *file;
-  int digits;
-  struct at *at;            /* the point */
-  struct quantities *asked; /* of it: all that the page tells */
-  struct study *study;
-  struct page_series series[SUMMARY_FORMULAS + 2]; /* formulas first */
-  int count;
-};
-/* With its series, of which there may be some that the crawler has not. */
-void page_init(struct page *page);
-/* NULL, or why the crawler has no page. */
-const char *page_begin(struct page *page);
-void page_of_crawler(const struct page *page);
-void page_of_breakdown(const struct page *page);
+extern const struct page_quantity page_quantities[PAGE_QUANTITIES];
+/* The formulas that are listed for them. Returns how many. */
+int page_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS]);
+/* What the rows do at a point */
+void page_of_crawler(struct rows *rows, struct at *at);
+void page_of_breakdown(struct rows *rows, struct at *at);
 
 /* studied.c. At a point: its study along T; the row of the ledger for a formula, this gait and these
- * parameters. NULL: there is none, and at->why says why. */
+ * parameters, until the next row is asked for. NULL: there is none, and at->why says why. */
 struct study *study_of(struct at *at);
 const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula);
-/* study_best_order at the point's T */
-struct best_order best_of(struct at *at, enum quantity_id quantity);
 
 #endif

@@ -55,6 +55,8 @@ END {
     exit code
   if (rows == 0)
     refuse("the table has no " (columns ? "rows" : "columns"))
+  if (of == "breakdown" && axis_of_map["x"] != "") # of a scene
+    of = "region_1" in at ? "boundaries" : "map"
   if (of picture ~ /^(map|boundaries)/)
     choose_axes_of_map()
   else if (of != "") # else a scene says all

@@ -9,19 +9,18 @@
 
 SCOPED_KIND(scallop_singularity, struct scallop_singularity)
 
+enum { ORDER = 8 };
+
 /* Quadratic for even i, sinusoidal for odd */
 static struct scallop_crawler draw(struct random *r, int i) { return moderate_crawler(r, 3, 0.1, every_gait[i % 2]); }
 
-static void find(struct events *events, const struct motion *s)
-{
-  ENDED_BY(expansions_clear) struct expansions e;
-  expansions_init(&e, s, 4, BREAKDOWN_BITS);
-  events_find(events, s, e.derived.modes);
-}
+#define STUDY(name, of) \
+  ENDED_BY(study_clear) struct study name = { .cache = NULL }; \
+  assert_null(study_begin(&(name), of, ORDER))
 
 #define EVENTS(name, of) \
-  ENDED_BY(events_clear) struct events name; \
-  find(&(name), of)
+  STUDY(study_of_##name, of); \
+  const struct events name = *study_events(&study_of_##name)
 
 static double time_of(const struct events *events, const char *what)
 {
@@ -197,32 +196,6 @@ TEST(events_scale_and_mirror)
   }
 }
 
-enum { ORDER = 8 };
-
-struct setting {
-  struct motion motion;
-  struct expansions expansions;
-  struct exact_cache *cache;
-};
-
-static void setting_init(struct setting *s, const struct motion *motion)
-{
-  s->motion = *motion;
-  expansions_init(&s->expansions, &s->motion, ORDER, BREAKDOWN_BITS);
-  s->cache = exact_cache_new(&s->motion);
-  assert_non_null(s->cache);
-}
-
-static void setting_clear(struct setting *s)
-{
-  free(s->cache);
-  expansions_clear(&s->expansions);
-}
-
-#define SETTING(name, of) \
-  ENDED_BY(setting_clear) struct setting name; \
-  setting_init(&(name), of)
-
 static double reach_to(struct comparison *c, double tolerance)
 {
   c->tolerance = tolerance;
@@ -230,24 +203,24 @@ static double reach_to(struct comparison *c, double tolerance)
 }
 
 /* The error of a series at T, by the double solver */
-static double error_at(const struct series_item *item, const struct expansions *e, double T)
+static double error_at(const struct series_item *item, const struct study *study, double T)
 {
-  const struct motion at = motion_at(e->motion, T);
+  const struct motion at = motion_at(&study->motion, T);
   struct answer exact;
   SCOPED(arb, value);
   answer_in_double(&exact, &at);
-  series_item_value(value, item, e, T, 64);
+  series_item_value(value, item, study, T);
   return fabs(middle(value) / exact.value[item->quantity].high - 1);
 }
 
-static struct comparison comparison_named(struct setting *s, enum quantity_id quantity, const char *name)
+static struct comparison comparison_named(struct study *s, enum quantity_id quantity, const char *name)
 {
   struct series_item items[MOST_ITEMS];
-  int count = series_items(items, &s->expansions, quantity, ORDER), i = 0;
-  while (i < count && strcmp(items[i].name, name) != 0)
+  int count = series_items(items, s, quantity, ORDER), i = 0;
+  while (i < count && strcmp(series_name(&items[i]), name) != 0)
     i++;
   assert_true(i < count);
-  return (struct comparison){ &s->expansions, items[i], s->cache, NAN };
+  return (struct comparison){ s, items[i], NAN };
 }
 
 /* (A.6) t1 = x(1 - y), where for constant l'' it is x/(1 + y), y = T^2 (F1 + F2)/(m2 l0): the relative error is -y^2,
@@ -260,7 +233,7 @@ TEST(reach_of_a_known_error)
     struct motion motion = { .crawler = draw(&r, 0), .of = OF_PHASE };
     struct scallop_crawler *c = &motion.crawler;
     motion.v0 = 0.01 * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2));
-    SETTING(s, &motion);
+    STUDY(s, &motion);
     struct comparison short_form = comparison_named(&s, Q_T1, "A_t1");
     for (int k = 2; k <= 12; k += 2)
       CHECK_RELATIVE(reach_to(&short_form, pow(10, -k)), sqrt(c->m2 * 4 * c->L / (c->F1 + c->F2)) * pow(10, -k / 4.0),
@@ -279,13 +252,13 @@ TEST(reach_against_brute_force)
   int returning = 0, found = 0;
   for (int i = 0; i < 24; i++) {
     struct motion motion = { .crawler = draw(&r, i) };
-    SETTING(s, &motion);
+    STUDY(s, &motion);
     struct series_item items[MOST_ITEMS];
     enum quantity_id quantity = (enum quantity_id)(Q_V_START + i % 4);
-    int count = series_items(items, &s.expansions, quantity, ORDER);
+    int count = series_items(items, &s, quantity, ORDER);
     for (int item = 0; item < count; item++) {
       double tolerance = random_decades(&r, 3e-2, 0.5), before = tolerance;
-      const struct comparison c = { &s.expansions, items[item], s.cache, tolerance };
+      const struct comparison c = { &s, items[item], tolerance };
       double T = comparison_reach(&c);
       if (!(T > 0 && isfinite(T)))
         continue;
@@ -294,7 +267,7 @@ TEST(reach_against_brute_force)
       for (int k = 1; k < 2 * points; k++) {
         if (k == points)
           continue;
-        double value = error_at(&c.item, &s.expansions, T * exp2((k - points) * 12.0 / points));
+        double value = error_at(&c.item, &s, T * exp2((k - points) * 12.0 / points));
         if (k < points)
           CHECK_AT_MOST(value, tolerance);
         else if (k < points + points / 30)
@@ -314,7 +287,7 @@ static double first_above(const struct comparison *c, double T)
   enum { POINTS = 1500, OCTAVES = 20 };
   for (int k = 0; k < POINTS; k++) {
     double t = T * exp2((double)OCTAVES * (k - POINTS) / POINTS);
-    if (!(error_at(&c->item, c->expansions, t) < c->tolerance))
+    if (!(error_at(&c->item, c->study, t) < c->tolerance))
       return t;
   }
   return T;
@@ -333,7 +306,7 @@ static void check_about_limit(struct comparison *c, double limit, double share, 
   assert_true(T > 0);
   if (ends)
     assert_true(comparison_is_proven(c, T));
-  double last = ends ? T : motion_last_time(c->expansions->motion);
+  double last = ends ? T : motion_last_time(&c->study->motion);
   CHECK_EQUAL(first_above(c, last), last);
   found[0]++;
   found[1] += ends && fabs(comparison_error(c, T / 4)) < limit;
@@ -352,14 +325,12 @@ TEST(reach_about_the_limit_of_the_error)
     motion.v0 = motion.of == OF_STEADY
                     ? 0
                     : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
-    SETTING(s, &motion);
+    STUDY(s, &motion);
     for (int q = 0; q < QUANTITIES; q++) {
       struct series_item items[MOST_ITEMS];
-      int count = motion_has(&motion, (enum quantity_id)q)
-                      ? series_items(items, &s.expansions, (enum quantity_id)q, ORDER)
-                      : 0;
+      int count = motion_has(&motion, (enum quantity_id)q) ? series_items(items, &s, (enum quantity_id)q, ORDER) : 0;
       for (int item = 0; item < count; item++) {
-        struct comparison c = { &s.expansions, items[item], s.cache, NAN };
+        struct comparison c = { &s, items[item], NAN };
         double limit = fabs(comparison_error(&c, 1e-9 * motion_natural_time(&motion)));
         for (int k = 0; k < 3 && limit > 1e-5 && limit < 1e5; k++)
           check_about_limit(&c, limit, shares[k], found);
@@ -373,7 +344,7 @@ TEST(reach_about_the_limit_of_the_error)
 static double reach_of(const struct scallop_crawler *crawler, const char *name, double tolerance, double *error)
 {
   const struct motion motion = { .crawler = *crawler };
-  SETTING(s, &motion);
+  STUDY(s, &motion);
   struct comparison c = comparison_named(&s, Q_DISPLACEMENT, name);
   double T = reach_to(&c, tolerance);
   *error = comparison_error(&c, crawler->T);
@@ -427,12 +398,10 @@ TEST(what_is_0_is_0_for_every_T)
     CHECK_EQUAL(error, 0);
   }
   /* the paper has no formula of v_mid */
-  SETTING(s, &(struct motion){ .crawler = even });
-  assert_int_equal(series_items(items, &s.expansions, Q_V_MID, ORDER), 2);
+  STUDY(s, &(struct motion){ .crawler = even });
+  assert_int_equal(series_items(items, &s, Q_V_MID, ORDER), 2);
   assert_int_equal(items[0].source, FROM_DERIVED);
 }
-
-enum { TERMS = 96, BITS = 768 };
 
 /* Of gaits with linear l' the branch has poles, and where these are is proven of the series; the proof that follows the
  * branch, which knows nothing of that, ends a little below them. */
@@ -441,13 +410,12 @@ TEST(the_branch_ends_at_its_poles)
   struct random r = { 81 };
   for (int i = 0; i < 3; i++) {
     struct motion s = { .crawler = draw(&r, 0) };
-    ENDED_BY(expansions_clear) struct expansions e;
-    expansions_init(&e, &s, TERMS, BITS);
+    STUDY(study, &s);
     SCOPED(scallop_singularity, found);
-    assert_true(singularity_of(&found, &e, 1));
+    assert_true(singularity_of(&found, &study, 1));
     for (int q = Q_V_START; q <= Q_MEAN_VELOCITY; q++) {
       struct radius poles, bound;
-      assert_true(radius_from_poles(&poles, e.derived.value[q], TERMS));
+      assert_true(radius_from_poles(&poles, study_many(&study, (enum quantity_id)q), STUDY_MANY));
       assert_true(poles.high - poles.low <= 1e-14 * poles.T && poles.T >= poles.low);
       radius_from_singularity(&bound, &found, (enum quantity_id)q);
       assert_string_equal(bound.method, "bound");

@@ -160,6 +160,12 @@ scene 'title = "Of a scene"; size = "640x420"; x_range = "0.01:10:log"; y_range 
 run 0 run scene.cfg --quiet
 shown_in scene.svg 'Of a scene^T (time)^v_start (length/time)^40'
 grep -q 'width="640" height="420"' scene.svg || note "another size"
+printf 'want = ( { what = "breakdown"; map = [ "F1/F2", "alpha" ]; x = "0.1:10:7"; y = "0.1:0.9:5"; source = "published"; file = "m.tsv"; plot = { file = "m.svg"; }; } );\n' >map.cfg
+run 0 run map.cfg --quiet
+shown_in m.svg 'F₁/F₂^α'
+printf 'vary = ( { T = [ 0.1, 0.5, 1.0 ]; } );\nwant = ( { what = "steady"; file = "s.tsv"; plot = { file = "s.svg"; y = "cost_of_transport"; }; } );\n' >few.cfg
+run 0 run few.cfg --quiet
+shown_in s.svg 'T (time)^cost of transport'
 scene 'size = "640";'
 run 2 run scene.cfg
 grep -q "size: '640' is not allowed here" err || note "$(cat err)"

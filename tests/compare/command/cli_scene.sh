@@ -96,8 +96,11 @@ E2
 refused "1: a plot needs a file" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; plot = { x = "T"; y = "v_start"; }; } );
 E2
-refused "1: the table has no column 'q'\\|1: the table has no column q" <<'E2'
+refused "1: --plot-y: there is no quantity 'q'" <<'E2'
 want = ( { what = "steady"; file = "kept.tsv"; plot = { file = "p.svg"; x = "T"; y = "q"; }; } );
+E2
+refused "1: --plot-x: the table has no column T" <<'E2'
+want = ( { what = "steady"; columns = "v_start"; file = "kept.tsv"; plot = { file = "p.svg"; x = "T"; y = "v_start"; }; } );
 E2
 refused '2: T varies, and what = "breakdown" is the whole table of a command, for one crawler' <<'E2'
 vary = ( { T = [ 1.0, 2.0 ]; } );

@@ -1,39 +1,7 @@
-/* Axes and the words for a change of modes. */
+/* The words for a change of modes. */
 #include "compare/breakdown/motion.h"
-#include "compare/maps/maps.h"
 #include "tests/support/cases.h"
 #include "tests/support/scratch_folder.h"
-
-/* A crawler at two values: what the axes set, and what stays */
-TEST(axes_set_the_crawler)
-{
-  static struct sweep_variable froude, forces, masses;
-  struct scallop_crawler base = scallop_crawler_default();
-  assert_true(sweep_variable_of_name(&froude, "froude") && sweep_variable_of_name(&forces, "F1_over_F2")
-              && sweep_variable_of_name(&masses, "m1_over_m2"));
-  base.F2 = 3;
-  struct axis axes[2] = { { "froude", &froude }, { "F1/F2", &forces } };
-  struct scallop_crawler c = axes_crawler(axes, &base, 0.3, 2.5);
-  CHECK_EQUAL(c.F1, 7.5);
-  CHECK_RELATIVE((c.m1 + c.m2) * c.L / (c.T * c.T * (c.F1 + c.F2)), 0.3, 0x1p-50);
-  axes[0] = (struct axis){ "m1/m2", &masses };
-  base.m2 = 0.5;
-  c = axes_crawler(axes, &base, 4, 1);
-  assert_true(c.m1 == 2 && c.m2 == 0.5 && c.F1 == 3 && c.T == base.T);
-}
-
-TEST(values_along_an_axis)
-{
-  static struct sweep_variable v = { .name = "T", .from.number = 0.5, .to.number = 8 };
-  const struct axis axis = { "T", &v };
-  CHECK_EQUAL(axis_value(axis, 0), 0.5);
-  CHECK_EQUAL(axis_value(axis, 0.5), 4.25);
-  CHECK_EQUAL(axis_value(axis, 1), 8.0);
-  CHECK_RELATIVE(axis_scale(axis), 7.5 / 8, 0x1p-52);
-  v.is_log = true;
-  CHECK_RELATIVE(axis_value(axis, 0.5), 2.0, 0x1p-51);
-  CHECK_RELATIVE(axis_scale(axis), log(16.0), 0x1p-52);
-}
 
 /* "++ -+ ++ | ++ +- ++" */
 static void read_modes(const char *text, struct scallop_modes modes[2])
