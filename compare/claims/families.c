@@ -8,6 +8,8 @@
 #include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
 
+enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD }; /* F1/F2, by F1; F2, with F1/F2 kept; T */
+
 struct place { /* speed: mean velocity in L/T, T of the family's crawler; nan where there is no steady state */
   double x, speed, v_start;
   bool sliding;
@@ -29,13 +31,13 @@ struct family {
   struct place maximum[PEAKS_MOST];
 };
 
-/* x, speed, and the parameters that vary, as columns and as printf(1) takes them */
+/* What conditions say of it; x, speed, and the parameters that vary, as columns and as printf(1) takes them */
 static const struct {
-  const char *x, *speed, *columns, *names;
+  const char *said, *x, *speed, *columns, *names;
 } texts[] = {
-  [VARY_RATIO] = { "F1/F2", "<U> T/L", "F1", "F1\\n" },
-  [VARY_FORCES] = { "F2", "<U> T/L", "F1,F2", "F1\\tF2\\n" },
-  [VARY_PERIOD] = { "T", "<U> T0/L", "T", "T\\n" },
+  [VARY_RATIO] = { "F1/F2", "F1/F2", "<U> T/L", "F1", "F1\\n" },
+  [VARY_FORCES] = { "F1 and F2 together", "F2", "<U> T/L", "F1,F2", "F1\\tF2\\n" },
+  [VARY_PERIOD] = { "T alone", "T", "<U> T0/L", "T", "T\\n" },
 };
 
 static struct scallop_crawler member(const struct family *f, double x)
@@ -157,9 +159,12 @@ static void prove_boundary(struct family *f)
 static const struct family *survey(struct question *q, struct scallop_crawler c)
 {
   static struct family kept[VARY_PERIOD + 1];
-  struct family *f = &kept[q->claim->varied];
+  enum varied varied = VARY_RATIO;
+  while (!strstr(q->claim->conditions, texts[varied].said))
+    varied++;
+  struct family *f = &kept[varied];
   if (f->count == 0 || !same_crawler(&f->crawler, &c)) {
-    *f = (struct family){ .crawler = c, .varied = q->claim->varied, .before = NAN, .after = NAN };
+    *f = (struct family){ .crawler = c, .varied = varied, .before = NAN, .after = NAN };
     scan(f);
     find_maxima(f, q);
     prove_boundary(f);
@@ -329,19 +334,17 @@ static const char decays[] = "mean_velocity_decays_once_sticking_begins", speed[
 
 /* Only of F1/F2 does the paper say without restriction to sliding that it decays. */
 const struct statement statements_of_families[] = {
-  { changes, "4.4", "v_start", BY_RATIO, .decide = changes_sign, .varied = VARY_RATIO },
-  { peaks, "4.4", speed, BY_RATIO, .decide = peaks_at_boundary, .varied = VARY_RATIO },
+  { changes, "4.4", "v_start", BY_RATIO, .test = changes_sign },
+  { peaks, "4.4", speed, BY_RATIO, .test = peaks_at_boundary },
   { "mean_velocity_has_one_maximum", "4.5", speed, BY_RATIO ": \"increases to a maximum and then decays to zero\"",
-    .decide = has_one_maximum, .varied = VARY_RATIO },
+    .test = has_one_maximum },
   { decays, "4.5", speed, BY_RATIO ", where a body sticks: \"then decays to zero as the asymmetry increases\"",
-    .decide = decays_once_sticking, .varied = VARY_RATIO },
-  { changes, "4.4", "v_start", BY_FORCES, .decide = changes_sign, .varied = VARY_FORCES },
-  { peaks, "4.4", speed, BY_FORCES, .decide = peaks_at_boundary, .varied = VARY_FORCES },
-  { decays, "4.5", speed, BY_FORCES ", where a body sticks", .decide = decays_once_sticking, .varied = VARY_FORCES,
-    .outside = true },
-  { changes, "4.4", "v_start", BY_PERIOD, .decide = changes_sign, .varied = VARY_PERIOD },
-  { peaks, "4.4", speed, BY_PERIOD, .decide = peaks_at_boundary, .varied = VARY_PERIOD },
-  { decays, "4.5", speed, BY_PERIOD ", where a body sticks", .decide = decays_once_sticking, .varied = VARY_PERIOD,
-    .outside = true },
+    .test = decays_once_sticking },
+  { changes, "4.4", "v_start", BY_FORCES, .test = changes_sign },
+  { peaks, "4.4", speed, BY_FORCES, .test = peaks_at_boundary },
+  { decays, "4.5", speed, BY_FORCES ", where a body sticks", .test = decays_once_sticking, .outside = true },
+  { changes, "4.4", "v_start", BY_PERIOD, .test = changes_sign },
+  { peaks, "4.4", speed, BY_PERIOD, .test = peaks_at_boundary },
+  { decays, "4.5", speed, BY_PERIOD ", where a body sticks", .test = decays_once_sticking, .outside = true },
   { .name = NULL },
 };

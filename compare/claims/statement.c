@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/columns/columns.h"
 #include "compare/points/point_flint.h"
 #include "compare/text/halfway.h"
 #include "compare/text/table.h"
@@ -85,6 +86,21 @@ struct scallop_crawler exchanged(struct scallop_crawler c)
   return (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
 }
 
+bool set_conditions(struct scallop_crawler *c, const char *conditions)
+{
+  char name[8], value[32];
+  for (const char *part = conditions; part; part = strpbrk(part, ",;:"), part += part != NULL)
+    if (sscanf(part, " %7[a-zA-Z0-9] = %31[^,;:]", name, value) == 2 && crawler_place(name) < CRAWLER_NUMBERS) {
+      const char *last = strrchr(value, '=') ? strrchr(value, '=') + 2 : value; /* of "F1 = F2 = 1" */
+      const int other = crawler_place(last);
+      *crawler_field(c, crawler_place(name)) = other < CRAWLER_NUMBERS ? crawler_number(c, other) : text_number(last);
+    }
+  if (!strstr(conditions, "F1 > F2"))
+    return true;
+  *c = c->F1 < c->F2 ? (struct scallop_crawler){ c->m1, c->m2, c->F2, c->F1, c->L, c->T, c->alpha, c->gait } : *c;
+  return c->F1 > c->F2;
+}
+
 int compare(double a, double b)
 {
   const double roundings = 16 * DBL_EPSILON * fmax(fabs(a), fabs(b));
@@ -98,6 +114,16 @@ double short_number(double x, int digits)
   char text[NUMBER_TEXT];
   snprintf(text, sizeof text, "%.*g", digits, x);
   return strtod(text, NULL);
+}
+
+int periods_from_rest(const struct scallop_crawler *c, double near, int most)
+{
+  const double v = steady(NULL, *c).v_start;
+  struct scallop_period_result p = { .v_end = 0 };
+  for (int n = 1; n <= most && scallop_period(c, p.v_end, &p) >= 0; n++)
+    if (fabs(p.v_end - v) <= near * c->L / c->T)
+      return n;
+  return 0;
 }
 
 double last_positive(function_of *f, const void *context, double low, double high)

@@ -9,27 +9,20 @@
 #include "compare/claims/orders.h"
 
 struct question;
-enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD }; /* F1/F2, by F1; F2, with F1/F2 kept; T */
-
-enum { RANDOM_NUMBERS = 5 };
-
 struct statement {
   const char *name, *place, *quantity; /* place: in the paper                                                       */
-  const char *conditions;              /* a format: %s is whose crawler it is                                      */
-  void (*decide)(struct question *q, struct scallop_crawler c);
-  struct scallop_crawler with; /* numbers of the crawler that are not 0 here are these                       */
-  enum scallop_regime regime;  /* of the steady state that it is about                                      */
-  bool shows;                  /* the example shows what is claimed; else it refutes that                  */
-  const void *data;            /* what else the function takes                                             */
-  enum varied varied;          /* of a family                                                               */
-  bool outside;                /* of the paper's conditions                                                 */
-  bool of_its_gaits_alone;     /* the paper's: no row for another                                           */
-  bool of_its_crawler;         /* the paper's, not the ledger's                                             */
-  bool proven;                 /* for the paper's gaits, in docs/theory.md: The motion in words             */
-  /* Of one about every crawler: which number of a crawler is at most the limit where it holds, and -INFINITY where it
-   * is about others; and what is said where it holds for all: a format of how many they are. */
-  void (*measure)(struct question *q, struct scallop_crawler c, double numbers[RANDOM_NUMBERS]);
-  int number;
+  const char *conditions; /* a format: %s is whose crawler it is; the crawler gets what they say of its numbers    */
+  void (*test)(struct question *q, struct scallop_crawler c);
+  enum scallop_regime regime; /* of the steady state that it is about                                      */
+  bool shows;                 /* the example shows what is claimed; else it refutes that                  */
+  const void *data;           /* what else the function takes                                             */
+  bool outside;               /* of the paper's conditions                                                 */
+  bool of_its_gaits_alone;    /* the paper's: no row for another                                           */
+  bool of_its_crawler;        /* the paper's, not the ledger's                                             */
+  bool proven;                /* for the paper's gaits, in docs/theory.md: The motion in words             */
+  /* Of one about every crawler: the number of a crawler that is at most the limit where it holds, and -INFINITY where
+   * it is about others; and what is said where it holds for all: a format of how many they are. */
+  double (*measure)(struct question *q, struct scallop_crawler c);
   double limit;
   const char *holds;
 };
@@ -68,6 +61,12 @@ struct solved steady(struct question *q, struct scallop_crawler c); /* q NULL: i
 struct solved extension(struct question *q, struct scallop_crawler c, double v0);
 struct solved contraction(struct question *q, struct scallop_crawler c, double v0);
 struct scallop_crawler exchanged(struct scallop_crawler c); /* the names of its bodies */
+/* Sets the numbers of the crawler that conditions in words give it: those of their parts, between commas, semicolons
+ * and colons, that are as "T = 2", "F1 = F2 = 1", "alpha = 1/2" or "m1 = m2"; and exchanges the forces where "F1 > F2"
+ * asks for it. False: they are equal. */
+bool set_conditions(struct scallop_crawler *c, const char *conditions);
+/* Periods from rest until the velocity is as near to the steady one, over L/T, at most so many; 0: more, in doubles */
+int periods_from_rest(const struct scallop_crawler *c, double near, int most);
 double middle(const arb_t x);
 double certain(const arb_t x);
 enum { EVIDENCE_DIGITS = 30, EVIDENCE_BITS = 160 };
