@@ -204,37 +204,26 @@ static bool error_at(arb_t error, const struct sample *s, const struct trial *m,
   return true;
 }
 
-/* How far the sum of what is left out is from the error, over the error; 0 where it does not reach beyond what its last
- * terms are */
-static double mismatch_at(const arb_t error, const struct series *left_out, const fmpq_t T, slong precision)
+/* How far the sum of what is left out is from the error, over the error */
+static double mismatch_at(const arb_t error, const struct series *left_out, const arb_t T, slong precision)
 {
-  enum { LAST = 2, MORE = 1000 };
-  double mismatch = 0;
-  SCOPED(arb, x, sum, last);
-  arb_set_fmpq(x, T, precision);
-  series_value(sum, left_out, x, left_out->known, precision);
-  series_value(last, left_out, x, left_out->known - LAST, precision);
-  arb_sub(last, sum, last, precision);
+  SCOPED(arb, sum);
+  series_value(sum, left_out, T, left_out->known, precision);
   arb_sub(sum, sum, error, precision);
-  arb_div(x, sum, error, precision);
-  arb_div(last, last, error, precision);
-  if (!arb_contains_zero(sum))
-    mismatch = arb_is_finite(x) ? fabs(middle(x)) : INFINITY;
-  if (arb_is_finite(last) && mismatch <= MORE * fabs(middle(last)))
-    mismatch = 0;
-  return mismatch;
+  arb_div(sum, sum, error, precision);
+  return arb_contains_zero(sum) ? 0 : arb_is_finite(sum) ? fabs(middle(sum)) : INFINITY;
 }
 
 void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
                    const struct series *left_out)
 {
-  enum { ACCURATE = 20 };
+  enum { ACCURATE = 20, SMALL = 20 }; /* from SMALL on the sum has nothing to add to what it has */
   SCOPED(arb, error, T);
   for (const struct sample *s = m->samples; s < m->samples + CLAIM_POINTS; s++)
     if (error_at(error, s, m, f)) {
-      if (arb_rel_accuracy_bits(error) >= ACCURATE)
-        row->mismatch = mismatch_at(error, left_out, s->T, 4 * s->digits + 64);
-      arb_set_fmpq(T, s->T, 64); /* fmpq_get_d does not round to nearest */
+      arb_set_fmpq(T, s->T, 4 * s->digits + 64); /* fmpq_get_d does not round to nearest */
+      if (s >= m->samples + SMALL && arb_rel_accuracy_bits(error) >= ACCURATE)
+        row->mismatch = mismatch_at(error, left_out, T, 4 * s->digits + 64);
       row->points[row->count++] =
           (struct scallop_order_point){ .h = middle(T), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
     }
