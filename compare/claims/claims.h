@@ -55,9 +55,6 @@ struct claim_row {
   long derived_order;
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
   char *leading_error;  /* of a formula proven for all: that term as a formula; the ledger's own, or NULL  */
-  /* between the certified error and what is left out, summed, over the former, at the smallest T where it has digits;
-   * nan if there is none */
-  double mismatch;
   struct scallop_order_result fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* from the largest T                           */
   int count;

@@ -45,9 +45,10 @@ bool trial_is_steady(const struct trial *m);
 const struct series *trial_series(const struct trial *m, enum scallop_quantity quantity);
 slong trial_leading_power(const struct scallop_formula *formula);
 /* The certified error of the formula at every T where the motion has the modes of the limit: points and count of the
- * row, and mismatch. left_out: the derived expansion minus the formula. */
-void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula,
-                   const struct series *left_out);
+ * row. Returns how far left_out, the derived expansion minus the formula, summed, is from that error, over the latter,
+ * at the smallest T where it has digits; nan: there is none. */
+double trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula,
+                     const struct series *left_out);
 
 struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
                                 const struct condition *condition);

@@ -2,11 +2,13 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "asymptotics/symbolic/left_out.h"
 #include "compare/claims/statement.h"
 #include "compare/points/point_flint.h"
+#include "compare/text/progress.h"
 
 enum { MANY_TERMS = 48, PRECISION = 1400, MOST_OF_EQUALITY = 11, DIGITS = 12 };
 
@@ -20,6 +22,15 @@ struct proof {
   slong for_all_below;       /* where nothing was found: lower coefficients vanish for all parameters; 0: not known */
   char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                                      */
 };
+
+void append(char *text, size_t size, const char *format, ...)
+{
+  size_t used = strlen(text);
+  va_list values;
+  va_start(values, format);
+  vsnprintf(text + used, size - used, format, values);
+  va_end(values);
+}
 
 __attribute__((format(printf, 2, 3))) static void add_reason(struct claim_row *row, const char *format, ...)
 {
@@ -213,7 +224,58 @@ static void judge(struct claim_row *row, const struct proof *p)
   }
 }
 
-/* The row in the ledger */
+/* The ledger */
+
+const char *claim_verdict_text(enum claim_verdict verdict)
+{
+  static const char *const text[] = { "holds", "sharper", "undecided", "refuted" };
+  return text[verdict];
+}
+
+void ledger_add(struct ledger *ledger, const struct claim_row *row)
+{
+  ledger->rows = flint_realloc(ledger->rows, (size_t)(ledger->count + 1) * sizeof *row);
+  ledger->rows[ledger->count++] = *row;
+  if (ledger->expected > 0) /* a table of its own, and no row of another */
+    progress_count(ledger->count, ledger->expected);
+}
+
+bool ledger_expects(struct ledger *ledger)
+{
+  ledger->expected += ledger->is_forecast;
+  return ledger->is_forecast;
+}
+
+void ledger_free(struct ledger *ledger)
+{
+  for (int i = 0; i < ledger->count; i++)
+    free(ledger->rows[i].leading_error);
+  flint_free(ledger->rows);
+  *ledger = (struct ledger){ .rows = NULL };
+}
+
+void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
+{
+  va_list values;
+  va_start(values, format);
+  vsnprintf(ledger->contradiction, sizeof ledger->contradiction, format, values);
+  va_end(values);
+  append(ledger->contradiction, sizeof ledger->contradiction, " (%s, %s, %s)", row->claim, row->gait, row->conditions);
+}
+
+struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
+                                const struct condition *condition)
+{
+  struct claim_row row = { .equation = f->equation,
+                           .quantity = formula_quantity_text(f, condition->kind),
+                           .gait = gait->name,
+                           .inside = condition->inside,
+                           .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder };
+  append(row.claim, sizeof row.claim, "%s", f->name);
+  append(row.corrected, sizeof row.corrected, "%s", f->corrected ? f->corrected : "");
+  append(row.conditions, sizeof row.conditions, "%s", condition->text);
+  return row;
+}
 
 /* The points, from the smallest T on, at which 0 is within the error */
 static int points_at_0(const struct claim_row *row)
@@ -243,7 +305,6 @@ static void fit(struct claim_row *row)
 /* Fits the order to the points of the row, and holds it against the derived one. */
 static void enter(struct ledger *ledger, struct claim_row *row)
 {
-  static const double agreement = 1e-6; /* what is left of the next terms at the smallest T, many times over */
   fit(row);
   if (row->exact && isinf(row->claimed_order) && points_at_0(row) < row->count) {
     row->verdict = CLAIM_REFUTED;
@@ -256,9 +317,6 @@ static void enter(struct ledger *ledger, struct claim_row *row)
     ledger_contradict(ledger, row, "no exact motion has the modes of the expansion");
   else if (row->proven && row->exact && points_at_0(row) == 0 && !beyond)
     ledger_contradict(ledger, row, "nothing is left out, and the certified error is not 0");
-  else if (row->proven && !row->exact && row->mismatch > agreement)
-    ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",
-                      row->mismatch);
   if (row->proven && !row->exact && fabs(row->fit.order - (double)row->derived_order) > CLAIM_TOLERANCE)
     add_reason(row, "at the T that were measured it goes as T^%.3g", row->fit.order);
   if (row->verdict != CLAIM_REFUTED)
@@ -278,7 +336,10 @@ void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m
   if (!why && prove(&p)) {
     if (row->proven && !prove_for_all(&p))
       ledger_contradict(ledger, row, "the coefficients in names are other ones than in numbers");
-    trial_measure(row, m, f, &left_out);
+    const double mismatch = trial_measure(row, m, f, &left_out);
+    if (row->proven && !row->exact && mismatch > 1e-6) /* the next terms at such T, many times over */
+      ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",
+                        mismatch);
     if (m->mirrored)
       see_in_mirror(&p);
     judge(row, &p);

@@ -214,17 +214,19 @@ static double mismatch_at(const arb_t error, const struct series *left_out, cons
   return arb_contains_zero(sum) ? 0 : arb_is_finite(sum) ? fabs(middle(sum)) : INFINITY;
 }
 
-void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
-                   const struct series *left_out)
+double trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
+                     const struct series *left_out)
 {
   enum { ACCURATE = 20, SMALL = 20 }; /* from SMALL on the sum has nothing to add to what it has */
   SCOPED(arb, error, T);
+  double mismatch = NAN;
   for (const struct sample *s = m->samples; s < m->samples + CLAIM_POINTS; s++)
     if (error_at(error, s, m, f)) {
       arb_set_fmpq(T, s->T, 4 * s->digits + 64); /* fmpq_get_d does not round to nearest */
       if (s >= m->samples + SMALL && arb_rel_accuracy_bits(error) >= ACCURATE)
-        row->mismatch = mismatch_at(error, left_out, T, 4 * s->digits + 64);
+        mismatch = mismatch_at(error, left_out, T, 4 * s->digits + 64);
       row->points[row->count++] =
           (struct scallop_order_point){ .h = middle(T), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
     }
+  return mismatch;
 }
