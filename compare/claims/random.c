@@ -150,7 +150,7 @@ static void certify(struct question *q)
   }
 }
 
-void at_random(struct question *q, struct scallop_crawler any)
+void at_random(struct question *q, struct scallop_crawler c)
 {
   const double limit = q->claim->limit;
   gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, 6);
@@ -158,7 +158,7 @@ void at_random(struct question *q, struct scallop_crawler any)
   q->largest = -INFINITY;
   q->by = MEASURED;
   for (int i = 0; sequence && i < RANDOM_CRAWLERS; i++) {
-    struct scallop_crawler c = next_crawler(sequence, any.gait);
+    c = next_crawler(sequence, c.gait);
     const double number = set_conditions(&c, q->claim->conditions) ? q->claim->measure(q, c) : -INFINITY;
     meant += number != -INFINITY;
     held += number != -INFINITY && number <= limit;
@@ -167,37 +167,28 @@ void at_random(struct question *q, struct scallop_crawler any)
     q->largest = fmax(q->largest, number);
   }
   gsl_qrng_free(sequence);
-  if (failed > 0) {
-    certify(q);
-    conclude(q, -1, "not so for %d of %d crawlers, by up to %.3g", failed, meant, q->largest - limit);
-  } else {
-    q->by = SAMPLED;
-    conclude(q, held > 0 && held == meant, q->claim->holds, meant);
-  }
   q->row.sampled = meant;
-}
-
-static void attracts(struct question *q, struct scallop_crawler c)
-{
-  at_random(q, c);
-  if (q->row.verdict == CLAIM_HOLDS)
-    conclude(q, 1, "largest multiplier of the period map: %.4f", q->largest);
-}
-
-static void moves_forward(struct question *q, struct scallop_crawler c)
-{
-  at_random(q, c);
-  if (q->row.verdict != CLAIM_REFUTED)
-    return;
+  if (failed > 0)
+    certify(q);
+  else
+    q->by = SAMPLED;
+  const int verdict = failed > 0 ? -1 : held > 0 && held == meant;
   c = q->crawler;
-  conclude(q, -1, "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g", q->largest);
-  show(q, "scallop steady --m1 %.4g --m2 %.4g --F1 %.4g --F2 %.4g --L 1 --T %.4g --alpha %.4g --gait %s", c.m1, c.m2,
-       c.F1, c.F2, c.T, c.alpha, c.gait->name);
+  if (q->claim->found)
+    conclude(q, verdict, q->claim->found, fmax(q->largest, 0));
+  else if (failed > 0)
+    conclude(q, verdict, "not so for %d of %d crawlers, by up to %.3g", failed, meant, q->largest - limit);
+  else
+    conclude(q, verdict, q->claim->holds, meant);
+  if (q->claim->found)
+    show(q, "scallop steady --m1 %.4g --m2 %.4g --F1 %.4g --F2 %.4g --L 1 --T %.4g --alpha %.4g --gait %s", c.m1, c.m2,
+         c.F1, c.F2, c.T, c.alpha, c.gait->name);
 }
 
 #define SET "400 quasi-random crawlers, masses and forces within 100:1"
 static const char whole_set[] = SET ", sliding to stick-slip", faster[] = SET ", v0 = alpha/10 L over the duration";
 static const char from_rest[] = SET ", F1 > F2, from rest, those that slide";
+static const char backward[] = "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g";
 static const char forward[] = "longer_extension_moves_forward", still[] = "largest |displacement|/L: below 1e-14";
 
 const struct statement statements_at_random[] = {
@@ -205,16 +196,14 @@ const struct statement statements_at_random[] = {
     .proven = true, .holds = still },
   { "symmetric_timing_does_not_move", "4.2", "displacement", whole_set, .measure = equal_times_move, .limit = 1e-14,
     .proven = true, .holds = still },
-  { "steady_state_attracts", "4.3.2", "multiplier", whole_set, .test = attracts, .measure = multiplier,
-    .limit = 1 - DBL_EPSILON, .holds = "%d crawlers" },
+  { "steady_state_attracts", "4.3.2", "multiplier", whole_set, .measure = multiplier, .limit = 1 - DBL_EPSILON,
+    .found = "largest multiplier of the period map: %.4f" },
   { "motion_always_settles", "5", "v", whole_set, .measure = settles_late,
     .holds = "largest |v - v_start| T/L after at most 20000 periods from rest: below 1e-6" },
-  { forward, "4.4", "displacement", "400 quasi-random crawlers: those that slide", .test = moves_forward,
-    .measure = moves_backward, .limit = 1e-14,
-    .holds = "largest displacement/L against the sign of (F1-F2)(2 alpha-1): 0" },
-  { forward, "4.4", "displacement", "400 quasi-random crawlers: those in stick-slip", .test = moves_forward,
-    .measure = moves_backward, .limit = 1e-14, .regime = SCALLOP_STICK_SLIP, .outside = true,
-    .holds = "largest displacement/L against the sign of (F1-F2)(2 alpha-1): 0" },
+  { forward, "4.4", "displacement", "400 quasi-random crawlers: those that slide", .measure = moves_backward,
+    .limit = 1e-14, .found = backward },
+  { forward, "4.4", "displacement", "400 quasi-random crawlers: those in stick-slip", .measure = moves_backward,
+    .limit = 1e-14, .regime = SCALLOP_STICK_SLIP, .outside = true, .found = backward },
   { "one_body_always_moves", "2", "modes", whole_set, .measure = both_rest, .proven = true,
     .holds = "x2' - x1' = l'; both bodies at rest at once in a steady state: never" },
   { "which_body_is_1_does_not_matter", "2", "displacement", SET "; m1 and m2, F1 and F2 exchanged",

@@ -21,10 +21,11 @@ struct statement {
   bool of_its_crawler;        /* the paper's, not the ledger's                                             */
   bool proven;                /* for the paper's gaits, in docs/theory.md: The motion in words             */
   /* Of one about every crawler: the number of a crawler that is at most the limit where it holds, and -INFINITY where
-   * it is about others; and what is said where it holds for all: a format of how many they are. */
+   * it is about others; and what is said where it holds for all, a format of how many they are, or of the largest of
+   * these numbers, or 0, wherever it holds. */
   double (*measure)(struct question *q, struct scallop_crawler c);
   double limit;
-  const char *holds;
+  const char *holds, *found;
 };
 /* In the order of the ledger; the last has name NULL. Those of families and figures are decided with the paper's
  * crawler, and then with the ledger's. */
