@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/orders.h"
+#include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
 
 enum { PRECISION = 1400, MODES_PRECISION = 192 };

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 
 /* Single phases */
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
 
 enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD }; /* F1/F2, by F1; F2, with F1/F2 kept; T */

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 
 /* Figure 4, in doubles: an extension takes half of the period T. */
 

@@ -4,30 +4,27 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/orders.h"
+#include "compare/claims/decide.h"
 
 static const struct condition conditions[] = {
   { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 > F2", .inside = true },
-  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 < F2", .exchange_forces = true,
-    .reversed = true },
-  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 > F1", .inside = true,
-    .exchange_forces = true }, /* bodies exchanged */
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 < F2", .reversed = true },
+  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 > F1", .inside = true },
   { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 < F1", .reversed = true },
   { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
   { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 = F1", .inside = true,
     .equal_forces = true },
   { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED },
   { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
   { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED,
-    .exchange_forces = true },
+  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED },
   { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
   { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2", .inside = true },
-  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
-  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
-  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
-  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 < F2", .inside = false },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 > F2", .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 < F2", .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2, m1 a hundredth", .inside = false },
   { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true, .at_end = true },
 };
 enum { CONDITIONS = sizeof conditions / sizeof *conditions, AT_END = CONDITIONS - 1 };

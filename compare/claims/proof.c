@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "asymptotics/symbolic/left_out.h"
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
 #include "compare/text/progress.h"
 

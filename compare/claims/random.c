@@ -7,7 +7,7 @@
 
 #include <gsl/gsl_qrng.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 
 enum { RANDOM_CRAWLERS = 400 };
 

@@ -1,4 +1,4 @@
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 
 #include <float.h>
 #include <math.h>

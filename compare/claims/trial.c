@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 
 enum { TERMS = 14, TERMS_AT_END = 40, PRECISION = 1400 };
 
@@ -40,13 +40,13 @@ static void set_condition(struct trial *m)
 {
   const struct condition *condition = m->condition;
   struct scallop_rational_crawler *r = &m->crawler;
-  if (condition->exchange_forces)
+  if (strstr(condition->text, "F1 < F2") || strstr(condition->text, "F2 > F1"))
     fmpq_swap(r->F1, r->F2);
   if (condition->equal_forces)
     fmpq_mul_si(r->F2, r->F1, 1); /* not by fmpq_set, which is inline: gcc 12 then warns of reads beyond F1 */
-  if (condition->light_1)
+  if (strstr(condition->text, "m1 a hundredth"))
     fmpq_div_fmpz(r->m1, r->m1, (fmpz[]){ 100 });
-  if (condition->mirror_alpha)
+  if (strstr(condition->text, "alpha < 1/2"))
     scallop_rational_fraction(r->alpha, r, SCALLOP_CONTRACTION);
   double M = fmpq_get_d(r->m1) + fmpq_get_d(r->m2), F = fmpq_get_d(r->F1) + fmpq_get_d(r->F2), L = fmpq_get_d(r->L);
   set_rounded(m->v0, condition->v0 * sqrt(L * F / M));
