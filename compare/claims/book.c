@@ -177,7 +177,6 @@ void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_cra
   struct claim_row row = row_of_formula(f, crawler->gait, &condition);
   SCOPED(scallop_rational, before, now);
   ENDED_BY(trial_clear) struct trial trial;
-  trial_init(&trial);
   row.source = OF_BOOK;
   row.any_crawler = !is_given;
   write_conditions(&row, f);

@@ -36,11 +36,10 @@ struct trial {
   slong terms;
   struct sample *samples;
 };
-void trial_init(struct trial *m);
-void trial_clear(struct trial *m);
-/* Expands the motion, and samples it. */
+/* Begins with the motion expanded, and sampled. */
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
                  bool mirrored);
+void trial_clear(struct trial *m);
 bool trial_expand(struct trial *m, slong terms);
 bool trial_is_steady(const struct trial *m);
 /* The expansion of a quantity, NULL: it has none. Of a formula without a text its leading term */
@@ -70,6 +69,30 @@ void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const
  * All numbers are doubles. Certified ones are 30 proven digits, rounded once. They are 0 only where they are proven to
  * be below 2^-80, and otherwise have a proven sign; and what differs by more than roundings does differ. */
 
+/* What statements about every crawler are about (random.c): the steady state, or an extension from rest */
+enum number {
+  MULTIPLIER,
+  SETTLES_LATE,
+  SEVERAL_STATES,
+  BOTH_REST,
+  EXCHANGE_CHANGES,
+  EQUAL_FORCES_MOVE,
+  EQUAL_TIMES_MOVE,
+  EQUAL_FORCES_DIFFER,
+  EQUAL_TIMES_FORWARD,
+  QUICK_STARTS_BACKWARD,
+  SLIDES_BACKWARD,
+  STICKS_BACKWARD,
+  VELOCITY_FALLS,
+  FIRST_FROM_REST,
+  V0_TAKES_WAY = FIRST_FROM_REST,
+  V0_ADDS_CHANGE,
+  CENTRE_BACKWARD,
+  TURNS_OTHERWISE,
+  LAST_OVER_HALF,
+  LAST_SHRINKS
+};
+
 struct question;
 struct statement {
   const char *name, *place, *quantity; /* place: in the paper                                                       */
@@ -82,10 +105,9 @@ struct statement {
   bool of_its_gaits_alone;    /* the paper's: no row for another                                           */
   bool of_its_crawler;        /* the paper's, not the ledger's                                             */
   bool proven;                /* for the paper's gaits, in docs/theory.md: The motion in words             */
-  /* Of one about every crawler: the number of a crawler that is at most the limit where it holds, and -INFINITY where
-   * it is about others; and what is said where it holds for all, a format of how many they are, or of the largest of
+  /* Of one about every crawler, which has no test: the number that is at most the limit where it holds; and what is said where it holds for all, a format of how many they are, or of the largest of
    * these numbers, or 0, wherever it holds. */
-  double (*measure)(struct question *q, struct scallop_crawler c);
+  enum number number;
   double limit;
   const char *holds, *found;
 };

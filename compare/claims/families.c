@@ -40,6 +40,12 @@ static const struct {
   [VARY_PERIOD] = { "T alone", "T", "<U> T0/L", "T", "T\\n" },
 };
 
+/* Does the number at this place among the crawler's? */
+static bool varies(const struct family *f, int place)
+{
+  return strstr(texts[f->varied].columns, crawler_parameters[place]) != NULL;
+}
+
 static struct scallop_crawler member(const struct family *f, double x)
 {
   struct scallop_crawler c = f->crawler;
@@ -114,12 +120,9 @@ static bool solve_beside(struct ball_answer *a, const struct family *f, const fm
   fmpq_add_si(factor, factor, 1);
   fmpq_mul(factor, factor, root);
   rational_crawler(&c, &at);
-  if (f->varied == VARY_PERIOD)
-    fmpq_mul(c.T, c.T, factor);
-  else
-    fmpq_mul(c.F1, c.F1, factor);
-  if (f->varied == VARY_FORCES)
-    fmpq_mul(c.F2, c.F2, factor);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    if (varies(f, i))
+      fmpq_mul(rational_field(&c, i), rational_field(&c, i), factor);
   return answer_in_balls(a, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, EVIDENCE_DIGITS);
 }
 
@@ -188,16 +191,14 @@ static void show_members(struct question *q, const struct family *f, const doubl
   const struct scallop_crawler usual = scallop_crawler_default();
   struct scallop_crawler others = f->crawler;
   char rows[240] = "";
-  for (int i = 0; i < count; i++) {
-    const struct scallop_crawler c = member(f, x[i]);
-    append(rows, sizeof rows, "%.10g", f->varied == VARY_PERIOD ? c.T : c.F1);
-    if (f->varied == VARY_FORCES)
-      append(rows, sizeof rows, "\\t%.10g", c.F2);
-    append(rows, sizeof rows, "\\n");
-  }
-  *(f->varied == VARY_PERIOD ? &others.T : &others.F1) = f->varied == VARY_PERIOD ? usual.T : usual.F1;
-  others.F2 = f->varied == VARY_FORCES ? usual.F2 : others.F2;
-  show(q, "%s: printf '%s%s' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
+  for (int k = 0; k < count; k++)
+    for (int i = 0, cells = 0; i < CRAWLER_NUMBERS; i++)
+      if (varies(f, i)) {
+        const struct scallop_crawler c = member(f, x[k]);
+        *crawler_field(&others, i) = crawler_number(&usual, i);
+        append(rows, sizeof rows, "%s%.10g", cells++ > 0 ? "\\t" : k > 0 ? "\\n" : "", crawler_number(&c, i));
+      }
+  show(q, "%s: printf '%s%s\\n' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
        options(q, others), texts[f->varied].columns, quantities);
 }
 

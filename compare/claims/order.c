@@ -66,10 +66,8 @@ struct part {
 static struct trial *solve(struct part *part, const struct condition *condition, bool mirrored)
 {
   struct trial *trial = &part->trial[condition - conditions][mirrored];
-  if (!trial->condition) {
-    trial_init(trial);
+  if (!trial->condition)
     trial_begin(trial, part->crawler, condition, mirrored);
-  }
   return trial;
 }
 

@@ -33,104 +33,43 @@ static struct scallop_crawler next_crawler(gsl_qrng *sequence, const struct scal
   return c;
 }
 
-/* What statements are about: numbers, -INFINITY where a statement is about other crawlers */
-
-static double forwards(double x, const struct scallop_crawler *c) { return c->F1 > c->F2 ? x : -x; }
-
-static double multiplier(struct question *q, struct scallop_crawler c) { return steady(q, c).multiplier; }
-
-static double settles_late(struct question *q, struct scallop_crawler c)
+/* What the statement is about, of the steady state or of an extension from rest; -INFINITY where it is about others */
+static double number_of(struct question *q, struct scallop_crawler c)
 {
-  (void)q;
-  return periods_from_rest(&c, 1e-6, 20000) == 0;
-}
-
-/* Of crawlers that slide, or of those that do not */
-static double moves_backward(struct question *q, struct scallop_crawler c)
-{
-  const struct solved s = steady(q, c);
-  const bool meant = (s.regime == SCALLOP_SLIDING) == (q->claim->regime == SCALLOP_SLIDING);
-  return meant ? forwards(s.displacement, &c) * (c.alpha > 0.5 ? -1 : 1) : -INFINITY;
-}
-
-static double both_rest(struct question *q, struct scallop_crawler c)
-{
-  return strstr(steady(q, c).modes, "00") != NULL;
-}
-
-static double exchange_changes(struct question *q, struct scallop_crawler c)
-{
-  return fabs(steady(q, c).displacement + steady(q, exchanged(c)).displacement);
-}
-
-static double equal_forces_move(struct question *q, struct scallop_crawler c)
-{
-  c.F2 = c.F1;
-  return fabs(steady(q, c).displacement);
-}
-
-static double equal_forces_agree(struct question *q, struct scallop_crawler c)
-{
-  const struct solved s = steady(q, c);
-  return strcmp(s.modes, "-+ | +-") == 0 ? fabs(s.v_start) * c.T : 1;
-}
-
-static double equal_times_move(struct question *q, struct scallop_crawler c)
-{
-  c.alpha = 0.5;
-  return fabs(steady(q, c).displacement);
-}
-
-static double equal_times_start_forward(struct question *q, struct scallop_crawler c)
-{
-  const struct solved s = steady(q, c);
-  return fmax(fabs(s.v_start + s.v_mid), forwards(s.v_start, &c)) * c.T;
-}
-
-static double quick_starts_backward(struct question *q, struct scallop_crawler c)
-{
-  c.T = 1e-4 * sqrt((c.m1 + c.m2) / (c.F1 + c.F2) * c.L); /* Froude number 1e8 */
-  const struct solved s = steady(q, c);
-  return -s.v_start * s.displacement;
-}
-
-static double v0_takes_way(struct question *q, struct scallop_crawler c)
-{
-  return extension(q, c, 0).dxC - extension(q, c, 0.1 * c.L / c.T).dxC;
-}
-
-static double v0_adds_change(struct question *q, struct scallop_crawler c)
-{
-  const double v0 = 0.1 * c.L / c.T;
-  return extension(q, c, v0).v_end - v0 - extension(q, c, 0).v_end;
-}
-
-static double velocity_falls(struct question *q, struct scallop_crawler c)
-{
-  const struct solved s = steady(q, c);
-  return s.regime == SCALLOP_SLIDING ? s.v_start - s.v_mid : -INFINITY;
-}
-
-static double centre_backward(struct question *q, struct scallop_crawler c) { return -extension(q, c, 0).dxC; }
-
-static double turns_otherwise(struct question *q, struct scallop_crawler c)
-{
-  const struct solved p = extension(q, c, 0);
-  return p.regime == SCALLOP_SLIDING ? strcmp(p.modes, "-+ ++") != 0 : -INFINITY;
-}
-
-static double last_over_half(struct question *q, struct scallop_crawler c)
-{
-  const struct solved p = extension(q, c, 0);
-  return p.regime == SCALLOP_SLIDING ? p.dT - scallop_phase_duration(&c, SCALLOP_EXTENSION) / 2 : -INFINITY;
-}
-
-static double last_shrinks(struct question *q, struct scallop_crawler c)
-{
-  const struct solved p = extension(q, c, 0);
-  c.T *= 1.01;
-  const struct solved longer = extension(q, c, 0);
-  return p.regime == SCALLOP_SLIDING && longer.regime == SCALLOP_SLIDING ? p.dT - longer.dT : -INFINITY;
+  const enum number number = q->claim->number;
+  c.F2 = number == EQUAL_FORCES_MOVE ? c.F1 : c.F2;
+  c.alpha = number == EQUAL_TIMES_MOVE ? 0.5 : c.alpha;
+  if (number == QUICK_STARTS_BACKWARD) /* Froude number 1e8 */
+    c.T = 1e-4 * sqrt((c.m1 + c.m2) / (c.F1 + c.F2) * c.L);
+  const struct solved s = number < FIRST_FROM_REST ? steady(q, c) : extension(q, c, 0);
+  const bool slides = s.regime == SCALLOP_SLIDING;
+  const double forwards = c.F1 > c.F2 ? 1 : -1, backwards = forwards * (c.alpha > 0.5 ? -1 : 1);
+  const double v0 = 0.1 * c.L / c.T, half = scallop_phase_duration(&c, SCALLOP_EXTENSION) / 2;
+  struct scallop_crawler longer = c;
+  longer.T *= 1.01;
+  const struct solved l = number == LAST_SHRINKS ? extension(q, longer, 0) : s;
+  switch (number) {
+  case MULTIPLIER: return s.multiplier;
+  case SETTLES_LATE: return periods_from_rest(&c, 1e-6, 20000) == 0;
+  case SEVERAL_STATES: return !s.single;
+  case BOTH_REST: return strstr(s.modes, "00") != NULL;
+  case EXCHANGE_CHANGES: return fabs(s.displacement + steady(q, exchanged(c)).displacement);
+  case EQUAL_FORCES_MOVE:
+  case EQUAL_TIMES_MOVE: return fabs(s.displacement);
+  case EQUAL_FORCES_DIFFER: return strcmp(s.modes, "-+ | +-") == 0 ? fabs(s.v_start) * c.T : 1;
+  case EQUAL_TIMES_FORWARD: return fmax(fabs(s.v_start + s.v_mid), forwards * s.v_start) * c.T;
+  case QUICK_STARTS_BACKWARD: return -s.v_start * s.displacement;
+  case SLIDES_BACKWARD: return slides ? backwards * s.displacement : -INFINITY;
+  case STICKS_BACKWARD: return slides ? -INFINITY : backwards * s.displacement;
+  case VELOCITY_FALLS: return slides ? s.v_start - s.v_mid : -INFINITY;
+  case V0_TAKES_WAY: return s.dxC - extension(q, c, v0).dxC;
+  case V0_ADDS_CHANGE: return extension(q, c, v0).v_end - v0 - s.v_end;
+  case CENTRE_BACKWARD: return -s.dxC;
+  case TURNS_OTHERWISE: return slides ? strcmp(s.modes, "-+ ++") != 0 : -INFINITY;
+  case LAST_OVER_HALF: return slides ? s.dT - half : -INFINITY;
+  case LAST_SHRINKS: return slides && l.regime == SCALLOP_SLIDING ? s.dT - l.dT : -INFINITY;
+  }
+  return NAN;
 }
 
 /* The counterexample as it is printed, with four digits, certified; or, if that is none, in doubles */
@@ -140,7 +79,7 @@ static void certify(struct question *q)
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     *crawler_field(&c, i) = short_number(crawler_number(&c, i), 4);
   q->by = CERTIFIED_CRAWLER;
-  const double number = q->claim->measure(q, c);
+  const double number = number_of(q, c);
   if (compare(number, q->claim->limit) > 0) {
     q->crawler = c;
     q->largest = number;
@@ -159,7 +98,7 @@ void at_random(struct question *q, struct scallop_crawler c)
   q->by = MEASURED;
   for (int i = 0; sequence && i < RANDOM_CRAWLERS; i++) {
     c = next_crawler(sequence, c.gait);
-    const double number = set_conditions(&c, q->claim->conditions) ? q->claim->measure(q, c) : -INFINITY;
+    const double number = set_conditions(&c, q->claim->conditions) ? number_of(q, c) : -INFINITY;
     meant += number != -INFINITY;
     held += number != -INFINITY && number <= limit;
     failed += number > limit;
@@ -192,42 +131,42 @@ static const char backward[] = "largest displacement/L against the sign of (F1-F
 static const char forward[] = "longer_extension_moves_forward", still[] = "largest |displacement|/L: below 1e-14";
 
 const struct statement statements_at_random[] = {
-  { "equal_forces_do_not_move", "4.1", "displacement", whole_set, .measure = equal_forces_move, .limit = 1e-14,
+  { "equal_forces_do_not_move", "4.1", "displacement", whole_set, .number = EQUAL_FORCES_MOVE, .limit = 1e-14,
     .proven = true, .holds = still },
-  { "symmetric_timing_does_not_move", "4.2", "displacement", whole_set, .measure = equal_times_move, .limit = 1e-14,
+  { "symmetric_timing_does_not_move", "4.2", "displacement", whole_set, .number = EQUAL_TIMES_MOVE, .limit = 1e-14,
     .proven = true, .holds = still },
-  { "steady_state_attracts", "4.3.2", "multiplier", whole_set, .measure = multiplier, .limit = 1 - DBL_EPSILON,
+  { "steady_state_attracts", "4.3.2", "multiplier", whole_set, .number = MULTIPLIER, .limit = 1 - DBL_EPSILON,
     .found = "largest multiplier of the period map: %.4f" },
-  { "motion_always_settles", "5", "v", whole_set, .measure = settles_late,
+  { "motion_always_settles", "5", "v", whole_set, .number = SETTLES_LATE,
     .holds = "largest |v - v_start| T/L after at most 20000 periods from rest: below 1e-6" },
-  { forward, "4.4", "displacement", "400 quasi-random crawlers: those that slide", .measure = moves_backward,
+  { forward, "4.4", "displacement", "400 quasi-random crawlers: those that slide", .number = SLIDES_BACKWARD,
     .limit = 1e-14, .found = backward },
-  { forward, "4.4", "displacement", "400 quasi-random crawlers: those in stick-slip", .measure = moves_backward,
-    .limit = 1e-14, .regime = SCALLOP_STICK_SLIP, .outside = true, .found = backward },
-  { "one_body_always_moves", "2", "modes", whole_set, .measure = both_rest, .proven = true,
+  { forward, "4.4", "displacement", "400 quasi-random crawlers: those in stick-slip", .number = STICKS_BACKWARD,
+    .limit = 1e-14, .outside = true, .found = backward },
+  { "one_body_always_moves", "2", "modes", whole_set, .number = BOTH_REST, .proven = true,
     .holds = "x2' - x1' = l'; both bodies at rest at once in a steady state: never" },
   { "which_body_is_1_does_not_matter", "2", "displacement", SET "; m1 and m2, F1 and F2 exchanged",
-    .measure = exchange_changes, .limit = 1e-14, .proven = true,
+    .number = EXCHANGE_CHANGES, .limit = 1e-14, .proven = true,
     .holds = "displacement of one plus that of the other, over L: below 1e-14" },
-  { "equal_forces_bodies_oppose", "(6), (7)", "modes", SET "; F2 = F1", .measure = equal_forces_agree, .limit = 1e-14,
+  { "equal_forces_bodies_oppose", "(6), (7)", "modes", SET "; F2 = F1", .number = EQUAL_FORCES_DIFFER, .limit = 1e-14,
     .proven = true, .holds = "the modes are -+ | +- and |v_start| T/L is below 1e-14" },
   { "velocity_rises_over_extension", "4.2", "v_mid", SET ", F1 > F2, the steady states that slide",
-    .measure = velocity_falls, .proven = true, .holds = "v_mid >= v_start for all (%d crawlers)" },
-  { "symmetric_timing_starts_backward", "4.2", "v_start", SET "; alpha = 1/2", .measure = equal_times_start_forward,
+    .number = VELOCITY_FALLS, .proven = true, .holds = "v_mid >= v_start for all (%d crawlers)" },
+  { "symmetric_timing_starts_backward", "4.2", "v_start", SET "; alpha = 1/2", .number = EQUAL_TIMES_FORWARD,
     .limit = 1e-14, .proven = true, .holds = "v_start = -v_mid to 1e-14 L/T, and never on the side of F1 - F2" },
   { "centre_moves_forward_in_an_extension", "4.3", "dx_C", SET ", F1 > F2, m1 = m2, from rest",
-    .measure = centre_backward, .limit = -DBL_MIN, .proven = true, .holds = "dx_C > 0 for all (%d crawlers)" },
-  { "extension_from_rest_has_two_intervals", "4.3.1", "modes", from_rest, .measure = turns_otherwise, .proven = true,
+    .number = CENTRE_BACKWARD, .limit = -DBL_MIN, .proven = true, .holds = "dx_C > 0 for all (%d crawlers)" },
+  { "extension_from_rest_has_two_intervals", "4.3.1", "modes", from_rest, .number = TURNS_OTHERWISE, .proven = true,
     .holds = "the modes are -+ ++ for all (%d crawlers)" },
-  { "first_interval_is_the_greater_part", "4.3.1", "dT", from_rest, .measure = last_over_half, .proven = true,
+  { "first_interval_is_the_greater_part", "4.3.1", "dT", from_rest, .number = LAST_OVER_HALF, .proven = true,
     .holds = "dT is at most half of the duration for all (%d crawlers)" },
-  { "last_interval_grows_with_duration", "4.3.1", "dT", from_rest, .measure = last_shrinks, .proven = true,
+  { "last_interval_grows_with_duration", "4.3.1", "dT", from_rest, .number = LAST_SHRINKS, .proven = true,
     .holds = "dT does not shrink with the duration for any, here by 1 %% (%d crawlers)" },
-  { "start_velocity_adds_displacement", "4.3.2", "dx_C", faster, .measure = v0_takes_way, .proven = true,
+  { "start_velocity_adds_displacement", "4.3.2", "dx_C", faster, .number = V0_TAKES_WAY, .proven = true,
     .holds = "dx_C is not smaller than from rest for any" },
-  { "start_velocity_takes_velocity_change", "4.3.2", "v_end", faster, .measure = v0_adds_change, .proven = true,
+  { "start_velocity_takes_velocity_change", "4.3.2", "v_end", faster, .number = V0_ADDS_CHANGE, .proven = true,
     .holds = "v_end - v0 is not larger than from rest for any" },
   { "start_velocity_is_forward_at_high_Froude", "5", "v_start", SET ", Froude number 1e8",
-    .measure = quick_starts_backward, .holds = "v_start against the displacement: never" },
+    .number = QUICK_STARTS_BACKWARD, .holds = "v_start against the displacement: never" },
   { .name = NULL },
 };

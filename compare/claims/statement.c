@@ -174,14 +174,11 @@ struct printed printed(struct scallop_crawler c, const char *formula)
 const char *options(struct question *q, struct scallop_crawler c)
 {
   const struct scallop_crawler usual = scallop_crawler_default();
-  double numbers[CRAWLER_NUMBERS], defaults[CRAWLER_NUMBERS];
   char number[NUMBER_TEXT];
-  crawler_numbers(&c, numbers);
-  crawler_numbers(&usual, defaults);
   *q->options = '\0';
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (numbers[i] != defaults[i]) {
-      number_text(number, numbers[i], 0);
+    if (crawler_number(&c, i) != crawler_number(&usual, i)) {
+      number_text(number, crawler_number(&c, i), 0);
       append(q->options, sizeof q->options, " --%s %s", crawler_parameters[i], number);
     }
   if (c.gait != usual.gait)

@@ -101,7 +101,7 @@ static void take_samples(struct trial *m)
     solve_sample(sample_at(m, T0, k), m, 40 + (long)(10 * (0.602 * k + 1.5 * decades)));
 }
 
-void trial_init(struct trial *m)
+static void trial_init(struct trial *m)
 {
   *m = (struct trial){ .samples = flint_calloc(CLAIM_POINTS, sizeof *m->samples) };
   fmpq_init(m->v0);
@@ -172,6 +172,7 @@ static void begin_at_end(struct trial *m)
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
                  bool mirrored)
 {
+  trial_init(m);
   m->condition = condition;
   m->mirrored = mirrored;
   scallop_rational_copy(&m->crawler, crawler);
