@@ -162,20 +162,20 @@ static void fill(struct part *part)
       add_formula(part, f, TURNED);
 }
 
-/* Every formula that a row from `first` on names as right where another is wrong has its row for the same conditions,
- * and holds; if not, it is noted. */
+/* Every row from `first` on that is refuted names a formula in its place, whose row for the same conditions holds; if
+ * not, that is noted. */
 static void check_corrections(struct ledger *ledger, int first)
 {
   for (int i = first; i < ledger->count; i++) {
     const struct claim_row *wrong = &ledger->rows[i];
-    bool stands = !*wrong->corrected;
+    bool stands = wrong->verdict != CLAIM_REFUTED;
     for (int j = first; j < ledger->count && !stands; j++) {
       const struct claim_row *row = &ledger->rows[j];
-      stands = (row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER)
-               && strcmp(row->claim, wrong->corrected) == 0 && strcmp(row->conditions, wrong->conditions) == 0;
+      stands = row->verdict <= CLAIM_SHARPER && strcmp(row->claim, wrong->corrected) == 0
+               && strcmp(row->conditions, wrong->conditions) == 0;
     }
     if (!stands)
-      ledger_contradict(ledger, wrong, "%s, which is to take its place, has no row that holds", wrong->corrected);
+      ledger_contradict(ledger, wrong, "'%s', which is to take its place, has no row that holds", wrong->corrected);
   }
 }
 
