@@ -191,6 +191,8 @@ static void show_members(struct question *q, const struct family *f, const doubl
   const struct scallop_crawler usual = scallop_crawler_default();
   struct scallop_crawler others = f->crawler;
   char rows[240] = "";
+  if (isnan(x[0])) /* there is no boundary */
+    return;
   for (int k = 0; k < count; k++)
     for (int i = 0, cells = 0; i < CRAWLER_NUMBERS; i++)
       if (varies(f, i)) {
@@ -323,8 +325,9 @@ void contraction_loses_least(struct question *q, struct scallop_crawler c)
   conclude(q, crosses ? compare(back[1], fmax(back[0], back[2])) : 0,
            "certified: dx_C/L of the contraction is %.6f, %.6f, %.6f there; of the extension %.6f, %.6f, %.6f", back[0],
            back[1], back[2], forth[0], forth[1], forth[2]);
-  show(q, "dx_C of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
-       options(q, member(f, x[1])), s[1].v_mid);
+  if (!isnan(f->boundary))
+    show(q, "dx_C of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
+         options(q, member(f, x[1])), s[1].v_mid);
 }
 
 #define BY_RATIO "%s; F1/F2 from 1.01 to 7838 by 1 %%"

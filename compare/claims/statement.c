@@ -35,10 +35,12 @@ static bool solve_in_balls(struct solved *s, const struct motion *m)
   SCOPED(ball_answer, a);
   SCOPED(scallop_rational, c);
   SCOPED(fmpq, v0);
-  rational_crawler(&c, &m->crawler);
-  if (isfinite(m->v0))
+  const bool possible = isfinite(m->v0) && scallop_crawler_check(&m->crawler, NULL) == SCALLOP_OK;
+  if (possible) {
+    rational_crawler(&c, &m->crawler);
     scallop_rational_set_double(v0, m->v0);
-  bool done = isfinite(m->v0) && answer_in_balls(&a, &c, m->of, m->phase, v0, EVIDENCE_DIGITS);
+  }
+  const bool done = possible && answer_in_balls(&a, &c, m->of, m->phase, v0, EVIDENCE_DIGITS);
   for (int k = 0; k < ALL_QUANTITIES; k++)
     s->of[k] = done && a.value[k] ? certain(a.value[k]) : NAN;
   s->regime = a.regime;
