@@ -134,8 +134,7 @@ bool published_in_balls(arb_t value, const struct scallop_formula *f, const stru
 
 slong series_first_power(const struct series *s)
 {
-  slong k = s->first;
-  const slong end = k + series_terms(s);
+  slong k = s->first, end = k + series_terms(s);
   while (k < end && series_coefficient_is_zero(s, k))
     k++;
   return k < end ? k : s->known;

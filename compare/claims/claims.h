@@ -5,7 +5,7 @@
  *     through these under their conditions, trial.c expands and samples the motion, proof.c finds what the formula
  *     leaves out, and holds the two against each other (decide.h);
  *   - in words: one row and one function in random.c (every crawler), examples.c, families.c (crawlers that differ in
- *     one number) or figures.c, made of what statement.c has, which adds the rows.
+ *     one number) or figures.c, made of what statement.c has; words.c adds the rows.
  *
  * A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0; for all parameters
  * where the coefficients are known in names, else for the crawler of the row. A claim in words is proven in

@@ -105,8 +105,8 @@ struct statement {
   bool of_its_gaits_alone;    /* the paper's: no row for another                                           */
   bool of_its_crawler;        /* the paper's, not the ledger's                                             */
   bool proven;                /* for the paper's gaits, in docs/theory.md: The motion in words             */
-  /* Of one about every crawler, which has no test: the number that is at most the limit where it holds; and what is said where it holds for all, a format of how many they are, or of the largest of
-   * these numbers, or 0, wherever it holds. */
+  /* Of one about every crawler, which has no test: the number that is at most the limit where it holds; what is said
+   * where it holds for all, a format of how many they are; or, whether it holds or not, one of the largest number. */
   enum number number;
   double limit;
   const char *holds, *found;

@@ -23,15 +23,6 @@ struct proof {
   char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                                      */
 };
 
-void append(char *text, size_t size, const char *format, ...)
-{
-  size_t used = strlen(text);
-  va_list values;
-  va_start(values, format);
-  vsnprintf(text + used, size - used, format, values);
-  va_end(values);
-}
-
 __attribute__((format(printf, 2, 3))) static void add_reason(struct claim_row *row, const char *format, ...)
 {
   char reason[sizeof row->reason];

@@ -77,10 +77,8 @@ fmpq *rational_field(struct scallop_rational_crawler *c, int place)
 
 void rational_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *c)
 {
-  double values[CRAWLER_NUMBERS];
-  crawler_numbers(c, values);
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    rational_number(rational_field(exact, i), values[i]);
+    rational_number(rational_field(exact, i), crawler_number(c, i));
   exact->gait = written_gait(c->gait);
 }
 

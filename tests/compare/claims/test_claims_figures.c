@@ -222,7 +222,7 @@ TEST(speeds_where_T_is_varied)
   CHECK_RELATIVE(highest, s.mean_velocity * T0 / c.L, 1e-4);
 }
 
-/* Of a crawler with hardly any friction at body 2 no boundary is found where F1/F2 is varied: nothing is proven there. */
+/* Of a crawler with hardly any friction at body 2 no boundary is found where F1/F2 is varied. */
 TEST(without_a_boundary)
 {
   struct ledger other = { .rows = NULL };
