@@ -91,7 +91,7 @@ struct scallop_crawler exchanged(struct scallop_crawler c)
 bool set_conditions(struct scallop_crawler *c, const char *conditions)
 {
   char name[8], value[32];
-  for (const char *part = conditions; part; part = strpbrk(part, ",;:"), part += part != NULL)
+  for (const char *part = conditions; *part != '\0'; part += strcspn(part, ",;:"), part += *part != '\0')
     if (sscanf(part, " %7[a-zA-Z0-9] = %31[^,;:]", name, value) == 2 && crawler_place(name) < CRAWLER_NUMBERS) {
       const char *last = strrchr(value, '=') ? strrchr(value, '=') + 2 : value; /* of "F1 = F2 = 1" */
       const int other = crawler_place(last);
