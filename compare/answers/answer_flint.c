@@ -134,10 +134,10 @@ bool published_in_balls(arb_t value, const struct scallop_formula *f, const stru
 
 slong series_first_power(const struct series *s)
 {
-  slong k = s->first;
-  while (k < s->known && k < s->first + SCALLOP_MOST_TERMS && series_coefficient_is_zero(s, k))
+  slong k = s->first, end = k + series_terms(s);
+  while (k < end && series_coefficient_is_zero(s, k))
     k++;
-  return k;
+  return k < end ? k : s->known;
 }
 
 /* Where the displacement begins with T^2 four terms are lost, which the expansion to an even order has to spare. NULL:

@@ -45,7 +45,7 @@ struct series_answer {
 void series_answer_init(struct series_answer *answer);
 void series_answer_clear(struct series_answer *answer);
 SCOPED_KIND(series_answer, struct series_answer)
-/* The power of its first term that is not 0; without one the first that is not known. */
+/* The power of its first term that is not known to be 0; without one the first that is not known at all. */
 slong series_first_power(const struct series *series);
 /* All terms below T^order. */
 bool answer_in_series(struct series_answer *answer, const struct scallop_rational_crawler *crawler, enum quantity_of of,

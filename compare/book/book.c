@@ -4,70 +4,53 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/book/entry.h"
+#include "compare/book/book.h"
 #include "compare/text/memory.h"
 #include "compare/text/values.h"
 
-/* The formulas of the books that were read: in the order of reading, and as a tree by their names */
-static struct book_entry **entries;
+/* Those of the books that were read: in the order of reading, and as a tree by their names */
+static struct scallop_formula **formulas;
 static int count;
 static void *by_name;
-struct book_file *book_files;
 
 static int compare(const void *a, const void *b)
 {
-  return strcmp(((const struct book_entry *)a)->formula.name, ((const struct book_entry *)b)->formula.name);
+  return strcmp(((const struct scallop_formula *)a)->name, ((const struct scallop_formula *)b)->name);
 }
 
-const struct book_entry *book_entry_named(const char *name)
+const struct scallop_formula *book_formula_named(const char *name)
 {
-  const struct book_entry wanted = { .formula.name = name };
-  struct book_entry *const *found = tfind(&wanted, &by_name, compare);
+  const struct scallop_formula wanted = { .name = name };
+  struct scallop_formula *const *found = tfind(&wanted, &by_name, compare);
   return found ? *found : NULL;
 }
 
-bool book_keep(struct book_entry *e)
+bool book_keep(struct scallop_formula *f)
 {
-  struct book_entry **more = with_room(entries, count, sizeof(struct book_entry *));
-  entries = more ? more : entries;
-  if (!more || !tsearch(e, &by_name, compare))
+  struct scallop_formula **more = with_room(formulas, count, sizeof(struct scallop_formula *));
+  formulas = more ? more : formulas;
+  if (!more || !tsearch(f, &by_name, compare))
     return false;
-  entries[count++] = e;
+  formulas[count++] = f;
   return true;
 }
 
-const struct scallop_formula *book_formula(int i) { return i < count ? &entries[i]->formula : NULL; }
+const struct scallop_formula *book_formula(int i) { return i < count ? formulas[i] : NULL; }
 
-const struct scallop_formula *listed_formula(int i)
+/* At place i of the paper's and then of those that correct them; listed: of those that listed_formula has */
+static const struct scallop_formula *of_tool(int i, bool listed)
 {
-  const struct scallop_formula *f = book_formula(i);
-  i -= count;
-  for (const struct scallop_formula *of_paper = scallop_published; !f && of_paper->name; of_paper++)
-    if (!of_paper->when && i-- == 0)
-      f = of_paper;
-  return f;
+  for (const struct scallop_formula *f = scallop_published; f->name; f++)
+    if (!(listed && f->when) && i-- == 0)
+      return f;
+  for (const struct scallop_formula *f = scallop_corrected; !listed && f->name; f++)
+    if (i-- == 0)
+      return f;
+  return NULL;
 }
 
-const struct scallop_formula *formula_at(int i)
-{
-  const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected }, *f = book_formula(i);
-  i -= count;
-  for (int k = 0; k < 2; k++)
-    for (const struct scallop_formula *of_list = lists[k]; !f && of_list->name; of_list++)
-      if (i-- == 0)
-        f = of_list;
-  return f;
-}
-
-const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula *formula)
-{
-  const struct book_entry *e = book_entry_named(formula->name);
-  const int line = e && &e->formula == formula ? config_setting_source_line(e->group) : 0;
-  *text = '\0';
-  if (line > 0) /* not of an option */
-    snprintf(text, FORMULA_PLACE, "%s:%d: ", e->config->path, line);
-  return text;
-}
+const struct scallop_formula *listed_formula(int i) { return i < count ? formulas[i] : of_tool(i - count, true); }
+const struct scallop_formula *formula_at(int i) { return i < count ? formulas[i] : of_tool(i - count, false); }
 
 /* The formula of the books and of the paper at place i that has the equation, alone or beside others, or NULL */
 static const struct scallop_formula *of_equation(const char *equation, int i)
@@ -82,8 +65,8 @@ static const struct scallop_formula *of_equation(const char *equation, int i)
 
 const struct scallop_formula *formula_named(const char *name)
 {
-  const struct book_entry *e = book_entry_named(name);
-  const struct scallop_formula *f = e ? &e->formula : scallop_formula_named(name);
+  const struct scallop_formula *of_book = book_formula_named(name),
+                               *f = of_book ? of_book : scallop_formula_named(name);
   return f || of_equation(name, 1) ? f : of_equation(name, 0);
 }
 
@@ -160,21 +143,16 @@ bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol sy
   return takes;
 }
 
-void books_forget(void)
+void book_forget_formulas(void)
 {
   for (struct read_once *first; (first = atomic_load(&all));) {
     atomic_store(&all, first->next);
     free(first);
   }
   while (count > 0) {
-    tdelete(entries[--count], &by_name, compare);
-    free(entries[count]);
+    tdelete(formulas[--count], &by_name, compare);
+    free(formulas[count]);
   }
-  free(entries);
-  entries = NULL;
-  for (struct book_file *first; (first = book_files);) {
-    book_files = first->next;
-    config_close(&first->config);
-    free(first);
-  }
+  free(formulas);
+  formulas = NULL;
 }

@@ -58,4 +58,10 @@ const struct formula *formula_read_once(const struct scallop_formula *formula);
 /* Does its text, or a part of it, use the symbol? */
 bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol symbol);
 
+/* For read.c, which has the files: keeps a formula, which book_forget_formulas frees with what it is the first member
+ * of. False: out of memory. */
+bool book_keep(struct scallop_formula *formula);
+const struct scallop_formula *book_formula_named(const char *name); /* or NULL */
+void book_forget_formulas(void);
+
 #endif

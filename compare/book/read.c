@@ -4,7 +4,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/book/entry.h"
+#include "compare/book/book.h"
+#include "compare/config/config.h"
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
 
@@ -17,9 +18,27 @@ const char *const book_quantities[] = {
 const char *const book_starts[] = { "rest", "v0", "steady", NULL };
 const char *const book_phases[] = { "extension", "contraction", NULL };
 static const char *const turns[] = { "in both phases", "not in the contraction", "not in the extension", NULL };
-enum { DX1, DX2, FIRST_OF_STEADY = 11, NOTHING = -1 };
+enum { DX1, DX2, NOTHING = -1 };
 enum { FROM_REST, FROM_V0, FROM_STEADY };
 enum { MOST_CLAIMED = 999 };
+
+/* The files that were read, whose texts the formulas have */
+struct book_file {
+  struct book_file *next;
+  struct config config;
+};
+static struct book_file *files;
+
+enum { MOST_PARTS = 16, MOST_CONDITIONS = 8 };
+
+struct book_entry {
+  struct scallop_formula formula;
+  struct scallop_part parts[MOST_PARTS + 1];
+  const char *when[MOST_CONDITIONS + 1];
+  int conditions, start, phase, of; /* start, phase, of: places among the words of book.h */
+  const struct config *config;
+  const config_setting_t *group;
+};
 
 static const struct member members[] = { MEMBER(TEXT, "name", book_entry, formula.name, ),
                                          MEMBER(TEXT, "equation", book_entry, formula.equation, ),
@@ -34,6 +53,11 @@ static const struct member members[] = { MEMBER(TEXT, "name", book_entry, formul
                                          MEMBER(TEXT, "corrected", book_entry, formula.corrected, ),
                                          MEMBER(WORD, "turns", book_entry, formula.turns, .words = turns),
                                          { .name = NULL } };
+
+static const struct book_entry *entry_named(const char *name)
+{
+  return (const void *)book_formula_named(name); /* whose first member it is */
+}
 
 static const config_setting_t *member_of(const struct book_entry *e, const char *name)
 {
@@ -71,7 +95,7 @@ static bool check_names(const struct book_entry *e, name_is_taken *taken)
                      : !e->formula.text ? "text"
                                         : "'of', the quantity that it gives");
   const config_setting_t *at = member_of(e, "name"), *where = member_of(e, "where");
-  const struct book_entry *other = book_entry_named(name);
+  const struct book_entry *other = entry_named(name);
   bool good = check_name(e, at, name, "formula",
                          taken && taken(name)    ? quantity
                          : formula_is_word(name) ? meaning
@@ -90,10 +114,10 @@ static bool check_motion(const struct book_entry *e)
 {
   const char *what = book_quantities[e->of];
   bool is_steady = e->start == FROM_STEADY;
-  if (!is_steady && e->of >= FIRST_OF_STEADY)
+  if (!is_steady && e->of >= BOOK_STEADY)
     return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of the steady state: give it start = \"steady\"",
                      what);
-  if (is_steady && e->of < FIRST_OF_STEADY)
+  if (is_steady && e->of < BOOK_STEADY)
     return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of one phase: give it start = \"rest\" or \"v0\"",
                      what);
   if (e->phase == SCALLOP_CONTRACTION && e->start != FROM_V0)
@@ -224,7 +248,7 @@ static bool read_entry(struct config *c, const config_setting_t *group, name_is_
               && check_names(e, taken) && check_motion(e);
   if (good) {
     set_meaning(e);
-    good = check_texts(e) && (book_keep(e) || refuse_at(c, NULL, "out of memory"));
+    good = check_texts(e) && (book_keep(&e->formula) || refuse_at(c, NULL, "out of memory"));
   }
   if (!good)
     free(e);
@@ -256,8 +280,8 @@ static bool read_root(struct config *c, name_is_taken *taken)
   for (i = first; book_formula(i); i++) {
     const char *name = book_formula(i)->name, *corrected = book_formula(i)->corrected;
     if (corrected && !formula_named(corrected))
-      return refuse_at(c, member_of(book_entry_named(name), "corrected"), "%s: there is no formula '%s'%s", name,
-                       corrected, formula_instead(corrected));
+      return refuse_at(c, member_of(entry_named(name), "corrected"), "%s: there is no formula '%s'%s", name, corrected,
+                       formula_instead(corrected));
   }
   return i > first || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
 }
@@ -270,8 +294,8 @@ static struct config *new_file(const char *command)
     complain(command, "out of memory");
     return NULL;
   }
-  file->next = book_files;
-  book_files = file;
+  file->next = files;
+  files = file;
   return &file->config;
 }
 
@@ -285,7 +309,7 @@ static bool is_same_file(const char *a, const char *b)
 
 enum exit_code book_read(const char *command, const char *path, const char *text, name_is_taken *taken)
 {
-  for (const struct book_file *f = book_files; f; f = f->next)
+  for (const struct book_file *f = files; f; f = f->next)
     if (!text && is_same_file(f->config.path, path))
       return EXIT_DONE;
   struct config *c = new_file(command);
@@ -295,7 +319,7 @@ enum exit_code book_read(const char *command, const char *path, const char *text
 
 enum exit_code book_add(const char *command, const struct formula_given *given)
 {
-  bool is_steady = word_place(given->of, book_quantities) >= FIRST_OF_STEADY;
+  bool is_steady = word_place(given->of, book_quantities) >= BOOK_STEADY;
   const char *const texts[][2] = {
     { "name", "formula" },     { "text", given->text },
     { "of", given->of },       { "start", given->start || !is_steady ? given->start : "steady" },
@@ -314,4 +338,24 @@ enum exit_code book_add(const char *command, const struct formula_given *given)
     if (texts[i][1])
       config_setting_set_string(config_setting_add(c->file.root, texts[i][0], CONFIG_TYPE_STRING), texts[i][1]);
   return read_entry(c, config_root(c), NULL) ? EXIT_DONE : EXIT_USAGE;
+}
+
+const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula *formula)
+{
+  const struct book_entry *e = entry_named(formula->name);
+  const int line = e && &e->formula == formula ? config_setting_source_line(e->group) : 0;
+  *text = '\0';
+  if (line > 0) /* not of an option */
+    snprintf(text, FORMULA_PLACE, "%s:%d: ", e->config->path, line);
+  return text;
+}
+
+void books_forget(void)
+{
+  book_forget_formulas();
+  for (struct book_file *first; (first = files);) {
+    files = first->next;
+    config_close(&first->config);
+    free(first);
+  }
 }

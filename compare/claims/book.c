@@ -5,18 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/orders.h"
+#include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
 
 enum { PRECISION = 1400, MODES_PRECISION = 192 };
 
 /* Conditions */
-
-static fmpq *rational_field(struct scallop_rational_crawler *c, int place)
-{
-  fmpq *const fields[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
-  return fields[place];
-}
 
 static enum scallop_phase_kind phase_of(const struct scallop_formula *f)
 {
@@ -183,7 +177,6 @@ void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_cra
   struct claim_row row = row_of_formula(f, crawler->gait, &condition);
   SCOPED(scallop_rational, before, now);
   ENDED_BY(trial_clear) struct trial trial;
-  trial_init(&trial);
   row.source = OF_BOOK;
   row.any_crawler = !is_given;
   write_conditions(&row, f);

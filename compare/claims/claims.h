@@ -3,9 +3,9 @@
  * A row is one claim for one gait under one set of conditions. There are two kinds of claims:
  *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas, or in a book. order.c and book.c go
  *     through these under their conditions, trial.c expands and samples the motion, proof.c finds what the formula
- *     leaves out, and holds the two against each other (orders.h);
+ *     leaves out, and holds the two against each other (decide.h);
  *   - in words: one row and one function in random.c (every crawler), examples.c, families.c (crawlers that differ in
- *     one number) or figures.c, made of what statement.[ch] has; words.c adds the rows.
+ *     one number) or figures.c, made of what statement.c has; words.c adds the rows.
  *
  * A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0; for all parameters
  * where the coefficients are known in names, else for the crawler of the row. A claim in words is proven in
@@ -55,9 +55,6 @@ struct claim_row {
   long derived_order;
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
   char *leading_error;  /* of a formula proven for all: that term as a formula; the ledger's own, or NULL  */
-  /* between the certified error and what is left out, summed, over the former, at the smallest T where it has digits;
-   * nan if there is none */
-  double mismatch;
   struct scallop_order_result fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* from the largest T                           */
   int count;

@@ -5,8 +5,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
+
+enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD }; /* F1/F2, by F1; F2, with F1/F2 kept; T */
 
 struct place { /* speed: mean velocity in L/T, T of the family's crawler; nan where there is no steady state */
   double x, speed, v_start;
@@ -29,14 +31,20 @@ struct family {
   struct place maximum[PEAKS_MOST];
 };
 
-/* x, speed, and the parameters that vary, as columns and as printf(1) takes them */
+/* What conditions say of it; x, speed, and the parameters that vary, as columns and as printf(1) takes them */
 static const struct {
-  const char *x, *speed, *columns, *names;
+  const char *said, *x, *speed, *columns, *names;
 } texts[] = {
-  [VARY_RATIO] = { "F1/F2", "<U> T/L", "F1", "F1\\n" },
-  [VARY_FORCES] = { "F2", "<U> T/L", "F1,F2", "F1\\tF2\\n" },
-  [VARY_PERIOD] = { "T", "<U> T0/L", "T", "T\\n" },
+  [VARY_RATIO] = { "F1/F2", "F1/F2", "<U> T/L", "F1", "F1\\n" },
+  [VARY_FORCES] = { "F1 and F2 together", "F2", "<U> T/L", "F1,F2", "F1\\tF2\\n" },
+  [VARY_PERIOD] = { "T alone", "T", "<U> T0/L", "T", "T\\n" },
 };
+
+/* Does the number at this place among the crawler's? */
+static bool varies(const struct family *f, int place)
+{
+  return strstr(texts[f->varied].columns, crawler_parameters[place]) != NULL;
+}
 
 static struct scallop_crawler member(const struct family *f, double x)
 {
@@ -112,12 +120,9 @@ static bool solve_beside(struct ball_answer *a, const struct family *f, const fm
   fmpq_add_si(factor, factor, 1);
   fmpq_mul(factor, factor, root);
   rational_crawler(&c, &at);
-  if (f->varied == VARY_PERIOD)
-    fmpq_mul(c.T, c.T, factor);
-  else
-    fmpq_mul(c.F1, c.F1, factor);
-  if (f->varied == VARY_FORCES)
-    fmpq_mul(c.F2, c.F2, factor);
+  for (int i = 0; i < CRAWLER_NUMBERS; i++)
+    if (varies(f, i))
+      fmpq_mul(rational_field(&c, i), rational_field(&c, i), factor);
   return answer_in_balls(a, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, EVIDENCE_DIGITS);
 }
 
@@ -157,9 +162,12 @@ static void prove_boundary(struct family *f)
 static const struct family *survey(struct question *q, struct scallop_crawler c)
 {
   static struct family kept[VARY_PERIOD + 1];
-  struct family *f = &kept[q->claim->varied];
+  enum varied varied = VARY_RATIO;
+  while (!strstr(q->claim->conditions, texts[varied].said))
+    varied++;
+  struct family *f = &kept[varied];
   if (f->count == 0 || !same_crawler(&f->crawler, &c)) {
-    *f = (struct family){ .crawler = c, .varied = q->claim->varied, .before = NAN, .after = NAN };
+    *f = (struct family){ .crawler = c, .varied = varied, .before = NAN, .after = NAN };
     scan(f);
     find_maxima(f, q);
     prove_boundary(f);
@@ -183,16 +191,16 @@ static void show_members(struct question *q, const struct family *f, const doubl
   const struct scallop_crawler usual = scallop_crawler_default();
   struct scallop_crawler others = f->crawler;
   char rows[240] = "";
-  for (int i = 0; i < count; i++) {
-    const struct scallop_crawler c = member(f, x[i]);
-    append(rows, sizeof rows, "%.10g", f->varied == VARY_PERIOD ? c.T : c.F1);
-    if (f->varied == VARY_FORCES)
-      append(rows, sizeof rows, "\\t%.10g", c.F2);
-    append(rows, sizeof rows, "\\n");
-  }
-  *(f->varied == VARY_PERIOD ? &others.T : &others.F1) = f->varied == VARY_PERIOD ? usual.T : usual.F1;
-  others.F2 = f->varied == VARY_FORCES ? usual.F2 : others.F2;
-  show(q, "%s: printf '%s%s' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
+  if (isnan(x[0])) /* there is no boundary */
+    return;
+  for (int k = 0; k < count; k++)
+    for (int i = 0, cells = 0; i < CRAWLER_NUMBERS; i++)
+      if (varies(f, i)) {
+        const struct scallop_crawler c = member(f, x[k]);
+        *crawler_field(&others, i) = crawler_number(&usual, i);
+        append(rows, sizeof rows, "%s%.10g", cells++ > 0 ? "\\t" : k > 0 ? "\\n" : "", crawler_number(&c, i));
+      }
+  show(q, "%s: printf '%s%s\\n' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
        options(q, others), texts[f->varied].columns, quantities);
 }
 
@@ -317,8 +325,9 @@ void contraction_loses_least(struct question *q, struct scallop_crawler c)
   conclude(q, crosses ? compare(back[1], fmax(back[0], back[2])) : 0,
            "certified: dx_C/L of the contraction is %.6f, %.6f, %.6f there; of the extension %.6f, %.6f, %.6f", back[0],
            back[1], back[2], forth[0], forth[1], forth[2]);
-  show(q, "dx_C of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
-       options(q, member(f, x[1])), s[1].v_mid);
+  if (!isnan(f->boundary))
+    show(q, "dx_C of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
+         options(q, member(f, x[1])), s[1].v_mid);
 }
 
 #define BY_RATIO "%s; F1/F2 from 1.01 to 7838 by 1 %%"
@@ -329,19 +338,17 @@ static const char decays[] = "mean_velocity_decays_once_sticking_begins", speed[
 
 /* Only of F1/F2 does the paper say without restriction to sliding that it decays. */
 const struct statement statements_of_families[] = {
-  { changes, "4.4", "v_start", BY_RATIO, .decide = changes_sign, .varied = VARY_RATIO },
-  { peaks, "4.4", speed, BY_RATIO, .decide = peaks_at_boundary, .varied = VARY_RATIO },
+  { changes, "4.4", "v_start", BY_RATIO, .test = changes_sign },
+  { peaks, "4.4", speed, BY_RATIO, .test = peaks_at_boundary },
   { "mean_velocity_has_one_maximum", "4.5", speed, BY_RATIO ": \"increases to a maximum and then decays to zero\"",
-    .decide = has_one_maximum, .varied = VARY_RATIO },
+    .test = has_one_maximum },
   { decays, "4.5", speed, BY_RATIO ", where a body sticks: \"then decays to zero as the asymmetry increases\"",
-    .decide = decays_once_sticking, .varied = VARY_RATIO },
-  { changes, "4.4", "v_start", BY_FORCES, .decide = changes_sign, .varied = VARY_FORCES },
-  { peaks, "4.4", speed, BY_FORCES, .decide = peaks_at_boundary, .varied = VARY_FORCES },
-  { decays, "4.5", speed, BY_FORCES ", where a body sticks", .decide = decays_once_sticking, .varied = VARY_FORCES,
-    .outside = true },
-  { changes, "4.4", "v_start", BY_PERIOD, .decide = changes_sign, .varied = VARY_PERIOD },
-  { peaks, "4.4", speed, BY_PERIOD, .decide = peaks_at_boundary, .varied = VARY_PERIOD },
-  { decays, "4.5", speed, BY_PERIOD ", where a body sticks", .decide = decays_once_sticking, .varied = VARY_PERIOD,
-    .outside = true },
+    .test = decays_once_sticking },
+  { changes, "4.4", "v_start", BY_FORCES, .test = changes_sign },
+  { peaks, "4.4", speed, BY_FORCES, .test = peaks_at_boundary },
+  { decays, "4.5", speed, BY_FORCES ", where a body sticks", .test = decays_once_sticking, .outside = true },
+  { changes, "4.4", "v_start", BY_PERIOD, .test = changes_sign },
+  { peaks, "4.4", speed, BY_PERIOD, .test = peaks_at_boundary },
+  { decays, "4.5", speed, BY_PERIOD ", where a body sticks", .test = decays_once_sticking, .outside = true },
   { .name = NULL },
 };

@@ -2,8 +2,9 @@
  * against F1/F2, alpha and T (figure 5), (27) for which alpha, and when the steady state is reached. */
 #include <float.h>
 #include <math.h>
+#include <string.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 
 /* Figure 4, in doubles: an extension takes half of the period T. */
 
@@ -168,73 +169,54 @@ static void goes_as_1_over_T(struct question *q, struct scallop_crawler c)
 
 /* (27), T -> 0 */
 
-struct alphas { /* in hundredths, from first on by 8; one of them to name; seen in a mirror, the bodies exchanged */
-  int first, shown;
-  bool mirrored;
-};
-
 static double velocity_by_27(struct scallop_crawler c, bool mirrored)
 {
   return mirrored ? -velocity_by_27(exchanged(c), false) : printed(c, "text_steady_velocity").value;
 }
 
+/* alpha in hundredths, by 8 from what the conditions say; the fourth is named. In a mirror bodies are exchanged. */
 static void in_the_limit(struct question *q, struct scallop_crawler c)
 {
-  const struct alphas *alphas = q->claim->data;
+  const bool mirrored = strstr(q->claim->name, "mirrored");
+  const int first = strstr(q->claim->conditions, "from 0.51") ? 51 : 1, named = first + 24;
   double largest = 0, at = 0, shown = 0;
-  c.T = 1e-20;
-  for (int i = alphas->first; i <= alphas->first + 48; i += 8) {
+  for (int i = first; i <= first + 48; i += 8) {
     c.alpha = i / 100.;
-    const double error = velocity_by_27(c, alphas->mirrored) / steady(q, c).v_start - 1;
-    if (i == alphas->shown)
+    const double error = velocity_by_27(c, mirrored) / steady(q, c).v_start - 1;
+    if (i == named)
       shown = error;
     if (!(fabs(error) <= fabs(largest))) {
       largest = error;
       at = c.alpha;
     }
   }
-  q->row.inside = alphas->first > 50;
+  q->row.inside = first > 50;
   if (fabs(largest) < 1e-15) {
     q->by = SAMPLED;
     q->row.sampled = 7;
     conclude(q, 1, "relative error, certified: below 1e-15 throughout");
   } else
     conclude(q, -1, "relative error, certified: %.6f at alpha = %.2f, largest %.6f at alpha = %.2f", shown,
-             alphas->shown / 100., largest, at);
+             named / 100., largest, at);
+  q->crawler.T = scallop_crawler_default().T; /* the command has its own */
   if (q->of_the_paper)
     show(q, "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^text_steady_velocity.(27)'",
-         alphas->shown / 100., options(q, q->crawler));
+         named / 100., options(q, q->crawler));
 }
 
 /* The steady state */
-
-static void several_states(struct question *q, struct scallop_crawler c, double numbers[RANDOM_NUMBERS])
-{
-  numbers[0] = !steady(q, c).single;
-}
-
-/* Periods from rest until the velocity is as near to the steady one, over L/T; 0: not in 1000 */
-static int periods_until(const struct scallop_crawler *c, double near)
-{
-  struct scallop_period_result p = { .v_end = 0 };
-  double v = steady(NULL, *c).v_start;
-  for (int n = 1; n <= 1000 && scallop_period(c, p.v_end, &p) >= 0; n++)
-    if (fabs(p.v_end - v) <= near * c->L / c->T)
-      return n;
-  return 0;
-}
 
 static void is_reached(struct question *q, struct scallop_crawler c)
 {
   const double multiplier = steady(q, c).multiplier;
   if (multiplier == 0)
     conclude(q, 1, "certified multiplier 0; from rest the velocity is the steady one after %d period",
-             periods_until(&c, 1e-15));
+             periods_from_rest(&c, 1e-15, 1000));
   else
     conclude(q, is_zero(multiplier),
              "certified multiplier %.10f > 0: the distance shrinks by that and is never 0; within 1e-6 L/T after %d "
              "periods",
-             multiplier, periods_until(&c, 1e-6));
+             multiplier, periods_from_rest(&c, 1e-6, 1000));
   show(q, "the multiplier is not 0: scallop steady --certified%s --columns multiplier", options(q, c));
 }
 
@@ -242,31 +224,28 @@ static const char grows[] = "displacement_grows_with_duration", reached[] = "ste
 static const char limit[] = "text_steady_velocity_in_the_limit", from_rest[] = "%s, from rest, F1/F2 = 2, 10, 40";
 
 const struct statement statements_of_figures[] = {
-  { grows, "4.4", "dx_C", from_rest, .decide = displacement_grows },
-  { "velocity_change_is_not_monotone", "4.4", "dv_C", from_rest, .decide = velocity_change_peaks },
-  { "mean_velocity_vanishes_at_ratio_1", "4.5", "mean velocity", "%s", .decide = vanishes_at_ratio_1 },
-  { "mean_velocity_vanishes_at_large_ratio", "4.5", "mean velocity", "%s", .decide = vanishes_at_large_ratio },
-  { "mean_velocity_grows_with_alpha", "4.5", "mean velocity", "%s, alpha from 0.50 to 0.99",
-    .decide = grows_with_alpha },
-  { "mean_velocity_goes_as_1_over_T", "4.3.3", "mean velocity", "%s", .decide = goes_as_1_over_T },
-  { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.51 to 0.99 by 0.08", .decide = in_the_limit,
-    .data = &(const struct alphas){ 51, 75, false } },
-  { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", .decide = in_the_limit,
-    .data = &(const struct alphas){ 1, 25, false } },
+  { grows, "4.4", "dx_C", from_rest, .test = displacement_grows },
+  { "velocity_change_is_not_monotone", "4.4", "dv_C", from_rest, .test = velocity_change_peaks },
+  { "mean_velocity_vanishes_at_ratio_1", "4.5", "mean velocity", "%s", .test = vanishes_at_ratio_1 },
+  { "mean_velocity_vanishes_at_large_ratio", "4.5", "mean velocity", "%s", .test = vanishes_at_large_ratio },
+  { "mean_velocity_grows_with_alpha", "4.5", "mean velocity", "%s, alpha from 0.50 to 0.99", .test = grows_with_alpha },
+  { "mean_velocity_goes_as_1_over_T", "4.3.3", "mean velocity", "%s", .test = goes_as_1_over_T },
+  { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.51 to 0.99 by 0.08", .test = in_the_limit },
+  { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", .test = in_the_limit },
   { "text_steady_velocity_mirrored_in_the_limit", "(27)", "v_start",
     "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08; with F1 m1 and F2 m2 exchanged below the line",
-    .decide = in_the_limit, .data = &(const struct alphas){ 1, 25, true }, .of_its_crawler = true },
+    .test = in_the_limit, .of_its_crawler = true },
   { grows, "4.4", "dx_C", "%s, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
-    .decide = never_falls, .data = (const double[]){ 2, 4, 10, 40, 0 }, .outside = true, .of_its_crawler = true },
+    .test = never_falls, .data = (const double[]){ 2, 4, 10, 40, 0 }, .outside = true, .of_its_crawler = true },
   { grows, "4.4", "dx_C", "%s, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
-    .decide = never_falls, .data = (const double[]){ 0.25, 0.5, 0 }, .outside = true, .of_its_crawler = true },
+    .test = never_falls, .data = (const double[]){ 0.25, 0.5, 0 }, .outside = true, .of_its_crawler = true },
   { "steady_state_is_unique", "5", "v_start", "l' continuous, any masses, forces > 0 and alpha",
-    .measure = several_states, .proven = true, .of_its_crawler = true,
+    .number = SEVERAL_STATES, .proven = true, .of_its_crawler = true,
     .holds = "proven for continuous l' (docs/theory.md, How many steady states); the solver finds one for %d of 400 "
              "quasi-random crawlers" },
-  { reached, "5", "v", "%s, T = 2, from rest; read as: after finitely many periods", .decide = is_reached,
-    .with = { .T = 2 }, .of_its_crawler = true },
-  { reached, "5", "v", "%s, T = 4, from rest; read as: after finitely many periods", .decide = is_reached,
-    .with = { .T = 4 }, .of_its_crawler = true },
+  { reached, "5", "v", "%s, T = 2, from rest; read as: after finitely many periods", .test = is_reached,
+    .of_its_crawler = true },
+  { reached, "5", "v", "%s, T = 4, from rest; read as: after finitely many periods", .test = is_reached,
+    .of_its_crawler = true },
   { .name = NULL },
 };

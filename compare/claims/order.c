@@ -4,30 +4,27 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/orders.h"
+#include "compare/claims/decide.h"
 
 static const struct condition conditions[] = {
   { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 > F2", .inside = true },
-  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 < F2", .exchange_forces = true,
-    .reversed = true },
-  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 > F1", .inside = true,
-    .exchange_forces = true }, /* bodies exchanged */
+  { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 < F2", .reversed = true },
+  { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 > F1", .inside = true },
   { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 < F1", .reversed = true },
   { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "extension from rest, F1 = F2", .inside = true, .equal_forces = true },
   { SCALLOP_AT_REST_START, SCALLOP_CONTRACTION, "contraction from rest, F2 = F1", .inside = true,
     .equal_forces = true },
   { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED, .exchange_forces = true },
+  { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED },
   { SCALLOP_MOVING_EXTENSION, SCALLOP_EXTENSION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
   { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 > F2", .inside = true, .v0 = CLAIM_SPEED },
-  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED,
-    .exchange_forces = true },
+  { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 > 0 fixed, F1 < F2", .v0 = CLAIM_SPEED },
   { SCALLOP_MOVING_CONTRACTION, SCALLOP_CONTRACTION, "v0 < 0 fixed, F1 > F2", .v0 = -CLAIM_SPEED, .reversed = true },
   { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2", .inside = true },
-  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 < F2", .exchange_forces = true, .mirror_alpha = true },
-  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 > F2", .mirror_alpha = true, .reversed = true },
-  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 < F2", .exchange_forces = true, .reversed = true },
-  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2, m1 a hundredth", .light_1 = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 < F2", .inside = false },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha < 1/2, F1 > F2", .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 < F2", .reversed = true },
+  { SCALLOP_STEADY, SCALLOP_EXTENSION, "alpha > 1/2, F1 > F2, m1 a hundredth", .inside = false },
   { SCALLOP_AT_REST_START, SCALLOP_EXTENSION, "h -> 0 at T = 1", .inside = true, .at_end = true },
 };
 enum { CONDITIONS = sizeof conditions / sizeof *conditions, AT_END = CONDITIONS - 1 };
@@ -69,10 +66,8 @@ struct part {
 static struct trial *solve(struct part *part, const struct condition *condition, bool mirrored)
 {
   struct trial *trial = &part->trial[condition - conditions][mirrored];
-  if (!trial->condition) {
-    trial_init(trial);
+  if (!trial->condition)
     trial_begin(trial, part->crawler, condition, mirrored);
-  }
   return trial;
 }
 
@@ -167,20 +162,20 @@ static void fill(struct part *part)
       add_formula(part, f, TURNED);
 }
 
-/* Every formula that a row from `first` on names as right where another is wrong has its row for the same conditions,
- * and holds; if not, it is noted. */
+/* Every row from `first` on that is refuted names a formula in its place, whose row for the same conditions holds; if
+ * not, that is noted. */
 static void check_corrections(struct ledger *ledger, int first)
 {
   for (int i = first; i < ledger->count; i++) {
     const struct claim_row *wrong = &ledger->rows[i];
-    bool stands = !*wrong->corrected;
+    bool stands = wrong->verdict != CLAIM_REFUTED;
     for (int j = first; j < ledger->count && !stands; j++) {
       const struct claim_row *row = &ledger->rows[j];
-      stands = (row->verdict == CLAIM_HOLDS || row->verdict == CLAIM_SHARPER)
-               && strcmp(row->claim, wrong->corrected) == 0 && strcmp(row->conditions, wrong->conditions) == 0;
+      stands = row->verdict <= CLAIM_SHARPER && strcmp(row->claim, wrong->corrected) == 0
+               && strcmp(row->conditions, wrong->conditions) == 0;
     }
     if (!stands)
-      ledger_contradict(ledger, wrong, "%s, which is to take its place, has no row that holds", wrong->corrected);
+      ledger_contradict(ledger, wrong, "'%s', which is to take its place, has no row that holds", wrong->corrected);
   }
 }
 

@@ -2,27 +2,25 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "asymptotics/symbolic/left_out.h"
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
+#include "compare/text/progress.h"
 
 enum { MANY_TERMS = 48, PRECISION = 1400, MOST_OF_EQUALITY = 11, DIGITS = 12 };
 
 struct proof {
-  struct claim_row *row;
+  struct claim_row *row; /* which gets the order: of the first coefficient that is not exactly 0                    */
   struct trial *m;
   const struct scallop_formula *f;
   struct series *left_out;
-  slong order;               /* of the first coefficient that is not 0; known if there is none                      */
-  slong known;               /* of the series                                                                      */
-  bool found;                /* there is one                                                                      */
-  bool undecided;            /* that coefficient is in a ball that holds 0                                        */
-  slong general;             /* that order for all parameters with these modes; order where that is not known       */
-  bool for_all;              /* general is known, and order                                                       */
+  slong general;             /* that order for all parameters with these modes; the row's where that is not known   */
+  bool for_all;              /* general is known, and the row's                                                     */
   slong for_all_below;       /* where nothing was found: lower coefficients vanish for all parameters; 0: not known */
-  char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                               */
+  char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                                      */
 };
 
 __attribute__((format(printf, 2, 3))) static void add_reason(struct claim_row *row, const char *format, ...)
@@ -64,22 +62,13 @@ static bool set_left_out(struct series *left_out, struct proof *p, slong terms)
   return true;
 }
 
-/* The first power whose coefficient is not known to be exactly 0; known of the series if there is none. */
-static slong first_power(const struct series *s)
-{
-  slong k = s->first, end = s->first + series_terms(s);
-  while (k < end && series_coefficient_is_zero(s, k))
-    k++;
-  return k < end ? k : s->known;
-}
-
 /* One coefficient that is a ball makes balls of all. What vanishes among fewer terms, without that one, is 0. */
 static void set_zeros(struct proof *p, slong most)
 {
   const struct series *all = p->left_out;
   SCOPED(series, fewer);
   for (slong terms = 1; terms < most; terms++) {
-    if (!set_left_out(&fewer, p, terms) || first_power(&fewer) < fewer.known)
+    if (!set_left_out(&fewer, p, terms) || series_first_power(&fewer) < fewer.known)
       return;
     for (slong k = all->first, end = k + series_terms(all); k < end && k < fewer.known; k++)
       series_set_zero(p->left_out, k);
@@ -94,16 +83,16 @@ static bool look_for_order(struct proof *p)
     return false;
   if (p->left_out->kind == SERIES_BALLS)
     set_zeros(p, terms);
-  p->known = p->left_out->known;
-  p->order = p->general = first_power(p->left_out);
-  const bool is_zero = p->order >= p->known;
-  if (!is_zero)
-    series_coefficient(x, p->left_out, p->order, PRECISION);
-  p->undecided = !is_zero && arb_contains_zero(x);
-  p->found = !is_zero && !p->undecided;
+  const slong order = series_first_power(p->left_out);
+  p->row->derived_order = p->general = order;
+  p->row->exact = order >= p->left_out->known;
+  if (!p->row->exact)
+    series_coefficient(x, p->left_out, order, PRECISION);
+  p->row->proven = p->row->exact || !arb_contains_zero(x);
   return true;
 }
 
+/* False: p->why says why not. */
 static bool prove(struct proof *p)
 {
   if (!trial_series(p->m, p->f->quantity)) {
@@ -113,11 +102,9 @@ static bool prove(struct proof *p)
   }
   if (!look_for_order(p))
     return false;
-  bool rational = scallop_gait_is_rational(
-      p->m->crawler.gait); /* of others the zeros are shown so far and no further */
-  if (p->found || p->undecided || !rational || p->m->terms >= MANY_TERMS)
-    return true;
-  return trial_expand(p->m, MANY_TERMS) && look_for_order(p); /* perhaps further on */
+  /* perhaps further on; of a gait that is not rational the zeros are shown so far and no further */
+  const bool further = scallop_gait_is_rational(p->m->crawler.gait) && p->m->terms < MANY_TERMS;
+  return !p->row->exact || !further || (trial_expand(p->m, MANY_TERMS) && look_for_order(p));
 }
 
 /* Is there an equality among the conditions, other than F1 = F2? In names it would not hold. */
@@ -142,30 +129,30 @@ static bool prove_for_all(struct proof *p)
 {
   const struct scallop_formula *f = p->f;
   const struct scallop_rational_crawler *crawler = &p->m->crawler;
+  const slong order = p->row->derived_order, known = p->left_out->known;
   const slong looked = f->remainder > MOST_OF_EQUALITY ? f->remainder : MOST_OF_EQUALITY;
-  const slong most = p->found ? p->order : looked < p->known ? looked : p->known - 1;
+  const slong most = !p->row->exact ? order : looked < known ? looked : known - 1;
   ENDED_BY(left_out_clear) struct left_out l;
   SCOPED(fmpq, coefficient);
-  char why[FORMULA_MESSAGE];
   left_out_init(&l);
   p->for_all = p->m->condition->at_end;
   if (!f->text || has_equality(f) || most >= SYMBOLIC_ORDERS
-      || symbolic_left_out(&l, f, crawler, p->m->condition->kind, p->m->v0, most, why))
+      || symbolic_left_out(&l, f, crawler, p->m->condition->kind, p->m->v0, most, p->why))
     return true;
   const bool vanishes = l.order > most;
   const bool low_degree = is_of_paper(f) && crawler->gait == &scallop_gait_quadratic;
-  const bool all = f->remainder != SCALLOP_EQUALITY || p->known >= SERIES_ALL || low_degree;
-  p->general = vanishes ? p->order : l.order;
-  p->for_all = p->found ? l.order == p->order : vanishes && all;
+  const bool all = f->remainder != SCALLOP_EQUALITY || known >= SERIES_ALL || low_degree;
+  p->general = vanishes ? order : l.order;
+  p->for_all = p->row->exact ? vanishes && all : l.order == order;
   p->for_all_below = vanishes ? most + 1 : l.order;
   if (p->for_all) {
     p->row->leading_error = l.term;
     l.term = NULL;
   }
   bool same = !p->for_all || !l.is_number
-              || (series_rational_coefficient(coefficient, p->left_out, p->order)
+              || (series_rational_coefficient(coefficient, p->left_out, order)
                   && fmpq_equal(coefficient, l.coefficient));
-  return !p->found || (!vanishes && same);
+  return p->row->exact || (!vanishes && same);
 }
 
 /* Of the motion itself again: positions and velocities change their sign in a mirror, times do not. */
@@ -182,8 +169,8 @@ static void set_coefficient(struct claim_row *row, const struct proof *p)
 {
   SCOPED(fmpq, q);
   SCOPED(arb, x);
-  bool is_rational = series_rational_coefficient(q, p->left_out, p->order);
-  series_coefficient(x, p->left_out, p->order, 128);
+  bool is_rational = series_rational_coefficient(q, p->left_out, row->derived_order);
+  series_coefficient(x, p->left_out, row->derived_order, 128);
   if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
     arf_get_fmpq(q, arb_midref(x));
     is_rational = true;
@@ -196,53 +183,90 @@ static void set_coefficient(struct claim_row *row, const struct proof *p)
 }
 
 /* Finitely many coefficients prove an order up to them, and no equality but of finite sums, or of known degree. */
-static void judge_exact(struct claim_row *row, const struct proof *p)
-{
-  const bool all = p->known >= SERIES_ALL;
-  const bool equal = isinf(row->claimed_order) && (all || p->for_all);
-  row->verdict = (double)p->known > row->claimed_order             ? CLAIM_SHARPER
-                 : (double)p->known == row->claimed_order || equal ? CLAIM_HOLDS
-                                                                   : CLAIM_UNDECIDED;
-  if (all)
-    add_reason(row, "every coefficient vanishes");
-  else
-    add_reason(row, "every coefficient below T^%ld vanishes", (long)p->known);
-  if (p->for_all_below > 0 && !all)
-    add_reason(row, "for all parameters those below T^%ld", (long)p->for_all_below);
-  if (row->verdict == CLAIM_UNDECIDED)
-    row->evidence = NO_EVIDENCE;
-}
-
-static void judge_order(struct claim_row *row, const struct proof *p)
-{
-  const double order = (double)p->order;
-  set_coefficient(row, p);
-  row->verdict = order == row->claimed_order ? CLAIM_HOLDS : order > row->claimed_order ? CLAIM_SHARPER : CLAIM_REFUTED;
-  if (row->verdict == CLAIM_REFUTED && order == 0)
-    add_reason(row, "the error does not fall");
-  else if (row->verdict != CLAIM_HOLDS)
-    add_reason(row, "the error goes as T^%ld", (long)p->order);
-}
-
 static void judge(struct claim_row *row, const struct proof *p)
 {
-  row->proven = !p->undecided;
-  row->exact = !p->undecided && !p->found;
-  row->derived_order = p->order;
-  row->evidence = p->undecided ? NO_EVIDENCE : p->for_all ? PROVEN_FOR_ALL : CERTIFIED_CRAWLER;
-  row->verdict = CLAIM_UNDECIDED;
-  if (p->undecided)
-    add_reason(row, "the coefficient of T^%ld cannot be told from 0", (long)p->order);
-  else
-    (row->exact ? judge_exact : judge_order)(row, p);
-  if (p->general < p->order) {
+  if (!row->proven) {
+    add_reason(row, "the coefficient of T^%ld cannot be told from 0", row->derived_order);
+    return;
+  }
+  const long order = row->derived_order;
+  if (!row->exact)
+    set_coefficient(row, p);
+  const bool all = row->exact && order >= SERIES_ALL, equal = row->exact && (all || p->for_all);
+  row->verdict = (double)order > row->claimed_order                                            ? CLAIM_SHARPER
+                 : (double)order == row->claimed_order || (isinf(row->claimed_order) && equal) ? CLAIM_HOLDS
+                 : row->exact                                                                  ? CLAIM_UNDECIDED
+                                                                                               : CLAIM_REFUTED;
+  if (all)
+    add_reason(row, "every coefficient vanishes");
+  else if (row->exact)
+    add_reason(row, "every coefficient below T^%ld vanishes", order);
+  else if (row->verdict == CLAIM_REFUTED && order == 0)
+    add_reason(row, "the error does not fall");
+  else if (row->verdict != CLAIM_HOLDS)
+    add_reason(row, "the error goes as T^%ld", order);
+  if (row->exact && !all && p->for_all_below > 0)
+    add_reason(row, "for all parameters those below T^%ld", (long)p->for_all_below);
+  row->evidence = row->verdict == CLAIM_UNDECIDED ? NO_EVIDENCE : p->for_all ? PROVEN_FOR_ALL : CERTIFIED_CRAWLER;
+  if (p->general < order) {
     add_reason(row, "of other crawlers as T^%ld", (long)p->general);
     if (row->any_crawler && (double)p->general < row->claimed_order)
       row->verdict = CLAIM_REFUTED;
   }
 }
 
-/* The row in the ledger */
+/* The ledger */
+
+const char *claim_verdict_text(enum claim_verdict verdict)
+{
+  static const char *const text[] = { "holds", "sharper", "undecided", "refuted" };
+  return text[verdict];
+}
+
+void ledger_add(struct ledger *ledger, const struct claim_row *row)
+{
+  ledger->rows = flint_realloc(ledger->rows, (size_t)(ledger->count + 1) * sizeof *row);
+  ledger->rows[ledger->count++] = *row;
+  if (ledger->expected > 0) /* a table of its own, and no row of another */
+    progress_count(ledger->count, ledger->expected);
+}
+
+bool ledger_expects(struct ledger *ledger)
+{
+  ledger->expected += ledger->is_forecast;
+  return ledger->is_forecast;
+}
+
+void ledger_free(struct ledger *ledger)
+{
+  for (int i = 0; i < ledger->count; i++)
+    free(ledger->rows[i].leading_error);
+  flint_free(ledger->rows);
+  *ledger = (struct ledger){ .rows = NULL };
+}
+
+void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
+{
+  va_list values;
+  va_start(values, format);
+  vsnprintf(ledger->contradiction, sizeof ledger->contradiction, format, values);
+  va_end(values);
+  append(ledger->contradiction, sizeof ledger->contradiction, " (%s, %s, %s)", row->claim, row->gait, row->conditions);
+}
+
+struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
+                                const struct condition *condition)
+{
+  struct claim_row row = { .equation = f->equation,
+                           .quantity = formula_quantity_text(f, condition->kind),
+                           .gait = gait->name,
+                           .inside = condition->inside,
+                           .claimed_order = f->remainder == SCALLOP_EQUALITY ? INFINITY : f->remainder };
+  append(row.claim, sizeof row.claim, "%s", f->name);
+  append(row.corrected, sizeof row.corrected, "%s", f->corrected ? f->corrected : "");
+  append(row.conditions, sizeof row.conditions, "%s", condition->text);
+  return row;
+}
 
 /* The points, from the smallest T on, at which 0 is within the error */
 static int points_at_0(const struct claim_row *row)
@@ -272,7 +296,6 @@ static void fit(struct claim_row *row)
 /* Fits the order to the points of the row, and holds it against the derived one. */
 static void enter(struct ledger *ledger, struct claim_row *row)
 {
-  static const double agreement = 1e-6; /* what is left of the next terms at the smallest T, many times over */
   fit(row);
   if (row->exact && isinf(row->claimed_order) && points_at_0(row) < row->count) {
     row->verdict = CLAIM_REFUTED;
@@ -285,16 +308,10 @@ static void enter(struct ledger *ledger, struct claim_row *row)
     ledger_contradict(ledger, row, "no exact motion has the modes of the expansion");
   else if (row->proven && row->exact && points_at_0(row) == 0 && !beyond)
     ledger_contradict(ledger, row, "nothing is left out, and the certified error is not 0");
-  else if (row->proven && !row->exact && row->mismatch > agreement)
-    ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",
-                      row->mismatch);
   if (row->proven && !row->exact && fabs(row->fit.order - (double)row->derived_order) > CLAIM_TOLERANCE)
     add_reason(row, "at the T that were measured it goes as T^%.3g", row->fit.order);
   if (row->verdict != CLAIM_REFUTED)
     *row->corrected = '\0';
-  /* the corrections are for the gaits of the paper: with others there may be none */
-  else if (!*row->corrected && row->source != OF_BOOK && scallop_gait_named(row->gait))
-    ledger_contradict(ledger, row, "refuted, and nothing is named that holds");
   ledger_add(ledger, row);
 }
 
@@ -303,10 +320,14 @@ void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m
 {
   SCOPED(series, left_out);
   struct proof p = { .row = row, .m = m, .f = f, .left_out = &left_out };
+  row->verdict = CLAIM_UNDECIDED;
   if (!why && prove(&p)) {
-    if (!p.undecided && !prove_for_all(&p))
+    if (row->proven && !prove_for_all(&p))
       ledger_contradict(ledger, row, "the coefficients in names are other ones than in numbers");
-    trial_measure(row, m, f, &left_out);
+    const double mismatch = trial_measure(row, m, f, &left_out);
+    if (row->proven && !row->exact && mismatch > 1e-6) /* the next terms at such T, many times over */
+      ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",
+                        mismatch);
     if (m->mirrored)
       see_in_mirror(&p);
     judge(row, &p);
@@ -315,7 +336,7 @@ void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m
     why = why ? why : p.why;
     add_reason(row, "%s%s", strncmp(why, "character", 9) == 0 ? formula_place(place, f) : "",
                *why ? why : "no expansion in powers of T is known for this motion");
-    row->verdict = CLAIM_UNDECIDED;
+    row->proven = row->exact = false;
   }
   enter(ledger, row);
 }

@@ -1,4 +1,4 @@
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 
 #include <float.h>
 #include <math.h>
@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/columns/columns.h"
 #include "compare/points/point_flint.h"
 #include "compare/text/halfway.h"
 #include "compare/text/table.h"
@@ -34,10 +35,12 @@ static bool solve_in_balls(struct solved *s, const struct motion *m)
   SCOPED(ball_answer, a);
   SCOPED(scallop_rational, c);
   SCOPED(fmpq, v0);
-  rational_crawler(&c, &m->crawler);
-  if (isfinite(m->v0))
+  const bool possible = isfinite(m->v0) && scallop_crawler_check(&m->crawler, NULL) == SCALLOP_OK;
+  if (possible) {
+    rational_crawler(&c, &m->crawler);
     scallop_rational_set_double(v0, m->v0);
-  bool done = isfinite(m->v0) && answer_in_balls(&a, &c, m->of, m->phase, v0, EVIDENCE_DIGITS);
+  }
+  const bool done = possible && answer_in_balls(&a, &c, m->of, m->phase, v0, EVIDENCE_DIGITS);
   for (int k = 0; k < ALL_QUANTITIES; k++)
     s->of[k] = done && a.value[k] ? certain(a.value[k]) : NAN;
   s->regime = a.regime;
@@ -85,6 +88,21 @@ struct scallop_crawler exchanged(struct scallop_crawler c)
   return (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
 }
 
+bool set_conditions(struct scallop_crawler *c, const char *conditions)
+{
+  char name[8], value[32];
+  for (const char *part = conditions; *part != '\0'; part += strcspn(part, ",;:"), part += *part != '\0')
+    if (sscanf(part, " %7[a-zA-Z0-9] = %31[^,;:]", name, value) == 2 && crawler_place(name) < CRAWLER_NUMBERS) {
+      const char *last = strrchr(value, '=') ? strrchr(value, '=') + 2 : value; /* of "F1 = F2 = 1" */
+      const int other = crawler_place(last);
+      *crawler_field(c, crawler_place(name)) = other < CRAWLER_NUMBERS ? crawler_number(c, other) : text_number(last);
+    }
+  if (!strstr(conditions, "F1 > F2"))
+    return true;
+  *c = c->F1 < c->F2 ? (struct scallop_crawler){ c->m1, c->m2, c->F2, c->F1, c->L, c->T, c->alpha, c->gait } : *c;
+  return c->F1 > c->F2;
+}
+
 int compare(double a, double b)
 {
   const double roundings = 16 * DBL_EPSILON * fmax(fabs(a), fabs(b));
@@ -98,6 +116,16 @@ double short_number(double x, int digits)
   char text[NUMBER_TEXT];
   snprintf(text, sizeof text, "%.*g", digits, x);
   return strtod(text, NULL);
+}
+
+int periods_from_rest(const struct scallop_crawler *c, double near, int most)
+{
+  const double v = steady(NULL, *c).v_start;
+  struct scallop_period_result p = { .v_end = 0 };
+  for (int n = 1; n <= most && scallop_period(c, p.v_end, &p) >= 0; n++)
+    if (fabs(p.v_end - v) <= near * c->L / c->T)
+      return n;
+  return 0;
 }
 
 double last_positive(function_of *f, const void *context, double low, double high)
@@ -145,17 +173,23 @@ struct printed printed(struct scallop_crawler c, const char *formula)
 
 /* Texts */
 
+void append(char *text, size_t size, const char *format, ...)
+{
+  size_t used = strlen(text);
+  va_list values;
+  va_start(values, format);
+  vsnprintf(text + used, size - used, format, values);
+  va_end(values);
+}
+
 const char *options(struct question *q, struct scallop_crawler c)
 {
   const struct scallop_crawler usual = scallop_crawler_default();
-  double numbers[CRAWLER_NUMBERS], defaults[CRAWLER_NUMBERS];
   char number[NUMBER_TEXT];
-  crawler_numbers(&c, numbers);
-  crawler_numbers(&usual, defaults);
   *q->options = '\0';
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    if (numbers[i] != defaults[i]) {
-      number_text(number, numbers[i], 0);
+    if (crawler_number(&c, i) != crawler_number(&usual, i)) {
+      number_text(number, crawler_number(&c, i), 0);
       append(q->options, sizeof q->options, " --%s %s", crawler_parameters[i], number);
     }
   if (c.gait != usual.gait)

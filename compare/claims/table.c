@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
 
 /* What a row of a table is about: a row of the ledger, one error behind it, or all checks of a claim of the paper under

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/claims/statement.h"
+#include "compare/claims/decide.h"
 
 enum { TERMS = 14, TERMS_AT_END = 40, PRECISION = 1400 };
 
@@ -40,13 +40,13 @@ static void set_condition(struct trial *m)
 {
   const struct condition *condition = m->condition;
   struct scallop_rational_crawler *r = &m->crawler;
-  if (condition->exchange_forces)
+  if (strstr(condition->text, "F1 < F2") || strstr(condition->text, "F2 > F1"))
     fmpq_swap(r->F1, r->F2);
   if (condition->equal_forces)
     fmpq_mul_si(r->F2, r->F1, 1); /* not by fmpq_set, which is inline: gcc 12 then warns of reads beyond F1 */
-  if (condition->light_1)
+  if (strstr(condition->text, "m1 a hundredth"))
     fmpq_div_fmpz(r->m1, r->m1, (fmpz[]){ 100 });
-  if (condition->mirror_alpha)
+  if (strstr(condition->text, "alpha < 1/2"))
     scallop_rational_fraction(r->alpha, r, SCALLOP_CONTRACTION);
   double M = fmpq_get_d(r->m1) + fmpq_get_d(r->m2), F = fmpq_get_d(r->F1) + fmpq_get_d(r->F2), L = fmpq_get_d(r->L);
   set_rounded(m->v0, condition->v0 * sqrt(L * F / M));
@@ -101,7 +101,7 @@ static void take_samples(struct trial *m)
     solve_sample(sample_at(m, T0, k), m, 40 + (long)(10 * (0.602 * k + 1.5 * decades)));
 }
 
-void trial_init(struct trial *m)
+static void trial_init(struct trial *m)
 {
   *m = (struct trial){ .samples = flint_calloc(CLAIM_POINTS, sizeof *m->samples) };
   fmpq_init(m->v0);
@@ -172,6 +172,7 @@ static void begin_at_end(struct trial *m)
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
                  bool mirrored)
 {
+  trial_init(m);
   m->condition = condition;
   m->mirrored = mirrored;
   scallop_rational_copy(&m->crawler, crawler);
@@ -204,38 +205,29 @@ static bool error_at(arb_t error, const struct sample *s, const struct trial *m,
   return true;
 }
 
-/* How far the sum of what is left out is from the error, over the error; 0 where it does not reach beyond what its last
- * terms are */
-static double mismatch_at(const arb_t error, const struct series *left_out, const fmpq_t T, slong precision)
+/* How far the sum of what is left out is from the error, over the error */
+static double mismatch_at(const arb_t error, const struct series *left_out, const arb_t T, slong precision)
 {
-  enum { LAST = 2, MORE = 1000 };
-  double mismatch = 0;
-  SCOPED(arb, x, sum, last);
-  arb_set_fmpq(x, T, precision);
-  series_value(sum, left_out, x, left_out->known, precision);
-  series_value(last, left_out, x, left_out->known - LAST, precision);
-  arb_sub(last, sum, last, precision);
+  SCOPED(arb, sum);
+  series_value(sum, left_out, T, left_out->known, precision);
   arb_sub(sum, sum, error, precision);
-  arb_div(x, sum, error, precision);
-  arb_div(last, last, error, precision);
-  if (!arb_contains_zero(sum))
-    mismatch = arb_is_finite(x) ? fabs(middle(x)) : INFINITY;
-  if (arb_is_finite(last) && mismatch <= MORE * fabs(middle(last)))
-    mismatch = 0;
-  return mismatch;
+  arb_div(sum, sum, error, precision);
+  return arb_contains_zero(sum) ? 0 : arb_is_finite(sum) ? fabs(middle(sum)) : INFINITY;
 }
 
-void trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
-                   const struct series *left_out)
+double trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
+                     const struct series *left_out)
 {
-  enum { ACCURATE = 20 };
+  enum { ACCURATE = 20, SMALL = 20 }; /* from SMALL on the sum has nothing to add to what it has */
   SCOPED(arb, error, T);
+  double mismatch = NAN;
   for (const struct sample *s = m->samples; s < m->samples + CLAIM_POINTS; s++)
     if (error_at(error, s, m, f)) {
-      if (arb_rel_accuracy_bits(error) >= ACCURATE)
-        row->mismatch = mismatch_at(error, left_out, s->T, 4 * s->digits + 64);
-      arb_set_fmpq(T, s->T, 64); /* fmpq_get_d does not round to nearest */
+      arb_set_fmpq(T, s->T, 4 * s->digits + 64); /* fmpq_get_d does not round to nearest */
+      if (s >= m->samples + SMALL && arb_rel_accuracy_bits(error) >= ACCURATE)
+        mismatch = mismatch_at(error, left_out, T, 4 * s->digits + 64);
       row->points[row->count++] =
           (struct scallop_order_point){ .h = middle(T), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
     }
+  return mismatch;
 }

@@ -1,23 +1,13 @@
 /* The rows of the claims in words */
 #include <math.h>
 
-#include "compare/claims/statement.h"
-
-static struct scallop_crawler with_numbers(struct scallop_crawler c, const struct scallop_crawler *with)
-{
-  double *const numbers[CRAWLER_NUMBERS] = { &c.m1, &c.m2, &c.F1, &c.F2, &c.L, &c.T, &c.alpha };
-  double others[CRAWLER_NUMBERS];
-  crawler_numbers(with, others);
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    *numbers[i] = others[i] != 0 ? others[i] : *numbers[i];
-  return c;
-}
+#include "compare/claims/decide.h"
 
 static void add_row(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
                     bool of_the_paper)
 {
   struct question q = { .claim = claim,
-                        .crawler = with_numbers(*crawler, &claim->with),
+                        .crawler = *crawler,
                         .of_the_paper = of_the_paper,
                         .by = CERTIFIED_CRAWLER,
                         .solved = true,
@@ -27,12 +17,12 @@ static void add_row(struct ledger *ledger, const struct statement *claim, const 
                                  .inside = of_the_paper && !claim->outside,
                                  .in_words = true,
                                  .claimed_order = NAN,
-                                 .mismatch = NAN,
                                  .fit = { .order = NAN, .low = NAN, .high = NAN } } };
   append(q.row.claim, sizeof q.row.claim, "%s", claim->name);
   append(q.row.conditions, sizeof q.row.conditions, claim->conditions,
          of_the_paper ? "the paper's crawler" : "the ledger's crawler");
-  (claim->decide ? claim->decide : at_random)(&q, q.crawler);
+  set_conditions(&q.crawler, q.row.conditions);
+  (claim->test ? claim->test : at_random)(&q, q.crawler);
   ledger_add(ledger, &q.row);
 }
 

@@ -39,7 +39,7 @@ int crawler_place(const char *name)
   return i;
 }
 
-static double *crawler_field(struct scallop_crawler *c, int place)
+double *crawler_field(struct scallop_crawler *c, int place)
 {
   static const size_t fields[CRAWLER_NUMBERS] = {
     offsetof(struct scallop_crawler, m1),   offsetof(struct scallop_crawler, m2), offsetof(struct scallop_crawler, F1),

@@ -47,6 +47,7 @@ void point_complete(struct point *point);
 double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
 /* The same by its place among them, < CRAWLER_NUMBERS */
 double crawler_number(const struct scallop_crawler *crawler, int place);
+double *crawler_field(struct scallop_crawler *crawler, int place);
 /* All of them, in the order of their names; the place of one, or CRAWLER_NUMBERS where it is none. */
 void crawler_numbers(const struct scallop_crawler *crawler, double numbers[CRAWLER_NUMBERS]);
 int crawler_place(const char *name);

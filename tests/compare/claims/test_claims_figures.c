@@ -222,6 +222,21 @@ TEST(speeds_where_T_is_varied)
   CHECK_RELATIVE(highest, s.mean_velocity * T0 / c.L, 1e-4);
 }
 
+/* Of a crawler with hardly any friction at body 2 no boundary is found where F1/F2 is varied. */
+TEST(without_a_boundary)
+{
+  struct ledger other = { .rows = NULL };
+  const struct scallop_crawler c = { 1.3, 0.9, 3.7, 0.001, 9.7, 1, 0.7, &scallop_gait_quadratic };
+  int undecided = 0;
+  ledger_add_words(&other, &c);
+  for (const struct claim_row *row = other.rows; row < other.rows + other.count; row++) {
+    undecided += row->verdict == CLAIM_UNDECIDED && !row->inside;
+    assert_null(strstr(row->reason, "nan"));
+  }
+  assert_int_not_equal(undecided, 0);
+  ledger_free(&other);
+}
+
 /* A refutation in words comes with a command; the crawler in it does what the row says. */
 TEST(example_moves_backward)
 {
