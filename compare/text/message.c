@@ -33,6 +33,17 @@ bool complain(const char *command, const char *format, ...)
   return false;
 }
 
+const char *wrong_text(const char *format, ...)
+{
+  static char text[4][640];
+  static unsigned turn;
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text[++turn % 4], sizeof *text, format, arguments);
+  va_end(arguments);
+  return text[turn % 4];
+}
+
 /* Levenshtein's, upper and lower case being the same */
 static int distance(const char *a, const char *b)
 {
@@ -89,14 +100,7 @@ const char *nearest(const char *word, const char *const *names)
   return best;
 }
 
-const char *did_you_mean(const char *near)
-{
-  static char text[160];
-  *text = '\0';
-  if (near)
-    snprintf(text, sizeof text, ": did you mean '%.120s'?", near);
-  return text;
-}
+const char *did_you_mean(const char *near) { return near ? wrong_text(": did you mean '%.120s'?", near) : ""; }
 
 const char *instead_of(const char *word, const char *const *names)
 {

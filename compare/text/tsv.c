@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compare/text/file.h"
+#include "compare/text/message.h"
 
 static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
 {
@@ -119,9 +120,8 @@ const char *tsv_error(struct tsv *tsv)
 {
   if (!tsv->error)
     return NULL;
-  snprintf(tsv->message, TSV_MESSAGE, "cannot read %.300s: %s", tsv->name,
-           tsv->error == EFBIG ? "a line has more than a million characters" : strerror(tsv->error));
-  return tsv->message;
+  return wrong_text("cannot read %.300s: %s", tsv->name,
+                    tsv->error == EFBIG ? "a line has more than a million characters" : strerror(tsv->error));
 }
 
 bool tsv_take_header(struct tsv *tsv)
@@ -138,10 +138,10 @@ bool tsv_take_header(struct tsv *tsv)
 
 const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)
 {
+  char text[TSV_MESSAGE];
   va_list arguments;
   va_start(arguments, format);
-  int used = snprintf(tsv->message, TSV_MESSAGE, line > 0 ? "%.200s:%ld: " : "%.200s: ", tsv->name, line);
-  vsnprintf(tsv->message + used, TSV_MESSAGE - (size_t)used, format, arguments);
+  vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  return tsv->message;
+  return line > 0 ? wrong_text("%.200s:%ld: %s", tsv->name, line, text) : wrong_text("%.200s: %s", tsv->name, text);
 }

@@ -9,8 +9,7 @@
 #include <string.h>
 
 #include "compare/text/digits.h"
-
-static char message[320];
+#include "compare/text/message.h"
 
 bool read_number(const char *text, double *value)
 {
@@ -55,16 +54,19 @@ bool next_item(char *item, size_t size, const char **list)
 {
   if (!*list)
     return false;
-  const char *begin = *list + strspn(*list, " "), *end = begin + strcspn(begin, ",");
-  snprintf(item, size, "%.*s", (int)(end - begin), begin);
+  const char *begin = *list + strspn(*list, " "), *end = begin, *stop;
+  for (int nested = 0; *end && (*end != ',' || nested > 0); end++)
+    nested += *end == '(' ? 1 : *end == ')' && nested > 0 ? -1 : 0;
+  for (stop = end; stop > begin && stop[-1] == ' ';)
+    stop--;
+  snprintf(item, size, "%.*s", (int)(stop - begin), begin);
   *list = *end ? end + 1 : NULL;
   return true;
 }
 
 const char *not_allowed(const char *text, const char *allowed)
 {
-  snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes %s", text, allowed);
-  return message;
+  return wrong_text("'%.80s' is not allowed here: it takes %.200s", text, allowed);
 }
 
 const char *no_number(const char *text, const char *allowed)
