@@ -130,7 +130,8 @@ int main(int count, char **arguments)
     code = flushed();
   } else if (reading == READ_RUN) {
     point_tell_noise(&read.options.request.point, &read.options.request.style);
-    progress_begin(read.options.request.style.quiet);
+    if (!read.options.request.style.quiet)
+      progress_begin();
     code = options_book(&read);
     if (code == EXIT_DONE)
       code = options_judge(&read, command_make(&read));

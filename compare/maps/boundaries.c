@@ -225,7 +225,6 @@ static void begin_table(struct boundaries *b)
 enum exit_code breakdown_boundaries(const struct breakdown_options *o)
 {
   static struct boundaries b; /* too large for the stack */
-  const struct progress progress = progress_begin(o->request.style.quiet);
   b.options = o;
   for (int i = 0; i < 2; i++) {
     b.axes[i] = map_axis(o, i);
@@ -243,9 +242,9 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
     return EXIT_FILE;
   begin_table(&b);
   for (int j = 0; j <= b.cells[1] && !table_failed(&b.table); j++) {
-    progress_show(&progress, "row %d of %d", j, b.cells[1]);
+    progress_show("row %d of %d", j, b.cells[1]);
     write_row(&b, j);
   }
-  progress_end(&progress);
+  progress_end();
   return table_close(&b.table) ? EXIT_DONE : EXIT_FILE;
 }

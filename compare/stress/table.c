@@ -126,7 +126,6 @@ struct run {
   struct stress_judgement *judgements;
   double *values; /* room for one measure of all numbers */
   struct table table;
-  struct progress progress;
 };
 
 /* False: there is no such family; the message is on stderr. */
@@ -242,7 +241,7 @@ static void write_row(struct run *run, const struct row *r)
 static bool run_row(struct run *run, struct row *r)
 {
   const size_t count = (size_t)r->cases;
-  progress_show(&run->progress, "%s, %s gait", r->family->name, r->gait->name);
+  progress_show("%s, %s gait", r->family->name, r->gait->name);
   run->stressed = calloc(count, sizeof *run->stressed);
   run->judgements = calloc(count, sizeof *run->judgements);
   run->values = calloc(count * QUANTITIES, sizeof *run->values);
@@ -253,7 +252,7 @@ static bool run_row(struct run *run, struct row *r)
       run->stressed[i].periods *= run->effort->periods;
     judge_all(run, r->cases);
     sum_up(run, r);
-    progress_end(&run->progress);
+    progress_end();
     write_row(run, r);
   }
   free(run->stressed);
@@ -289,11 +288,7 @@ static bool begin(struct run *run)
 
 enum exit_code stress_table(const struct stress_options *o)
 {
-  struct run run = { .options = o,
-                     .effort = o->full    ? &full
-                               : o->check ? &quick
-                                          : &usual,
-                     .progress = progress_begin(o->request.style.quiet) };
+  struct run run = { .options = o, .effort = o->full ? &full : o->check ? &quick : &usual };
   bool broken = false;
   if (!plan(&run))
     return EXIT_USAGE;
