@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "compare/breakdown/motion.h"
-#include "compare/text/halfway.h"
+#include "compare/text/digits.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"
 

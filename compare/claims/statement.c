@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "compare/points/point_flint.h"
-#include "compare/text/halfway.h"
+#include "compare/text/digits.h"
 #include "compare/text/table.h"
 
 /* Solutions */

@@ -105,11 +105,11 @@ double text_number(const char *text)
 
 /* A choice of columns of a table */
 struct chosen {
-  struct table_choice choice; /* first: the writer knows this alone */
-  char *text[MOST_COLUMNS];
-  const char *name[MOST_COLUMNS];
+  struct table_choice choice;     /* first: the writer knows this alone */
+  const char *name[MOST_COLUMNS]; /* the text that asks for it, until the table begins */
   struct column_list list;
   const char *column[TABLE_COLUMNS + 1]; /* of the table, NULL-terminated */
+  char text[];                           /* all that ask, each ended by a NUL */
 };
 
 static int place_of(void *columns, const char *name) { return word_place(name, columns); }
@@ -131,10 +131,9 @@ static const char *begin(struct table_choice *choice, const char *const *columns
   const char *wrong = NULL;
   memcpy(c->column, columns, (size_t)count * sizeof *columns);
   for (int i = 0; i < choice->count && !wrong; i++) {
-    wrong = column_add(&c->list, c->text[i], &names);
+    wrong = column_add(&c->list, c->name[i], &names);
     c->name[i] = wrong ? "" : c->list.item[i].name;
   }
-  choice->names = c->name;
   return wrong;
 }
 
@@ -158,38 +157,32 @@ static void show(struct table_choice *choice, const struct table_cell *row, stru
 
 static const char *add_text(struct chosen *c, const char *text)
 {
-  int length = 0;
+  int length;
+  const char *formula = column_formula(text, &length);
   if (c->choice.count == MOST_COLUMNS)
     return "more than 256 columns";
-  if (!(c->text[c->choice.count] = strdup(text)))
-    return no_memory;
-  const char *formula = column_formula(c->text[c->choice.count++], &length);
+  c->name[c->choice.count++] = text;
   return length > 0 && *formula ? NULL : not_allowed(text, "names of columns and NAME = FORMULA, with commas between");
 }
 
 const char *columns_read(struct table_choice **choice, const char *text)
 {
   const size_t size = strlen(text) + 1;
-  struct chosen *c = calloc(1, sizeof *c);
-  char *item = malloc(size);
-  const char *wrong = c && item ? NULL : no_memory;
-  while (!wrong && next_item(item, size, &text))
+  struct chosen *c = calloc(1, sizeof *c + size);
+  const char *wrong = c ? NULL : no_memory;
+  for (char *item = c ? c->text : NULL; !wrong && next_item(item, size, &text); item += strlen(item) + 1)
     wrong = add_text(c, item);
-  free(item);
-  if (c)
-    c->choice = (struct table_choice){ begin, show, (const char *const *)c->text, c->choice.count, false };
-  if (wrong)
-    columns_free((struct table_choice *)c);
+  if (!wrong)
+    c->choice = (struct table_choice){ begin, show, c->name, c->choice.count, false };
+  else
+    free(c);
   *choice = wrong ? NULL : &c->choice;
   return wrong;
 }
 
 void columns_free(struct table_choice *choice)
 {
-  struct chosen *c = (struct chosen *)choice;
-  for (int i = 0; c && i < choice->count; i++)
-    free(c->text[i]);
-  if (c)
-    column_list_free(&c->list);
-  free(c);
+  if (choice)
+    column_list_free(&((struct chosen *)choice)->list);
+  free(choice);
 }

@@ -66,8 +66,6 @@ static int distance(const char *a, const char *b)
   return row[length];
 }
 
-bool likely(const char *word, const char *name) { return distance(word, name) == 0; }
-
 int word_place(const char *word, const char *const *words)
 {
   int i = 0;

@@ -19,9 +19,6 @@ bool complain(const char *command, const char *format, ...) __attribute__((forma
 /* What is wrong, as printf makes it, also of the last three such texts: until four calls later. */
 const char *wrong_text(const char *format, ...) __attribute__((format(printf, 1, 2), returns_nonnull));
 
-/* Is word name but for upper and lower case? */
-bool likely(const char *word, const char *name);
-
 /* The place of a word in a list of words (NULL-terminated), or -1. */
 int word_place(const char *word, const char *const *words);
 /* "a, b or c", where last is " or ". Returns text. */

@@ -126,13 +126,13 @@ const char *tsv_error(struct tsv *tsv)
 
 bool tsv_take_header(struct tsv *tsv)
 {
-  const size_t size = tsv->length + 1;
-  tsv->header = malloc(size);
-  if (!tsv->header)
+  char *another = malloc(LONGEST_LINE + 1);
+  if (!another)
     return false;
-  memcpy(tsv->header, tsv->buffer, size);
+  tsv->header = tsv->buffer;
+  tsv->buffer = another;
   for (tsv->columns = 0; tsv->columns < tsv->count; tsv->columns++)
-    tsv->column[tsv->columns] = trimmed(tsv->header + (tsv->cell[tsv->columns] - tsv->buffer), " '\"");
+    tsv->column[tsv->columns] = trimmed(tsv->cell[tsv->columns], " '\"");
   return true;
 }
 
