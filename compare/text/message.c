@@ -102,15 +102,9 @@ const char *did_you_mean(const char *near) { return near ? wrong_text(": did you
 
 const char *instead_of(const char *word, const char *const *names)
 {
-  enum { LIST = 400, LONGEST_NAME = 60 };
-  static char list[LIST + LONGEST_NAME + 2];
+  char list[400];
   const char *near = nearest(word, names);
-  if (near)
-    return did_you_mean(near);
-  int said = snprintf(list, sizeof list, ": there are");
-  for (; *names && said < LIST; names++)
-    said += snprintf(list + said, sizeof list - (size_t)said, " %.*s", LONGEST_NAME, *names);
-  return list;
+  return near ? did_you_mean(near) : wrong_text(": there are %s", joined(list, sizeof list, names, ", "));
 }
 
 size_t shown_character(const char *text)

@@ -31,7 +31,7 @@ const char *nearest(const char *word, const char *const *names);
 const char *did_you_mean(const char *near);
 
 /* What ends a message about a word that is none of names (NULL-terminated): did_you_mean of the nearest, or ": there
- * are A B C". It lives until the next call. */
+ * are A, B, C". */
 const char *instead_of(const char *word, const char *const *names);
 
 /* Bytes of the character in UTF-8 that text begins with: 1 to 4; 0 where it begins with none, with a control character,
