@@ -192,6 +192,20 @@ static const char *read_at(struct reader *r, int place, double *number)
   return tsv_at(&r->t, "column %d: '%.60s' is not a number%s", place + 1, text, hint);
 }
 
+/* Of one y: point goes into its series. */
+static const char *add_point(struct reader *r, const char *name, int i, struct scallop_order_point point)
+{
+  const char *wrong = read_at(r, r->y[i], &point.err);
+  if (wrong)
+    return wrong;
+  if (r->list->rows++ == MOST_ROWS)
+    return tsv_at(&r->t, "more than a million rows");
+  struct series *s = series_named(r, name, i);
+  if (!s && r->list->count == MOST_SERIES)
+    return tsv_at(&r->t, "more than 4096 series: rows with the same text left of h are one");
+  return s && append(s, point) ? NULL : tsv_at(&r->t, out_of_memory);
+}
+
 static const char *read_row(struct reader *r)
 {
   struct scallop_order_point point = { .row = ++r->rows };
@@ -199,18 +213,8 @@ static const char *read_row(struct reader *r)
   const char *wrong = read_at(r, r->x, &point.h);
   read_name(name, r);
   wrong = wrong ? wrong : read_at(r, r->noise, &point.noise);
-  for (int i = 0; i < r->ys && !wrong; i++) {
-    wrong = read_at(r, r->y[i], &point.err);
-    if (wrong)
-      return wrong;
-    if (r->list->rows++ == MOST_ROWS)
-      return tsv_at(&r->t, "more than a million rows");
-    struct series *s = series_named(r, name, i);
-    if (!s && r->list->count == MOST_SERIES)
-      return tsv_at(&r->t, "more than 4096 series: rows with the same text left of h are one");
-    if (!s || !append(s, point))
-      return tsv_at(&r->t, out_of_memory);
-  }
+  for (int i = 0; i < r->ys && !wrong; i++)
+    wrong = add_point(r, name, i, point);
   return wrong;
 }
 

@@ -37,14 +37,13 @@ void tsv_close(struct tsv *tsv)
   tsv->buffer = tsv->header = NULL;
 }
 
-/* Reads a line into the buffer, without its end. The LF of CRLF is left to the next one, as a terminal may send CR
- * alone and then wait. False: there is none. */
+/* Reads a line into the buffer, without its end: LF, CR, or CRLF, whose LF ends another line, which is empty and does
+ * not count, as a terminal may send CR alone and then wait. False: there is none. */
 static bool read_line(struct tsv *tsv)
 {
-  int c = tsv->ended_by_return ? getc_unlocked(tsv->file) : '\n';
+  const bool after_return = tsv->ended_by_return;
+  int c = 0;
   char *to = tsv->buffer, *const stop = to + LONGEST_LINE;
-  if (c != '\n')
-    ungetc(c, tsv->file);
   if (tsv->length == LONGEST_LINE) /* what comes is the rest of it */
     tsv->error = EFBIG;
   while (tsv->error == 0 && to < stop && (c = getc_unlocked(tsv->file)) != EOF && c != '\n' && c != '\r')
@@ -55,7 +54,7 @@ static bool read_line(struct tsv *tsv)
   tsv->length = (size_t)(to - tsv->buffer);
   *to = '\0';
   bool found = tsv->error == 0 && (c != EOF || tsv->length > 0);
-  tsv->number += found;
+  tsv->number += found && !(after_return && c == '\n' && tsv->length == 0);
   return found;
 }
 
