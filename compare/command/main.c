@@ -130,8 +130,7 @@ int main(int count, char **arguments)
     code = flushed();
   } else if (reading == READ_RUN) {
     point_tell_noise(&read.options.request.point, &read.options.request.style);
-    if (!read.options.request.style.quiet)
-      progress_begin();
+    progress_begin(read.options.request.style.quiet);
     code = options_book(&read);
     if (code == EXIT_DONE)
       code = options_judge(&read, command_make(&read));

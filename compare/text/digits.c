@@ -62,8 +62,8 @@ static bool nearest_double(uint64_t w, long k, double *x)
     return false;
   const struct power v = normal(times(w << (64 - length), p->g), p->two + length);
   const wide rest = v.g & (2 * half - 1);
-  const uint64_t exponent = (uint64_t)(v.two + 127 + 1022); /* of the first bit; what is carried into it is right */
-  const uint64_t bits = (exponent << 52) + (uint64_t)(v.g >> below) + (rest >= half);
+  const int exponent = v.two + 127 + 1022; /* of the first bit; what is carried into it is right */
+  const uint64_t bits = ((uint64_t)exponent << 52) + (uint64_t)(v.g >> below) + (rest >= half);
   memcpy(x, &bits, sizeof bits);
   return rest + error < half || rest > half + error;
 }

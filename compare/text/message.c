@@ -83,20 +83,22 @@ const char *joined(char *text, size_t size, const char *const *words, const char
   return text;
 }
 
-const char *nearest(const char *word, const char *const *names)
+const char *nearest_in(const char *word, const void *list, size_t size)
 {
-  const char *best = NULL;
+  const char *best = NULL, *name;
   size_t length = strlen(word);
   int least = length > 0 ? (int)length / 3 + 1 : 0;
-  for (; *names; names++) {
-    int d = length > 2 && strncmp(word, *names, length) == 0 ? 0 : distance(word, *names);
+  for (const char *row = list; (name = *(const char *const *)(const void *)row); row += size) {
+    int d = length > 2 && strncmp(word, name, length) == 0 ? 0 : distance(word, name);
     if (d <= least && (!best || d < least)) {
-      best = *names;
+      best = name;
       least = d;
     }
   }
   return best;
 }
+
+const char *nearest(const char *word, const char *const *names) { return nearest_in(word, names, sizeof *names); }
 
 const char *did_you_mean(const char *near) { return near ? wrong_text(": did you mean '%.120s'?", near) : ""; }
 

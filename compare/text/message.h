@@ -26,6 +26,8 @@ const char *joined(char *text, size_t size, const char *const *words, const char
 
 /* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */
 const char *nearest(const char *word, const char *const *names);
+/* The same of rows of so many bytes that begin with a name; that of the last is NULL. */
+const char *nearest_in(const char *word, const void *list, size_t size);
 
 /* ": did you mean 'NEAR'?", or "" for NULL: what ends a message about a name (a wrong_text). */
 const char *did_you_mean(const char *near);

@@ -54,12 +54,12 @@ static void tick(int signal)
   errno = error;
 }
 
-void progress_begin(void)
+void progress_begin(bool quiet)
 {
   const struct itimerval timer = { { 0, 100000 }, { 1, 0 } };
   const struct sigaction action = { .sa_handler = tick, .sa_flags = SA_RESTART };
   work.begun = now();
-  if (isatty(STDERR_FILENO) && sigaction(SIGVTALRM, &action, NULL) == 0)
+  if (!quiet && isatty(STDERR_FILENO) && sigaction(SIGVTALRM, &action, NULL) == 0)
     setitimer(ITIMER_VIRTUAL, &timer, NULL);
 }
 

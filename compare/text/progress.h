@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-void progress_begin(void); /* Without it, and without a terminal, there is no line. */
+void progress_begin(bool quiet); /* Quiet, or without it, or without a terminal: there is no line. */
 /* What is being done, and then how much; all: 0 where that is not known. By one thread at a time. */
 void progress_show(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void progress_count(long done, long all);
