@@ -100,8 +100,11 @@ static void write_digits(char *text, uint64_t n, int exponent, int precision)
     exponent++;
   }
   memset(digits, '0', sizeof digits);
-  for (int i = MOST_DIGITS; n > 0; n /= 10)
-    digits[--i] = (char)('0' + n % 10);
+  uint32_t left = (uint32_t)(n / 100000000), right = (uint32_t)(n % 100000000); /* 9 digits and 8: faster than 17 */
+  for (int i = 8; i >= 0; i--, left /= 10)
+    digits[i] = (char)('0' + left % 10);
+  for (int i = MOST_DIGITS; right > 0; right /= 10)
+    digits[--i] = (char)('0' + right % 10);
   while (digits[count - 1] == '0')
     count--;
   lay_out(text, digits, count, exponent, precision);
