@@ -8,7 +8,6 @@
 
 #include "numerics/numerics.h"
 #include "compare/text/digits.h"
-#include "compare/text/halfway.h"
 #include "compare/text/table.h"
 
 struct motion motion_of(const struct point *p, enum quantity_of of)

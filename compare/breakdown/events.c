@@ -6,7 +6,7 @@
 #include "compare/answers/stretches.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
-#include "compare/text/halfway.h"
+#include "compare/text/digits.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"
 

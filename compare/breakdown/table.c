@@ -17,7 +17,6 @@ struct report {
   bool found;
   struct table table;
   long rows;
-  struct progress progress;
 };
 
 static bool is_wanted(const struct report *r, const char *what)
@@ -147,7 +146,7 @@ static bool find_radius(struct radius *radius, struct report *r, enum quantity_i
     return true;
   *radius = (struct radius){ "-", NAN, NAN, NAN, "-", "there is no derived series" };
   if (s && r->crossings != crossings) {
-    progress_show(&r->progress, "singularities ...");
+    progress_show("singularities ...");
     r->found = singularity_of(&r->singularity, &r->study, crossings);
     r->crossings = crossings;
   }
@@ -212,7 +211,7 @@ static void write_rows(struct report *r)
   for (enum quantity_id q = 0; q < QUANTITIES; q++) {
     if (!is_about(r, q))
       continue;
-    progress_show(&r->progress, "%s ...", quantity_rows[q].name);
+    progress_show("%s ...", quantity_rows[q].name);
     if (is_wanted(r, "reach"))
       write_reaches(r, q);
     if (is_wanted(r, "radius"))
@@ -254,13 +253,13 @@ static enum exit_code report(struct report *r)
     complain("breakdown", "no derived series: %s", study_why_none(&r->study));
     return EXIT_UNSOLVED;
   }
-  progress_show(&r->progress, "events ...");
+  progress_show("events ...");
   study_events(&r->study);
-  progress_end(&r->progress);
+  progress_end();
   if (!begin(r))
     return EXIT_FILE;
   write_rows(r);
-  progress_end(&r->progress);
+  progress_end();
   if (!table_close(&r->table))
     return EXIT_FILE;
   if (r->rows > 0)
@@ -298,7 +297,6 @@ enum exit_code breakdown_table(const struct breakdown_options *o)
   struct report r = { .options = o, .study.motion = motion };
   if (!serves(&r))
     return EXIT_USAGE;
-  r.progress = progress_begin(o->request.style.quiet);
   scallop_singularity_init(&r.singularity);
   const char *why = study_begin(&r.study, &motion, o->order.value);
   if (why)

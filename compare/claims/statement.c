@@ -10,7 +10,7 @@
 
 #include "compare/columns/columns.h"
 #include "compare/points/point_flint.h"
-#include "compare/text/halfway.h"
+#include "compare/text/digits.h"
 #include "compare/text/table.h"
 
 /* Solutions */

@@ -8,8 +8,7 @@
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 
-enum { WRONG = 640, MOST_COLUMNS = 256 };
-static char message[WRONG];
+enum { MOST_COLUMNS = 256 };
 static const char no_memory[] = "out of memory";
 
 const char *column_formula(const char *text, int *length)
@@ -40,10 +39,8 @@ static const char *read_formula(struct column *c, const char *text, const struct
   const char *why = formula_read(c->formula, text, &names->names, wrong);
   if (why && text[strcspn(text, "+-*/^() ")] == '\0')
     return names->missing(names->names.context, text);
-  if (why) {
-    snprintf(message, WRONG, "'%.100s': %s", text, why);
-    return message;
-  }
+  if (why)
+    return wrong_text("'%.100s': %s", text, why);
   if (!is_named && formula_places(c->formula, places) == 0) /* such as "(28)", an equation */
     return not_allowed(text, "names of columns; NAME = FORMULA may be a number alone");
   return wrong_name(c->name);
@@ -69,9 +66,7 @@ const char *column_add(struct column_list *list, const char *text, const struct 
     wrong = read_formula(c, formula, names, formula > text);
   else if (formula > text)
     wrong = wrong_name(name);
-  if (!wrong && is_there)
-    snprintf(message, WRONG, "the column '%.80s' is there twice", name);
-  return wrong || !is_there ? wrong : message;
+  return !wrong && is_there ? wrong_text("the column '%.80s' is there twice", name) : wrong;
 }
 
 int column_places(const struct column *c, int places[FORMULA_STEPS])
@@ -100,126 +95,94 @@ void column_list_free(struct column_list *list)
 
 double text_number(const char *text)
 {
-  double x, over = 1;
-  char whole[64];
-  const char *slash = strchr(text, '/');
-  if (!slash)
-    return read_number(text, &x) ? x : NAN;
-  int length = snprintf(whole, sizeof whole, "%.*s", (int)(slash - text), text);
-  bool is = length < (int)sizeof whole && read_number(whole, &x) && read_number(slash + 1, &over) && over != 0;
-  return is ? x / over : NAN;
+  double x, over;
+  char *slash;
+  if (read_number(text, &x))
+    return x;
+  x = strtod(text, &slash);
+  return slash > text && *slash == '/' && read_number(slash + 1, &over) && over != 0 ? x / over : NAN;
 }
 
 /* A choice of columns of a table */
 struct chosen {
-  struct table_choice choice; /* first: the writer knows this alone */
-  const char *text[MOST_COLUMNS];
+  struct table_choice choice;     /* first: the writer knows this alone */
+  const char *name[MOST_COLUMNS]; /* the text that asks for it, until the table begins */
   struct column_list list;
-  const char *names[MOST_COLUMNS];
-  const char *column[TABLE_COLUMNS + 1]; /* of the table, NULL-terminated, and a row of it */
-  bool used[TABLE_COLUMNS];
-  double value[TABLE_COLUMNS]; /* of those used */
+  const char *column[TABLE_COLUMNS + 1]; /* of the table, NULL-terminated */
+  char text[];                           /* all that ask, each ended by a NUL */
 };
 
-static int place_of(void *context, const char *name)
+static int place_of(void *columns, const char *name) { return word_place(name, columns); }
+
+static const char *near_to(void *columns, const char *name, const char *const *functions)
 {
-  const char *const *columns = ((const struct chosen *)context)->column, *const *c = columns;
-  while (*c && strcmp(*c, name) != 0)
-    c++;
-  return *c ? (int)(c - columns) : -1;
+  return nearest(name, functions ? functions : columns);
 }
 
-static const char *near_to(void *context, const char *name, const char *const *functions)
+static const char *no_column(void *columns, const char *name)
 {
-  return nearest(name, functions ? functions : ((const struct chosen *)context)->column);
-}
-
-static const char *no_column(void *context, const char *name)
-{
-  snprintf(message, WRONG, "there is no column '%.80s'%s", name,
-           instead_of(name, ((const struct chosen *)context)->column));
-  return message;
+  return wrong_text("there is no column '%.80s'%s", name, instead_of(name, columns));
 }
 
 static const char *begin(struct table_choice *choice, const char *const *columns, int count)
 {
   struct chosen *c = (struct chosen *)choice;
-  const struct column_names names = { { .place = place_of, .nearest = near_to, .context = c }, no_column };
-  int places[FORMULA_STEPS];
+  const struct column_names names = { { .place = place_of, .nearest = near_to, .context = c->column }, no_column };
   const char *wrong = NULL;
   memcpy(c->column, columns, (size_t)count * sizeof *columns);
   for (int i = 0; i < choice->count && !wrong; i++) {
-    wrong = column_add(&c->list, c->text[i], &names);
-    for (int k = wrong ? 0 : column_places(&c->list.item[i], places); k-- > 0;)
-      c->used[places[k]] = true;
-    c->names[i] = wrong ? "" : c->list.item[i].name;
+    wrong = column_add(&c->list, c->name[i], &names);
+    c->name[i] = wrong ? "" : c->list.item[i].name;
   }
-  choice->names = c->names;
   return wrong;
+}
+
+static double number_of(const struct table_cell *c)
+{
+  return c->kind == CELL_NUMBER || c->kind == CELL_ROUNDED ? c->value : text_number(c->text);
 }
 
 static void show(struct table_choice *choice, const struct table_cell *row, struct table_cell *shown)
 {
-  struct chosen *c = (struct chosen *)choice;
-  for (int i = 0; c->column[i]; i++)
-    if (c->used[i])
-      c->value[i] = row[i].kind == CELL_NUMBER || row[i].kind == CELL_ROUNDED ? row[i].value : text_number(row[i].text);
-  for (const struct column *item = c->list.item; item < c->list.item + c->list.count; item++, shown++)
-    if (item->place >= 0)
-      *shown = row[item->place];
-    else
-      *shown = (struct table_cell){ .kind = CELL_NUMBER, .value = formula_double(item->formula, c->value) };
+  const struct column_list *list = &((struct chosen *)choice)->list;
+  int places[FORMULA_STEPS];
+  double value[TABLE_COLUMNS];
+  for (const struct column *c = list->item; c < list->item + list->count; c++, shown++) {
+    for (int i = c->formula ? column_places(c, places) : 0; i-- > 0;)
+      value[places[i]] = number_of(&row[places[i]]);
+    *shown = c->formula ? (struct table_cell){ .kind = CELL_NUMBER, .value = formula_double(c->formula, value) }
+                        : row[c->place];
+  }
 }
 
-/* The comma that ends the item, or the end of the text */
-static const char *end_of_item(const char *text)
+static const char *add_text(struct chosen *c, const char *text)
 {
-  int nested = 0;
-  for (; *text && (*text != ',' || nested > 0); text++)
-    nested += *text == '(' ? 1 : *text == ')' && nested > 0 ? -1 : 0;
-  return text;
-}
-
-static const char *add_text(struct chosen *c, const char *text, const char *end)
-{
-  int length = 0;
-  text += strspn(text, " ");
-  while (end > text && end[-1] == ' ')
-    end--;
+  int length;
+  const char *formula = column_formula(text, &length);
   if (c->choice.count == MOST_COLUMNS)
     return "more than 256 columns";
-  char *copy = strndup(text, (size_t)(end - text));
-  if (!copy)
-    return no_memory;
-  c->text[c->choice.count++] = copy;
-  const char *formula = column_formula(copy, &length);
-  return length > 0 && *formula ? NULL : not_allowed(copy, "names of columns and NAME = FORMULA, with commas between");
+  c->name[c->choice.count++] = text;
+  return length > 0 && *formula ? NULL : not_allowed(text, "names of columns and NAME = FORMULA, with commas between");
 }
 
 const char *columns_read(struct table_choice **choice, const char *text)
 {
-  struct chosen *c = calloc(1, sizeof *c);
-  const char *wrong = NULL, *end;
-  if (!c)
-    return no_memory;
-  c->choice = (struct table_choice){ .begin = begin, .show = show, .names = c->text };
-  do {
-    end = end_of_item(text);
-    wrong = add_text(c, text, end);
-    text = end + 1;
-  } while (!wrong && *end);
+  const size_t size = strlen(text) + 1;
+  struct chosen *c = calloc(1, sizeof *c + size);
+  const char *wrong = c ? NULL : no_memory;
+  for (char *item = c ? c->text : NULL; !wrong && next_item(item, size, &text); item += strlen(item) + 1)
+    wrong = add_text(c, item);
+  if (!wrong)
+    c->choice = (struct table_choice){ begin, show, c->name, c->choice.count, false };
+  else
+    free(c);
   *choice = wrong ? NULL : &c->choice;
-  if (wrong)
-    columns_free(&c->choice);
   return wrong;
 }
 
 void columns_free(struct table_choice *choice)
 {
-  struct chosen *c = (struct chosen *)choice;
-  for (int i = 0; c && i < choice->count; i++)
-    free((char *)c->text[i]);
-  if (c)
-    column_list_free(&c->list);
-  free(c);
+  if (choice)
+    column_list_free(&((struct chosen *)choice)->list);
+  free(choice);
 }

@@ -246,7 +246,6 @@ static bool begin_table(struct boundaries *b)
 enum exit_code breakdown_boundaries(const struct breakdown_options *o)
 {
   static struct boundaries b; /* too large for the stack */
-  const struct progress progress = progress_begin(o->request.style.quiet);
   b.options = o;
   for (int i = 0; i < 2; i++) {
     const struct sweep_variable *v = b.axes[i] = map_axis(o, i);
@@ -262,9 +261,9 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
   if (!begin_table(&b))
     return EXIT_FILE;
   for (int j = 0; j <= b.cells[1] && !table_failed(&b.table); j++) {
-    progress_show(&progress, "row %d of %d", j, b.cells[1]);
+    progress_show("row %d of %d", j, b.cells[1]);
     write_row(&b, j);
   }
-  progress_end(&progress);
+  progress_end();
   return table_close(&b.table) ? EXIT_DONE : EXIT_FILE;
 }

@@ -1,5 +1,4 @@
 /* The verdicts on series, in the formats that people and CI servers read. */
-#include <errno.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -140,9 +139,7 @@ enum exit_code report_write(const struct series_list *list, const struct style *
   int error = file_open(&file, style->output);
   if (error == 0) {
     write_junit(file.stream, list);
-    bool written = !ferror(file.stream);
-    error = file_close(&file, written);
-    error = error == 0 && !written ? EIO : error;
+    error = file_close(&file, true);
   }
   if (error != 0)
     complain("order", "cannot write %s: %s", style->output ? style->output : "standard output", file_error(error));

@@ -36,29 +36,23 @@ static bool read_cell(const char *text, double *value)
 /* The place of a column, -1: there is none; there may be one. option is what names it. */
 static const char *find(int *place, struct tsv *t, const char *option, const char *name)
 {
-  *place = -1;
-  for (int i = 0; i < t->columns; i++)
-    if (strcmp(name, t->column[i]) == 0) {
-      if (*place >= 0)
-        return tsv_at(t, "%sthe column '%.100s' is there twice", option, name);
-      *place = i;
-    }
+  *place = word_place(name, tsv_columns(t));
+  if (*place >= 0 && word_place(name, tsv_columns(t) + *place + 1) >= 0)
+    return tsv_at(t, "%sthe column '%.100s' is there twice", option, name);
   return NULL;
 }
 
 /* The same for one that has to be there, by its name or by its number from 1 */
 static const char *chosen(int *place, struct tsv *t, const char *option, const char *name)
 {
-  char *end;
-  long number = strtol(name, &end, 10);
-  const char *all[TSV_CELLS + 1] = { NULL }, *wrong = find(place, t, option, name);
-  bool is_number = end != name && *end == '\0' && number >= 1 && number <= t->count;
-  memcpy(all, t->column, (size_t)t->columns * sizeof *all);
-  if (!wrong && *place < 0 && is_number)
+  long number;
+  const char *wrong = find(place, t, option, name);
+  if (!wrong && *place < 0 && read_count(name, 1, t->count, &number))
     *place = (int)number - 1;
   if (wrong || *place >= 0)
     return wrong;
-  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name, t->columns > 0 ? instead_of(name, all) : "");
+  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name,
+                t->columns > 0 ? instead_of(name, tsv_columns(t)) : "");
 }
 
 static const char *add_y(struct reader *r, int place, bool values)
@@ -94,18 +88,14 @@ static const char *add_list(struct reader *r, const char *list)
 /* Each column right of x that holds a number and is neither noise nor an order that the table brings along */
 static const char *add_others(struct reader *r)
 {
-  static const char *const orders[] = {
-    "noise", "order", "orders", "rate", "rates", "eoc", "EOC", "pairwise", "ratio"
-  };
+  static const char *const orders[] = { "noise", "order", "orders",   "rate",  "rates",
+                                        "eoc",   "EOC",   "pairwise", "ratio", NULL };
   struct tsv *t = &r->t;
   const char *wrong = NULL;
   double number;
-  for (int i = r->x + 1; i < t->count && !wrong; i++) {
-    bool is_order = !read_cell(t->cell[i], &number);
-    for (size_t k = 0; k < sizeof orders / sizeof *orders && i < t->columns; k++)
-      is_order |= strcmp(t->column[i], orders[k]) == 0;
-    wrong = is_order ? NULL : add_y(r, i, false);
-  }
+  for (int i = r->x + 1; i < t->count && !wrong; i++)
+    if (read_cell(t->cell[i], &number) && (i >= t->columns || word_place(t->column[i], orders) < 0))
+      wrong = add_y(r, i, false);
   if (wrong || r->ys > 0)
     return wrong;
   return tsv_at(t, "%s",
@@ -117,10 +107,10 @@ static const char *add_others(struct reader *r)
 /* err, error or value; there may be one of them. */
 static const char *add_named(struct reader *r)
 {
+  static const char *const names[] = { "err", "error", "value", NULL };
   int named = -1;
   for (int i = 0; i < r->t.columns; i++) {
-    const char *name = r->t.column[i];
-    if (strcmp(name, "err") != 0 && strcmp(name, "error") != 0 && strcmp(name, "value") != 0)
+    if (word_place(r->t.column[i], names) < 0)
       continue;
     if (named >= 0)
       return tsv_at(&r->t, "one column 'err', 'error' or 'value' is wanted, not two: choose with --y");
@@ -202,6 +192,20 @@ static const char *read_at(struct reader *r, int place, double *number)
   return tsv_at(&r->t, "column %d: '%.60s' is not a number%s", place + 1, text, hint);
 }
 
+/* Of one y: point goes into its series. */
+static const char *add_point(struct reader *r, const char *name, int i, struct scallop_order_point point)
+{
+  const char *wrong = read_at(r, r->y[i], &point.err);
+  if (wrong)
+    return wrong;
+  if (r->list->rows++ == MOST_ROWS)
+    return tsv_at(&r->t, "more than a million rows");
+  struct series *s = series_named(r, name, i);
+  if (!s && r->list->count == MOST_SERIES)
+    return tsv_at(&r->t, "more than 4096 series: rows with the same text left of h are one");
+  return s && append(s, point) ? NULL : tsv_at(&r->t, out_of_memory);
+}
+
 static const char *read_row(struct reader *r)
 {
   struct scallop_order_point point = { .row = ++r->rows };
@@ -209,18 +213,8 @@ static const char *read_row(struct reader *r)
   const char *wrong = read_at(r, r->x, &point.h);
   read_name(name, r);
   wrong = wrong ? wrong : read_at(r, r->noise, &point.noise);
-  for (int i = 0; i < r->ys && !wrong; i++) {
-    wrong = read_at(r, r->y[i], &point.err);
-    if (wrong)
-      return wrong;
-    if (r->list->rows++ == MOST_ROWS)
-      return tsv_at(&r->t, "more than a million rows");
-    struct series *s = series_named(r, name, i);
-    if (!s && r->list->count == MOST_SERIES)
-      return tsv_at(&r->t, "more than 4096 series: rows with the same text left of h are one");
-    if (!s || !append(s, point))
-      return tsv_at(&r->t, out_of_memory);
-  }
+  for (int i = 0; i < r->ys && !wrong; i++)
+    wrong = add_point(r, name, i, point);
   return wrong;
 }
 

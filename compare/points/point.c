@@ -1,7 +1,6 @@
 #include "compare/points/point.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,17 +11,6 @@
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
 enum { PLACE_OF_L = 4, PLACE_OF_ALPHA = CRAWLER_NUMBERS - 1 }; /* T is between them */
-
-const char *wrong_text(const char *format, ...)
-{
-  static char text[2][640];
-  static int turn;
-  va_list arguments;
-  va_start(arguments, format);
-  vsnprintf(text[turn = !turn], sizeof *text, format, arguments);
-  va_end(arguments);
-  return text[turn];
-}
 
 const char *name_among(const char *const *names, const char *name)
 {

@@ -5,14 +5,13 @@
 
 #include <stdbool.h>
 
+#include "compare/text/message.h"
 #include "model/model.h"
 
 /* Names of the parameters that describe a crawler, NULL-terminated: first the numbers, then the gait. */
 enum { CRAWLER_NUMBERS = 7 };
 extern const char *const crawler_parameters[];
 
-/* What is wrong, as printf makes it of these, which may hold earlier ones: until the next call. */
-const char *wrong_text(const char *format, ...) __attribute__((format(printf, 1, 2)));
 /* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
 const char *name_among(const char *const *names, const char *name);
 

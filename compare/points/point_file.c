@@ -3,6 +3,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 
 enum { COLUMN_NAME = 40, MESSAGE = 240 };
@@ -40,7 +41,7 @@ static const char *meant(const char *name, const char *const *extra)
   const char *known = known_parameter(plain, extra);
   for (int list = 0; !known && list < 2; list++)
     for (const char *const *p = list == 0 ? crawler_parameters : extra; !known && *p; p++)
-      if ((strlen(*p) > 1 && likely(plain, *p)) || resembles(plain, *p))
+      if ((strlen(*p) > 1 && strcasecmp(plain, *p) == 0) || resembles(plain, *p))
         known = *p;
   return known;
 }

@@ -132,14 +132,13 @@ static void write_row(struct table *t, const struct stiff_scene *scene, const st
 }
 
 /* As delta -> 0, until the stepper gives up */
-static void run_series(struct table *t, const struct stiff_scene *scene, const struct stress_options *o,
-                       const struct progress *progress)
+static void run_series(struct table *t, const struct stiff_scene *scene, const struct stress_options *o)
 {
   struct stiff_run runs[STIFF_MOST_RUNS];
   int count = 0;
   do {
     double delta = deltas[count];
-    progress_show(progress, "%s, %s: delta = %g", scene->names[0], scene->names[1], delta);
+    progress_show("%s, %s: delta = %g", scene->names[0], scene->names[1], delta);
     stiff_solve(scene, delta, stiff_tolerance(delta), o->quick ? QUICK_STEPS : MOST_STEPS, &runs[count]);
   } while (runs[count++].solved && count < (o->quick ? QUICK_DELTAS : DELTAS));
   for (int i = 0; i < count && !o->summary; i++)
@@ -155,7 +154,6 @@ enum exit_code stress_stiff(const struct stress_options *o)
 {
   struct stiff_scene scenes[MOST_SCENES];
   struct table t;
-  const struct progress progress = progress_begin(o->request.style.quiet);
   int count = make_scenes(scenes, &o->request.point);
   if (count == 0)
     return EXIT_UNSOLVED;
@@ -170,7 +168,7 @@ enum exit_code stress_stiff(const struct stress_options *o)
   table_add(&t, o->summary ? of_trend : of_run);
   table_begin_rows(&t);
   for (int i = 0; i < count && !table_failed(&t); i++)
-    run_series(&t, &scenes[i], o, &progress);
-  progress_end(&progress);
+    run_series(&t, &scenes[i], o);
+  progress_end();
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }

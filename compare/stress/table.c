@@ -126,7 +126,6 @@ struct run {
   struct stress_case *stressed;
   double *values; /* room for one measure of all numbers */
   struct table table;
-  struct progress progress;
 };
 
 /* The rows, and room for the cases of the largest. EXIT_DONE, or why not; the message is on stderr. */
@@ -243,13 +242,13 @@ static void write_row(struct run *run, const struct row *r)
 
 static void run_row(struct run *run, struct row *r)
 {
-  progress_show(&run->progress, "%s, %s gait", r->family->name, r->gait->name);
+  progress_show("%s, %s gait", r->family->name, r->gait->name);
   r->cases = stress_make(r->family, r->gait, (unsigned long)run->options->seed.value, r->cases, run->stressed);
   for (int i = 0; i < r->cases; i++)
     run->stressed[i].periods *= run->effort->periods;
   judge_all(run, r->cases);
   sum_up(run, r);
-  progress_end(&run->progress);
+  progress_end();
   write_row(run, r);
 }
 

@@ -13,20 +13,18 @@ FILE *aligned_begin_row(struct aligned *a, int columns)
   return a->kept;
 }
 
-bool aligned_is_full(const struct aligned *a) { return a->rows > ALIGNED_ROWS - (a->column != NULL); }
+bool aligned_is_full(const struct aligned *a) { return a->rows > ALIGNED_ROWS - a->has_begun; }
 
-/* Forgets the rows that are kept, and at the end the columns too. */
-static void forget(struct aligned *a, bool all)
+void aligned_free(struct aligned *a)
 {
   if (a->kept)
     fclose(a->kept);
   free(a->text);
-  if (all)
-    free(a->column);
-  *a = (struct aligned){ .column = all ? NULL : a->column, .columns = a->columns };
+  a->kept = NULL;
+  a->text = NULL;
+  a->rows = 0;
+  a->has_begun = false;
 }
-
-void aligned_free(struct aligned *a) { forget(a, true); }
 
 /* A long text goes on in another line behind each "; " and " | ", from column `left` on. */
 static void print_text(FILE *file, const char *text, int left)
@@ -42,13 +40,6 @@ static void print_text(FILE *file, const char *text, int left)
     }
   }
 }
-
-struct aligned_column {
-  struct column_meaning meaning;
-  int width;
-  bool numbers;   /* on the right             */
-  bool has_parts; /* some text has several     */
-};
 
 /* What a column is, and what stands between the parts of its texts */
 static void print_meaning(FILE *file, const struct aligned_column *c)
@@ -94,33 +85,31 @@ static void print_row(const struct aligned *a, FILE *file, const char *const *ce
     const char *cell = cells ? cells[i] : a->column[i].meaning.unit; /* below their names */
     bool last = i + 1 == a->columns;
     int width = a->column[i].width;
-    fprintf(file, "%*s%s", a->column[i].numbers ? width : last ? 0 : -width, cell, last ? "" : "  ");
+    fprintf(file, "%*s%s", a->column[i].is_number ? width : last ? 0 : -width, cell, last ? "" : "  ");
   }
   fputc('\n', file);
 }
 
 /* Widens the columns to what is kept; of the first block, which begins with the names, also finds those of numbers. */
-static void measure(struct aligned *a, const char *const *cells, bool first)
+static void measure(struct aligned *a, const char *const *cells)
 {
+  const bool first = !a->has_begun;
   for (int i = 0; i < a->columns; i++) {
     struct aligned_column *c = &a->column[i];
-    const int least = (int)strlen(c->meaning.unit);
-    c->width = least > c->width ? least : c->width;
-    c->numbers = first ? a->rows > 1 : c->numbers;
     for (long k = 0; k < a->rows; k++) {
       const char *cell = cells[k * a->columns + i]; /* NOLINT(clang-analyzer-core.uninitialized.Assign): all are set */
       int length = (int)strlen(cell);
       c->width = length > c->width ? length : c->width;
-      c->numbers = c->numbers && (!first || k == 0 || is_number(cell));
+      c->is_number = c->is_number && (!first || k == 0 || is_number(cell));
       c->has_parts = c->has_parts || (!(first && k == 0) && strstr(cell, " | "));
     }
   }
 }
 
-static void print_rows(const struct aligned *a, const char *const *cells, FILE *file, bool first)
+static void print_rows(const struct aligned *a, const char *const *cells, FILE *file)
 {
   bool has_units = false;
-  for (int i = 0; first && i < a->columns; i++)
+  for (int i = 0; !a->has_begun && i < a->columns; i++)
     has_units = has_units || *a->column[i].meaning.unit;
   for (long k = 0; k < a->rows; k++) {
     print_row(a, file, cells + k * a->columns);
@@ -139,44 +128,38 @@ static void print_legend(const struct aligned *a, const char *const *names, FILE
     }
 }
 
-static struct aligned_column *begin_columns(int count, const char *const *names, column_meaning *meaning)
+static void begin_columns(struct aligned *a, const char *const *names, column_meaning *meaning)
 {
-  struct aligned_column *column = calloc((size_t)count, sizeof *column);
-  for (int i = 0; column && i < count; i++) {
-    const struct column_meaning *m = meaning ? meaning(names[i]) : NULL;
-    column[i].meaning = m ? *m : (struct column_meaning){ .unit = "", .sentence = "" };
+  for (int i = 0; i < a->columns; i++) {
+    struct aligned_column *c = &a->column[i];
+    const struct column_meaning *known = meaning ? meaning(names[i]) : NULL;
+    *c = (struct aligned_column){ .meaning = { .unit = "", .sentence = "" }, .is_number = a->rows > 1 };
+    c->meaning = known ? *known : c->meaning;
+    c->width = (int)strlen(c->meaning.unit);
   }
-  return column;
-}
-
-/* Where each cell begins, to be freed; NULL: out of memory */
-static const char **cells_of(const struct aligned *a)
-{
-  long count = a->rows * a->columns;
-  const char **cells = fflush(a->kept) == 0 ? malloc((size_t)count * sizeof *cells) : NULL;
-  const char *cell = a->text;
-  for (long i = 0; cells && i < count; i++, cell += strlen(cell) + 1)
-    cells[i] = cell;
-  return cells;
 }
 
 bool aligned_print(struct aligned *a, const char *const *names, FILE *file, column_meaning *meaning, bool last)
 {
-  bool first = !a->column, upright = first && last && a->columns > 2 && a->rows == 2;
-  if (first && a->rows > 0)
-    a->column = begin_columns(a->columns, names, meaning);
-  const char **cells = a->column && a->rows > 0 ? cells_of(a) : NULL;
-  bool whole = a->rows == 0 || cells;
-  if (cells) {
-    measure(a, cells, first);
-    if (upright)
-      print_upright(a, cells, file);
-    else
-      print_rows(a, cells, file, first);
-  }
-  if (whole && last && !upright && a->column)
+  const long count = a->rows * a->columns;
+  const bool upright = !a->has_begun && last && a->columns > 2 && a->rows == 2;
+  const char **cells = count > 0 && fflush(a->kept) == 0 ? malloc((size_t)count * sizeof *cells) : NULL;
+  const char *cell = a->text;
+  for (long i = 0; cells && i < count; i++, cell += strlen(cell) + 1)
+    cells[i] = cell;
+  if (cells && !a->has_begun)
+    begin_columns(a, names, meaning);
+  if (cells)
+    measure(a, cells);
+  if (cells && upright)
+    print_upright(a, cells, file);
+  else if (cells)
+    print_rows(a, cells, file);
+  const bool whole = count == 0 || cells, has_begun = a->has_begun || cells;
+  if (whole && last && !upright && has_begun)
     print_legend(a, names, file);
   free(cells);
-  forget(a, last || !whole);
+  aligned_free(a);
+  a->has_begun = has_begun && !last;
   return whole;
 }

@@ -18,14 +18,19 @@ struct column_meaning {
 };
 typedef const struct column_meaning *column_meaning(const char *name);
 
-enum { ALIGNED_ROWS = 1000 };
+enum { TABLE_COLUMNS = 384, ALIGNED_ROWS = 1000 };
 struct aligned {
   FILE *kept; /* cells of rows that are not yet printed, each ended by a NUL; NULL: there are none */
   char *text; /* what it writes to                                                               */
   size_t size;
-  long rows;                     /* that are kept                        */
-  struct aligned_column *column; /* NULL: nothing is printed yet         */
+  long rows;      /* that are kept          */
+  bool has_begun; /* some rows are printed  */
   int columns;
+  struct aligned_column {
+    struct column_meaning meaning;
+    int width;
+    bool is_number, has_parts; /* it is on the right; some text has several */
+  } column[TABLE_COLUMNS];
 };
 
 /* Where the cells of another row are to be written, each with a NUL behind it; the first row is of names. NULL: out of

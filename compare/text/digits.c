@@ -13,92 +13,81 @@ __extension__ typedef unsigned __int128 wide;
 
 enum { LEAST_POWER = -48, MOST_POWER = 48 };
 
-/* 10^k = 2^(n - 127) g with n = floor(k log2(10)) and 2^127 <= g < 2^128, g rounded up: too large by less than 1, and
- * exact for k >= 0, where 5^k has at most 112 bits. */
-static wide powers[MOST_POWER - LEAST_POWER + 1];
+/* 10^k = 2^two g with 2^127 <= g < 2^128: g is exact for k >= 0, where 5^k has at most 112 bits, else too small by less
+ * than 2^10, as each step cuts off less than 16. */
+struct power {
+  wide g;
+  int two;
+};
+static struct power powers[MOST_POWER - LEAST_POWER + 1];
+
+static struct power normal(wide g, int two)
+{
+  for (; !(g >> 127); two--)
+    g <<= 1;
+  return (struct power){ g, two };
+}
 
 static void make_powers(void)
 {
-  wide five = 1;
-  for (int k = 0; k <= MOST_POWER; k++, five *= 5) {
-    wide g = five, rest = (wide)1 << 127, inverse = 0;
-    while (!(g >> 127))
-      g <<= 1;
-    for (int bit = 0; bit < 128; bit++) { /* 2^255 / g, digit by digit */
-      bool is_one = rest >> 127 || 2 * rest >= g;
-      rest = 2 * rest - (is_one ? g : 0);
-      inverse = 2 * inverse + is_one;
-    }
-    powers[-k - LEAST_POWER] = inverse + 1;
-    powers[k - LEAST_POWER] = g;
+  struct power up = { (wide)1 << 127, -127 }, down = up;
+  for (int k = 0; k <= MOST_POWER; k++) {
+    powers[k - LEAST_POWER] = up;
+    powers[-k - LEAST_POWER] = down;
+    up = normal(up.g / 8 * 5, up.two + 4);
+    down = normal(down.g / 5, down.two - 1);
   }
 }
 
-/* floor(k log2(10)) and floor(log10(2^n)), |k| <= 400, |n| <= 1024 */
-static int power_of_two_in(int k) { return (int)((k * 1741647L + (2048L << 19)) >> 19) - 2048; }
-static int power_of_ten_in(int n) { return (int)((n * 315653L + (1024L << 20)) >> 20) - 1024; }
-
-static wide power(int k)
+/* NULL: beyond the table */
+static const struct power *power(long k)
 {
-  if (powers[0] == 0)
+  if (powers[0].g == 0)
     make_powers();
-  return powers[k - LEAST_POWER];
+  return k < LEAST_POWER || k > MOST_POWER ? NULL : &powers[k - LEAST_POWER];
 }
 
-/* factor 10^k = 2^(power_of_two_in(k) - 127) times this, g being power(k): too large by less than factor 2^-64, and too
- * small, as what is below is cut off, by less than 1. */
+/* factor g / 2^64: too small by less than that of g, and 1. */
 static wide times(uint64_t factor, wide g) { return (g >> 64) * factor + ((wide)(uint64_t)g * factor >> 64); }
+
+static const wide error = 1 << 11; /* of a product, in its last place: less than that, also of twice the product */
 
 /* w 10^k to the nearest, 0 < w < 10^19. False: beyond the table, or too near a tie of *x and the next double */
 static bool nearest_double(uint64_t w, long k, double *x)
 {
-  const uint64_t error = 8, half = 1U << 10;
-  const int length = 64 - __builtin_clzll(w);
-  if (k < LEAST_POWER || k > MOST_POWER)
+  const int below = 128 - DBL_MANT_DIG, length = 64 - __builtin_clzll(w);
+  const wide half = (wide)1 << (below - 1);
+  const struct power *p = power(k);
+  if (!p)
     return false;
-  wide v = times(w << (64 - length), power((int)k));
-  int exponent = power_of_two_in((int)k) + length; /* of the first of the 128 bits of v  */
-  if (!(v >> 127)) {                               /* wrong by less than 2 then          */
-    v <<= 1;
-    exponent--;
-  }
-  uint64_t high = (uint64_t)(v >> 64), low = (uint64_t)v, over = high & (2 * half - 1);
-  bool tie = (over == half && low < error) || (over == half - 1 && low > UINT64_MAX - error);
-  uint64_t bits = ((uint64_t)(exponent + 1022) << 52) + (high >> 11) + (over >= half && !tie); /* with all carries */
+  const struct power v = normal(times(w << (64 - length), p->g), p->two + length);
+  const wide rest = v.g & (2 * half - 1);
+  const int exponent = v.two + 127 + 1022; /* of the first bit; what is carried into it is right */
+  const uint64_t bits = ((uint64_t)exponent << 52) + (uint64_t)(v.g >> below) + (rest >= half);
   memcpy(x, &bits, sizeof bits);
-  return !tie;
+  return rest + error < half || rest > half + error;
 }
 
 enum { MOST_DIGITS = 17 };
 
-/* Digits, the first of them worth 10^exponent, |exponent| < 100, as "%.*g" lays them out. Behind the count of them
- * there are zeros. */
+/* Digits, the first of them worth 10^exponent, as "%.*g" lays them out. Behind the count of them there are zeros. */
 static void lay_out(char *to, const char *digits, int count, int exponent, int precision)
 {
   const bool has_exponent = exponent < -4 || exponent >= precision;
-  const int whole = has_exponent ? 1 : exponent + 1; /* digits before the point, or 0 and less: zeros behind it */
-  if (whole > 0) {
+  const int point = has_exponent ? 1 : exponent + 1; /* digits before it, or 0 and less: zeros behind it */
+  if (point > 0) {
     memcpy(to, digits, MOST_DIGITS);
-    to += whole;
-    digits += whole;
-    count -= whole;
-    if (count > 0)
-      *to++ = '.';
+    to[point] = '.';
+    memcpy(to + point + 1, digits + point, MOST_DIGITS);
+    to += count > point ? count + 1 : point;
   } else {
     memcpy(to, "0.000", sizeof "0.000");
-    to += 2 - whole;
-  }
-  if (count > 0) {
-    memcpy(to, digits, MOST_DIGITS);
-    to += count;
-  }
-  if (has_exponent) {
-    *to++ = 'e';
-    *to++ = exponent < 0 ? '-' : '+';
-    *to++ = (char)('0' + abs(exponent) / 10);
-    *to++ = (char)('0' + abs(exponent) % 10);
+    memcpy(to + 2 - point, digits, MOST_DIGITS);
+    to += 2 - point + count;
   }
   *to = '\0';
+  if (has_exponent)
+    snprintf(to, sizeof "e+99", "e%+03d", exponent);
 }
 
 /* n 10^(exponent - 16), 10^16 <= n <= 10^17 */
@@ -121,9 +110,11 @@ static void write_digits(char *text, uint64_t n, int exponent, int precision)
   lay_out(text, digits, count, exponent, precision);
 }
 
+/* floor(log10(2^n)), |n| <= 1024 */
+static int power_of_ten_in(int n) { return (int)((n * 315653L + (1024L << 20)) >> 20) - 1024; }
+
 bool digits_write_quickly(char text[NUMBER_TEXT], double x)
 {
-  const wide error = 4; /* in V, in units of 2^-64, and some more */
   const uint64_t hidden = 1ULL << (DBL_MANT_DIG - 1);
   const double size = fabs(x);
   uint64_t bits;
@@ -133,13 +124,14 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x)
   if (size == 0)
     return memcpy(text, "0", 2) != NULL;
   /* What has not this form, subnormal numbers, infinities and nan, has an exponent beyond the table. */
-  const int exponent = (int)(bits >> 52) - 1075, first = power_of_ten_in(exponent + DBL_MANT_DIG - 1), k = 16 - first;
-  if (k < LEAST_POWER || k > MOST_POWER)
+  const int exponent = (int)(bits >> 52) - 1075, first = power_of_ten_in(exponent + DBL_MANT_DIG - 1);
+  const struct power *p = power(16 - first);
+  if (!p)
     return false;
-  /* V = size 10^k, 10^16 <= V < 2 10^17, its whole part and 64 bits behind the point */
-  const int shift = exponent + power_of_two_in(k) + 1;
+  /* V = size 10^(16 - first), 10^16 <= V < 2 10^17, its whole part and 64 bits behind the point */
+  const int shift = exponent + p->two + 128;
   const uint64_t mantissa = (bits & (hidden - 1)) | hidden;
-  const wide g = power(k), V = times(mantissa << shift, g), half_ulp = g >> (65 - shift);
+  const wide V = times(mantissa << shift, p->g), half_ulp = p->g >> (65 - shift);
   const uint64_t whole = (uint64_t)(V >> 64);
   const uint32_t unit = whole >= 100000000000000000U ? 10 : 1;          /* of the 17th digit */
   const wide least_half = mantissa == hidden ? half_ulp / 2 : half_ulp; /* doubles below a power of 2 are nearer */

@@ -1,4 +1,4 @@
-/* Doubles as decimals that read back exactly, and decimals as doubles.
+/* Doubles: halfway to another, as decimals that read back exactly, and decimals as doubles.
  *
  * Each way has a quick form, in 128-bit integers, that knows when it cannot tell how C's library would round, and then
  * leaves the answer to it: the same text and the same double for every input. Needs IEEE doubles, rounding to nearest
@@ -7,6 +7,14 @@
 #define SCALLOP_COMPARE_TEXT_DIGITS_H
 
 #include <stdbool.h>
+
+/* Bisection to the last bit: for (double x; halfway(&x, low, high);) *(belongs_to_low(x) ? &low : &high) = x;
+ * False: low and high are neighbours. */
+static inline bool halfway(double *x, double low, double high)
+{
+  *x = low + (high - low) / 2;
+  return low < *x && *x < high;
+}
 
 /* x with so many significant digits; for digits = 0 as "%.*g" writes it with as few of 15, 16 and 17 digits as read
  * back exactly; nan without a sign. */

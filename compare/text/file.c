@@ -148,6 +148,8 @@ int file_open(struct file *f, const char *path)
  * behind the file. */
 int file_flush(struct file *f)
 {
+  if (ferror(f->stream))
+    return EIO; /* of an earlier write, which said why */
   bool flushed = fflush(f->stream) == 0 && (!f->target || fsync(fileno(f->stream)) == 0 || errno == EINVAL);
   return flushed ? 0 : errno;
 }

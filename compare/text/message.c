@@ -33,6 +33,17 @@ bool complain(const char *command, const char *format, ...)
   return false;
 }
 
+const char *wrong_text(const char *format, ...)
+{
+  static char text[4][640];
+  static unsigned turn;
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(text[++turn % 4], sizeof *text, format, arguments);
+  va_end(arguments);
+  return text[turn % 4];
+}
+
 /* Levenshtein's, upper and lower case being the same */
 static int distance(const char *a, const char *b)
 {
@@ -55,8 +66,6 @@ static int distance(const char *a, const char *b)
   return row[length];
 }
 
-bool likely(const char *word, const char *name) { return distance(word, name) == 0; }
-
 int word_place(const char *word, const char *const *words)
 {
   int i = 0;
@@ -74,41 +83,30 @@ const char *joined(char *text, size_t size, const char *const *words, const char
   return text;
 }
 
-const char *nearest(const char *word, const char *const *names)
+const char *nearest_in(const char *word, const void *list, size_t size)
 {
-  const char *best = NULL;
+  const char *best = NULL, *name;
   size_t length = strlen(word);
   int least = length > 0 ? (int)length / 3 + 1 : 0;
-  for (; *names; names++) {
-    int d = length > 2 && strncmp(word, *names, length) == 0 ? 0 : distance(word, *names);
+  for (const char *row = list; (name = *(const char *const *)(const void *)row); row += size) {
+    int d = length > 2 && strncmp(word, name, length) == 0 ? 0 : distance(word, name);
     if (d <= least && (!best || d < least)) {
-      best = *names;
+      best = name;
       least = d;
     }
   }
   return best;
 }
 
-const char *did_you_mean(const char *near)
-{
-  static char text[160];
-  *text = '\0';
-  if (near)
-    snprintf(text, sizeof text, ": did you mean '%.120s'?", near);
-  return text;
-}
+const char *nearest(const char *word, const char *const *names) { return nearest_in(word, names, sizeof *names); }
+
+const char *did_you_mean(const char *near) { return near ? wrong_text(": did you mean '%.120s'?", near) : ""; }
 
 const char *instead_of(const char *word, const char *const *names)
 {
-  enum { LIST = 400, LONGEST_NAME = 60 };
-  static char list[LIST + LONGEST_NAME + 2];
+  char list[400];
   const char *near = nearest(word, names);
-  if (near)
-    return did_you_mean(near);
-  int said = snprintf(list, sizeof list, ": there are");
-  for (; *names && said < LIST; names++)
-    said += snprintf(list + said, sizeof list - (size_t)said, " %.*s", LONGEST_NAME, *names);
-  return list;
+  return near ? did_you_mean(near) : wrong_text(": there are %s", joined(list, sizeof list, names, ", "));
 }
 
 size_t shown_character(const char *text)

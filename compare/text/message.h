@@ -16,8 +16,8 @@ char *printed_line(const char *format, va_list arguments, const char *kept) __at
 /* "scallop NAME: message" on stderr. Returns false. */
 bool complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* Is word name but for upper and lower case? */
-bool likely(const char *word, const char *name);
+/* What is wrong, as printf makes it, also of the last three such texts: until four calls later. */
+const char *wrong_text(const char *format, ...) __attribute__((format(printf, 1, 2), returns_nonnull));
 
 /* The place of a word in a list of words (NULL-terminated), or -1. */
 int word_place(const char *word, const char *const *words);
@@ -26,12 +26,14 @@ const char *joined(char *text, size_t size, const char *const *words, const char
 
 /* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */
 const char *nearest(const char *word, const char *const *names);
+/* The same of rows of so many bytes that begin with a name; that of the last is NULL. */
+const char *nearest_in(const char *word, const void *list, size_t size);
 
-/* ": did you mean 'NEAR'?", or "" for NULL: what ends a message about a name. It lives until the next call. */
+/* ": did you mean 'NEAR'?", or "" for NULL: what ends a message about a name (a wrong_text). */
 const char *did_you_mean(const char *near);
 
 /* What ends a message about a word that is none of names (NULL-terminated): did_you_mean of the nearest, or ": there
- * are A B C". It lives until the next call. */
+ * are A, B, C". */
 const char *instead_of(const char *word, const char *const *names);
 
 /* Bytes of the character in UTF-8 that text begins with: 1 to 4; 0 where it begins with none, with a control character,

@@ -13,7 +13,7 @@ enum { LEAST = 2 };              /* seconds, of work that is told of */
 static const double again = 0.5; /* seconds, from one line to the next */
 
 static struct {
-  double begun, next; /* 0: no work; when the next line may be written */
+  double begun, next; /* when the next line may be written */
   char what[100];
   long done, all;
 } work;
@@ -54,26 +54,21 @@ static void tick(int signal)
   errno = error;
 }
 
-struct progress progress_begin(bool quiet)
+void progress_begin(bool quiet)
 {
-  const struct progress p = { .shown = !quiet && isatty(STDERR_FILENO) };
   const struct itimerval timer = { { 0, 100000 }, { 1, 0 } };
   const struct sigaction action = { .sa_handler = tick, .sa_flags = SA_RESTART };
-  if (p.shown && work.begun == 0) {
-    work.begun = now();
-    sigaction(SIGVTALRM, &action, NULL);
+  work.begun = now();
+  if (!quiet && isatty(STDERR_FILENO) && sigaction(SIGVTALRM, &action, NULL) == 0)
     setitimer(ITIMER_VIRTUAL, &timer, NULL);
-  }
-  return p;
 }
 
-void progress_show(const struct progress *p, const char *format, ...)
+void progress_show(const char *format, ...)
 {
   va_list arguments;
   is_changing = true;
   va_start(arguments, format);
-  if (p->shown)
-    vsnprintf(work.what, sizeof work.what, format, arguments);
+  vsnprintf(work.what, sizeof work.what, format, arguments);
   va_end(arguments);
   is_changing = false;
 }
@@ -97,9 +92,9 @@ void progress_clear(void)
   work.next = now() + again;
 }
 
-void progress_end(const struct progress *p)
+void progress_end(void)
 {
   progress_clear();
-  progress_show(p, "%s", "");
+  progress_show("%s", "");
   progress_count(0, 0);
 }

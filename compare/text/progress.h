@@ -6,18 +6,13 @@
 
 #include <stdbool.h>
 
-struct progress {
-  bool shown;
-};
-
-/* Starts the timer, the first time; quiet, or no terminal: there is no line. */
-struct progress progress_begin(bool quiet);
+void progress_begin(bool quiet); /* Quiet, or without it, or without a terminal: there is no line. */
 /* What is being done, and then how much; all: 0 where that is not known. By one thread at a time. */
-void progress_show(const struct progress *progress, const char *format, ...) __attribute__((format(printf, 2, 3)));
+void progress_show(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void progress_count(long done, long all);
 bool progress_is_counted(void); /* Is something of which it is known how many there are? */
 /* Clears the line, before something else is written: the next one comes half a second later at the earliest. */
 void progress_clear(void);
-void progress_end(const struct progress *progress); /* and forgets what was done */
+void progress_end(void); /* and forgets what was done */
 
 #endif

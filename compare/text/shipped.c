@@ -12,11 +12,4 @@ const char *shipped_text(const struct shipped *list, const char *name)
   return list->text;
 }
 
-const char *shipped_near(const struct shipped *list, const char *name)
-{
-  enum { MOST = 64 };
-  const char *names[MOST + 1] = { NULL };
-  for (int i = 0; i < MOST && list[i].name; i++)
-    names[i] = list[i].name;
-  return nearest(name, names);
-}
+const char *shipped_near(const struct shipped *list, const char *name) { return nearest_in(name, list, sizeof *list); }

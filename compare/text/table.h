@@ -13,8 +13,6 @@
 #include "compare/text/plot.h"
 #include "model/version.h"
 
-enum { TABLE_COLUMNS = 384 };
-
 /* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is
  * given */
 enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "compare/text/file.h"
+#include "compare/text/message.h"
 
 static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
 {
@@ -36,14 +37,13 @@ void tsv_close(struct tsv *tsv)
   tsv->buffer = tsv->header = NULL;
 }
 
-/* Reads a line into the buffer, without its end. The LF of CRLF is left to the next one, as a terminal may send CR
- * alone and then wait. False: there is none. */
+/* Reads a line into the buffer, without its end: LF, CR, or CRLF, whose LF ends another line, which is empty and does
+ * not count, as a terminal may send CR alone and then wait. False: there is none. */
 static bool read_line(struct tsv *tsv)
 {
-  int c = tsv->ended_by_return ? getc_unlocked(tsv->file) : '\n';
+  const bool after_return = tsv->ended_by_return;
+  int c = 0;
   char *to = tsv->buffer, *const stop = to + LONGEST_LINE;
-  if (c != '\n')
-    ungetc(c, tsv->file);
   if (tsv->length == LONGEST_LINE) /* what comes is the rest of it */
     tsv->error = EFBIG;
   while (tsv->error == 0 && to < stop && (c = getc_unlocked(tsv->file)) != EOF && c != '\n' && c != '\r')
@@ -54,7 +54,7 @@ static bool read_line(struct tsv *tsv)
   tsv->length = (size_t)(to - tsv->buffer);
   *to = '\0';
   bool found = tsv->error == 0 && (c != EOF || tsv->length > 0);
-  tsv->number += found;
+  tsv->number += found && !(after_return && c == '\n' && tsv->length == 0);
   return found;
 }
 
@@ -119,29 +119,28 @@ const char *tsv_error(struct tsv *tsv)
 {
   if (!tsv->error)
     return NULL;
-  snprintf(tsv->message, TSV_MESSAGE, "cannot read %.300s: %s", tsv->name,
-           tsv->error == EFBIG ? "a line has more than a million characters" : strerror(tsv->error));
-  return tsv->message;
+  return wrong_text("cannot read %.300s: %s", tsv->name,
+                    tsv->error == EFBIG ? "a line has more than a million characters" : strerror(tsv->error));
 }
 
 bool tsv_take_header(struct tsv *tsv)
 {
-  const size_t size = tsv->length + 1;
-  tsv->header = malloc(size);
-  if (!tsv->header)
+  char *another = malloc(LONGEST_LINE + 1);
+  if (!another)
     return false;
-  memcpy(tsv->header, tsv->buffer, size);
+  tsv->header = tsv->buffer;
+  tsv->buffer = another;
   for (tsv->columns = 0; tsv->columns < tsv->count; tsv->columns++)
-    tsv->column[tsv->columns] = trimmed(tsv->header + (tsv->cell[tsv->columns] - tsv->buffer), " '\"");
+    tsv->column[tsv->columns] = trimmed(tsv->cell[tsv->columns], " '\"");
   return true;
 }
 
 const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)
 {
+  char text[TSV_MESSAGE];
   va_list arguments;
   va_start(arguments, format);
-  int used = snprintf(tsv->message, TSV_MESSAGE, line > 0 ? "%.200s:%ld: " : "%.200s: ", tsv->name, line);
-  vsnprintf(tsv->message + used, TSV_MESSAGE - (size_t)used, format, arguments);
+  vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  return tsv->message;
+  return line > 0 ? wrong_text("%.200s:%ld: %s", tsv->name, line, text) : wrong_text("%.200s: %s", tsv->name, text);
 }

@@ -3,14 +3,14 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
+#include <regex.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/text/digits.h"
-
-static char message[320];
+#include "compare/text/message.h"
 
 bool read_number(const char *text, double *value)
 {
@@ -31,13 +31,12 @@ bool read_number(const char *text, double *value)
 
 bool json_takes_number(const char *text)
 {
+  static regex_t form;
+  static bool is_made;
   double x;
-  const char *digits = text + (*text == '-');
-  size_t whole = strspn(digits, "0123456789");
-  bool leads = whole > 0 && (whole == 1 || *digits != '0'), fraction = digits[whole] == '.';
-  bool is_hexadecimal = text[strspn(text, "0123456789.eE+-")] != '\0';
-  return leads && (!fraction || strspn(digits + whole + 1, "0123456789") > 0) && !is_hexadecimal
-         && read_number(text, &x);
+  if (!is_made)
+    is_made = regcomp(&form, "^-?(0|[1-9][0-9]*)([.][0-9]+)?([eE][-+]?[0-9]+)?$", REG_EXTENDED | REG_NOSUB) == 0;
+  return is_made && regexec(&form, text, 0, NULL, 0) == 0 && read_number(text, &x);
 }
 
 bool read_count(const char *text, long low, long high, long *value)
@@ -55,31 +54,33 @@ bool next_item(char *item, size_t size, const char **list)
 {
   if (!*list)
     return false;
-  const char *begin = *list + strspn(*list, " "), *end = begin + strcspn(begin, ",");
-  snprintf(item, size, "%.*s", (int)(end - begin), begin);
+  const char *begin = *list + strspn(*list, " "), *end = begin, *stop;
+  for (int nested = 0; *end && (*end != ',' || nested > 0); end++)
+    nested += *end == '(' ? 1 : *end == ')' && nested > 0 ? -1 : 0;
+  for (stop = end; stop > begin && stop[-1] == ' ';)
+    stop--;
+  snprintf(item, size, "%.*s", (int)(stop - begin), begin);
   *list = *end ? end + 1 : NULL;
   return true;
 }
 
 const char *not_allowed(const char *text, const char *allowed)
 {
-  snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes %s", text, allowed);
-  return message;
+  return wrong_text("'%.80s' is not allowed here: it takes %.200s", text, allowed);
 }
 
 const char *no_number(const char *text, const char *allowed)
 {
-  char *end, both[160];
+  char *end;
   size_t length = strlen(text);
   bool blank = length > 0 && (isspace((unsigned char)text[0]) || isspace((unsigned char)text[length - 1]));
   errno = 0;
   double x = strtod(text, &end);
   bool beyond = !blank && *end == '\0' && errno == ERANGE;
-  snprintf(both, sizeof both, "%s%s", allowed,
-           blank                    ? ", without blanks around it"
-           : length > NUMBER_LENGTH ? "; this one has more than 10100 characters"
-           : beyond && fabs(x) < 1  ? "; this one is too small: below 2.2e-308 doubles lose digits"
-           : beyond                 ? "; this one is too large: no double is above 1.8e308"
-                                    : "");
-  return not_allowed(text, both);
+  return wrong_text("'%.80s' is not allowed here: it takes %.150s%s", text, allowed,
+                    blank                    ? ", without blanks around it"
+                    : length > NUMBER_LENGTH ? "; this one has more than 10100 characters"
+                    : beyond && fabs(x) < 1  ? "; this one is too small: below 2.2e-308 doubles lose digits"
+                    : beyond                 ? "; this one is too large: no double is above 1.8e308"
+                                             : "");
 }

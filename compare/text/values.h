@@ -16,11 +16,11 @@ bool json_takes_number(const char *text);
 /* A whole number from low to high and nothing else. */
 bool read_count(const char *text, long low, long high, long *value);
 
-/* Takes an item off a list with commas between, without blanks in front: as much of it as there is room for. *list,
- * then what is behind its comma, is NULL behind the last item. False: it was. */
+/* Takes an item off a list with commas between, those within parentheses not counted, without blanks around it: as much
+ * of it as there is room for. *list, then what is behind its comma, is NULL behind the last item. False: it was. */
 bool next_item(char *item, size_t size, const char **list);
 
-/* That text is not what is allowed. The message lives until the next call of this or of no_number. */
+/* That text is not what is allowed. */
 const char *not_allowed(const char *text, const char *allowed);
 /* The same for a number, with what is the matter where the text nearly is one. */
 const char *no_number(const char *text, const char *allowed);

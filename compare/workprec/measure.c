@@ -185,14 +185,12 @@ static void find_front(struct settings *settings, int quantity)
   }
 }
 
-void settings_measure(struct settings *settings, const struct stopwatch_clock *clock, double limit,
-                      const struct progress *progress)
+void settings_measure(struct settings *settings, const struct stopwatch_clock *clock, double limit)
 {
   double long_enough = stopwatch_long_enough(clock);
   for (int i = 0; i < settings->count; i++) {
     struct setting *s = &settings->list[i];
-    progress_show(progress, "%s, T = %g: %s, %s:", s->reference->crawler.gait->name, s->reference->crawler.T, s->method,
-                  s->text);
+    progress_show("%s, T = %g: %s, %s:", s->reference->crawler.gait->name, s->reference->crawler.T, s->method, s->text);
     progress_count(settings->turn * settings->count + i, settings->turns * settings->count);
     try_once(s, limit);
     plan(s, long_enough, budget_share * limit);

@@ -97,8 +97,7 @@ bool methods_serve(const char *book);
 /* measure.c. Settings take turns: each is solved once, for its answer and its duration; then rounds over all of them,
  * so that a machine that slows down slows all; then errors against the certified value, and the Pareto front. limit:
  * seconds for the first solve of each. */
-void settings_measure(struct settings *settings, const struct stopwatch_clock *clock, double limit,
-                      const struct progress *progress);
+void settings_measure(struct settings *settings, const struct stopwatch_clock *clock, double limit);
 /* Is there a row for this quantity? */
 bool setting_has(const struct setting *setting, int quantity);
 /* Times and errors are compared as they are printed, so that the front can be found again from the table: seconds with

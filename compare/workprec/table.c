@@ -22,7 +22,6 @@ struct run {
   struct stopwatch_clock clock;
   struct settings settings; /* of the reference under way */
   struct table table;
-  struct progress progress;
 };
 
 /* All are solved before anything is written. */
@@ -110,7 +109,7 @@ static void measure(struct run *r, int reference)
   methods_add(all, &r->references[reference], r->options->quick);
   all->turn = reference;
   all->turns = r->count;
-  settings_measure(all, &r->clock, r->limit, &r->progress);
+  settings_measure(all, &r->clock, r->limit);
   for (const struct setting *s = all->list; s < all->list + all->count; s++)
     for (int quantity = 0; quantity < COMPARED; quantity++)
       if (setting_has(s, quantity))
@@ -121,7 +120,6 @@ static void measure(struct run *r, int reference)
 enum exit_code workprec_table(const struct workprec_options *options)
 {
   struct run r = { .options = options,
-                   .progress = progress_begin(options->request.style.quiet),
                    .limit = options->limit.value > 0 ? options->limit.value
                             : options->quick         ? WORKPREC_QUICK_LIMIT
                                                      : WORKPREC_LIMIT };
@@ -133,7 +131,7 @@ enum exit_code workprec_table(const struct workprec_options *options)
     bool open = begin(&r);
     for (int i = 0; i < r.count && open; i++)
       measure(&r, i);
-    progress_end(&r.progress);
+    progress_end();
     code = open && table_close(&r.table) ? EXIT_DONE : EXIT_FILE;
   }
   for (int i = 0; i < r.count; i++)

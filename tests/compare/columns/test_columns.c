@@ -53,7 +53,7 @@ TEST(columns_that_are_not_there)
   static const struct {
     const char *columns, *message;
   } cases[] = { { "T,statu", "--columns: there is no column 'statu': did you mean 'status'?" },
-                { "foo_bar_baz_qux", "there is no column 'foo_bar_baz_qux': there are T v end status coefficient" },
+                { "foo_bar_baz_qux", "there is no column 'foo_bar_baz_qux': there are T, v end, status, coefficient" },
                 { "c=4*S", "'4*S': character 3" },
                 { "c=4*", "'4*': character" },
                 { "T,(28)", "'(28)' is not allowed here: it takes names of columns" },

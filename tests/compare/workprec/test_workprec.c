@@ -69,8 +69,7 @@ static struct setting *add(struct bench *b, enum method_kind kind, long number, 
 static void measure(struct bench *b, double limit)
 {
   struct stopwatch_clock clock = stopwatch_clock();
-  const struct progress progress = progress_begin(true);
-  settings_measure(&b->settings, &clock, limit, &progress);
+  settings_measure(&b->settings, &clock, limit);
 }
 
 /* Fast ones take no time to speak of, simulations 3 ms. */
