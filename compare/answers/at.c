@@ -91,10 +91,10 @@ void at_move(struct at *s)
   count_add(COUNT_POINTS, 1);
 }
 
-/* Parameters may have changed since the last formula. */
-static double formula_so_far(void *at, const struct formula *formula)
+double at_formula_so_far(void *at, const struct sweep_place *place, const struct formula *formula)
 {
   struct at *s = at;
+  sweep_place_copy(&s->place, place);
   forget(s);
   return at_formula(s, formula);
 }
@@ -103,13 +103,6 @@ void at_end_thread(struct at *s)
 {
   if (s->flint)
     at_flint->end_thread();
-}
-
-void at_place(struct at *s, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
-              const long *index)
-{
-  forget(s);
-  sweep_move(cursor, &s->place, base, product, index, formula_so_far, s);
 }
 
 void at_begin_row(struct at *s)
@@ -280,8 +273,8 @@ static const struct series_error *compared(struct at *s, int place)
 static double froude(struct at *s)
 {
   struct scallop_scaled scaled;
-  if (!isnan(s->place.ratio[FROUDE]))
-    return s->place.ratio[FROUDE];
+  if (s->place.point.ratio[FROUDE] > 0)
+    return s->place.point.ratio[FROUDE];
   return check(s, scallop_scale(&s->place.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
@@ -291,17 +284,17 @@ static bool is_studied(struct at *s)
   return !s->is_outside && (s->study || !isnan(at_fail(s, "out of memory")));
 }
 
-static double ratio(const struct at *s, enum sweep_ratio which)
+static double ratio(const struct point *p, enum ratio which)
 {
-  const struct scallop_crawler *c = &s->place.point.crawler;
-  return !isnan(s->place.ratio[which]) ? s->place.ratio[which] : which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
+  const struct scallop_crawler *c = &p->crawler;
+  return p->ratio[which] > 0 ? p->ratio[which] : which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
 }
 
 /* Can it be told although the parameters are no point? */
 static bool is_known_outside(const struct at *s, const struct quantity *q)
 {
   return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_V0
-         || (q->kind == QUANTITY_RATIO && !isnan(s->place.ratio[q->which]));
+         || (q->kind == QUANTITY_RATIO && s->place.point.ratio[q->which] > 0);
 }
 
 static double compute(struct at *s, const struct quantity *q)
@@ -318,7 +311,7 @@ static double compute(struct at *s, const struct quantity *q)
   case QUANTITY_NUMBER: return crawler_number(&s->place.point.crawler, q->which);
   case QUANTITY_V0: return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
   case QUANTITY_FROUDE: return froude(s);
-  case QUANTITY_RATIO: return ratio(s, (enum sweep_ratio)q->which);
+  case QUANTITY_RATIO: return ratio(&s->place.point, (enum ratio)q->which);
   case QUANTITY_ONSET: return onset_of_sticking(s);
   case QUANTITY_ANSWER: a = solve_for(s, m, q->which); return a ? a->value[q->which].high : NAN;
   case QUANTITY_ESTIMATE: return estimate(s, q);

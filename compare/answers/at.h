@@ -63,9 +63,8 @@ void at_free(struct at *at); /* or NULL */
 void at_move(struct at *at);
 /* Ends what a thread keeps for this one. */
 void at_end_thread(struct at *at);
-/* Sets at->place to a point of a sweep, and no more. Ends of ranges may be formulas of what is set further out. */
-void at_place(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
-              const long *index);
+/* A formula of what is set so far, for the ends of ranges; at->place becomes that. */
+double at_formula_so_far(void *at, const struct sweep_place *place, const struct formula *formula);
 /* Before each row of another table: what failed for one table is no matter of the next. */
 void at_begin_row(struct at *at);
 

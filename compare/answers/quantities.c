@@ -336,6 +336,8 @@ void quantities_free(struct quantities *all)
 {
   for (int i = 0; i < all->count; i++)
     free(all->item[i].own);
+  for (int i = 0; i < all->labels; i++)
+    free((char *)all->label[i]);
 }
 
 int quantity_named(struct quantities *all, const char *name)

@@ -63,7 +63,7 @@ enum quantity_kind {
   QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                */
   QUANTITY_V0,
   QUANTITY_FROUDE,
-  QUANTITY_RATIO, /* which: enum sweep_ratio, but for the Froude number                         */
+  QUANTITY_RATIO, /* which: enum ratio, but for the Froude number                         */
   QUANTITY_ONSET,
   QUANTITY_ESTIMATE, /* which: the quantity whose error is estimated                                */
   QUANTITY_SAMPLE,   /* which: enum sample_value                                                    */
@@ -158,8 +158,8 @@ struct quantity {
 /* The quantities that a scene uses, each once. */
 struct quantities {
   int count, labels;
-  const char *label[QUANTITY_LABELS];
-  int carries; /* columns of a file of points that are no parameters */
+  const char *label[QUANTITY_LABELS]; /* freed with it */
+  int carries;                        /* columns of a file of points that are no parameters */
   const char *const *carried;
   struct quantity item[MOST_QUANTITIES]; /* last, and of those that are not used not even the memory */
 };

@@ -9,7 +9,7 @@
 const char *vary_product(struct request *request);
 const char *vary_group(struct request *request);
 
-/* Values as they are written, which outlive the sweep. All variables of a group have as many, or one. */
+/* Values as they are written. All variables of a group have as many, or one. */
 const char *vary_list(struct request *request, struct sweep_variable variable, const char *const *texts, long count);
 /* Both ends belong to a range; each is a number, or a formula of the parameters that are set further out and of
  * sticking_onset. */

@@ -37,20 +37,49 @@ static bool at_point(struct rows_run *run, struct at *at)
   return fine;
 }
 
-static void visit_sweep(struct rows_run *run, struct at *at)
+/* The points of a sweep, one after another */
+struct tour {
+  struct rows_run *run;
+  struct at *at;
+  struct block *block;                                          /* or NULL */
+  bool (*visit)(struct tour *tour, const struct sweep_place *); /* false: no more are wanted */
+  const struct sweep_product *product;
+};
+
+/* All points from a place where the groups in front of group g are set */
+static bool tour_from(struct tour *t, const struct sweep_place *so_far, int g)
 {
-  const struct request *request = run->rows->request;
-  struct sweep_cursor cursor = { .product = NULL };
-  bool fine = true;
-  for (int p = 0; p < request->sweep.products && fine; p++) {
-    long index[SWEEP_GROUPS] = { 0 };
-    do {
-      at_place(at, &cursor, &request->point, &request->sweep.product[p], index);
-      at_move(at);
-      progress_count(run->points + 1, sweep_points(&request->sweep));
-      fine = at_point(run, at);
-    } while (sweep_next(&request->sweep.product[p], index) && fine);
+  struct sweep_place place;
+  bool more = true;
+  if (g == t->product->groups)
+    return t->visit(t, so_far);
+  for (long i = 0; i < t->product->group[g].count && more; i++) {
+    sweep_place_copy(&place, so_far);
+    sweep_step(&place, t->product, g, i, at_formula_so_far, t->at);
+    more = tour_from(t, &place, g + 1);
   }
+  return more;
+}
+
+static bool tour_sweep(struct tour *t)
+{
+  const struct request *r = t->run->rows->request;
+  struct sweep_place place;
+  bool more = true;
+  sweep_place_set(&place, &r->point);
+  for (int p = 0; p < r->sweep.products && more; p++) {
+    t->product = &r->sweep.product[p];
+    more = tour_from(t, &place, 0);
+  }
+  return more;
+}
+
+static bool visit_place(struct tour *t, const struct sweep_place *place)
+{
+  sweep_place_copy(&t->at->place, place);
+  progress_count(t->run->points + 1, sweep_points(&t->run->rows->request->sweep));
+  at_move(t->at);
+  return at_point(t->run, t->at);
 }
 
 static void visit_file(struct rows_run *run, struct at *at, struct point_file *file)
@@ -112,24 +141,24 @@ static void compute(struct block *b)
       pthread_join(w->thread, NULL);
 }
 
-static void visit_product(struct rows_run *run, struct at *at, const struct sweep_product *product, struct block *b)
+static bool end_block(struct tour *t)
 {
-  const struct request *request = run->rows->request;
-  struct sweep_cursor cursor = { .product = NULL };
-  long index[SWEEP_GROUPS] = { 0 };
-  for (bool more = true; more && !table_failed(&run->rows->table);) {
-    for (b->count = 0; more && b->count < BLOCK; b->count++) {
-      at_place(at, &cursor, &request->point, product, index);
-      sweep_place_copy(&b->row[b->count].place, &at->place);
-      more = sweep_next(product, index);
-    }
-    progress_count(run->points, sweep_points(&request->sweep)); /* so that no worker counts anything else */
-    compute(b);
-    for (const struct row *row = b->row; row < b->row + b->count; row++) {
-      count_point(run, row->why);
-      table_repeat(&run->rows->table, &row->cells);
-    }
+  struct block *b = t->block;
+  struct rows_run *run = t->run;
+  progress_count(run->points, sweep_points(&run->rows->request->sweep)); /* so that no worker counts anything else */
+  compute(b);
+  for (const struct row *row = b->row; row < b->row + b->count; row++) {
+    count_point(run, row->why);
+    table_repeat(&run->rows->table, &row->cells);
   }
+  b->count = 0;
+  return !table_failed(&run->rows->table);
+}
+
+static bool put_in_block(struct tour *t, const struct sweep_place *place)
+{
+  sweep_place_copy(&t->block->row[t->block->count++].place, place);
+  return t->block->count < BLOCK || end_block(t);
 }
 
 static int processors(void)
@@ -150,8 +179,8 @@ static bool takes_long(const struct rows_run *run)
 static bool visit_in_blocks(struct rows_run *run, struct at *at)
 {
   const struct rows *rows = run->rows;
-  const struct sweep *sweep = &rows->request->sweep;
   struct block *b = calloc(1, sizeof *b);
+  struct tour tour = { .run = run, .at = at, .block = b, .visit = put_in_block };
   bool fine = b != NULL;
   for (int i = 0; i < BLOCK && fine; i++) {
     b->row[i].cells = (struct table){ .style = &rows->style };
@@ -162,8 +191,8 @@ static bool visit_in_blocks(struct rows_run *run, struct at *at)
     b->worker[b->threads++] = (struct worker){ .at = at_new(rows->sheet.asked), .block = b };
     fine = b->worker[i].at != NULL;
   }
-  for (int p = 0; fine && p < sweep->products; p++)
-    visit_product(run, at, &sweep->product[p], b);
+  if (fine && tour_sweep(&tour))
+    end_block(&tour);
   for (int i = 0; b && i < b->threads; i++)
     at_free(b->worker[i].at);
   for (int i = 0; b && i < BLOCK; i++)
@@ -175,11 +204,12 @@ static bool visit_in_blocks(struct rows_run *run, struct at *at)
 static void visit_points(struct rows_run *run, struct at *at, struct point_file *file)
 {
   const struct request *request = run->rows->request;
+  struct tour tour = { .run = run, .at = at, .visit = visit_place };
   if (file)
     visit_file(run, at, file);
   else if (request->sweep.products > 0) {
     if (processors() == 1 || !takes_long(run) || !visit_in_blocks(run, at))
-      visit_sweep(run, at);
+      tour_sweep(&tour);
   } else {
     sweep_place_set(&at->place, &request->point);
     at_move(at);

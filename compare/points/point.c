@@ -31,6 +31,27 @@ const char *name_among(const char *const *names, const char *name)
   return names ? *names : NULL;
 }
 
+const struct parameter *parameter_named(const char *name)
+{
+  static const struct parameter all[] = { { "m1", "m1", TARGET_NUMBER },
+                                          { "m2", "m2", TARGET_NUMBER },
+                                          { "F1", "F1", TARGET_NUMBER },
+                                          { "F2", "F2", TARGET_NUMBER },
+                                          { "L", "L", TARGET_NUMBER },
+                                          { "T", "T", TARGET_NUMBER },
+                                          { "alpha", "alpha", TARGET_NUMBER },
+                                          { "v0", "v0", TARGET_V0 },
+                                          { "gait", "gait", TARGET_GAIT },
+                                          { "phase", "phase", TARGET_PHASE },
+                                          { "froude", "T", TARGET_FROUDE },
+                                          { "F1_over_F2", "F1", TARGET_F1_OVER_F2 },
+                                          { "m1_over_m2", "m1", TARGET_M1_OVER_M2 } };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (strcmp(name, all[i].name) == 0)
+      return &all[i];
+  return NULL;
+}
+
 int crawler_place(const char *name)
 {
   int i = 0;
@@ -89,37 +110,32 @@ void point_complete(struct point *p)
       *crawler_field(&p->crawler, place) = crawler_number(&other, place);
 }
 
-static const char *set_v0(struct point *p, double x, const char *text)
-{
-  p->v0 = x;
-  p->written_v0 = text;
-  p->has_v0 = true;
-  return NULL;
-}
-
-const char *point_set_double(struct point *p, int place, double x, const char *text)
+const char *point_set_number(struct point *p, int place, const char *text)
 {
   struct scallop_complaint complaint;
-  if (place == CRAWLER_NUMBERS)
-    return isfinite(x) ? set_v0(p, x, text) : no_number(text, "a finite number");
-  double *field = crawler_field(&p->crawler, place), before = *field;
+  double x;
+  if (!read_number(text, &x))
+    return no_number(text, place == PLACE_OF_V0      ? "a finite number"
+                           : place == PLACE_OF_ALPHA ? "a number between 0 and 1, both excluded"
+                                                     : "a finite number > 0");
+  double *field = place == PLACE_OF_V0 ? &p->v0 : crawler_field(&p->crawler, place), before = *field;
   *field = x; /* the crawler has no other fault */
-  if (scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK) {
+  if (place != PLACE_OF_V0 && scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK) {
     *field = before;
     return not_allowed(text, complaint.allowed);
   }
+  p->has_v0 |= place == PLACE_OF_V0;
   p->written[place] = text;
   return NULL;
 }
 
-const char *point_set_number(struct point *p, int place, const char *text)
+static const char *set_ratio(struct point *p, enum ratio which, const char *text)
 {
   double x;
-  if (read_number(text, &x))
-    return point_set_double(p, place, x, text);
-  return no_number(text, place == CRAWLER_NUMBERS  ? "a finite number"
-                         : place == PLACE_OF_ALPHA ? "a number between 0 and 1, both excluded"
-                                                   : "a finite number > 0");
+  if (!read_number(text, &x) || !(x > 0))
+    return no_number(text, "a finite number > 0");
+  p->ratio[which] = x;
+  return NULL;
 }
 
 static const char *set_gait(struct point *p, const char *text)
@@ -142,19 +158,16 @@ static const char *set_phase(struct point *p, const char *text)
   return NULL;
 }
 
-static const char *read_v0(struct point *p, const char *text) { return point_set_number(p, CRAWLER_NUMBERS, text); }
-
 const char *point_set(struct point *p, const char *name, const char *text)
 {
-  static const struct {
-    const char *name;
-    const char *(*set)(struct point *, const char *text);
-  } others[] = { { "gait", set_gait }, { "phase", set_phase }, { "v0", read_v0 } };
-  int place = crawler_place(name);
-  if (place < CRAWLER_NUMBERS)
-    return point_set_number(p, place, text);
-  for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-    if (strcmp(name, others[i].name) == 0)
-      return others[i].set(p, text);
-  return not_allowed(name, "the name of a parameter");
+  const struct parameter *parameter = parameter_named(name);
+  if (!parameter)
+    return not_allowed(name, "the name of a parameter");
+  switch (parameter->target) {
+  case TARGET_GAIT: return set_gait(p, text);
+  case TARGET_PHASE: return set_phase(p, text);
+  case TARGET_NUMBER:
+  case TARGET_V0: return point_set_number(p, crawler_place(name), text);
+  default: return set_ratio(p, (enum ratio)(parameter->target - TARGET_F1_OVER_F2), text);
+  }
 }

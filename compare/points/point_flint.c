@@ -92,8 +92,8 @@ void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const str
       scallop_rational_parse(field_of(exact, i), p->written[i]);
   if (v0)
     rational_number(v0, p->v0);
-  if (v0 && p->written_v0)
-    scallop_rational_parse(v0, p->written_v0);
+  if (v0 && p->written[PLACE_OF_V0])
+    scallop_rational_parse(v0, p->written[PLACE_OF_V0]);
 }
 
 char *decimal_text(const arb_t x, long digits) { return arb_get_str(x, digits, ARB_STR_NO_RADIUS); }
