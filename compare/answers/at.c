@@ -70,7 +70,7 @@ static void forget(struct at *s)
   const size_t count = (size_t)s->asked->quantities.count;
   for (int m = 0; m < POINT_MOTIONS; m++) {
     struct solved *a = &s->solved[m];
-    a->in_double = a->with_errors = a->in_balls = a->with_turnings = a->with_friction = false;
+    a->in_double = a->with_errors = a->with_turnings = a->with_friction = false;
   }
   memset(s->has, 0, count * sizeof *s->has);
   memset(s->comparison, 0, count * sizeof *s->comparison);
@@ -86,8 +86,7 @@ void at_move(struct at *s)
   if (wrong)
     at_fail(s, wrong);
   s->is_outside = wrong != NULL;
-  if (s->flint && !wrong)
-    at_flint->move(s);
+  s->moves++;
   count_add(COUNT_POINTS, 1);
 }
 
@@ -97,12 +96,6 @@ double at_formula_so_far(void *at, const struct sweep_place *place, const struct
   sweep_place_copy(&s->place, place);
   forget(s);
   return at_formula(s, formula);
-}
-
-void at_end_thread(struct at *s)
-{
-  if (s->flint)
-    at_flint->end_thread();
 }
 
 void at_begin_row(struct at *s)
@@ -156,6 +149,8 @@ static const struct answer *solve(struct at *s, enum motion_of_point m)
   return check(s, a->answer.status, 0) == 0 ? &a->answer : NULL;
 }
 
+static bool has_start(struct at *s, enum motion_of_point m) { return !isnan(start_of(s, m)); }
+
 double at_v0(struct at *s) { return start_of(s, motion_from(s, s->place.point.phase, false)); }
 
 /* The answer, with those of its numbers that take another walk, which is only done where one of them is asked for */
@@ -187,22 +182,6 @@ static double estimate(struct at *s, const struct quantity *q)
     check(s, answer_with_errors(&again, &a->motion, a->estimate) ? SCALLOP_OK : again.status, 0);
   a->with_errors = true;
   return rounded_up * a->estimate[q->which];
-}
-
-/* Makes ready for what FLINT gives of the motion. False: a phase that has no start velocity. */
-static bool certify(struct at *s, enum motion_of_point m)
-{
-  bool has = !isnan(start_of(s, m));
-  if (has && is_first(&s->solved[m].in_balls, COUNT_CERTIFIED))
-    at_flint->certify(s, m);
-  return has;
-}
-
-static bool expand(struct at *s, enum motion_of_point m)
-{
-  bool has = !isnan(start_of(s, m));
-  count_add(COUNT_SUMS, has);
-  return has;
 }
 
 /* The longest period at which an extension from rest does not stick; no body need ever stick. It is kept until a
@@ -254,8 +233,7 @@ static void compare(struct at *s, struct series_error *c, const struct quantity 
       c->error = 0;
     return;
   }
-  count_add(is_published ? COUNT_FORMULAS : COUNT_SUMS, 1);
-  if (certify(s, m))
+  if (has_start(s, m))
     *c = at_flint->compare(s, series, quantity, m);
 }
 
@@ -317,7 +295,7 @@ static double compute(struct at *s, const struct quantity *q)
   case QUANTITY_ESTIMATE: return estimate(s, q);
   case QUANTITY_PUBLISHED: return published(s, q);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return expand(s, m) ? at_flint->sum(s, q, m) : NAN;
+  case QUANTITY_LIMIT: return has_start(s, m) ? at_flint->sum(s, q, m) : NAN;
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
   case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
@@ -367,7 +345,7 @@ static const char *how(struct at *s, const struct quantity *q)
     return "-";
   if (!s->as_written)
     a = solve(s, m);
-  else if (!certify(s, m) || !at_flint->modes(s, m, &proven.regime, proven.modes))
+  else if (!has_start(s, m) || !at_flint->modes(s, m, &proven.regime, proven.modes))
     a = NULL;
   return !a                           ? "-"
          : q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime)
@@ -404,7 +382,7 @@ const char *at_text(struct at *s, int quantity, long digits)
   case QUANTITY_WORDS: return in_words(s, m);
   case QUANTITY_STUDIED_TEXT: return is_studied(s) ? at_study->text(s, q) : "-";
   case QUANTITY_CERTIFIED:
-    return !s->is_outside && certify(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
+    return !s->is_outside && has_start(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
   default: return status_text(s);
   }
 }

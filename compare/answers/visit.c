@@ -1,10 +1,7 @@
 /* The loop over points: one at a time; or, of a sweep whose rows take long, blocks of them, each by as many threads as
  * there are processors. Rows are written in order as they come. */
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "compare/answers/rows.h"
 #include "compare/points/point_file.h"
@@ -92,7 +89,7 @@ static void visit_file(struct rows_run *run, struct at *at, struct point_file *f
   }
 }
 
-enum { BLOCK = 64, MOST_THREADS = 64 };
+enum { BLOCK = 64 };
 
 struct block {
   const struct rows *rows;
@@ -102,43 +99,20 @@ struct block {
     struct table cells; /* never opened: what is written into it is kept */
     char why[POINT_STATUS];
   } row[BLOCK];
-  atomic_int next;
   int threads;
-  struct worker {
-    pthread_t thread;
-    bool runs;
-    struct at *at;
-    struct block *block;
-  } worker[MOST_THREADS];
+  struct at *at[BLOCK]; /* one for each thread */
 };
 
-/* Computes rows of the block until none is left, each where it belongs. */
-static void *work(void *worker)
+/* Computes a row of the block where it belongs. */
+static void compute_row(struct at *at, int i, void *block)
 {
-  const struct worker *w = worker;
-  for (int i; (i = atomic_fetch_add(&w->block->next, 1)) < w->block->count;) {
-    struct row *row = &w->block->row[i];
-    sweep_place_copy(&w->at->place, &row->place);
-    at_move(w->at);
-    at_begin_row(w->at);
-    sheet_row(&w->block->rows->sheet, &row->cells, w->at);
-    memcpy(row->why, w->at->why, sizeof row->why);
-  }
-  at_end_thread(w->at);
-  return NULL;
-}
-
-/* The last worker is this thread. */
-static void compute(struct block *b)
-{
-  struct worker *last = &b->worker[b->threads - 1];
-  atomic_store(&b->next, 0);
-  for (struct worker *w = b->worker; w < last; w++)
-    w->runs = pthread_create(&w->thread, NULL, work, w) == 0;
-  work(last);
-  for (struct worker *w = b->worker; w < last; w++)
-    if (w->runs)
-      pthread_join(w->thread, NULL);
+  const struct block *b = block;
+  struct row *row = &((struct block *)block)->row[i];
+  sweep_place_copy(&at->place, &row->place);
+  at_move(at);
+  at_begin_row(at);
+  sheet_row(&b->rows->sheet, &row->cells, at);
+  memcpy(row->why, at->why, sizeof row->why);
 }
 
 static bool end_block(struct tour *t)
@@ -146,7 +120,7 @@ static bool end_block(struct tour *t)
   struct block *b = t->block;
   struct rows_run *run = t->run;
   progress_count(run->points, sweep_points(&run->rows->request->sweep)); /* so that no worker counts anything else */
-  compute(b);
+  at_flint->share(b->at, b->threads, b->count, compute_row, b);
   for (const struct row *row = b->row; row < b->row + b->count; row++) {
     count_point(run, row->why);
     table_repeat(&run->rows->table, &row->cells);
@@ -161,18 +135,12 @@ static bool put_in_block(struct tour *t, const struct sweep_place *place)
   return t->block->count < BLOCK || end_block(t);
 }
 
-static int processors(void)
-{
-  const char *wanted = getenv("OMP_NUM_THREADS");
-  long count = wanted && atol(wanted) > 0 ? atol(wanted) : sysconf(_SC_NPROCESSORS_ONLN);
-  return count < 1 ? 1 : count > MOST_THREADS ? MOST_THREADS : (int)count;
-}
-
 /* Is the sweep worth blocks: one table whose columns need FLINT? */
 static bool takes_long(const struct rows_run *run)
 {
   const struct rows *r = run->rows;
-  return run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked) && sweep_points(&r->request->sweep) >= 8;
+  return run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked) && sweep_points(&r->request->sweep) >= 8
+         && at_flint->threads(BLOCK) > 1;
 }
 
 /* False: there is no memory for it, and nothing has been done. */
@@ -186,15 +154,15 @@ static bool visit_in_blocks(struct rows_run *run, struct at *at)
     b->row[i].cells = (struct table){ .style = &rows->style };
     sheet_head(&rows->sheet, &b->row[i].cells);
   }
-  for (int i = 0; fine && i < processors(); i++) {
+  for (int i = at_flint->threads(BLOCK); fine && i > 0; i--) {
     b->rows = rows;
-    b->worker[b->threads++] = (struct worker){ .at = at_new(rows->sheet.asked), .block = b };
-    fine = b->worker[i].at != NULL;
+    b->at[b->threads++] = at_new(rows->sheet.asked);
+    fine = b->at[b->threads - 1] != NULL;
   }
   if (fine && tour_sweep(&tour))
     end_block(&tour);
   for (int i = 0; b && i < b->threads; i++)
-    at_free(b->worker[i].at);
+    at_free(b->at[i]);
   for (int i = 0; b && i < BLOCK; i++)
     table_abandon(&b->row[i].cells);
   free(b);
@@ -208,7 +176,7 @@ static void visit_points(struct rows_run *run, struct at *at, struct point_file 
   if (file)
     visit_file(run, at, file);
   else if (request->sweep.products > 0) {
-    if (processors() == 1 || !takes_long(run) || !visit_in_blocks(run, at))
+    if (!takes_long(run) || !visit_in_blocks(run, at))
       tour_sweep(&tour);
   } else {
     sweep_place_set(&at->place, &request->point);
