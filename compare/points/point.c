@@ -6,12 +6,13 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 #include "compare/text/values.h"
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
-enum { PLACE_OF_L = 4, PLACE_OF_ALPHA = CRAWLER_NUMBERS - 1 }; /* T is between them */
+enum { PLACE_OF_L = 4, PLACE_OF_T, PLACE_OF_ALPHA };
 
 const char *wrong_text(const char *format, ...)
 {
@@ -103,11 +104,14 @@ struct point point_initial(const struct scallop_crawler *usual)
 
 void point_complete(struct point *p)
 {
-  struct scallop_crawler other = p->usual;
-  gait_has_own(p->crawler.gait, &other.L, &other.T, &other.alpha);
-  for (int place = PLACE_OF_L; place <= PLACE_OF_ALPHA; place++)
-    if (!p->written[place])
-      *crawler_field(&p->crawler, place) = crawler_number(&other, place);
+  const struct gait_file *file = gait_file_of(p->crawler.gait);
+  struct scallop_crawler *c = &p->crawler;
+  if (!p->written[PLACE_OF_L])
+    c->L = file ? file->L : p->usual.L;
+  if (!p->written[PLACE_OF_T])
+    c->T = file ? file->T : p->usual.T;
+  if (!p->written[PLACE_OF_ALPHA])
+    c->alpha = file ? file->alpha : p->usual.alpha;
 }
 
 const char *point_set_number(struct point *p, int place, const char *text)
