@@ -284,7 +284,7 @@ static double compute(struct at *s, const struct quantity *q)
     return NAN; /* the point has no such thing */
   if (s->certified_errors && q->is_compared)
     return compared(s, (int)(q - s->asked->quantities.item))->value; /* rounded from the one that the error is of */
-  const struct series_error *series = q->of >= 0 ? compared(s, q->of) : &none;
+  const struct series_error *series = quantity_is_comparison(q) ? compared(s, q->of) : &none;
   switch (q->kind) {
   case QUANTITY_NUMBER: return crawler_number(&s->place.point.crawler, q->which);
   case QUANTITY_V0: return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
@@ -310,7 +310,7 @@ static const struct quantity *ask(struct at *s, int quantity)
 {
   const struct quantity *q = &s->asked->quantities.item[quantity];
   bool answered = q->kind == QUANTITY_ANSWER || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
-  s->tells_steady |= (answered || q->of >= 0) && q->motion == OF_STEADY;
+  s->tells_steady |= (answered || quantity_is_comparison(q)) && q->motion == OF_STEADY;
   return q;
 }
 

@@ -5,7 +5,6 @@
 #ifndef SCALLOP_COMPARE_ANSWERS_AT_H
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
-#include "compare/answers/asked.h"
 #include "compare/answers/stretches.h"
 #include "compare/points/sweep.h"
 

@@ -103,7 +103,7 @@ static double reach(struct at *at, const struct quantity *q)
   struct kept_reach **found = tfind(wanted, &s->reaches, by_crawler);
   struct study *study = found ? NULL : study_of(at);
   struct comparison c = { .expansions = study ? &study->expansions : NULL, .tolerance = q->tolerance };
-  if (study && find_item(&c.item, study, &at->asked->quantities.item[q->series])) {
+  if (study && find_item(&c.item, study, &at->asked->quantities.item[q->of])) {
     c.cache = study->cache;
     wanted->T = comparison_reach(&c);
   }
@@ -154,7 +154,7 @@ struct best_order best_of(struct at *at, enum quantity_id quantity)
 
 static double number(struct at *at, const struct quantity *q)
 {
-  const struct quantity *series = q->series >= 0 ? &at->asked->quantities.item[q->series] : NULL;
+  const struct quantity *series = q->of >= 0 ? &at->asked->quantities.item[q->of] : NULL;
   if (q->which == STUDIED_REACH)
     return reach(at, q);
   if (q->which == STUDIED_BEST_ORDER || q->which == STUDIED_BEST_ERROR) {
@@ -196,7 +196,7 @@ static const char *reversals_text(char text[REVERSALS_TEXT], const struct events
 static const char *text(struct at *at, const struct quantity *q)
 {
   if (q->which == STUDIED_VERDICT) {
-    const struct claim_row *c = claim_of(at, at->asked->quantities.item[q->series].formula);
+    const struct claim_row *c = claim_of(at, at->asked->quantities.item[q->of].formula);
     return c ? claim_verdict_text(c->verdict) : "-";
   }
   struct study *study = study_of(at);
