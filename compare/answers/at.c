@@ -70,7 +70,7 @@ static void forget(struct at *s)
   const size_t count = (size_t)s->asked->quantities.count;
   for (int m = 0; m < POINT_MOTIONS; m++) {
     struct solved *a = &s->solved[m];
-    a->in_double = a->with_errors = a->with_turnings = a->with_friction = false;
+    a->in_double = a->with_errors = a->with_second_walk = false;
   }
   memset(s->has, 0, count * sizeof *s->has);
   memset(s->comparison, 0, count * sizeof *s->comparison);
@@ -159,14 +159,14 @@ static const struct answer *solve_for(struct at *s, enum motion_of_point m, int 
   struct solved *a = &s->solved[m];
   if (!solve(s, m))
     return NULL;
-  if ((quantity == Q_AT_FIRST || quantity == Q_AT_LAST) && is_first(&a->with_turnings, COUNT_PHASES))
-    answer_turnings(&a->answer, &a->motion);
-  if (quantity == Q_FRICTION_WORK || quantity == Q_COST_OF_TRANSPORT) {
-    if (!a->with_friction)
-      s->friction = answer_friction(&a->answer, &a->motion);
-    a->with_friction = true;
-    check(s, s->friction, 0);
+  bool by_second_walk = quantity >= Q_FRICTION_WORK && quantity <= Q_AT_LAST;
+  if (by_second_walk && !a->with_second_walk) {
+    count_add(COUNT_PHASES, m != STEADY_STATE);
+    a->second_walk = answer_by_second_walk(&a->answer, &a->motion);
+    a->with_second_walk = true;
   }
+  if (by_second_walk)
+    check(s, a->second_walk, 0);
   return &a->answer;
 }
 

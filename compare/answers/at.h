@@ -5,7 +5,7 @@
 #ifndef SCALLOP_COMPARE_ANSWERS_AT_H
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
-#include "compare/answers/stretches.h"
+#include "compare/answers/answer.h"
 #include "compare/points/sweep.h"
 
 /* The motions of a point: its steady state; an extension or a contraction with the start velocity of the point; and
@@ -19,7 +19,8 @@ static inline enum scallop_phase_kind phase_kind(enum motion_of_point m)
 }
 
 struct solved { /* one of them, as far as it has been asked for */
-  bool in_double, with_errors, with_turnings, with_friction;
+  bool in_double, with_errors, with_second_walk;
+  enum scallop_status second_walk; /* where there was one */
   struct motion motion;
   struct answer answer;
   double estimate[QUANTITIES]; /* of the errors of the numbers of the answer */
@@ -43,7 +44,6 @@ struct at {
   bool as_written;        /* regime, modes and status are those of certified answers: set for each row */
   bool tells_steady;      /* the row has something of the steady state in doubles */
   struct solved solved[POINT_MOTIONS];
-  enum scallop_status friction; /* of the walk that gives the work of friction */
   double onset;
   struct scallop_crawler onset_of;
   bool has[MOST_QUANTITIES];

@@ -12,12 +12,6 @@ enum { PRECISION = 1400, MODES_PRECISION = 192 };
 
 /* Conditions */
 
-static fmpq *rational_field(struct scallop_rational_crawler *c, int place)
-{
-  fmpq *const fields[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
-  return fields[place];
-}
-
 static enum scallop_phase_kind phase_of(const struct scallop_formula *f)
 {
   return f->setting == SCALLOP_MOVING_CONTRACTION ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;

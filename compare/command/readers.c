@@ -37,7 +37,7 @@ static void show_parameter(const void *options, const struct option *o, char tex
   else if (strcmp(o->name, "v0") == 0)
     snprintf(text, OPTION_VALUE, "%.15g", r->point.v0);
   else if (crawler_place(o->name) < CRAWLER_NUMBERS)
-    snprintf(text, OPTION_VALUE, "%.15g", crawler_parameter(&r->point.crawler, o->name));
+    snprintf(text, OPTION_VALUE, "%.15g", crawler_number(&r->point.crawler, crawler_place(o->name)));
 }
 
 static const char *read_flag(void *options, const struct option *o, const char *text)

@@ -90,12 +90,6 @@ bool same_crawler(const struct scallop_crawler *a, const struct scallop_crawler 
   return same;
 }
 
-double crawler_parameter(const struct scallop_crawler *crawler, const char *name)
-{
-  int place = crawler_place(name);
-  return place < CRAWLER_NUMBERS ? crawler_number(crawler, place) : NAN;
-}
-
 struct point point_initial(const struct scallop_crawler *usual)
 {
   const struct scallop_crawler crawler = usual ? *usual : scallop_crawler_default();

@@ -61,9 +61,7 @@ const char *point_set_number(struct point *point, int place, const char *text);
  * last parameter is set. */
 void point_complete(struct point *point);
 
-/* One of the crawler's numbers by its name; nan: it has none of that name. */
-double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
-/* The same by its place among them, < CRAWLER_NUMBERS */
+/* One of the crawler's numbers by its place among them, < CRAWLER_NUMBERS */
 double crawler_number(const struct scallop_crawler *crawler, int place);
 /* All of them, in the order of their names; the place of one, or CRAWLER_NUMBERS where it is none. */
 void crawler_numbers(const struct scallop_crawler *crawler, double numbers[CRAWLER_NUMBERS]);

@@ -63,7 +63,7 @@ static void rational_number(fmpq_t x, double value)
     scallop_rational_set_double(x, value);
 }
 
-static fmpq *field_of(struct scallop_rational_crawler *c, int place)
+fmpq *rational_field(struct scallop_rational_crawler *c, int place)
 {
   fmpq *const fields[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
   return fields[place];
@@ -74,7 +74,7 @@ void rational_crawler(struct scallop_rational_crawler *exact, const struct scall
   double values[CRAWLER_NUMBERS];
   crawler_numbers(c, values);
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    rational_number(field_of(exact, i), values[i]);
+    rational_number(rational_field(exact, i), values[i]);
   exact->gait = written_gait(c->gait);
 }
 
@@ -83,7 +83,7 @@ void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const str
   rational_crawler(exact, &p->crawler);
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     if (p->written[i])
-      scallop_rational_parse(field_of(exact, i), p->written[i]);
+      scallop_rational_parse(rational_field(exact, i), p->written[i]);
   if (v0)
     rational_number(v0, p->v0);
   if (v0 && p->written[PLACE_OF_V0])
