@@ -20,18 +20,13 @@ struct at *at_new(const struct asked *asked)
   if (needs_flint && !flint_for(asked->command, needs_flint))
     return NULL;
   struct at *s = malloc(sizeof *s);
-  if (s) {
-    memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
-    s->asked = asked;
-    s->onset = 1;
-    s->certified_errors = asked_certifies_errors(asked);
-    s->flint = needs_flint ? at_flint->create(asked) : NULL;
-  }
-  if (s && (s->flint || !needs_flint))
-    return s;
-  at_free(s);
-  complain(asked->command, "out of memory");
-  return NULL;
+  if (!s)
+    return complain(asked->command, "out of memory"), NULL;
+  memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
+  s->asked = asked;
+  s->onset = 1;
+  s->certified_errors = asked_certifies_errors(asked);
+  return s;
 }
 
 void at_free(struct at *s)
@@ -256,12 +251,6 @@ static double froude(struct at *s)
   return check(s, scallop_scale(&s->place.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
-static bool is_studied(struct at *s)
-{
-  s->study = s->study ? s->study : at_study->create();
-  return !s->is_outside && (s->study || !isnan(at_fail(s, "out of memory")));
-}
-
 static double ratio(const struct point *p, enum ratio which)
 {
   const struct scallop_crawler *c = &p->crawler;
@@ -299,7 +288,7 @@ static double compute(struct at *s, const struct quantity *q)
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
   case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
-  case QUANTITY_STUDIED: return is_studied(s) ? at_study->number(s, q) : NAN;
+  case QUANTITY_STUDIED: return at_study->number(s, q);
   case QUANTITY_FORMULA: return at_formula(s, q->own);
   default: return NAN; /* texts, and what only a trajectory has */
   }
@@ -380,7 +369,7 @@ const char *at_text(struct at *s, int quantity, long digits)
   case QUANTITY_REGIME:
   case QUANTITY_MODES: return how(s, q);
   case QUANTITY_WORDS: return in_words(s, m);
-  case QUANTITY_STUDIED_TEXT: return is_studied(s) ? at_study->text(s, q) : "-";
+  case QUANTITY_STUDIED_TEXT: return s->is_outside ? "-" : at_study->text(s, q);
   case QUANTITY_CERTIFIED:
     return !s->is_outside && has_start(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
   default: return status_text(s);

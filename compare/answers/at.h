@@ -38,8 +38,8 @@ struct at {
   char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
   long failures;          /* so far */
   long moves;             /* so far: points differ where it does */
-  struct at_flint *flint; /* NULL: nothing needs it */
-  struct at_study *study; /* likewise, or not yet */
+  struct at_flint *flint; /* NULL: nothing has needed it yet */
+  struct at_study *study; /* likewise */
   bool is_outside;        /* the parameters are no point: nothing but they can be told */
   bool as_written;        /* regime, modes and status are those of certified answers: set for each row */
   bool tells_steady;      /* the row has something of the steady state in doubles */
@@ -80,7 +80,6 @@ double at_v0(struct at *at);
  * (answers/flint.h), which such quantities take for granted. */
 typedef void at_work(struct at *at, int i, void *context);
 struct at_flint_functions {
-  struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */
   void (*free)(struct at_flint *flint);
   /* The sum of a derived series, or of its first term. */
   double (*sum)(struct at *at, const struct quantity *series, enum motion_of_point m);
@@ -99,7 +98,6 @@ extern const struct at_flint_functions *at_flint;
 
 /* Quantities that take a study of the crawler along T: likewise */
 struct at_study_functions {
-  struct at_study *(*create)(void); /* NULL: no memory */
   void (*free)(struct at_study *study);
   double (*number)(struct at *at, const struct quantity *q);
   const char *(*text)(struct at *at, const struct quantity *q); /* it lives until the next call */

@@ -56,14 +56,15 @@ static void find_orders(struct at_flint *f, const struct quantities *all)
   }
 }
 
-static struct at_flint *flint_new(const struct asked *asked)
+/* What is kept for the point, and begun with the first thing that is asked of it */
+static struct at_flint *flint_of(struct at *s)
 {
-  struct at_flint *f = calloc(1, sizeof *f);
-  if (f) {
-    at_flint_init(f);
-    find_orders(f, &asked->quantities);
+  if (!s->flint) {
+    s->flint = flint_calloc(1, sizeof *s->flint);
+    at_flint_init(s->flint);
+    find_orders(s->flint, &s->asked->quantities);
   }
-  return f;
+  return s->flint;
 }
 
 static void flint_end(struct at_flint *f)
@@ -72,15 +73,15 @@ static void flint_end(struct at_flint *f)
     kept_series_clear(&f->kept[i]);
   at_flint_clear(f);
   flint_free(f->text);
-  free(f);
+  flint_free(f);
 }
 
 static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
 
 /* Sets the crawler and v0 as they are written, start and T. A start velocity that is a steady one is the double that it is. */
-static void look_at(const struct at *s, enum motion_of_point m)
+static void look_at(struct at *s, enum motion_of_point m)
 {
-  struct at_flint *f = s->flint;
+  struct at_flint *f = flint_of(s);
   if (f->move != s->moves) {
     rational_point(&f->crawler, f->v0, &s->place.point);
     memset(f->certified, 0, sizeof f->certified);
@@ -172,9 +173,9 @@ static double sum(struct at *s, const struct quantity *series, enum motion_of_po
 /* The certified answer; NULL: there is none, and s->why says why. */
 static const struct ball_answer *certified(struct at *s, enum motion_of_point m)
 {
-  struct ball_answer *a = &s->flint->answer[m];
   char text[POINT_STATUS];
   look_at(s, m);
+  struct ball_answer *a = &s->flint->answer[m];
   if (!s->flint->certified[m]) {
     long digits = certified_digits(s);
     count_add(COUNT_CERTIFIED, 1);
@@ -269,7 +270,7 @@ static void share(struct at *const *at, int workers, int count, at_work *work, v
   }
 }
 
-static const struct at_flint_functions functions = { flint_new, flint_end, sum, compare, text, modes, threads, share };
+static const struct at_flint_functions functions = { flint_end, sum, compare, text, modes, threads, share };
 
 /* When it is loaded, or, where a program is linked with it, before main */
 static void __attribute__((constructor)) offer(void) { at_flint = &functions; }

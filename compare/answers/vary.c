@@ -168,7 +168,8 @@ static const char *end_of_value(const struct sweep_variable *v, const char *text
   return comma ? comma : text + strlen(text);
 }
 
-bool vary_is_many(const char *name, const char *text)
+/* Is text several values, or has the point no such parameter? */
+static bool is_many(const char *name, const char *text)
 {
   struct sweep_variable v;
   if (!sweep_variable_of_name(&v, name))
@@ -210,7 +211,8 @@ static const char *range_of_text(struct request *r, const struct sweep_variable 
   return vary_range(r, *v, text, part[1], count, spacing == 1);
 }
 
-void vary_hold(struct request *r, const char *name)
+/* Drops the values that the parameter has in the last product. */
+static void hold(struct request *r, const char *name)
 {
   struct sweep_product *product = last_product(r);
   int g = 0;
@@ -234,14 +236,14 @@ static const char *label_of_text(struct request *r, struct sweep_variable *label
   return vary_label(r, name, label);
 }
 
-/* vary_text with a copy of the text, which is cut apart. "": it is no range. */
+/* Adds what a copy of the text says, which is cut apart. "": it is no range. */
 static const char *add_values(struct request *r, const char *name, char *values)
 {
   struct sweep_variable v;
   const char *wrong = sweep_variable_of_name(&v, name) ? NULL : label_of_text(r, &v, &values);
   if (wrong)
     return wrong;
-  vary_hold(r, v.name);
+  hold(r, v.name);
   wrong = vary_group(r);
   if (wrong)
     return wrong;
@@ -254,6 +256,10 @@ static const char *add_values(struct request *r, const char *name, char *values)
 
 const char *vary_text(struct request *r, const char *name, const char *text)
 {
+  if (!is_many(name, text)) {
+    hold(r, name);
+    return point_set(&r->point, name, text);
+  }
   char *copy = strdup(text);
   const char *wrong = copy ? add_values(r, name, copy) : no_memory;
   free(copy);

@@ -62,8 +62,8 @@ static bool tour_sweep(struct tour *t)
 {
   const struct request *r = t->run->rows->request;
   struct sweep_place place;
-  bool more = true;
   sweep_place_set(&place, &r->point);
+  bool more = r->sweep.products > 0 || t->visit(t, &place);
   for (int p = 0; p < r->sweep.products && more; p++) {
     t->product = &r->sweep.product[p];
     more = tour_from(t, &place, 0);
@@ -171,18 +171,11 @@ static bool visit_in_blocks(struct rows_run *run, struct at *at)
 
 static void visit_points(struct rows_run *run, struct at *at, struct point_file *file)
 {
-  const struct request *request = run->rows->request;
   struct tour tour = { .run = run, .at = at, .visit = visit_place };
   if (file)
     visit_file(run, at, file);
-  else if (request->sweep.products > 0) {
-    if (!takes_long(run) || !visit_in_blocks(run, at))
-      tour_sweep(&tour);
-  } else {
-    sweep_place_set(&at->place, &request->point);
-    at_move(at);
-    at_point(run, at);
-  }
+  else if (!takes_long(run) || !visit_in_blocks(run, at))
+    tour_sweep(&tour);
 }
 
 static bool open_tables(struct rows_run *run)
@@ -253,16 +246,12 @@ static enum exit_code make(struct rows *r, struct point_file *file)
 enum exit_code rows_table(struct rows *r)
 {
   const struct request *request = r->request;
-  struct point_file *file = request->points ? calloc(1, sizeof *file) : NULL;
+  struct point_file file = { .v0_may_be_nan = r->sheet.asked->from_steady };
   if (!request->points)
     return make(r, NULL);
-  if (!file)
-    return complain(request->style.command, "out of memory"), EXIT_UNSOLVED;
-  file->v0_may_be_nan = r->sheet.asked->from_steady;
-  enum exit_code code = point_file_open(file, request->points, request->style.command, request->style.quiet, r->extra,
+  enum exit_code code = point_file_open(&file, request->points, request->style.command, request->style.quiet, r->extra,
                                         (const char *const *)r->own);
-  code = code == EXIT_DONE ? make(r, file) : code;
-  point_file_close(file);
-  free(file);
+  code = code == EXIT_DONE ? make(r, &file) : code;
+  point_file_close(&file);
   return code;
 }

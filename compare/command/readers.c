@@ -12,11 +12,7 @@ static const void *value_of(const void *options, const struct option *o) { retur
 
 static const char *read_parameter(void *options, const struct option *o, const char *text)
 {
-  struct request *r = options;
-  if (vary_is_many(o->name, text))
-    return vary_text(r, o->name, text);
-  vary_hold(r, o->name);
-  return point_set(&r->point, o->name, text);
+  return vary_text(options, o->name, text);
 }
 
 static const char *read_product(void *options, const struct option *o, const char *text)

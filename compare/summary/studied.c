@@ -32,7 +32,14 @@ struct at_study {
   char text[REVERSALS_TEXT];
 };
 
-static struct at_study *create(void) { return calloc(1, sizeof(struct at_study)); }
+/* NULL: no memory, which at then says. */
+static struct at_study *study_kept(struct at *at)
+{
+  at->study = at->study ? at->study : calloc(1, sizeof *at->study);
+  if (!at->study)
+    at_fail(at, "out of memory");
+  return at->study;
+}
 
 static void end(struct at_study *s)
 {
@@ -51,11 +58,11 @@ static long most_order(const struct quantities *all)
 
 struct study *study_of(struct at *at)
 {
-  struct at_study *s = at->study = at->study ? at->study : create();
+  struct at_study *s = study_kept(at);
   struct point point = at->place.point;
   point.crawler.T = 1;
   if (!s)
-    return at_fail(at, "out of memory"), NULL;
+    return NULL;
   if (s->study.cache && same_crawler(&s->point.crawler, &point.crawler))
     return &s->study;
   s->point = point;
@@ -92,8 +99,8 @@ static int by_crawler(const void *a, const void *b)
 
 static double reach(struct at *at, const struct quantity *q)
 {
-  struct at_study *s = at->study;
-  struct kept_reach *wanted = calloc(1, sizeof *wanted);
+  struct at_study *s = study_kept(at);
+  struct kept_reach *wanted = s ? calloc(1, sizeof *wanted) : NULL;
   if (!wanted)
     return at_fail(at, "out of memory");
   struct scallop_crawler crawler = at->place.point.crawler;
@@ -208,7 +215,7 @@ static const char *text(struct at *at, const struct quantity *q)
   return e->count > 0 ? e->event[0].what : "-";
 }
 
-static const struct at_study_functions functions = { create, end, number, text };
+static const struct at_study_functions functions = { end, number, text };
 
 /* When it is loaded, or, where a program is linked with it, before main */
 static void __attribute__((constructor)) offer(void) { at_study = &functions; }

@@ -24,8 +24,12 @@ TEST(lists_and_ranges_of_options)
                 { "gait", "trapezoidal:0.1,0.2,sinusoidal", true },
                 { "gait", "constant:0.1,skewed:0.2", true },
                 { "phase", "extension,contraction", true } };
-  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-    assert_int_equal(vary_is_many(texts[i].name, texts[i].text), texts[i].many);
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    struct request one = { .point = point_initial(NULL) };
+    assert_null(vary_text(&one, texts[i].name, texts[i].text));
+    assert_int_equal(sweep_variable(&one.sweep, 0) != NULL, texts[i].many);
+    sweep_free(&one.sweep);
+  }
   assert_null(vary_text(&r, "T", "0.5,0.60"));
   assert_true(r.point.crawler.T == 1 && !r.point.written[5]); /* where T does not vary, behind --and */
   assert_null(vary_text(&r, "gait", "trapezoidal:0.1,0.2,sinusoidal"));
@@ -38,8 +42,8 @@ TEST(lists_and_ranges_of_options)
   assert_int_equal(sweep_points(&r.sweep), 30);
   assert_null(vary_text(&r, "gait", "constant:0.1,quadratic,skewed:0.2"));
   assert_int_equal(sweep_points(&r.sweep), 45);
-  vary_hold(&r, "gait");
-  vary_hold(&r, "gait");
+  assert_null(vary_text(&r, "gait", "quadratic"));
+  assert_null(vary_text(&r, "gait", "sinusoidal"));
   assert_int_equal(sweep_points(&r.sweep), 15);
   struct sweep_place place;
   sweep_place_set(&place, &r.point);
