@@ -78,7 +78,8 @@ static void flint_end(struct at_flint *f)
 
 static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
 
-/* Sets the crawler and v0 as they are written, start and T. A start velocity that is a steady one is the double that it is. */
+/* Sets the crawler and v0 as they are written, start and T. A start velocity that is a steady one is the double that it
+ * is. */
 static void look_at(struct at *s, enum motion_of_point m)
 {
   struct at_flint *f = flint_of(s);

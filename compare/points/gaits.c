@@ -8,11 +8,12 @@
 
 #include "compare/points/counts.h"
 #include "compare/points/gait_file.h"
-#include "compare/points/point.h"
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 
-enum { MOST_GAITS = 65536 };
+enum { MOST_GAITS = 65536, MESSAGE = 480 };
+
+static char message[MESSAGE];
 
 struct made {
   char *text, *parameters;
@@ -82,6 +83,7 @@ static bool keep(struct made *made)
 /* Reads numbers between commas. NULL, or what is wrong; "": there are too many. */
 static const char *read_numbers(struct gait_source *source, char *text, double x[SCALLOP_GAIT_NUMBERS])
 {
+  static char not_one[120];
   for (char *next = text; next; source->count++) {
     text = next;
     next = strchr(text, ',');
@@ -89,8 +91,10 @@ static const char *read_numbers(struct gait_source *source, char *text, double x
       *next++ = '\0';
     if (source->count == SCALLOP_GAIT_NUMBERS)
       return "";
-    if (!read_number(text, &x[source->count]))
-      return wrong_text("'%.80s' is not a number", text);
+    if (!read_number(text, &x[source->count])) {
+      snprintf(not_one, sizeof not_one, "'%.80s' is not a number", text);
+      return not_one;
+    }
     source->number[source->count] = text;
   }
   return NULL;
@@ -143,8 +147,9 @@ static const char *unknown(const char *text)
     shown[i] = must ? with_numbers[i] : family->name;
   }
   snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
-  return wrong_text("'%.80s' is not allowed here: it takes %s%s", text, joined(list, sizeof list, shown, " or "),
-                    did_you_mean(nearest(name, names)));
+  snprintf(message, MESSAGE, "'%.80s' is not allowed here: it takes %s%s", text,
+           joined(list, sizeof list, shown, " or "), did_you_mean(nearest(name, names)));
+  return message;
 }
 
 /* NULL, or what is wrong */
@@ -159,7 +164,8 @@ static const char *make(struct made *m, const char *parameters)
     return keep(m) ? NULL : "out of memory";
   if (*why && is_measured(m))
     return why;
-  return wrong_text("'%.80s' is not allowed here: %.120s%sit takes %s", text, why, *why ? "; " : "", allowed);
+  snprintf(message, MESSAGE, "'%.80s' is not allowed here: %.120s%sit takes %s", text, why, *why ? "; " : "", allowed);
+  return message;
 }
 
 struct gait_answer gait_of_text(const char *text)
@@ -173,9 +179,9 @@ struct gait_answer gait_of_text(const char *text)
   if (!family || family->fixed || (colon && !family->allowed))
     wrong = unknown(text);
   else if (strlen(text) > GAIT_TEXT - sizeof "--gait ")
-    wrong = wrong_text("'%.80s...' is too long", text);
+    wrong = "the name of a gait is shorter than this";
   else if (made_count == MOST_GAITS)
-    wrong = wrong_text("'%.80s' is one gait too many: 65536 different ones are the most", text);
+    wrong = "this is one gait too many: 65536 different ones are the most";
   if (wrong)
     return (struct gait_answer){ NULL, GAIT_UNKNOWN, wrong };
   struct made *new = calloc(1, sizeof *new);

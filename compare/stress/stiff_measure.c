@@ -6,7 +6,6 @@
 
 #include <gsl/gsl_integration.h>
 
-#include "compare/answers/answer.h"
 #include "compare/stress/periods.h"
 
 enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */

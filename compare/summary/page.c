@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/answer.h"
 #include "compare/summary/summary.h"
 
 const double summary_levels[SUMMARY_LEVELS] = { 0.01, 0.05 };

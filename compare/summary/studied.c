@@ -32,14 +32,7 @@ struct at_study {
   char text[REVERSALS_TEXT];
 };
 
-/* NULL: no memory, which at then says. */
-static struct at_study *study_kept(struct at *at)
-{
-  at->study = at->study ? at->study : calloc(1, sizeof *at->study);
-  if (!at->study)
-    at_fail(at, "out of memory");
-  return at->study;
-}
+static struct at_study *create(void) { return calloc(1, sizeof(struct at_study)); }
 
 static void end(struct at_study *s)
 {
@@ -58,11 +51,11 @@ static long most_order(const struct quantities *all)
 
 struct study *study_of(struct at *at)
 {
-  struct at_study *s = study_kept(at);
+  struct at_study *s = at->study = at->study ? at->study : create();
   struct point point = at->place.point;
   point.crawler.T = 1;
   if (!s)
-    return NULL;
+    return at_fail(at, "out of memory"), NULL;
   if (s->study.cache && same_crawler(&s->point.crawler, &point.crawler))
     return &s->study;
   s->point = point;
@@ -99,7 +92,7 @@ static int by_crawler(const void *a, const void *b)
 
 static double reach(struct at *at, const struct quantity *q)
 {
-  struct at_study *s = study_kept(at);
+  struct at_study *s = at->study = at->study ? at->study : create();
   struct kept_reach *wanted = s ? calloc(1, sizeof *wanted) : NULL;
   if (!wanted)
     return at_fail(at, "out of memory");
