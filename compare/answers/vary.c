@@ -66,7 +66,7 @@ static const char **copied(const char *const *texts, long count)
   const char **copy = malloc(size);
   char *next = (char *)(copy + count);
   for (long i = 0; i < count && copy; i++) {
-    copy[i] = strcpy(next, texts[i]);
+    copy[i] = memcpy(next, texts[i], strlen(texts[i]) + 1);
     next += strlen(next) + 1;
   }
   return copy;
