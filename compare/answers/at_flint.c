@@ -263,6 +263,7 @@ static void share(struct at *const *at, int workers, int count, at_work *work, v
     struct at *own = at[omp_get_thread_num()];
 #else
     struct at *own = at[0];
+    (void)workers;
 #endif
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < count; i++)

@@ -177,8 +177,8 @@ struct gait_answer gait_of_text(const char *text)
   const struct scallop_gait_family *family = family_of(text, ":");
   const char *colon = strchr(text, ':'), *wrong = NULL;
   if (!family || family->fixed || (colon && !family->allowed))
-    wrong = unknown(text);
-  else if (strlen(text) > GAIT_TEXT - sizeof "--gait ")
+    return (struct gait_answer){ NULL, GAIT_UNKNOWN, unknown(text) };
+  if (strlen(text) > GAIT_TEXT - sizeof "--gait ")
     wrong = "the name of a gait is shorter than this";
   else if (made_count == MOST_GAITS)
     wrong = "this is one gait too many: 65536 different ones are the most";
