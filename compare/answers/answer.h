@@ -29,10 +29,9 @@ struct answer {
 };
 /* Returns whether there is an answer. */
 bool answer_in_double(struct answer *answer, const struct motion *motion);
-/* Of a phase in double, the positions Q_AT_FIRST and Q_AT_LAST as well: they take a second walk through the phase. */
-bool answer_turnings(struct answer *answer, const struct motion *motion);
-/* Of a steady state in double, Q_FRICTION_WORK and Q_COST_OF_TRANSPORT as well: likewise. */
-enum scallop_status answer_friction(struct answer *answer, const struct motion *motion);
+/* Of a solved motion in double the numbers that take a second walk as well: of a phase the positions Q_AT_FIRST and
+ * Q_AT_LAST, of a steady state Q_FRICTION_WORK and Q_COST_OF_TRANSPORT. */
+enum scallop_status answer_by_second_walk(struct answer *answer, const struct motion *motion);
 bool answer_in_wide(struct answer *answer, const struct motion *motion, enum scallop_width width);
 /* The answer in double, and for each of its numbers an estimate of the error (numerics/wide/wide.h); nan where there is
  * none. */
@@ -60,5 +59,28 @@ bool same_modes(const struct scallop_modes a[2], const struct scallop_modes b[2]
  * text or a text that lives for ever. */
 enum { ANSWER_STATUS = 160 };
 const char *answer_status_text(char text[ANSWER_STATUS], const struct answer *answer);
+
+/* "body 1 backward, body 2 forward", "body 1 stuck, body 2 forward", "both bodies at rest" */
+enum { MODE_WORDS = 40 };
+const char *mode_in_words(char text[MODE_WORDS], struct scallop_mode mode);
+
+/* A mode of a motion, and how long it lasts. Times begin with the phase of a single phase, and with the extension of a
+ * steady state. */
+struct stretch {
+  enum scallop_phase_kind phase;
+  double from, until;
+  struct scallop_mode mode;
+  const struct scallop_piece *piece; /* of the gait, in which it begins */
+};
+enum { MOST_STRETCHES = 2 * SCALLOP_MODES_KEPT };
+/* The modes of a motion that was solved in double, in the order of time. Returns how many; past MOST_STRETCHES they are
+ * counted and not kept. */
+int stretches_of(struct stretch stretches[MOST_STRETCHES], const struct motion *motion, const struct answer *answer);
+
+/* All of them in one line: "both bodies forward from 0 to 0.0657; body 1 backward, body 2 forward from 0.0657 to 0.659;
+ * ...", with " | " between extension and contraction, and as many digits. Returns text. */
+enum { MOTION_WORDS = MOST_STRETCHES * (MODE_WORDS + 64) };
+const char *motion_in_words(char text[MOTION_WORDS], const struct motion *motion, const struct answer *answer,
+                            int digits);
 
 #endif

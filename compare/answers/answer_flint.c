@@ -8,28 +8,6 @@
 #include "compare/points/point_flint.h"
 #include "model/exact/scoped.h"
 
-#define BALL_PARTS(of) \
-  of(scallop_certified_steady, &s->steady) of(scallop_certified_phase, &s->phase) of(arb, s->change) \
-      of(arb, s->turning) of(arb, s->cost)
-#define SERIES_PARTS(of) \
-  of(scallop_steady_expansion, &s->steady) of(scallop_phase_expansion, &s->phase) of(series, &s->cost)
-
-void ball_answer_init(struct ball_answer *s)
-{
-  memset(s, 0, sizeof *s);
-  BALL_PARTS(SCOPED_INIT)
-}
-
-void ball_answer_clear(struct ball_answer *s) { BALL_PARTS(SCOPED_CLEAR) }
-
-void series_answer_init(struct series_answer *s)
-{
-  memset(s, 0, sizeof *s);
-  SERIES_PARTS(SCOPED_INIT)
-}
-
-void series_answer_clear(struct series_answer *s) { SERIES_PARTS(SCOPED_CLEAR) }
-
 /* More than the digits take, so that the subtraction rounds nothing that is known */
 static slong bits_of(long digits) { return (slong)(3.33 * (double)digits) + 256; }
 

@@ -16,9 +16,10 @@ struct ball_answer {
   struct scallop_certified_phase phase;
   arb_t change, turning, cost;
 };
-void ball_answer_init(struct ball_answer *answer);
-void ball_answer_clear(struct ball_answer *answer);
-SCOPED_KIND(ball_answer, struct ball_answer)
+#define BALL_PARTS(of) \
+  of(scallop_certified_steady, &s->steady) of(scallop_certified_phase, &s->phase) of(arb, s->change) \
+      of(arb, s->turning) of(arb, s->cost)
+SCOPED_PARTS(ball_answer, struct ball_answer, BALL_PARTS)
 /* The motion in fractions: the crawler as it was written, or exactly the doubles of a motion. v0: NULL of a steady
  * state. */
 bool answer_in_balls(struct ball_answer *answer, const struct scallop_rational_crawler *crawler, enum quantity_of of,
@@ -42,9 +43,9 @@ struct series_answer {
   struct scallop_phase_expansion phase;
   struct series cost;
 };
-void series_answer_init(struct series_answer *answer);
-void series_answer_clear(struct series_answer *answer);
-SCOPED_KIND(series_answer, struct series_answer)
+#define SERIES_PARTS(of) \
+  of(scallop_steady_expansion, &s->steady) of(scallop_phase_expansion, &s->phase) of(series, &s->cost)
+SCOPED_PARTS(series_answer, struct series_answer, SERIES_PARTS)
 /* The power of its first term that is not known to be 0; without one the first that is not known at all. */
 slong series_first_power(const struct series *series);
 /* All terms below T^order. */

@@ -20,18 +20,13 @@ struct at *at_new(const struct asked *asked)
   if (needs_flint && !flint_for(asked->command, needs_flint))
     return NULL;
   struct at *s = malloc(sizeof *s);
-  if (s) {
-    memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
-    s->asked = asked;
-    s->onset = 1;
-    s->certified_errors = asked_certifies_errors(asked);
-    s->flint = needs_flint ? at_flint->create(asked) : NULL;
-  }
-  if (s && (s->flint || !needs_flint))
-    return s;
-  at_free(s);
-  complain(asked->command, "out of memory");
-  return NULL;
+  if (!s)
+    return complain(asked->command, "out of memory"), NULL;
+  memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
+  s->asked = asked;
+  s->onset = 1;
+  s->certified_errors = asked_certifies_errors(asked);
+  return s;
 }
 
 void at_free(struct at *s)
@@ -70,7 +65,7 @@ static void forget(struct at *s)
   const size_t count = (size_t)s->asked->quantities.count;
   for (int m = 0; m < POINT_MOTIONS; m++) {
     struct solved *a = &s->solved[m];
-    a->in_double = a->with_errors = a->in_balls = a->with_turnings = a->with_friction = false;
+    a->in_double = a->with_errors = a->with_second_walk = false;
   }
   memset(s->has, 0, count * sizeof *s->has);
   memset(s->comparison, 0, count * sizeof *s->comparison);
@@ -86,30 +81,16 @@ void at_move(struct at *s)
   if (wrong)
     at_fail(s, wrong);
   s->is_outside = wrong != NULL;
-  if (s->flint && !wrong)
-    at_flint->move(s);
+  s->moves++;
   count_add(COUNT_POINTS, 1);
 }
 
-/* Parameters may have changed since the last formula. */
-static double formula_so_far(void *at, const struct formula *formula)
+double at_formula_so_far(void *at, const struct sweep_place *place, const struct formula *formula)
 {
   struct at *s = at;
+  sweep_place_copy(&s->place, place);
   forget(s);
   return at_formula(s, formula);
-}
-
-void at_end_thread(struct at *s)
-{
-  if (s->flint)
-    at_flint->end_thread();
-}
-
-void at_place(struct at *s, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
-              const long *index)
-{
-  forget(s);
-  sweep_move(cursor, &s->place, base, product, index, formula_so_far, s);
 }
 
 void at_begin_row(struct at *s)
@@ -163,6 +144,8 @@ static const struct answer *solve(struct at *s, enum motion_of_point m)
   return check(s, a->answer.status, 0) == 0 ? &a->answer : NULL;
 }
 
+static bool has_start(struct at *s, enum motion_of_point m) { return !isnan(start_of(s, m)); }
+
 double at_v0(struct at *s) { return start_of(s, motion_from(s, s->place.point.phase, false)); }
 
 /* The answer, with those of its numbers that take another walk, which is only done where one of them is asked for */
@@ -171,14 +154,14 @@ static const struct answer *solve_for(struct at *s, enum motion_of_point m, int 
   struct solved *a = &s->solved[m];
   if (!solve(s, m))
     return NULL;
-  if ((quantity == Q_AT_FIRST || quantity == Q_AT_LAST) && is_first(&a->with_turnings, COUNT_PHASES))
-    answer_turnings(&a->answer, &a->motion);
-  if (quantity == Q_FRICTION_WORK || quantity == Q_COST_OF_TRANSPORT) {
-    if (!a->with_friction)
-      s->friction = answer_friction(&a->answer, &a->motion);
-    a->with_friction = true;
-    check(s, s->friction, 0);
+  bool by_second_walk = quantity >= Q_FRICTION_WORK && quantity <= Q_AT_LAST;
+  if (by_second_walk && !a->with_second_walk) {
+    count_add(COUNT_PHASES, m != STEADY_STATE);
+    a->second_walk = answer_by_second_walk(&a->answer, &a->motion);
+    a->with_second_walk = true;
   }
+  if (by_second_walk)
+    check(s, a->second_walk, 0);
   return &a->answer;
 }
 
@@ -194,22 +177,6 @@ static double estimate(struct at *s, const struct quantity *q)
     check(s, answer_with_errors(&again, &a->motion, a->estimate) ? SCALLOP_OK : again.status, 0);
   a->with_errors = true;
   return rounded_up * a->estimate[q->which];
-}
-
-/* Makes ready for what FLINT gives of the motion. False: a phase that has no start velocity. */
-static bool certify(struct at *s, enum motion_of_point m)
-{
-  bool has = !isnan(start_of(s, m));
-  if (has && is_first(&s->solved[m].in_balls, COUNT_CERTIFIED))
-    at_flint->certify(s, m);
-  return has;
-}
-
-static bool expand(struct at *s, enum motion_of_point m)
-{
-  bool has = !isnan(start_of(s, m));
-  count_add(COUNT_SUMS, has);
-  return has;
 }
 
 /* The longest period at which an extension from rest does not stick; no body need ever stick. It is kept until a
@@ -261,8 +228,7 @@ static void compare(struct at *s, struct series_error *c, const struct quantity 
       c->error = 0;
     return;
   }
-  count_add(is_published ? COUNT_FORMULAS : COUNT_SUMS, 1);
-  if (certify(s, m))
+  if (has_start(s, m))
     *c = at_flint->compare(s, series, quantity, m);
 }
 
@@ -280,28 +246,22 @@ static const struct series_error *compared(struct at *s, int place)
 static double froude(struct at *s)
 {
   struct scallop_scaled scaled;
-  if (!isnan(s->place.ratio[FROUDE]))
-    return s->place.ratio[FROUDE];
+  if (s->place.point.ratio[FROUDE] > 0)
+    return s->place.point.ratio[FROUDE];
   return check(s, scallop_scale(&s->place.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
-static bool is_studied(struct at *s)
+static double ratio(const struct point *p, enum ratio which)
 {
-  s->study = s->study ? s->study : at_study->create();
-  return !s->is_outside && (s->study || !isnan(at_fail(s, "out of memory")));
-}
-
-static double ratio(const struct at *s, enum sweep_ratio which)
-{
-  const struct scallop_crawler *c = &s->place.point.crawler;
-  return !isnan(s->place.ratio[which]) ? s->place.ratio[which] : which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
+  const struct scallop_crawler *c = &p->crawler;
+  return p->ratio[which] > 0 ? p->ratio[which] : which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
 }
 
 /* Can it be told although the parameters are no point? */
 static bool is_known_outside(const struct at *s, const struct quantity *q)
 {
   return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_V0
-         || (q->kind == QUANTITY_RATIO && !isnan(s->place.ratio[q->which]));
+         || (q->kind == QUANTITY_RATIO && s->place.point.ratio[q->which] > 0);
 }
 
 static double compute(struct at *s, const struct quantity *q)
@@ -313,22 +273,22 @@ static double compute(struct at *s, const struct quantity *q)
     return NAN; /* the point has no such thing */
   if (s->certified_errors && q->is_compared)
     return compared(s, (int)(q - s->asked->quantities.item))->value; /* rounded from the one that the error is of */
-  const struct series_error *series = q->of >= 0 ? compared(s, q->of) : &none;
+  const struct series_error *series = quantity_is_comparison(q) ? compared(s, q->of) : &none;
   switch (q->kind) {
   case QUANTITY_NUMBER: return crawler_number(&s->place.point.crawler, q->which);
   case QUANTITY_V0: return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
   case QUANTITY_FROUDE: return froude(s);
-  case QUANTITY_RATIO: return ratio(s, (enum sweep_ratio)q->which);
+  case QUANTITY_RATIO: return ratio(&s->place.point, (enum ratio)q->which);
   case QUANTITY_ONSET: return onset_of_sticking(s);
   case QUANTITY_ANSWER: a = solve_for(s, m, q->which); return a ? a->value[q->which].high : NAN;
   case QUANTITY_ESTIMATE: return estimate(s, q);
   case QUANTITY_PUBLISHED: return published(s, q);
   case QUANTITY_DERIVED:
-  case QUANTITY_LIMIT: return expand(s, m) ? at_flint->sum(s, q, m) : NAN;
+  case QUANTITY_LIMIT: return has_start(s, m) ? at_flint->sum(s, q, m) : NAN;
   case QUANTITY_EXACT: return series->exact;
   case QUANTITY_ERROR: return series->error;
   case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
-  case QUANTITY_STUDIED: return is_studied(s) ? at_study->number(s, q) : NAN;
+  case QUANTITY_STUDIED: return at_study->number(s, q);
   case QUANTITY_FORMULA: return at_formula(s, q->own);
   default: return NAN; /* texts, and what only a trajectory has */
   }
@@ -339,7 +299,7 @@ static const struct quantity *ask(struct at *s, int quantity)
 {
   const struct quantity *q = &s->asked->quantities.item[quantity];
   bool answered = q->kind == QUANTITY_ANSWER || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
-  s->tells_steady |= (answered || q->of >= 0) && q->motion == OF_STEADY;
+  s->tells_steady |= (answered || quantity_is_comparison(q)) && q->motion == OF_STEADY;
   return q;
 }
 
@@ -374,7 +334,7 @@ static const char *how(struct at *s, const struct quantity *q)
     return "-";
   if (!s->as_written)
     a = solve(s, m);
-  else if (!certify(s, m) || !at_flint->modes(s, m, &proven.regime, proven.modes))
+  else if (!has_start(s, m) || !at_flint->modes(s, m, &proven.regime, proven.modes))
     a = NULL;
   return !a                           ? "-"
          : q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime)
@@ -409,9 +369,9 @@ const char *at_text(struct at *s, int quantity, long digits)
   case QUANTITY_REGIME:
   case QUANTITY_MODES: return how(s, q);
   case QUANTITY_WORDS: return in_words(s, m);
-  case QUANTITY_STUDIED_TEXT: return is_studied(s) ? at_study->text(s, q) : "-";
+  case QUANTITY_STUDIED_TEXT: return s->is_outside ? "-" : at_study->text(s, q);
   case QUANTITY_CERTIFIED:
-    return !s->is_outside && certify(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
+    return !s->is_outside && has_start(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
   default: return status_text(s);
   }
 }

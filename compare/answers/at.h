@@ -5,8 +5,7 @@
 #ifndef SCALLOP_COMPARE_ANSWERS_AT_H
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
-#include "compare/answers/asked.h"
-#include "compare/answers/stretches.h"
+#include "compare/answers/answer.h"
 #include "compare/points/sweep.h"
 
 /* The motions of a point: its steady state; an extension or a contraction with the start velocity of the point; and
@@ -20,7 +19,8 @@ static inline enum scallop_phase_kind phase_kind(enum motion_of_point m)
 }
 
 struct solved { /* one of them, as far as it has been asked for */
-  bool in_double, with_errors, in_balls, with_turnings, with_friction;
+  bool in_double, with_errors, with_second_walk;
+  enum scallop_status second_walk; /* where there was one */
   struct motion motion;
   struct answer answer;
   double estimate[QUANTITIES]; /* of the errors of the numbers of the answer */
@@ -37,13 +37,13 @@ struct at {
   struct sweep_place place;
   char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
   long failures;          /* so far */
-  struct at_flint *flint; /* NULL: nothing needs it */
-  struct at_study *study; /* likewise, or not yet */
+  long moves;             /* so far: points differ where it does */
+  struct at_flint *flint; /* NULL: nothing has needed it yet */
+  struct at_study *study; /* likewise */
   bool is_outside;        /* the parameters are no point: nothing but they can be told */
   bool as_written;        /* regime, modes and status are those of certified answers: set for each row */
   bool tells_steady;      /* the row has something of the steady state in doubles */
   struct solved solved[POINT_MOTIONS];
-  enum scallop_status friction; /* of the walk that gives the work of friction */
   double onset;
   struct scallop_crawler onset_of;
   bool has[MOST_QUANTITIES];
@@ -61,11 +61,8 @@ void at_free(struct at *at); /* or NULL */
 
 /* Goes to the point in at->place. */
 void at_move(struct at *at);
-/* Ends what a thread keeps for this one. */
-void at_end_thread(struct at *at);
-/* Sets at->place to a point of a sweep, and no more. Ends of ranges may be formulas of what is set further out. */
-void at_place(struct at *at, struct sweep_cursor *cursor, const struct point *base, const struct sweep_product *product,
-              const long *index);
+/* A formula of what is set so far, for the ends of ranges; at->place becomes that. */
+double at_formula_so_far(void *at, const struct sweep_place *place, const struct formula *formula);
 /* Before each row of another table: what failed for one table is no matter of the next. */
 void at_begin_row(struct at *at);
 
@@ -81,12 +78,9 @@ double at_v0(struct at *at);
 /* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are those
  * of the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
  * (answers/flint.h), which such quantities take for granted. */
+typedef void at_work(struct at *at, int i, void *context);
 struct at_flint_functions {
-  struct at_flint *(*create)(const struct asked *asked); /* NULL: no memory */
   void (*free)(struct at_flint *flint);
-  void (*move)(const struct at *at); /* goes to the point */
-  void (*end_thread)(void);          /* gives back what FLINT keeps for a thread */
-  void (*certify)(const struct at *at, enum motion_of_point m);
   /* The sum of a derived series, or of its first term. */
   double (*sum)(struct at *at, const struct quantity *series, enum motion_of_point m);
   /* Of a series and the quantity of the certified answer that it is to be; the error is 0 below the accuracy. */
@@ -95,12 +89,15 @@ struct at_flint_functions {
   const char *(*text)(struct at *at, const struct quantity *q, long digits, enum motion_of_point m);
   /* The regime and the modes of the certified answer; false: there is none. */
   bool (*modes)(struct at *at, enum motion_of_point m, enum scallop_regime *regime, struct scallop_modes modes[2]);
+  /* How many threads are worth it for so many items; work for each i < count shared out among so many, each with an at
+   * of its own */
+  int (*threads)(long items);
+  void (*share)(struct at *const *at, int threads, int count, at_work *work, void *context);
 };
 extern const struct at_flint_functions *at_flint;
 
 /* Quantities that take a study of the crawler along T: likewise */
 struct at_study_functions {
-  struct at_study *(*create)(void); /* NULL: no memory */
   void (*free)(struct at_study *study);
   double (*number)(struct at *at, const struct quantity *q);
   const char *(*text)(struct at *at, const struct quantity *q); /* it lives until the next call */

@@ -11,6 +11,7 @@
 #include "compare/points/gaits.h"
 #include "compare/points/point_flint.h"
 #include "model/exact/scoped.h"
+#include "numerics/threads.h"
 
 /* Series that do not depend on T are kept for so many crawlers: those derived last. */
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
@@ -27,9 +28,11 @@ SCOPED_PARTS(kept_series, struct kept_series, KEPT_PARTS)
 
 struct at_flint {
   struct kept_series kept[KEPT];
-  int next; /* the series that makes room for a new one */
+  int next;  /* the series that makes room for a new one */
+  long move; /* of the point whose crawler and v0 these are */
   struct scallop_rational_crawler crawler;
   fmpq_t v0, start, T; /* v0 as it is written; start and T of the motion looked at, the period or a phase's duration */
+  bool certified[POINT_MOTIONS];
   struct ball_answer answer[POINT_MOTIONS];
   char *text;
   long order[2]; /* of series, by enum quantity_of: terms below T^order */
@@ -53,14 +56,15 @@ static void find_orders(struct at_flint *f, const struct quantities *all)
   }
 }
 
-static struct at_flint *flint_new(const struct asked *asked)
+/* What is kept for the point, and begun with the first thing that is asked of it */
+static struct at_flint *flint_of(struct at *s)
 {
-  struct at_flint *f = calloc(1, sizeof *f);
-  if (f) {
-    at_flint_init(f);
-    find_orders(f, &asked->quantities);
+  if (!s->flint) {
+    s->flint = flint_calloc(1, sizeof *s->flint);
+    at_flint_init(s->flint);
+    find_orders(s->flint, &s->asked->quantities);
   }
-  return f;
+  return s->flint;
 }
 
 static void flint_end(struct at_flint *f)
@@ -69,18 +73,21 @@ static void flint_end(struct at_flint *f)
     kept_series_clear(&f->kept[i]);
   at_flint_clear(f);
   flint_free(f->text);
-  free(f);
+  flint_free(f);
 }
-
-/* Parameters as they are written */
-static void move(const struct at *s) { rational_point(&s->flint->crawler, s->flint->v0, &s->place.point); }
 
 static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
 
-/* Sets start and T. A start velocity that is a steady one is the double that it is. */
-static void look_at(const struct at *s, enum motion_of_point m)
+/* Sets the crawler and v0 as they are written, start and T. A start velocity that is a steady one is the double that it
+ * is. */
+static void look_at(struct at *s, enum motion_of_point m)
 {
-  struct at_flint *f = s->flint;
+  struct at_flint *f = flint_of(s);
+  if (f->move != s->moves) {
+    rational_point(&f->crawler, f->v0, &s->place.point);
+    memset(f->certified, 0, sizeof f->certified);
+    f->move = s->moves;
+  }
   if (m == STEADY_STATE)
     fmpq_set(f->T, f->crawler.T);
   else
@@ -160,22 +167,23 @@ static double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NE
 static double sum(struct at *s, const struct quantity *series, enum motion_of_point m)
 {
   SCOPED(arb, value);
+  count_add(COUNT_SUMS, 1);
   return derived_value(value, s, series, m, bits_of(s, series->order)) ? middle(value) : NAN;
-}
-
-static void certify(const struct at *s, enum motion_of_point m)
-{
-  long digits = certified_digits(s);
-  look_at(s, m);
-  count_add(COUNT_CERTIFIED_DIGITS, digits);
-  answer_in_balls(&s->flint->answer[m], &s->flint->crawler, kind_of(m), phase_kind(m), s->flint->start, digits);
 }
 
 /* The certified answer; NULL: there is none, and s->why says why. */
 static const struct ball_answer *certified(struct at *s, enum motion_of_point m)
 {
-  const struct ball_answer *a = &s->flint->answer[m];
   char text[POINT_STATUS];
+  look_at(s, m);
+  struct ball_answer *a = &s->flint->answer[m];
+  if (!s->flint->certified[m]) {
+    long digits = certified_digits(s);
+    count_add(COUNT_CERTIFIED, 1);
+    count_add(COUNT_CERTIFIED_DIGITS, digits);
+    answer_in_balls(a, &s->flint->crawler, kind_of(m), phase_kind(m), s->flint->start, digits);
+    s->flint->certified[m] = true;
+  }
   if (a->status == SCALLOP_OK)
     return a;
   snprintf(text, sizeof text, "%s%s%s", scallop_status_text(a->status), a->why ? ": " : "", a->why ? a->why : "");
@@ -224,6 +232,7 @@ static struct series_error compare(struct at *s, const struct quantity *series, 
   const struct ball_answer *answer = certified(s, m);
   const arb_struct *exact = answer ? answer->value[quantity] : NULL;
   SCOPED(arb, value);
+  count_add(series->kind == QUANTITY_PUBLISHED ? COUNT_FORMULAS : COUNT_SUMS, 1);
   bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, s, series->formula, m, precision)
                                                   : derived_value(value, s, series, m, precision);
   struct series_error c = { .value = found ? middle(value) : NAN, .exact = exact ? middle(exact) : NAN, .error = NAN };
@@ -244,8 +253,26 @@ static bool modes(struct at *s, enum motion_of_point m, enum scallop_regime *reg
   return a != NULL;
 }
 
-static const struct at_flint_functions functions = { flint_new, flint_end, move, flint_cleanup, certify,
-                                                     sum,       compare,   text, modes };
+static int threads(long items) { return threads_for(0, items); }
+
+static void share(struct at *const *at, int workers, int count, at_work *work, void *context)
+{
+#pragma omp parallel num_threads(workers)
+  {
+#ifdef _OPENMP
+    struct at *own = at[omp_get_thread_num()];
+#else
+    struct at *own = at[0];
+    (void)workers;
+#endif
+#pragma omp for schedule(dynamic)
+    for (int i = 0; i < count; i++)
+      work(own, i, context);
+    flint_cleanup();
+  }
+}
+
+static const struct at_flint_functions functions = { flint_end, sum, compare, text, modes, threads, share };
 
 /* When it is loaded, or, where a program is linked with it, before main */
 static void __attribute__((constructor)) offer(void) { at_flint = &functions; }

@@ -1,6 +1,7 @@
 #include "compare/answers/quantities.h"
 #include "compare/book/book.h"
 
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -268,41 +269,31 @@ static const char *read_tolerance(struct quantity *q, const char *text)
   return q->tolerance > 0 && *end == '.' ? end + 1 : NULL;
 }
 
-/* A study along T of a series of the steady state */
-static int studied_about(struct quantity *q, struct quantities *all, const char *rest)
+/* What is about a series: a study of one of the steady state, or what it should be and how far it is off */
+static int about_series(struct quantity *q, struct quantities *all, const char *rest)
 {
-  if (q->which == STUDIED_REACH && !(rest = read_tolerance(q, rest)))
+  bool is_studied = quantity_is_studied(q), is_reach = is_studied && q->which == STUDIED_REACH;
+  bool of_formula = is_studied && (q->which == STUDIED_VERDICT || q->which == STUDIED_ORDER);
+  if (is_reach && !(rest = read_tolerance(q, rest)))
     return -1;
-  q->series = quantity_named(all, rest);
-  const struct quantity *series = q->series >= 0 ? &all->item[q->series] : NULL;
-  bool of_formula = q->which == STUDIED_VERDICT || q->which == STUDIED_ORDER;
-  bool fits = series && quantity_is_series(series) && series->motion == OF_STEADY
-              && (!of_formula || series->kind == QUANTITY_PUBLISHED);
-  return q->series < -1 ? q->series : fits ? 0 : -1;
-}
-
-/* What a series should be, and how far it is off */
-static int compared_with(struct quantity *q, struct quantities *all, const char *rest)
-{
-  int place = quantity_named(all, rest);
-  if (place < 0 || !quantity_is_series(&all->item[place]))
-    return place < 0 ? place : -1;
-  const struct quantity *series = &all->item[place];
-  q->of = place;
+  q->of = quantity_named(all, rest);
+  if (q->of < 0)
+    return q->of;
+  const struct quantity *series = &all->item[q->of];
   q->motion = series->motion;
   q->phase = series->phase;
   q->from_rest = series->from_rest;
-  return 0;
+  bool fits = quantity_is_series(series) && (!is_studied || series->motion == OF_STEADY)
+              && (!of_formula || series->kind == QUANTITY_PUBLISHED);
+  return fits ? 0 : -1;
 }
 
 /* The quantity of this kind about the one with the rest of the name. Returns 0, or what quantity_named returns where
  * there is none. */
 static int named_about(struct quantity *q, struct quantities *all, const char *rest)
 {
-  if (q->kind == QUANTITY_EXACT || q->kind == QUANTITY_ERROR || q->kind == QUANTITY_RELATIVE)
-    return compared_with(q, all, rest);
-  if (q->kind == QUANTITY_STUDIED || q->kind == QUANTITY_STUDIED_TEXT)
-    return studied_about(q, all, rest);
+  if (quantity_is_comparison(q) || quantity_is_studied(q))
+    return about_series(q, all, rest);
   if (q->kind == QUANTITY_DERIVED && !(rest = read_order(q, rest)))
     return -1;
   q->which = (int)quantity_of_name(rest);
@@ -314,37 +305,45 @@ static int named_about(struct quantity *q, struct quantities *all, const char *r
 
 static int place_of(void *quantities, const char *name) { return quantity_named(quantities, name); }
 
-int quantity_of_text(struct quantities *all, const char *name, const char *text)
+/* Its place in the list; -2: there is no room. */
+static int add(struct quantities *all, const struct quantity *q)
 {
-  const struct formula_names names = { .place = place_of, .context = all };
-  struct quantity q = { .kind = QUANTITY_FORMULA, .of = -1, .phase = -1, .series = -1 };
-  char wrong[FORMULA_MESSAGE];
-  snprintf(q.name, sizeof q.name, "%s", name);
-  for (int i = 0; i < all->count; i++)
-    if (all->item[i].own && strcmp(all->item[i].name, q.name) == 0)
-      return i;
-  q.own = malloc(sizeof *q.own);
-  if (!q.own || formula_read(q.own, text, &names, wrong) || all->count == MOST_QUANTITIES) {
-    free(q.own);
-    return -1;
-  }
-  all->item[all->count] = q;
+  if (all->count == MOST_QUANTITIES)
+    return -2;
+  all->item[all->count] = *q;
   return all->count++;
 }
 
-void quantities_free(struct quantities *all)
+static int place_in(const struct quantities *all, const char *name)
 {
-  for (int i = 0; i < all->count; i++)
-    free(all->item[i].own);
+  int i = 0;
+  while (i < all->count && strcmp(all->item[i].name, name) != 0)
+    i++;
+  return i;
+}
+
+int quantity_of_text(struct quantities *all, const char *name, const char *text)
+{
+  const struct formula_names names = { .place = place_of, .context = all };
+  struct quantity q = { .kind = QUANTITY_FORMULA, .of = -1, .phase = -1 };
+  char wrong[FORMULA_MESSAGE];
+  snprintf(q.name, sizeof q.name, "%s", name);
+  int place = place_in(all, q.name);
+  if (place < all->count)
+    return place;
+  q.own = malloc(sizeof *q.own);
+  place = q.own && !formula_read(q.own, text, &names, wrong) ? add(all, &q) : -1;
+  if (place < 0)
+    free(q.own);
+  return place;
 }
 
 int quantity_named(struct quantities *all, const char *name)
 {
-  struct quantity q = { .of = -1, .phase = -1, .series = -1 };
-  int prefix = prefix_of(name), found = 0;
-  for (int i = 0; i < all->count; i++)
-    if (strcmp(all->item[i].name, name) == 0)
-      return i;
+  struct quantity q = { .of = -1, .phase = -1 };
+  int prefix = prefix_of(name), found = 0, place = place_in(all, name);
+  if (place < all->count)
+    return place;
   if (strlen(name) >= QUANTITY_NAME)
     return -1;
   snprintf(q.name, sizeof q.name, "%s", name);
@@ -358,12 +357,9 @@ int quantity_named(struct quantities *all, const char *name)
     return found;
   if (q.kind == QUANTITY_FORMULA)
     return quantity_of_text(all, name, row_named(name)->formula);
-  if (all->count == MOST_QUANTITIES)
-    return -2;
-  if (q.of >= 0)
+  if (quantity_is_comparison(&q))
     all->item[q.of].is_compared = true;
-  all->item[all->count] = q;
-  return all->count++;
+  return add(all, &q);
 }
 
 const char *quantity_near(const struct quantities *all, const char *name)
@@ -381,4 +377,47 @@ const char *quantity_near(const struct quantities *all, const char *name)
     names[n++] = f->name;
   names[n] = NULL;
   return nearest(dot ? dot + 1 : name, names); /* the last part is mistyped most often */
+}
+
+struct asked *asked_nothing(const char *command)
+{
+  struct asked *asked = malloc(sizeof *asked);
+  if (asked) {
+    memset(asked, 0, offsetof(struct asked, quantities.item));
+    asked->command = command;
+    asked->accuracy = ACCURACY_OF_DOUBLES;
+    asked->digits = DIGITS_OF_DOUBLE;
+  }
+  return asked;
+}
+
+void asked_free(struct asked *asked)
+{
+  for (int i = 0; asked && i < asked->quantities.count; i++)
+    free(asked->quantities.item[i].own);
+  for (int i = 0; asked && i < asked->quantities.labels; i++)
+    free((char *)asked->quantities.label[i]);
+  free(asked);
+}
+
+/* A change of velocity in doubles is a small difference of large numbers, and has not the digits that errors are told
+ * to. */
+bool asked_certifies_errors(const struct asked *asked)
+{
+  bool certifies = false, has = false;
+  for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++) {
+    has |= q->is_compared;
+    certifies |= q->is_compared && q->formula && q->formula->quantity == SCALLOP_VELOCITY_CHANGE && asked->accuracy > 0;
+  }
+  return certifies || (has && asked->certified_errors);
+}
+
+const char *asked_needs_flint(const struct asked *asked)
+{
+  bool certifies = asked_certifies_errors(asked);
+  for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++)
+    if (q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT
+        || quantity_is_studied(q) || (certifies && quantity_is_comparison(q)))
+      return q->name;
+  return NULL;
 }

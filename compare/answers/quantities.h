@@ -63,7 +63,7 @@ enum quantity_kind {
   QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                */
   QUANTITY_V0,
   QUANTITY_FROUDE,
-  QUANTITY_RATIO, /* which: enum sweep_ratio, but for the Froude number                         */
+  QUANTITY_RATIO, /* which: enum ratio, but for the Froude number                         */
   QUANTITY_ONSET,
   QUANTITY_ESTIMATE, /* which: the quantity whose error is estimated                                */
   QUANTITY_SAMPLE,   /* which: enum sample_value                                                    */
@@ -147,8 +147,7 @@ struct quantity {
   bool from_rest;          /* likewise: whatever the start of the point is                                  */
   bool is_compared;        /* a series with what it should be                                               */
   long order;              /* derived: of the terms below T^order                                           */
-  int of;                  /* exact, error, relative: of this series, as a place in the list; else -1       */
-  int series;              /* studied: of this one, likewise; -1: of the crawler                            */
+  int of;                  /* what is about a series: its place in the list; else -1                        */
   double tolerance;        /* of a reach                                                                    */
   const struct scallop_formula *formula; /* published                                                             */
   struct formula *own; /* of QUANTITY_FORMULA; without a row its name is its text                               */
@@ -157,8 +156,8 @@ struct quantity {
 /* The quantities that a scene uses, each once. */
 struct quantities {
   int count, labels;
-  const char *label[QUANTITY_LABELS];
-  int carries; /* columns of a file of points that are no parameters */
+  const char *label[QUANTITY_LABELS]; /* freed with it */
+  int carries;                        /* columns of a file of points that are no parameters */
   const char *const *carried;
   struct quantity item[MOST_QUANTITIES]; /* last, and of those that are not used not even the memory */
 };
@@ -169,17 +168,46 @@ int quantity_named(struct quantities *all, const char *name);
 /* The place of a formula of quantities as a quantity, which is called name and is found by it where no quantity has
  * that name; negative: as above, or the formula is wrong. */
 int quantity_of_text(struct quantities *all, const char *name, const char *formula);
-void quantities_free(struct quantities *all);
 /* Is it the name of a quantity, or what names of quantities begin with, but not that of a formula? */
 bool quantity_is_other(const char *name);
 /* The known name nearest to one that is none, or NULL. */
 const char *quantity_near(const struct quantities *all, const char *name);
 
 static inline bool quantity_is_text(const struct quantity *q) { return q->kind >= QUANTITY_GAIT; }
+static inline bool quantity_is_comparison(const struct quantity *q)
+{
+  return q->kind >= QUANTITY_EXACT && q->kind <= QUANTITY_RELATIVE;
+}
+static inline bool quantity_is_studied(const struct quantity *q)
+{
+  return q->kind == QUANTITY_STUDIED || q->kind == QUANTITY_STUDIED_TEXT;
+}
 /* Is it a series: published, derived, or the limit? */
 static inline bool quantity_is_series(const struct quantity *q)
 {
   return q->kind >= QUANTITY_PUBLISHED && q->kind <= QUANTITY_LIMIT;
 }
+
+enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
+/* Errors against doubles are told down to this part of the exact value. */
+#define ACCURACY_OF_DOUBLES 1e-10
+
+/* What tables ask of points, known before the first: quantities, and how well they have to be known */
+struct asked {
+  const char *command;   /* for messages */
+  bool from_steady;      /* a phase without a v0 starts with the velocity of the steady state; else from rest */
+  bool tells_no_start;   /* the column v0 is nan where no v0 is given */
+  bool certified_errors; /* else errors are those against the double solver */
+  double accuracy; /* of errors: below this part of the exact value they are 0; 0: they are as doubles have them */
+  long digits;     /* of certified values: the most that are wanted */
+  struct quantities quantities;
+};
+/* With no quantities yet; NULL: no memory. */
+struct asked *asked_nothing(const char *command);
+void asked_free(struct asked *asked);
+/* What needs FLINT: the name of the first of these quantities, or NULL. */
+const char *asked_needs_flint(const struct asked *asked);
+/* Are errors those against certified values? */
+bool asked_certifies_errors(const struct asked *asked);
 
 #endif

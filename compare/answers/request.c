@@ -31,7 +31,7 @@ void parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const ch
     if (name_among(not_held, name))
       continue;
     if (i < CRAWLER_NUMBERS)
-      number_text(number, crawler_parameter(&p->crawler, name), 0);
+      number_text(number, crawler_number(&p->crawler, i), 0);
     used += (size_t)snprintf(text + used, PARAMETERS_TEXT - used, " %s=%s", name,
                              written               ? written
                              : i < CRAWLER_NUMBERS ? number

@@ -49,7 +49,6 @@ static const char *add_all(struct sheet *s, const char *const *texts, int count)
   return wrong;
 }
 
-static bool is_of_error(const struct quantity *q) { return q->of >= 0; }
 static bool is_certified(const struct quantity *q) { return q->kind == QUANTITY_CERTIFIED; }
 
 /* How well errors, digits and series have to be known for the columns */
@@ -57,7 +56,7 @@ static const char *settle(struct rows *r)
 {
   const struct request *q = r->request;
   struct asked *asked = r->sheet.asked;
-  if (sheet_takes(&r->sheet, is_of_error) || r->has_errors) {
+  if (sheet_takes(&r->sheet, quantity_is_comparison) || r->has_errors) {
     bool fine = q->accuracy.given && q->accuracy.value < ACCURACY_OF_DOUBLES;
     bool certified = q->reference.given && strcmp(q->reference.value, "certified") == 0;
     if (fine && q->reference.given && !certified)

@@ -128,7 +128,7 @@ void sheet_head(const struct sheet *s, struct table *t)
 /* A parameter with all the digits that were given */
 static void put_as_written(struct table *t, const struct at *at, const struct quantity *q, double value)
 {
-  const char *written = q->kind == QUANTITY_V0 ? at->place.point.written_v0 : at->place.point.written[q->which];
+  const char *written = at->place.point.written[q->kind == QUANTITY_V0 ? PLACE_OF_V0 : q->which];
   char text[NUMBER_TEXT];
   number_text(text, value, 0); /* --digits is of what is proven */
   table_carried(t, written && !at->place.is_unread ? written : text);

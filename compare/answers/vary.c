@@ -57,16 +57,31 @@ static const char *add(struct request *r, const struct sweep_variable *v)
   return NULL;
 }
 
+/* The texts in one piece of memory, which begins with their list; NULL: no memory. */
+static const char **copied(const char *const *texts, long count)
+{
+  size_t size = (size_t)count * sizeof *texts;
+  for (long i = 0; i < count; i++)
+    size += strlen(texts[i]) + 1;
+  const char **copy = malloc(size);
+  char *next = (char *)(copy + count);
+  for (long i = 0; i < count && copy; i++) {
+    copy[i] = memcpy(next, texts[i], strlen(texts[i]) + 1);
+    next += strlen(next) + 1;
+  }
+  return copy;
+}
+
 const char *vary_list(struct request *r, struct sweep_variable v, const char *const *texts, long count)
 {
-  v.count = count;
-  v.texts = calloc((size_t)count, sizeof *v.texts);
-  const char *wrong = v.texts ? NULL : no_memory;
-  for (long i = 0; i < count && !wrong; i++) {
+  const char *wrong = NULL;
+  for (long i = 0; i < count && !wrong; i++)
     wrong = sweep_wrong(&v, &r->point, texts[i]);
-    v.texts[i] = texts[i];
-  }
-  wrong = wrong ? wrong : add(r, &v);
+  if (wrong)
+    return wrong;
+  v.count = count;
+  v.texts = copied(texts, count);
+  wrong = v.texts ? add(r, &v) : no_memory;
   if (wrong)
     free(v.texts);
   return wrong;
@@ -115,6 +130,18 @@ const char *vary_range(struct request *r, struct sweep_variable v, const char *f
   return wrong ? wrong : add(r, &v);
 }
 
+/* Adds a label, whose name is kept. */
+static const char *add_label(struct quantities *all, const char *name)
+{
+  if (strlen(name) >= QUANTITY_NAME || all->labels == QUANTITY_LABELS)
+    return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
+  if (quantity_named(all, name) >= 0)
+    return wrong_text("a label cannot be called %s, which is a quantity", name);
+  const char *copy = all->label[all->labels] = strdup(name);
+  all->labels += copy != NULL;
+  return copy ? NULL : no_memory;
+}
+
 const char *vary_label(struct request *r, const char *name, struct sweep_variable *label)
 {
   struct quantities *all = r->asked ? &r->asked->quantities : NULL;
@@ -123,49 +150,45 @@ const char *vary_label(struct request *r, const char *name, struct sweep_variabl
     return "labels are columns of rows of points";
   while (place < all->labels && strcmp(all->label[place], name) != 0)
     place++;
-  if (strlen(name) >= QUANTITY_NAME || place == QUANTITY_LABELS)
-    return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
-  if (place == all->labels && quantity_named(all, name) >= 0)
-    return wrong_text("a label cannot be called %s, which is a quantity", name);
-  all->label[place] = name;
-  all->labels += place == all->labels;
+  const char *wrong = place == all->labels ? add_label(all, name) : NULL;
+  name = all->label[place];
   *label = (struct sweep_variable){ .target = TARGET_LABEL, .place = place, .name = name, .sets = name };
-  return NULL;
+  return wrong;
 }
 
-static bool has_ranges(const struct sweep_variable *v)
-{
-  return v->target != TARGET_GAIT && v->target != TARGET_PHASE && v->target != TARGET_LABEL;
-}
+static bool has_ranges(const struct sweep_variable *v) { return v->target <= TARGET_FROUDE; }
 
-/* Where the value that text begins with ends: at a comma. A gait has commas of its own, so that there only one counts
- * behind which the name of a family stands. NULL: text is one value. */
+/* Where the value that text begins with ends: at a comma, or at the end. A gait has commas of its own, so that there
+ * only one counts behind which the name of a family stands. */
 static const char *end_of_value(const struct sweep_variable *v, const char *text)
 {
   const char *comma = strchr(text, ',');
   while (comma && v->target == TARGET_GAIT && !gait_family_begins(comma + 1))
     comma = strchr(comma + 1, ',');
-  return comma;
+  return comma ? comma : text + strlen(text);
 }
 
-bool vary_is_many(const char *name, const char *text)
+/* Is text several values, or has the point no such parameter? */
+static bool is_many(const char *name, const char *text)
 {
   struct sweep_variable v;
   if (!sweep_variable_of_name(&v, name))
     return strcmp(name, "label") == 0;
-  return v.target > TARGET_V0 || end_of_value(&v, text) || (has_ranges(&v) && strchr(text, ':'));
+  bool is_ratio = v.target >= TARGET_F1_OVER_F2 && v.target <= TARGET_FROUDE;
+  return is_ratio || *end_of_value(&v, text) || (has_ranges(&v) && strchr(text, ':'));
 }
 
-/* Splits the text at its commas. */
-static const char *list_of_text(struct request *r, struct sweep_variable *v, char *text)
+/* The values of a list between commas, which are cut off in text */
+static const char *list_of_text(struct request *r, const struct sweep_variable *v, char *text)
 {
   const char **texts = calloc(strlen(text) + 1, sizeof *texts), *wrong = no_memory;
   long count = 0;
-  for (char *value = text, *end; texts && value; value = end) {
-    end = (char *)end_of_value(v, value);
-    texts[count++] = value;
-    if (end)
-      *end++ = '\0';
+  for (bool more = texts != NULL; more;) {
+    char *end = text + (end_of_value(v, text) - text);
+    more = *end != '\0';
+    *end = '\0';
+    texts[count++] = text;
+    text = end + 1;
   }
   if (texts)
     wrong = vary_list(r, *v, texts, count);
@@ -173,84 +196,77 @@ static const char *list_of_text(struct request *r, struct sweep_variable *v, cha
   return wrong;
 }
 
-/* FROM:TO:COUNT or FROM:TO:COUNT:SPACING */
-static const char *range_of_text(struct request *r, struct sweep_variable *v, char *text)
+/* FROM:TO:COUNT or FROM:TO:COUNT:SPACING, which are cut apart in text. "": it is neither. */
+static const char *range_of_text(struct request *r, const struct sweep_variable *v, char *text)
 {
-  enum { MOST = 4 };
-  char *colon[MOST] = { NULL };
-  int colons = 0;
+  static const char *const spacings[] = { "linear", "log", NULL };
+  char *part[4] = { text };
+  int parts = 1;
   long count;
-  for (char *c = strchr(text, ':'); c && colons < MOST; c = strchr(c + 1, ':'))
-    colon[colons++] = c;
-  const char *spacing = colons == 3 ? colon[2] + 1 : "linear";
-  bool is_log = strcmp(spacing, "log") == 0;
-  bool fits = (colons == 2 || colons == 3) && (is_log || strcmp(spacing, "linear") == 0);
-  for (int i = 0; i < colons; i++)
-    *colon[i] = '\0';
-  if (fits && read_count(colon[1] + 1, strcmp(text, colon[0] + 1) == 0 ? 1 : 2, SWEEP_RANGE, &count))
-    return vary_range(r, *v, text, colon[0] + 1, count, is_log);
-  for (int i = 0; i < colons; i++)
-    *colon[i] = ':';
-  return wrong_text(
-      "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
-      "or 1 where FROM = TO; both ends belong to it",
-      text, SWEEP_RANGE);
+  for (char *colon; parts < 4 && (colon = strchr(part[parts - 1], ':')); part[parts++] = colon + 1)
+    *colon = '\0';
+  int spacing = word_place(parts == 4 ? part[3] : "linear", spacings);
+  if (parts < 3 || spacing < 0 || !read_count(part[2], strcmp(text, part[1]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
+    return "";
+  return vary_range(r, *v, text, part[1], count, spacing == 1);
 }
 
-/* The place of the group that sets the parameter, or that behind the last */
-static int group_of(const struct sweep_product *product, const char *name)
-{
-  int g = 0;
-  while (g < product->groups && strcmp(product->group[g].variable[0].name, name) != 0)
-    g++;
-  return g;
-}
-
-void vary_hold(struct request *r, const char *name)
+/* Drops the values that the parameter has in the last product. */
+static void hold(struct request *r, const char *name)
 {
   struct sweep_product *product = last_product(r);
-  int g = product ? group_of(product, name) : 0;
+  int g = 0;
+  while (product && g < product->groups && strcmp(product->group[g].variable[0].name, name) != 0)
+    g++;
   if (!product || g == product->groups)
     return;
-  sweep_variable_free(&product->group[g].variable[0]);
+  free(product->group[g].variable[0].texts);
   product->groups--;
   memmove(&product->group[g], &product->group[g + 1], (size_t)(product->groups - g) * sizeof *product->group);
 }
 
-/* "panel=A,B": the label, and its texts in the copy */
-static const char *label_of_text(struct request *r, struct sweep_variable *v, char *copy, char **texts)
+/* "panel=A,B": the label; *values: its texts, which are cut off */
+static const char *label_of_text(struct request *r, struct sweep_variable *label, char **values)
 {
-  char *equals = strchr(copy, '=');
-  if (!equals || equals == copy)
-    return not_allowed(copy, "NAME=TEXT or NAME=TEXT,TEXT");
+  char *name = *values, *equals = strchr(name, '=');
+  if (!equals || equals == name)
+    return not_allowed(name, "NAME=TEXT or NAME=TEXT,TEXT");
   *equals = '\0';
-  *texts = equals + 1;
-  return vary_label(r, copy, v);
+  *values = equals + 1;
+  return vary_label(r, name, label);
+}
+
+/* Adds what a copy of the text says, which is cut apart. "": it is no range. */
+static const char *add_values(struct request *r, const char *name, char *values)
+{
+  struct sweep_variable v;
+  const char *wrong = sweep_variable_of_name(&v, name) ? NULL : label_of_text(r, &v, &values);
+  if (wrong)
+    return wrong;
+  hold(r, v.name);
+  wrong = vary_group(r);
+  if (wrong)
+    return wrong;
+  bool is_range = has_ranges(&v) && strchr(values, ':');
+  wrong = (is_range ? range_of_text : list_of_text)(r, &v, values);
+  last_product(r)->groups -= wrong != NULL;
+  r->point.has_v0 |= v.target == TARGET_V0 && !wrong; /* for blocks of rows where it does not vary */
+  return wrong;
 }
 
 const char *vary_text(struct request *r, const char *name, const char *text)
 {
-  struct sweep_variable v;
-  char *copy = strdup(text), *values = copy;
-  const char *wrong = copy ? NULL : no_memory;
-  if (!wrong && !sweep_variable_of_name(&v, name))
-    wrong = label_of_text(r, &v, copy, &values);
-  if (!wrong)
-    vary_hold(r, v.name);
-  wrong = wrong ? wrong : vary_group(r);
-  if (wrong) {
-    free(copy);
-    return wrong;
+  if (!is_many(name, text)) {
+    hold(r, name);
+    return point_set(&r->point, name, text);
   }
-  bool is_range = has_ranges(&v) && strchr(values, ':');
-  wrong = (is_range ? range_of_text : list_of_text)(r, &v, values);
-  struct sweep_product *product = last_product(r);
-  if (wrong) {
-    product->groups--;
-    free(copy);
+  char *copy = strdup(text);
+  const char *wrong = copy ? add_values(r, name, copy) : no_memory;
+  free(copy);
+  if (!wrong || *wrong)
     return wrong;
-  }
-  product->group[product->groups - 1].variable[0].kept = copy;
-  r->point.has_v0 |= v.target == TARGET_V0; /* the point keeps its values, for blocks of rows where these do not vary */
-  return NULL;
+  return wrong_text(
+      "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
+      "or 1 where FROM = TO; both ends belong to it",
+      text, SWEEP_RANGE);
 }

@@ -1,10 +1,7 @@
 /* The loop over points: one at a time; or, of a sweep whose rows take long, blocks of them, each by as many threads as
  * there are processors. Rows are written in order as they come. */
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "compare/answers/rows.h"
 #include "compare/points/point_file.h"
@@ -37,20 +34,49 @@ static bool at_point(struct rows_run *run, struct at *at)
   return fine;
 }
 
-static void visit_sweep(struct rows_run *run, struct at *at)
+/* The points of a sweep, one after another */
+struct tour {
+  struct rows_run *run;
+  struct at *at;
+  struct block *block;                                          /* or NULL */
+  bool (*visit)(struct tour *tour, const struct sweep_place *); /* false: no more are wanted */
+  const struct sweep_product *product;
+};
+
+/* All points from a place where the groups in front of group g are set */
+static bool tour_from(struct tour *t, const struct sweep_place *so_far, int g)
 {
-  const struct request *request = run->rows->request;
-  struct sweep_cursor cursor = { .product = NULL };
-  bool fine = true;
-  for (int p = 0; p < request->sweep.products && fine; p++) {
-    long index[SWEEP_GROUPS] = { 0 };
-    do {
-      at_place(at, &cursor, &request->point, &request->sweep.product[p], index);
-      at_move(at);
-      progress_count(run->points + 1, sweep_points(&request->sweep));
-      fine = at_point(run, at);
-    } while (sweep_next(&request->sweep.product[p], index) && fine);
+  struct sweep_place place;
+  bool more = true;
+  if (g == t->product->groups)
+    return t->visit(t, so_far);
+  for (long i = 0; i < t->product->group[g].count && more; i++) {
+    sweep_place_copy(&place, so_far);
+    sweep_step(&place, t->product, g, i, at_formula_so_far, t->at);
+    more = tour_from(t, &place, g + 1);
   }
+  return more;
+}
+
+static bool tour_sweep(struct tour *t)
+{
+  const struct request *r = t->run->rows->request;
+  struct sweep_place place;
+  sweep_place_set(&place, &r->point);
+  bool more = r->sweep.products > 0 || t->visit(t, &place);
+  for (int p = 0; p < r->sweep.products && more; p++) {
+    t->product = &r->sweep.product[p];
+    more = tour_from(t, &place, 0);
+  }
+  return more;
+}
+
+static bool visit_place(struct tour *t, const struct sweep_place *place)
+{
+  sweep_place_copy(&t->at->place, place);
+  progress_count(t->run->points + 1, sweep_points(&t->run->rows->request->sweep));
+  at_move(t->at);
+  return at_point(t->run, t->at);
 }
 
 static void visit_file(struct rows_run *run, struct at *at, struct point_file *file)
@@ -63,7 +89,7 @@ static void visit_file(struct rows_run *run, struct at *at, struct point_file *f
   }
 }
 
-enum { BLOCK = 64, MOST_THREADS = 64 };
+enum { BLOCK = 64 };
 
 struct block {
   const struct rows *rows;
@@ -73,99 +99,70 @@ struct block {
     struct table cells; /* never opened: what is written into it is kept */
     char why[POINT_STATUS];
   } row[BLOCK];
-  atomic_int next;
   int threads;
-  struct worker {
-    pthread_t thread;
-    bool runs;
-    struct at *at;
-    struct block *block;
-  } worker[MOST_THREADS];
+  struct at *at[BLOCK]; /* one for each thread */
 };
 
-/* Computes rows of the block until none is left, each where it belongs. */
-static void *work(void *worker)
+/* Computes a row of the block where it belongs. */
+static void compute_row(struct at *at, int i, void *block)
 {
-  const struct worker *w = worker;
-  for (int i; (i = atomic_fetch_add(&w->block->next, 1)) < w->block->count;) {
-    struct row *row = &w->block->row[i];
-    sweep_place_copy(&w->at->place, &row->place);
-    at_move(w->at);
-    at_begin_row(w->at);
-    sheet_row(&w->block->rows->sheet, &row->cells, w->at);
-    memcpy(row->why, w->at->why, sizeof row->why);
+  const struct block *b = block;
+  struct row *row = &((struct block *)block)->row[i];
+  sweep_place_copy(&at->place, &row->place);
+  at_move(at);
+  at_begin_row(at);
+  sheet_row(&b->rows->sheet, &row->cells, at);
+  memcpy(row->why, at->why, sizeof row->why);
+}
+
+static bool end_block(struct tour *t)
+{
+  struct block *b = t->block;
+  struct rows_run *run = t->run;
+  progress_count(run->points, sweep_points(&run->rows->request->sweep)); /* so that no worker counts anything else */
+  at_flint->share(b->at, b->threads, b->count, compute_row, b);
+  for (const struct row *row = b->row; row < b->row + b->count; row++) {
+    count_point(run, row->why);
+    table_repeat(&run->rows->table, &row->cells);
   }
-  at_end_thread(w->at);
-  return NULL;
+  b->count = 0;
+  return !table_failed(&run->rows->table);
 }
 
-/* The last worker is this thread. */
-static void compute(struct block *b)
+static bool put_in_block(struct tour *t, const struct sweep_place *place)
 {
-  struct worker *last = &b->worker[b->threads - 1];
-  atomic_store(&b->next, 0);
-  for (struct worker *w = b->worker; w < last; w++)
-    w->runs = pthread_create(&w->thread, NULL, work, w) == 0;
-  work(last);
-  for (struct worker *w = b->worker; w < last; w++)
-    if (w->runs)
-      pthread_join(w->thread, NULL);
-}
-
-static void visit_product(struct rows_run *run, struct at *at, const struct sweep_product *product, struct block *b)
-{
-  const struct request *request = run->rows->request;
-  struct sweep_cursor cursor = { .product = NULL };
-  long index[SWEEP_GROUPS] = { 0 };
-  for (bool more = true; more && !table_failed(&run->rows->table);) {
-    for (b->count = 0; more && b->count < BLOCK; b->count++) {
-      at_place(at, &cursor, &request->point, product, index);
-      sweep_place_copy(&b->row[b->count].place, &at->place);
-      more = sweep_next(product, index);
-    }
-    progress_count(run->points, sweep_points(&request->sweep)); /* so that no worker counts anything else */
-    compute(b);
-    for (const struct row *row = b->row; row < b->row + b->count; row++) {
-      count_point(run, row->why);
-      table_repeat(&run->rows->table, &row->cells);
-    }
-  }
-}
-
-static int processors(void)
-{
-  const char *wanted = getenv("OMP_NUM_THREADS");
-  long count = wanted && atol(wanted) > 0 ? atol(wanted) : sysconf(_SC_NPROCESSORS_ONLN);
-  return count < 1 ? 1 : count > MOST_THREADS ? MOST_THREADS : (int)count;
+  sweep_place_copy(&t->block->row[t->block->count++].place, place);
+  return t->block->count < BLOCK || end_block(t);
 }
 
 /* Is the sweep worth blocks: one table whose columns need FLINT? */
 static bool takes_long(const struct rows_run *run)
 {
   const struct rows *r = run->rows;
-  return run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked) && sweep_points(&r->request->sweep) >= 8;
+  return run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked) && sweep_points(&r->request->sweep) >= 8
+         && at_flint->threads(BLOCK) > 1;
 }
 
 /* False: there is no memory for it, and nothing has been done. */
 static bool visit_in_blocks(struct rows_run *run, struct at *at)
 {
   const struct rows *rows = run->rows;
-  const struct sweep *sweep = &rows->request->sweep;
   struct block *b = calloc(1, sizeof *b);
+  struct tour tour = { .run = run, .at = at, .block = b, .visit = put_in_block };
   bool fine = b != NULL;
   for (int i = 0; i < BLOCK && fine; i++) {
     b->row[i].cells = (struct table){ .style = &rows->style };
     sheet_head(&rows->sheet, &b->row[i].cells);
   }
-  for (int i = 0; fine && i < processors(); i++) {
+  for (int i = at_flint->threads(BLOCK); fine && i > 0; i--) {
     b->rows = rows;
-    b->worker[b->threads++] = (struct worker){ .at = at_new(rows->sheet.asked), .block = b };
-    fine = b->worker[i].at != NULL;
+    b->at[b->threads++] = at_new(rows->sheet.asked);
+    fine = b->at[b->threads - 1] != NULL;
   }
-  for (int p = 0; fine && p < sweep->products; p++)
-    visit_product(run, at, &sweep->product[p], b);
+  if (fine && tour_sweep(&tour))
+    end_block(&tour);
   for (int i = 0; b && i < b->threads; i++)
-    at_free(b->worker[i].at);
+    at_free(b->at[i]);
   for (int i = 0; b && i < BLOCK; i++)
     table_abandon(&b->row[i].cells);
   free(b);
@@ -174,17 +171,11 @@ static bool visit_in_blocks(struct rows_run *run, struct at *at)
 
 static void visit_points(struct rows_run *run, struct at *at, struct point_file *file)
 {
-  const struct request *request = run->rows->request;
+  struct tour tour = { .run = run, .at = at, .visit = visit_place };
   if (file)
     visit_file(run, at, file);
-  else if (request->sweep.products > 0) {
-    if (processors() == 1 || !takes_long(run) || !visit_in_blocks(run, at))
-      visit_sweep(run, at);
-  } else {
-    sweep_place_set(&at->place, &request->point);
-    at_move(at);
-    at_point(run, at);
-  }
+  else if (!takes_long(run) || !visit_in_blocks(run, at))
+    tour_sweep(&tour);
 }
 
 static bool open_tables(struct rows_run *run)
@@ -255,16 +246,12 @@ static enum exit_code make(struct rows *r, struct point_file *file)
 enum exit_code rows_table(struct rows *r)
 {
   const struct request *request = r->request;
-  struct point_file *file = request->points ? calloc(1, sizeof *file) : NULL;
+  struct point_file file = { .v0_may_be_nan = r->sheet.asked->from_steady };
   if (!request->points)
     return make(r, NULL);
-  if (!file)
-    return complain(request->style.command, "out of memory"), EXIT_UNSOLVED;
-  file->v0_may_be_nan = r->sheet.asked->from_steady;
-  enum exit_code code = point_file_open(file, request->points, request->style.command, request->style.quiet, r->extra,
+  enum exit_code code = point_file_open(&file, request->points, request->style.command, request->style.quiet, r->extra,
                                         (const char *const *)r->own);
-  code = code == EXIT_DONE ? make(r, file) : code;
-  point_file_close(file);
-  free(file);
+  code = code == EXIT_DONE ? make(r, &file) : code;
+  point_file_close(&file);
   return code;
 }

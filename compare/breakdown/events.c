@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/stretches.h"
+#include "compare/answers/answer.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/digits.h"

@@ -50,7 +50,7 @@ static bool open_document(struct report *r, const char *command, const char *not
   size_t used = (size_t)snprintf(text, sizeof text, "Parameters:");
   parameters_text(text + used, &r->options->request.point, not_held, true);
   if (r->options->request.point.has_v0)
-    snprintf(text + strlen(text), sizeof text - strlen(text), " v0=%s", r->options->request.point.written_v0);
+    snprintf(text + strlen(text), sizeof text - strlen(text), " v0=%s", r->options->request.point.written[PLACE_OF_V0]);
   put_comment(r, note ? note : text);
   return true;
 }
@@ -69,7 +69,7 @@ bool report_open(struct report *r, const char *of, const char *const *columns, c
   table_note(&r->table, "command: %s", command);
   note_parameters(&r->table, &request->point, NULL, true);
   if (request->point.has_v0)
-    table_note(&r->table, "v0: %s", request->point.written_v0);
+    table_note(&r->table, "v0: %s", request->point.written[PLACE_OF_V0]);
   if (note)
     table_note(&r->table, "%s", note);
   if (more)

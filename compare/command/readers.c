@@ -12,11 +12,7 @@ static const void *value_of(const void *options, const struct option *o) { retur
 
 static const char *read_parameter(void *options, const struct option *o, const char *text)
 {
-  struct request *r = options;
-  if (vary_is_many(o->name, text))
-    return vary_text(r, o->name, text);
-  vary_hold(r, o->name);
-  return point_set(&r->point, o->name, text);
+  return vary_text(options, o->name, text);
 }
 
 static const char *read_product(void *options, const struct option *o, const char *text)
@@ -37,7 +33,7 @@ static void show_parameter(const void *options, const struct option *o, char tex
   else if (strcmp(o->name, "v0") == 0)
     snprintf(text, OPTION_VALUE, "%.15g", r->point.v0);
   else if (crawler_place(o->name) < CRAWLER_NUMBERS)
-    snprintf(text, OPTION_VALUE, "%.15g", crawler_parameter(&r->point.crawler, o->name));
+    snprintf(text, OPTION_VALUE, "%.15g", crawler_number(&r->point.crawler, crawler_place(o->name)));
 }
 
 static const char *read_flag(void *options, const struct option *o, const char *text)

@@ -83,11 +83,9 @@ static void take_parameters(struct request *request, const struct scene *s, bool
     *p = *base;
     return;
   }
-  for (int i = 0; i <= CRAWLER_NUMBERS; i++) {
-    const char *written = i < CRAWLER_NUMBERS ? base->written[i] : base->written_v0;
-    if (written)
-      point_set_number(p, i, written);
-  }
+  for (int i = 0; i < POINT_NUMBERS; i++)
+    if (base->written[i])
+      point_set_number(p, i, base->written[i]);
   if (base->has_gait) {
     p->crawler.gait = base->crawler.gait;
     p->has_gait = true;

@@ -10,7 +10,6 @@
 #include "compare/points/gait_file.h"
 #include "compare/text/message.h"
 #include "compare/text/values.h"
-#include "model/gaits.h"
 
 enum { MOST_GAITS = 65536, MESSAGE = 480 };
 
@@ -18,13 +17,9 @@ static char message[MESSAGE];
 
 struct made {
   char *text, *parameters;
-  const struct scallop_gait_family *family;
-  const char *number[SCALLOP_GAIT_NUMBERS]; /* in parameters */
-  int count;
-  void *kept;
-  void (*discard)(void *);
   const struct scallop_gait *gait;
-  bool is_unreadable; /* the file of a measured one */
+  struct gait_source source; /* its numbers are in parameters */
+  bool is_unreadable;        /* the file of a measured one */
   union {
     union scallop_made_gait numbers;
     struct gait_file file;
@@ -35,32 +30,29 @@ struct made {
 static const struct scallop_gait_family measured = {
   .name = "measured",
   .numbers = "FILE",
-  .allowed = "measured:FILE, a table of t and l, its name without control "
-             "characters",
-  .sentence = "a spline through a table of t and l, whose last row is the first "
-              "one a period later; L, T and alpha are its own"
+  .allowed = "measured:FILE, a table of t and l, its name without control characters",
+  .sentence =
+      "a spline through a table of t and l, whose last row is the first one a period later; L, T and alpha are its own"
 };
 
 const struct scallop_gait_family *gait_family(int i)
 {
-  int count = 0;
-  while (scallop_gait_family(count))
-    count++;
-  return i == count ? &measured : scallop_gait_family(i);
+  const struct scallop_gait_family *family = scallop_gait_family(i);
+  return family || !scallop_gait_family(i - 1) ? family : &measured;
 }
 
 static void *all_made; /* a tree (tsearch) by text */
 static int made_count;
 
-static struct gait_file *file_of(struct made *made) { return made->family == &measured ? &made->file : NULL; }
+static bool is_measured(const struct made *made) { return made->source.family == &measured; }
 
 static void discard(struct made *made)
 {
   if (!made)
     return;
-  if (made->kept)
-    made->discard(made->kept);
-  if (file_of(made))
+  if (made->source.kept)
+    made->source.discard(made->source.kept);
+  if (is_measured(made))
     gait_file_free(&made->file);
   free(made->text);
   free(made->parameters);
@@ -89,21 +81,21 @@ static bool keep(struct made *made)
 }
 
 /* Reads numbers between commas. NULL, or what is wrong; "": there are too many. */
-static const char *read_numbers(struct made *m, double x[SCALLOP_GAIT_NUMBERS])
+static const char *read_numbers(struct gait_source *source, char *text, double x[SCALLOP_GAIT_NUMBERS])
 {
   static char not_one[120];
-  for (char *next = m->parameters; next; m->count++) {
-    char *text = next;
+  for (char *next = text; next; source->count++) {
+    text = next;
     next = strchr(text, ',');
     if (next)
       *next++ = '\0';
-    if (m->count == SCALLOP_GAIT_NUMBERS)
+    if (source->count == SCALLOP_GAIT_NUMBERS)
       return "";
-    if (!read_number(text, &x[m->count])) {
+    if (!read_number(text, &x[source->count])) {
       snprintf(not_one, sizeof not_one, "'%.80s' is not a number", text);
       return not_one;
     }
-    m->number[m->count] = text;
+    source->number[source->count] = text;
   }
   return NULL;
 }
@@ -111,9 +103,9 @@ static const char *read_numbers(struct made *m, double x[SCALLOP_GAIT_NUMBERS])
 static const char *make_of_numbers(struct made *m)
 {
   double x[SCALLOP_GAIT_NUMBERS];
-  const char *why = read_numbers(m, x);
+  const char *why = read_numbers(&m->source, m->parameters, x);
   m->gait = &m->numbers.gait;
-  if (why || scallop_make_gait(&m->numbers, m->family, m->text, x, m->count, &why) == SCALLOP_OK)
+  if (why || scallop_make_gait(&m->numbers, m->source.family, m->text, x, m->source.count, &why) == SCALLOP_OK)
     return why;
   return why ? why : "";
 }
@@ -128,14 +120,8 @@ static const char *make_measured(struct made *m)
   return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, m->text, &m->is_unreadable);
 }
 
-const char *gait_sample(int i)
-{
-  const struct scallop_gait_family *family = scallop_gait_family(i);
-  return family ? family->sample : NULL;
-}
-
 /* The family of that name, up to one of the characters of ends or the end */
-static const struct scallop_gait_family *family_until(const char *text, const char *ends)
+static const struct scallop_gait_family *family_of(const char *text, const char *ends)
 {
   size_t length = strcspn(text, ends);
   const struct scallop_gait_family *family;
@@ -145,73 +131,68 @@ static const struct scallop_gait_family *family_until(const char *text, const ch
   return family;
 }
 
-static const struct scallop_gait_family *family_of(const char *text) { return family_until(text, ":"); }
-bool gait_family_begins(const char *text) { return family_until(text, ":,") != NULL; }
+bool gait_family_begins(const char *text) { return family_of(text, ":,") != NULL; }
 
-static struct gait_answer refused(enum gait_fault fault) { return (struct gait_answer){ NULL, fault, message }; }
-
-static struct gait_answer unknown(const char *text)
+/* What there are, with the numbers that must be given, and which was meant */
+static const char *unknown(const char *text)
 {
   enum { MOST = 32 };
-  const char *names[MOST] = { NULL };
-  char name[40];
+  const char *names[MOST] = { NULL }, *shown[MOST] = { NULL };
+  char name[40], list[320], with_numbers[MOST][40];
   const struct scallop_gait_family *family;
-  int used = snprintf(message, sizeof message, "'%.80s' is not allowed here: it takes", text);
   for (int i = 0; i + 1 < MOST && (family = gait_family(i)) != NULL; i++) {
     bool must = family->numbers && !family->usual;
-    const char *before = i == 0 ? "" : gait_family(i + 1) ? "," : " or";
-    used += snprintf(message + used, sizeof message - (size_t)used, "%s %s%s%s", before, family->name, must ? ":" : "",
-                     must ? family->numbers : "");
+    snprintf(with_numbers[i], sizeof *with_numbers, "%s:%s", family->name, must ? family->numbers : "");
     names[i] = family->name;
+    shown[i] = must ? with_numbers[i] : family->name;
   }
   snprintf(name, sizeof name, "%.*s", (int)strcspn(text, ":"), text);
-  snprintf(message + used, sizeof message - (size_t)used, "%s", did_you_mean(nearest(name, names)));
-  return refused(GAIT_UNKNOWN);
+  snprintf(message, MESSAGE, "'%.80s' is not allowed here: it takes %s%s", text,
+           joined(list, sizeof list, shown, " or "), did_you_mean(nearest(name, names)));
+  return message;
 }
 
-static struct gait_answer make(const struct scallop_gait_family *family, const char *text, const char *parameters)
+/* NULL, or what is wrong */
+static const char *make(struct made *m, const char *parameters)
 {
-  struct made *m = made_count < MOST_GAITS ? calloc(1, sizeof *m) : NULL;
-  if (m)
-    *m = (struct made){ .family = family, .text = strdup(text), .parameters = strdup(parameters) };
-  if (!m || !m->text || !m->parameters) {
-    snprintf(message, sizeof message,
-             m ? "out of memory" : "'%.80s' is one gait too many: 65536 different ones are the most", text);
-    discard(m);
-    return refused(GAIT_UNKNOWN);
-  }
-  const char *why = file_of(m) ? make_measured(m) : make_of_numbers(m);
-  if (!why && keep(m))
-    return (struct gait_answer){ m->gait, GAIT_FINE, NULL };
-  why = why ? why : "out of memory";
-  enum gait_fault fault = m->is_unreadable ? GAIT_UNREADABLE : GAIT_UNKNOWN;
-  if (*why && file_of(m))
-    snprintf(message, sizeof message, "%s", why);
-  else
-    snprintf(message, sizeof message, "'%.80s' is not allowed here: %.120s%sit takes %s", text, why, *why ? "; " : "",
-             family->allowed);
-  discard(m);
-  return refused(fault);
+  const char *text = m->text, *allowed = m->source.family->allowed;
+  m->parameters = strdup(parameters);
+  if (!m->parameters)
+    return "out of memory";
+  const char *why = is_measured(m) ? make_measured(m) : make_of_numbers(m);
+  if (!why)
+    return keep(m) ? NULL : "out of memory";
+  if (*why && is_measured(m))
+    return why;
+  snprintf(message, MESSAGE, "'%.80s' is not allowed here: %.120s%sit takes %s", text, why, *why ? "; " : "", allowed);
+  return message;
 }
 
 struct gait_answer gait_of_text(const char *text)
 {
   const struct scallop_gait *fixed = scallop_gait_named(text);
-  if (fixed)
-    return (struct gait_answer){ fixed, GAIT_FINE, NULL };
-  struct made *made = find(text);
-  if (made)
-    return (struct gait_answer){ made->gait, GAIT_FINE, NULL };
-  const struct scallop_gait_family *family = family_of(text);
-  const char *colon = strchr(text, ':');
+  const struct made *made = fixed ? NULL : find(text);
+  if (fixed || made)
+    return (struct gait_answer){ .gait = fixed ? fixed : made->gait };
+  const struct scallop_gait_family *family = family_of(text, ":");
+  const char *colon = strchr(text, ':'), *wrong = NULL;
   if (!family || family->fixed || (colon && !family->allowed))
-    return unknown(text);
-  if (strlen(text) > GAIT_TEXT - sizeof "--gait ") {
-    snprintf(message, sizeof message, "'%.80s...' is too long", text);
-    return refused(GAIT_UNKNOWN);
-  }
-  const char *parameters = colon ? colon + 1 : family->usual ? family->usual : "";
-  return make(family, text, parameters);
+    return (struct gait_answer){ NULL, GAIT_UNKNOWN, unknown(text) };
+  if (strlen(text) > GAIT_TEXT - sizeof "--gait ")
+    wrong = "the name of a gait is shorter than this";
+  else if (made_count == MOST_GAITS)
+    wrong = "this is one gait too many: 65536 different ones are the most";
+  if (wrong)
+    return (struct gait_answer){ NULL, GAIT_UNKNOWN, wrong };
+  struct made *new = calloc(1, sizeof *new);
+  if (new)
+    *new = (struct made){ .source.family = family, .text = strdup(text) };
+  wrong = !new || !new->text ? "out of memory" : make(new, colon ? colon + 1 : family->usual ? family->usual : "");
+  if (!wrong)
+    return (struct gait_answer){ .gait = new->gait };
+  enum gait_fault fault = new &&new->is_unreadable ? GAIT_UNREADABLE : GAIT_UNKNOWN;
+  discard(new);
+  return (struct gait_answer){ NULL, fault, wrong };
 }
 
 const char gait_no_ends[] =
@@ -232,25 +213,16 @@ static struct made *made_of(const struct scallop_gait *gait)
   return made && made->gait == gait ? made : NULL;
 }
 
-bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source)
+struct gait_source *gait_source_of(const struct scallop_gait *gait)
 {
   struct made *m = made_of(gait);
-  if (!m || file_of(m))
-    return false;
-  *source = (struct gait_source){ m->family, m->number, m->count, &m->kept, &m->discard };
-  return true;
+  return m && !is_measured(m) ? &m->source : NULL;
 }
 
-bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha)
+const struct gait_file *gait_file_of(const struct scallop_gait *gait)
 {
-  struct made *made = made_of(gait);
-  const struct gait_file *file = made ? file_of(made) : NULL;
-  if (file) {
-    *L = file->L;
-    *T = file->T;
-    *alpha = file->alpha;
-  }
-  return file != NULL;
+  const struct made *m = made_of(gait);
+  return m && is_measured(m) ? &m->file : NULL;
 }
 
 int gait_reversals(const struct scallop_gait *gait)

@@ -24,22 +24,19 @@ struct gait_answer gait_of_text(const char *text);
 /* Does text begin with the name of a family, up to a colon, a comma or its end? */
 bool gait_family_begins(const char *text);
 
-/* The text of one gait of each kind but measured, which is a file: i = 0, 1, ...; NULL after the last. */
-const char *gait_sample(int i);
-
-/* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. False: this is none. */
-bool gait_has_own(const struct scallop_gait *gait, double *L, double *T, double *alpha);
+/* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. NULL: this is none. */
+const struct gait_file *gait_file_of(const struct scallop_gait *gait);
 
 /* What a gait was made of, for those who want more digits of its numbers than doubles have. */
 struct gait_source {
   const struct scallop_gait_family *family;
-  const char *const *number; /* its numbers as they were written, or the usual ones                              */
-  int count;                 /* of them                                                                         */
-  void **kept;               /* a place, NULL at first, for what is worked out once for this gait: it is freed by  */
-  void (**discard)(void *);  /* this, when the program ends                                                   */
+  const char *number[SCALLOP_GAIT_NUMBERS]; /* as they were written, or the usual ones */
+  int count;                                /* of them */
+  void *kept;                               /* NULL at first: what is worked out once for this gait; it is freed by */
+  void (*discard)(void *kept);              /* this, when the program ends */
 };
-/* False: it is none of those that were made of numbers. A measured gait is exactly its doubles. */
-bool gait_source_of(const struct scallop_gait *gait, struct gait_source *source);
+/* NULL: it is none of those that were made of numbers. A measured gait is exactly its doubles. */
+struct gait_source *gait_source_of(const struct scallop_gait *gait);
 
 /* How often l' changes its sign within the phases: of a measured gait, seldom by intention. */
 int gait_reversals(const struct scallop_gait *gait);

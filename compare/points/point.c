@@ -5,18 +5,40 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 #include "compare/text/values.h"
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
-enum { PLACE_OF_L = 4, PLACE_OF_ALPHA = CRAWLER_NUMBERS - 1 }; /* T is between them */
+enum { PLACE_OF_L = 4, PLACE_OF_T, PLACE_OF_ALPHA };
 
 const char *name_among(const char *const *names, const char *name)
 {
   while (names && *names && strcmp(*names, name) != 0)
     names++;
   return names ? *names : NULL;
+}
+
+const struct parameter *parameter_named(const char *name)
+{
+  static const struct parameter all[] = { { "m1", "m1", TARGET_NUMBER },
+                                          { "m2", "m2", TARGET_NUMBER },
+                                          { "F1", "F1", TARGET_NUMBER },
+                                          { "F2", "F2", TARGET_NUMBER },
+                                          { "L", "L", TARGET_NUMBER },
+                                          { "T", "T", TARGET_NUMBER },
+                                          { "alpha", "alpha", TARGET_NUMBER },
+                                          { "v0", "v0", TARGET_V0 },
+                                          { "gait", "gait", TARGET_GAIT },
+                                          { "phase", "phase", TARGET_PHASE },
+                                          { "froude", "T", TARGET_FROUDE },
+                                          { "F1_over_F2", "F1", TARGET_F1_OVER_F2 },
+                                          { "m1_over_m2", "m1", TARGET_M1_OVER_M2 } };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (strcmp(name, all[i].name) == 0)
+      return &all[i];
+  return NULL;
 }
 
 int crawler_place(const char *name)
@@ -56,12 +78,6 @@ bool same_crawler(const struct scallop_crawler *a, const struct scallop_crawler 
   return same;
 }
 
-double crawler_parameter(const struct scallop_crawler *crawler, const char *name)
-{
-  int place = crawler_place(name);
-  return place < CRAWLER_NUMBERS ? crawler_number(crawler, place) : NAN;
-}
-
 struct point point_initial(const struct scallop_crawler *usual)
 {
   const struct scallop_crawler crawler = usual ? *usual : scallop_crawler_default();
@@ -70,44 +86,42 @@ struct point point_initial(const struct scallop_crawler *usual)
 
 void point_complete(struct point *p)
 {
-  struct scallop_crawler other = p->usual;
-  gait_has_own(p->crawler.gait, &other.L, &other.T, &other.alpha);
-  for (int place = PLACE_OF_L; place <= PLACE_OF_ALPHA; place++)
-    if (!p->written[place])
-      *crawler_field(&p->crawler, place) = crawler_number(&other, place);
-}
-
-static const char *set_v0(struct point *p, double x, const char *text)
-{
-  p->v0 = x;
-  p->written_v0 = text;
-  p->has_v0 = true;
-  return NULL;
-}
-
-const char *point_set_double(struct point *p, int place, double x, const char *text)
-{
-  struct scallop_complaint complaint;
-  if (place == CRAWLER_NUMBERS)
-    return isfinite(x) ? set_v0(p, x, text) : no_number(text, "a finite number");
-  double *field = crawler_field(&p->crawler, place), before = *field;
-  *field = x; /* the crawler has no other fault */
-  if (scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK) {
-    *field = before;
-    return not_allowed(text, complaint.allowed);
-  }
-  p->written[place] = text;
-  return NULL;
+  const struct gait_file *file = gait_file_of(p->crawler.gait);
+  struct scallop_crawler *c = &p->crawler;
+  if (!p->written[PLACE_OF_L])
+    c->L = file ? file->L : p->usual.L;
+  if (!p->written[PLACE_OF_T])
+    c->T = file ? file->T : p->usual.T;
+  if (!p->written[PLACE_OF_ALPHA])
+    c->alpha = file ? file->alpha : p->usual.alpha;
 }
 
 const char *point_set_number(struct point *p, int place, const char *text)
 {
+  struct scallop_complaint complaint;
   double x;
-  if (read_number(text, &x))
-    return point_set_double(p, place, x, text);
-  return no_number(text, place == CRAWLER_NUMBERS  ? "a finite number"
-                         : place == PLACE_OF_ALPHA ? "a number between 0 and 1, both excluded"
-                                                   : "a finite number > 0");
+  if (!read_number(text, &x))
+    return no_number(text, place == PLACE_OF_V0      ? "a finite number"
+                           : place == PLACE_OF_ALPHA ? "a number between 0 and 1, both excluded"
+                                                     : "a finite number > 0");
+  double *field = place == PLACE_OF_V0 ? &p->v0 : crawler_field(&p->crawler, place), before = *field;
+  *field = x; /* the crawler has no other fault */
+  if (place != PLACE_OF_V0 && scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK) {
+    *field = before;
+    return not_allowed(text, complaint.allowed);
+  }
+  p->has_v0 |= place == PLACE_OF_V0;
+  p->written[place] = text;
+  return NULL;
+}
+
+static const char *set_ratio(struct point *p, enum ratio which, const char *text)
+{
+  double x;
+  if (!read_number(text, &x) || !(x > 0))
+    return no_number(text, "a finite number > 0");
+  p->ratio[which] = x;
+  return NULL;
 }
 
 static const char *set_gait(struct point *p, const char *text)
@@ -130,19 +144,16 @@ static const char *set_phase(struct point *p, const char *text)
   return NULL;
 }
 
-static const char *read_v0(struct point *p, const char *text) { return point_set_number(p, CRAWLER_NUMBERS, text); }
-
 const char *point_set(struct point *p, const char *name, const char *text)
 {
-  static const struct {
-    const char *name;
-    const char *(*set)(struct point *, const char *text);
-  } others[] = { { "gait", set_gait }, { "phase", set_phase }, { "v0", read_v0 } };
-  int place = crawler_place(name);
-  if (place < CRAWLER_NUMBERS)
-    return point_set_number(p, place, text);
-  for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-    if (strcmp(name, others[i].name) == 0)
-      return others[i].set(p, text);
-  return not_allowed(name, "the name of a parameter");
+  const struct parameter *parameter = parameter_named(name);
+  if (!parameter)
+    return not_allowed(name, "the name of a parameter");
+  switch (parameter->target) {
+  case TARGET_GAIT: return set_gait(p, text);
+  case TARGET_PHASE: return set_phase(p, text);
+  case TARGET_NUMBER:
+  case TARGET_V0: return point_set_number(p, crawler_place(name), text);
+  default: return set_ratio(p, (enum ratio)(parameter->target - TARGET_F1_OVER_F2), text);
+  }
 }

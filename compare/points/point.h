@@ -8,20 +8,40 @@
 #include "compare/text/message.h"
 #include "model/model.h"
 
-/* Names of the parameters that describe a crawler, NULL-terminated: first the numbers, then the gait. */
-enum { CRAWLER_NUMBERS = 7 };
+/* Names of the parameters that describe a crawler, NULL-terminated: first the numbers, then the gait. Numbers have
+ * places in their order; v0 has the place behind them. */
+enum { CRAWLER_NUMBERS = 7, PLACE_OF_V0 = CRAWLER_NUMBERS, POINT_NUMBERS };
 extern const char *const crawler_parameters[];
+
+/* What can be set of a point by a name. F1_over_F2 and m1_over_m2 keep body 2 as it is; froude sets T. */
+enum target {
+  TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha */
+  TARGET_V0,
+  TARGET_F1_OVER_F2, /* from here on ratios, which follow from parameters: sweeps settle them when these are set */
+  TARGET_M1_OVER_M2,
+  TARGET_FROUDE, /* up to here numbers */
+  TARGET_GAIT,
+  TARGET_PHASE,
+  TARGET_LABEL /* of a sweep: no parameter, but a text beside the point */
+};
+enum ratio { F1_OVER_F2, M1_OVER_M2, FROUDE, RATIOS }; /* their places behind TARGET_F1_OVER_F2 */
+struct parameter {
+  const char *name, *sets; /* the parameter that it sets: F1 for F1_over_F2, T for froude, else its own name */
+  enum target target;
+};
+/* NULL: there is none of that name. */
+const struct parameter *parameter_named(const char *name);
 
 /* The one of names (NULL-terminated, or NULL: none) that is name, or NULL. */
 const char *name_among(const char *const *names, const char *name);
 
 struct point {
   struct scallop_crawler crawler;
-  struct scallop_crawler usual;         /* L, T and alpha where neither they are written nor the gait has its own   */
-  const char *written[CRAWLER_NUMBERS]; /* m1 m2 F1 F2 L T alpha as they were written, NULL where not given        */
+  struct scallop_crawler usual;       /* L, T and alpha where neither they are written nor the gait has its own   */
+  const char *written[POINT_NUMBERS]; /* m1 m2 F1 F2 L T alpha v0 as they were written, NULL where not given      */
+  double ratio[RATIOS];               /* as they were set; else 0                                                 */
   enum scallop_phase_kind phase;
   double v0;
-  const char *written_v0;
   bool has_gait, has_phase, has_v0;
   bool unreadable; /* the file of a measured gait */
 };
@@ -30,21 +50,17 @@ enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
 struct point point_initial(const struct scallop_crawler *usual);
 
-/* A parameter by its name, m1 m2 F1 F2 L T alpha gait phase v0, from text, which must outlive the point. Returns NULL,
- * or what is wrong with the text. The message lives until the next call. */
+/* A parameter by its name from text, which must outlive the point. Returns NULL, or what is wrong with the text. The
+ * message lives until the next call. */
 const char *point_set(struct point *point, const char *name, const char *text);
-/* The same for a number by its place among the crawler's, CRAWLER_NUMBERS for v0. */
+/* The same for a number by its place. */
 const char *point_set_number(struct point *point, int place, const char *text);
-/* The same for a number that is known, and written as text. */
-const char *point_set_double(struct point *point, int place, double x, const char *text);
 
 /* Sets L, T and alpha where they are not written: those of the table of a measured gait, or the usual ones. After the
  * last parameter is set. */
 void point_complete(struct point *point);
 
-/* One of the crawler's numbers by its name; nan: it has none of that name. */
-double crawler_parameter(const struct scallop_crawler *crawler, const char *name);
-/* The same by its place among them, < CRAWLER_NUMBERS */
+/* One of the crawler's numbers by its place among them, < CRAWLER_NUMBERS */
 double crawler_number(const struct scallop_crawler *crawler, int place);
 double *crawler_field(struct scallop_crawler *crawler, int place);
 /* All of them, in the order of their names; the place of one, or CRAWLER_NUMBERS where it is none. */

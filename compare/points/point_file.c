@@ -8,22 +8,6 @@
 
 enum { COLUMN_NAME = 40, MESSAGE = 240 };
 
-static const char *known_parameter(const char *name, const char *const *extra)
-{
-  const char *own = name_among(crawler_parameters, name);
-  return own ? own : name_among(extra, name);
-}
-
-/* The letters and digits of a name */
-static void squeeze(char plain[COLUMN_NAME], const char *name)
-{
-  size_t n = 0;
-  for (; *name && n + 1 < COLUMN_NAME; name++)
-    if (isalnum((unsigned char)*name))
-      plain[n++] = *name;
-  plain[n] = '\0';
-}
-
 /* A word like a longer one (alpha, phase): with the same first letter and few others */
 static bool resembles(const char *plain, const char *parameter)
 {
@@ -32,43 +16,19 @@ static bool resembles(const char *plain, const char *parameter)
          && tolower((unsigned char)*plain) == tolower((unsigned char)*parameter) && nearest(plain, names);
 }
 
-/* The known parameter that this name, which is none, was probably meant to be, or NULL. Of one letter only what stands
- * around it is judged: `t` is a time. */
-static const char *meant(const char *name, const char *const *extra)
+/* The parameter that this name, which is none, was probably meant to be by its letters and digits, or NULL. Of one
+ * letter only what stands around it is judged: `t` is a time. */
+static const char *meant(const char *name, const char *const *parameters)
 {
   char plain[COLUMN_NAME];
-  squeeze(plain, name);
-  const char *known = known_parameter(plain, extra);
-  for (int list = 0; !known && list < 2; list++)
-    for (const char *const *p = list == 0 ? crawler_parameters : extra; !known && *p; p++)
-      if ((strlen(*p) > 1 && strcasecmp(plain, *p) == 0) || resembles(plain, *p))
-        known = *p;
-  return known;
-}
-
-/* Names with commas between; of many the first ones */
-static void add_name(char names[MESSAGE], const char *name, int before)
-{
-  enum { SHOWN = 4 };
-  size_t used = strlen(names);
-  if (before < SHOWN)
-    snprintf(names + used, MESSAGE - used, "%s%.40s", before ? ", " : "", *name ? name : "''");
-  else if (before == SHOWN)
-    snprintf(names + used, MESSAGE - used, " and others");
-}
-
-/* NULL, or what is wrong with the column */
-static const char *read_column(struct point_file *r, int i, const char *const *extra)
-{
-  const char *name = r->tsv.column[i], *parameter = known_parameter(name, extra);
-  const char *near = parameter ? NULL : meant(name, extra);
-  for (int k = 0; k < i; k++)
-    if (parameter && r->parameter[k] == parameter)
-      return tsv_at(&r->tsv, "the column '%s' is there twice", parameter);
-  if (near)
-    return tsv_at(&r->tsv, "unknown column '%.80s'%s", name, did_you_mean(near));
-  r->parameter[i] = parameter;
-  r->place[i] = parameter ? crawler_place(parameter) : CRAWLER_NUMBERS;
+  size_t n = 0;
+  for (; *name && n + 1 < COLUMN_NAME; name++)
+    if (isalnum((unsigned char)*name))
+      plain[n++] = *name;
+  plain[n] = '\0';
+  for (const char *const *p = parameters; *p; p++)
+    if (strcmp(plain, *p) == 0 || (strlen(*p) > 1 && strcasecmp(plain, *p) == 0) || resembles(plain, *p))
+      return *p;
   return NULL;
 }
 
@@ -84,30 +44,46 @@ static bool is_free(const struct point_file *r, const char *name, const char *co
   return !taken;
 }
 
-/* NULL, or what is wrong with the header */
-static const char *read_columns(struct point_file *r, bool quiet, const char *const *extra, const char *const *columns)
+/* NULL, or what is wrong with the column */
+static const char *read_column(struct point_file *r, int i, const char *const *parameters)
 {
-  char unused[MESSAGE] = "";
+  const char *name = r->tsv.column[i], *parameter = r->parameter[i] = name_among(parameters, name);
+  const char *near = parameter ? NULL : meant(name, parameters);
+  r->place[i] = parameter ? crawler_place(parameter) : CRAWLER_NUMBERS;
+  for (int k = 0; k < i; k++)
+    if (parameter && r->parameter[k] == parameter)
+      return tsv_at(&r->tsv, "the column '%s' is there twice", parameter);
+  return near ? tsv_at(&r->tsv, "unknown column '%.80s'%s", name, did_you_mean(near)) : NULL;
+}
+
+/* NULL, or what is wrong with the header. What is neither a parameter nor carried along goes into a note. */
+static const char *read_columns(struct point_file *r, bool quiet, const char *const *parameters,
+                                const char *const *columns)
+{
+  const char *unused[TSV_CELLS + 1] = { NULL };
+  char names[MESSAGE];
+  int others = 0, not_carried = 0;
   if (r->tsv.fault)
     return tsv_at(&r->tsv, "%s", r->tsv.fault);
   if (!tsv_take_header(&r->tsv))
     return "out of memory";
   for (int i = 0; i < r->tsv.columns; i++) {
-    const char *wrong = read_column(r, i, extra);
+    const char *name = r->tsv.column[i], *wrong = read_column(r, i, parameters);
     if (wrong)
       return wrong;
-    r->others += !r->parameter[i];
-    if (!r->parameter[i] && is_free(r, r->tsv.column[i], columns)) {
-      r->carried[r->carries] = r->tsv.column[i];
+    others += !r->parameter[i];
+    if (!r->parameter[i] && is_free(r, name, columns)) {
+      r->carried[r->carries] = name;
       r->column[r->carries++] = i;
     } else if (!r->parameter[i])
-      add_name(unused, r->tsv.column[i], r->others - r->carries - 1);
+      unused[not_carried++] = *name ? name : "''";
   }
-  if (r->others == r->tsv.columns)
+  if (others == r->tsv.columns)
     return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs");
-  if (*unused && !quiet)
+  if (not_carried > 0 && !quiet)
     complain(r->command, "note: %s",
-             tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s", unused));
+             tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s",
+                    joined(names, sizeof names, unused, ", ")));
   return NULL;
 }
 
@@ -155,13 +131,20 @@ static double bytes_left(FILE *in)
 enum exit_code point_file_open(struct point_file *r, const char *name, const char *command, bool quiet,
                                const char *const *extra, const char *const *columns)
 {
+  const char *parameters[CRAWLER_NUMBERS + 8];
+  int count = 0;
+  for (const char *const *own = crawler_parameters; *own; own++)
+    parameters[count++] = *own;
+  while (*extra && count < CRAWLER_NUMBERS + 7)
+    parameters[count++] = *extra++;
+  parameters[count] = NULL;
   r->command = command;
   if (!tsv_open(&r->tsv, name, TSV_TABS)) {
     complain(command, "%s", tsv_error(&r->tsv));
     return EXIT_FILE;
   }
   bool found = tsv_next(&r->tsv);
-  const char *wrong = found ? read_columns(r, quiet, extra, columns) : tsv_error(&r->tsv);
+  const char *wrong = found ? read_columns(r, quiet, parameters, columns) : tsv_error(&r->tsv);
   if (wrong)
     complain(command, "%s", wrong);
   else if (!found)

@@ -13,7 +13,7 @@ struct point_file {
   int place[TSV_CELLS];               /* of it among the crawler's numbers                           */
   const char *carried[TSV_CELLS + 1]; /* names of columns that are no parameters and are carried along */
   int column[TSV_CELLS];              /* where these are                                               */
-  int carries, others;                /* how many, and how many are no parameters                      */
+  int carries;                        /* how many                                                      */
   const char *cell[TSV_CELLS];        /* of the current row: what is carried along                     */
   bool v0_may_be_nan;                 /* where none is given                                         */
   double bytes, read;                 /* of a regular file, else 0; those of the rows so far         */

@@ -20,22 +20,16 @@ static void discard(void *kept)
   flint_free(w);
 }
 
-static bool of_numbers(struct written *w, const struct scallop_gait *gait, const struct gait_source *source)
-{
-  fmpq *x = _fmpq_vec_init(source->count);
-  bool right = true;
-  for (int i = 0; i < source->count; i++)
-    right = right && scallop_rational_parse(x + i, source->number[i]);
-  right = right && scallop_exact_made(&w->exact, source->family, gait, x, source->count);
-  _fmpq_vec_clear(x, source->count);
-  return right;
-}
-
 static struct written *work_out(const struct scallop_gait *gait, const struct gait_source *source)
 {
   struct written *w = flint_malloc(sizeof *w);
+  fmpq *x = _fmpq_vec_init(source->count);
+  bool right = true;
   scallop_exact_init(&w->exact);
-  w->is_exact = of_numbers(w, gait, source);
+  for (int i = 0; i < source->count; i++)
+    right = right && scallop_rational_parse(x + i, source->number[i]);
+  w->is_exact = right && scallop_exact_made(&w->exact, source->family, gait, x, source->count);
+  _fmpq_vec_clear(x, source->count);
   return w;
 }
 
@@ -43,16 +37,16 @@ static struct written *work_out(const struct scallop_gait *gait, const struct ga
 static const struct written *written_of(const struct scallop_gait *gait)
 {
   static pthread_mutex_t by_one_thread = PTHREAD_MUTEX_INITIALIZER;
-  struct gait_source source;
-  if (!gait || !gait_source_of(gait, &source))
+  struct gait_source *source = gait ? gait_source_of(gait) : NULL;
+  if (!source)
     return NULL;
   pthread_mutex_lock(&by_one_thread);
-  if (!*source.kept) {
-    *source.kept = work_out(gait, &source);
-    *source.discard = discard;
+  if (!source->kept) {
+    source->kept = work_out(gait, source);
+    source->discard = discard;
   }
   pthread_mutex_unlock(&by_one_thread);
-  return *source.kept;
+  return source->kept;
 }
 
 const struct scallop_gait *written_gait(const struct scallop_gait *gait)
@@ -90,8 +84,8 @@ void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const str
       scallop_rational_parse(rational_field(exact, i), p->written[i]);
   if (v0)
     rational_number(v0, p->v0);
-  if (v0 && p->written_v0)
-    scallop_rational_parse(v0, p->written_v0);
+  if (v0 && p->written[PLACE_OF_V0])
+    scallop_rational_parse(v0, p->written[PLACE_OF_V0]);
 }
 
 char *decimal_text(const arb_t x, long digits) { return arb_get_str(x, digits, ARB_STR_NO_RADIUS); }

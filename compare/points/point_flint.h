@@ -12,6 +12,8 @@
  * l' is not exactly 0 at the ends, or changes its sign within a phase. */
 const struct scallop_gait *written_gait(const struct scallop_gait *gait);
 
+/* One of the crawler's numbers by its place (points/point.h) */
+fmpq *rational_field(struct scallop_rational_crawler *crawler, int place);
 /* Every parameter becomes the shortest decimal number that reads back as the double: what a person means by 0.7. The
  * gait is the written one. */
 void rational_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *crawler);

@@ -7,7 +7,6 @@
 #include <gsl/gsl_integration.h>
 
 #include "compare/answers/answer_flint.h"
-#include "compare/answers/stretches.h"
 
 enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */
 

@@ -100,7 +100,8 @@ static const struct scallop_gait *gait_of_row(const struct stress_options *o, co
   const struct point *p = &o->request.point;
   if (p->has_gait || f->gait)
     return i > 0 ? NULL : p->has_gait ? p->crawler.gait : gait_of_text(f->gait).gait;
-  const char *name = o->check ? gait_sample(i) : scallop_gait_name(i);
+  const struct scallop_gait_family *family = scallop_gait_family(i);
+  const char *name = !o->check ? scallop_gait_name(i) : family ? family->sample : NULL;
   return name ? gait_of_text(name).gait : NULL;
 }
 
@@ -295,8 +296,7 @@ enum exit_code stress_table(const struct stress_options *o)
                      .effort = o->full    ? &full
                                : o->check ? &quick
                                           : &usual,
-                     .most = 1,
-                     .progress = progress_begin(o->request.style.quiet) };
+                     .most = 1 };
   enum exit_code code = plan(&run);
   if (code == EXIT_DONE)
     code = run_rows(&run);

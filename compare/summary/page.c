@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/answers/stretches.h"
 #include "compare/summary/summary.h"
 
 enum { DIGITS = 6 };

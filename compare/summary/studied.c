@@ -61,7 +61,7 @@ struct study *study_of(struct at *at)
 /* The series that the quantity is about, beside the exact motion. False: there is none. */
 static bool compares(struct comparison *c, struct at *at, const struct quantity *q)
 {
-  const struct quantity *series = &at->asked->quantities.item[q->series];
+  const struct quantity *series = &at->asked->quantities.item[q->of];
   const struct scallop_formula *f = series->formula;
   const struct study *s = study_of(at);
   *c = (struct comparison){ .study = s, .tolerance = q->tolerance };
@@ -94,7 +94,7 @@ static double reach(struct at *at, const struct quantity *q)
   crawler_numbers(&crawler, wanted.crawler);
   wanted.gait = crawler.gait;
   wanted.of = q;
-  struct kept_reach *const *found = tfind(&wanted, &at->study->reaches, by_crawler);
+  struct kept_reach *const *found = at->study ? tfind(&wanted, &at->study->reaches, by_crawler) : NULL;
   if (found)
     return (*found)->T;
   wanted.T = compares(&c, at, q) ? comparison_reach(&c) : NAN;
@@ -153,7 +153,7 @@ static double number(struct at *at, const struct quantity *q)
   case STUDIED_VALUE: return compares(&c, at, q) ? value_of(&c, T) : NAN;
   case STUDIED_DEVIATION: return compares(&c, at, q) ? comparison_error(&c, T) : NAN;
   case STUDIED_ERROR_LIMIT: return compares(&c, at, q) ? comparison_limit(&c) : NAN;
-  case STUDIED_ORDER: return order_of(claim_of(at, at->asked->quantities.item[q->series].formula));
+  case STUDIED_ORDER: return order_of(claim_of(at, at->asked->quantities.item[q->of].formula));
   case STUDIED_EVENT_T: return first_event(at);
   default: return best(at, q->which == STUDIED_BEST_ORDER);
   }
@@ -173,7 +173,7 @@ static const char *reversals_text(char text[MOTION_WORDS], const struct events *
 static const char *text(struct at *at, const struct quantity *q)
 {
   if (q->which == STUDIED_VERDICT) {
-    const struct claim_row *c = claim_of(at, at->asked->quantities.item[q->series].formula);
+    const struct claim_row *c = claim_of(at, at->asked->quantities.item[q->of].formula);
     return c ? claim_verdict_text(c->verdict) : "-";
   }
   struct study *study = study_of(at);
@@ -185,7 +185,7 @@ static const char *text(struct at *at, const struct quantity *q)
   return e->count > 0 ? e->event[0].what : "-";
 }
 
-static const struct at_study_functions functions = { create, end, number, text };
+static const struct at_study_functions functions = { end, number, text };
 
 /* When it is loaded, or, where a program is linked with it, before main */
 static void __attribute__((constructor)) offer(void) { at_study = &functions; }

@@ -19,7 +19,10 @@ static int split(char *text, size_t size, char **arguments)
   return count;
 }
 
-static double no_value(void *context, const struct formula *formula) { return (void)context, (void)formula, 1; }
+static double no_value(void *context, const struct sweep_place *place, const struct formula *formula)
+{
+  return (void)context, (void)place, (void)formula, 1;
+}
 
 /* Lists and ranges: the first and the last point of each product, where no end is a formula */
 static void judge_sweep(const struct request *r, const char *text)
@@ -27,17 +30,16 @@ static void judge_sweep(const struct request *r, const char *text)
   struct scallop_complaint wrong;
   const struct sweep_variable *v;
   for (int i = 0; (v = sweep_variable(&r->sweep, i)); i++)
-    if (v->from.is_formula || v->to.is_formula || v->target > TARGET_V0)
+    if (v->from.is_formula || v->to.is_formula
+        || (v->target > TARGET_V0 && v->target != TARGET_GAIT && v->target != TARGET_PHASE))
       return;
   for (int p = 0; p < r->sweep.products; p++) {
     const struct sweep_product *product = &r->sweep.product[p];
-    struct sweep_cursor at = { .product = NULL };
-    struct sweep_place place = { .why = "" };
-    long index[2][SWEEP_GROUPS] = { { 0 } };
-    for (int g = 0; g < product->groups; g++)
-      index[1][g] = product->group[g].count - 1;
     for (int i = 0; i < 2; i++) {
-      sweep_move(&at, &place, &r->point, product, index[i], no_value, NULL);
+      struct sweep_place place;
+      sweep_place_set(&place, &r->point);
+      for (int g = 0; g < product->groups; g++)
+        sweep_step(&place, product, g, i == 0 ? 0 : product->group[g].count - 1, no_value, NULL);
       if (place.why[0] != '\0' || scallop_crawler_check(&place.point.crawler, &wrong) != SCALLOP_OK
           || !isfinite(place.point.v0))
         fuzz_fail("an end is no point (%s) in\n%s", place.why, text);

@@ -2,6 +2,7 @@
  * what is known of motions with them in closed form or by symmetry. */
 #include <float.h>
 
+#include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 #include "model/gaits.h"
 #include "model/law.h"
@@ -563,17 +564,18 @@ TEST(too_long_a_file)
 /* Comments, blank lines, a header, any blanks, CRLF; the period begins at the minimum. */
 TEST(a_good_file)
 {
-  double L, T, alpha, l, l_later;
+  double l, l_later;
   struct gait_answer a = measured_text(
       "# a comment\r\n\r\nt\tl\r\n 1 3\n2\t \t5\n# more\n3 2\n5 1\n6 2\n11 3.0000000001\n");
   if (!a.gait) {
     fail_msg("%s", a.wrong);
     return;
   }
-  assert_true(gait_has_own(a.gait, &L, &T, &alpha));
-  CHECK_EQUAL(L, 4);
-  CHECK_EQUAL(T, 10);
-  CHECK_EQUAL(alpha, 0.7); /* from t = 5 to t = 2, a period later */
+  const struct gait_file *file = gait_file_of(a.gait);
+  assert_non_null(file);
+  CHECK_EQUAL(file->L, 4);
+  CHECK_EQUAL(file->T, 10);
+  CHECK_EQUAL(file->alpha, 0.7); /* from t = 5 to t = 2, a period later */
   scallop_gait_at(a.gait, SCALLOP_EXTENSION, 1. / 7, &l, NULL, NULL);
   CHECK_NEAR(l, 0.25, 1e-15);
   scallop_gait_at(a.gait, SCALLOP_EXTENSION, 6. / 7, &l, NULL, NULL);
@@ -582,7 +584,7 @@ TEST(a_good_file)
   CHECK_NEAR(l_later, 0.25, 1e-15);
   assert_ptr_equal(gait_of_text(text).gait, a.gait);
   assert_string_equal(a.gait->name, text);
-  assert_false(gait_has_own(&scallop_gait_quadratic, &L, &T, &alpha));
+  assert_null(gait_file_of(&scallop_gait_quadratic));
 }
 
 TEST(texts)

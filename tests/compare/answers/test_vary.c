@@ -24,8 +24,12 @@ TEST(lists_and_ranges_of_options)
                 { "gait", "trapezoidal:0.1,0.2,sinusoidal", true },
                 { "gait", "constant:0.1,skewed:0.2", true },
                 { "phase", "extension,contraction", true } };
-  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-    assert_int_equal(vary_is_many(texts[i].name, texts[i].text), texts[i].many);
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    struct request one = { .point = point_initial(NULL) };
+    assert_null(vary_text(&one, texts[i].name, texts[i].text));
+    assert_int_equal(sweep_variable(&one.sweep, 0) != NULL, texts[i].many);
+    sweep_free(&one.sweep);
+  }
   assert_null(vary_text(&r, "T", "0.5,0.60"));
   assert_true(r.point.crawler.T == 1 && !r.point.written[5]); /* where T does not vary, behind --and */
   assert_null(vary_text(&r, "gait", "trapezoidal:0.1,0.2,sinusoidal"));
@@ -38,12 +42,13 @@ TEST(lists_and_ranges_of_options)
   assert_int_equal(sweep_points(&r.sweep), 30);
   assert_null(vary_text(&r, "gait", "constant:0.1,quadratic,skewed:0.2"));
   assert_int_equal(sweep_points(&r.sweep), 45);
-  vary_hold(&r, "gait");
-  vary_hold(&r, "gait");
+  assert_null(vary_text(&r, "gait", "quadratic"));
+  assert_null(vary_text(&r, "gait", "sinusoidal"));
   assert_int_equal(sweep_points(&r.sweep), 15);
-  struct sweep_cursor at = { .product = NULL };
-  struct sweep_place place = { .why = "" };
-  sweep_move(&at, &place, &r.point, r.sweep.product, (const long[]){ 1, 2 }, NULL, NULL);
+  struct sweep_place place;
+  sweep_place_set(&place, &r.point);
+  for (int g = 0; g < 2; g++)
+    sweep_step(&place, r.sweep.product, g, 1 + g, NULL, NULL);
   assert_true(place.point.v0 == 0 && place.point.crawler.T == 0.1);
   asked_free(r.asked);
   sweep_free(&r.sweep);
@@ -89,29 +94,28 @@ TEST(no_lists_and_ranges)
   sweep_free(&r.sweep);
 }
 
-/* What a group that stays has set is kept: as if each point were the first. */
-TEST(steps_are_those_of_single_moves)
+/* A copy is written as its origin was, in memory of its own, and so is a copy of the copy. */
+TEST(copies_stand_alone)
 {
   struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
-  long index[SWEEP_GROUPS] = { 0 };
-  struct sweep_cursor at = { .product = NULL };
-  struct sweep_place place = { .why = "" };
+  struct sweep_place place, copy[2];
   assert_null(vary_text(&r, "F2", "0.3:7:4"));
   assert_null(vary_text(&r, "alpha", "0.2,0.7"));
   assert_null(vary_text(&r, "T", "0.01:3:5:log"));
-  do {
-    struct sweep_cursor first = { .product = NULL };
-    struct sweep_place alone = { .why = "" }, copy;
-    sweep_move(&at, &place, &r.point, r.sweep.product, index, NULL, NULL);
-    sweep_move(&first, &alone, &r.point, r.sweep.product, index, NULL, NULL);
-    sweep_place_copy(&copy, &place);
-    assert_true(same_crawler(&copy.point.crawler, &alone.point.crawler));
-    for (int i = 0; i < CRAWLER_NUMBERS; i++) {
-      const char *written = copy.point.written[i], *other = alone.point.written[i];
-      assert_true(written == other || strcmp(written, other) == 0);
-      assert_true(written == place.point.written[i] ? written != place.written[i] : written == copy.written[i]);
-    }
-  } while (sweep_next(r.sweep.product, index));
+  sweep_place_set(&place, &r.point);
+  for (int g = 0; g < 3; g++)
+    sweep_step(&place, r.sweep.product, g, 1, NULL, NULL);
+  assert_string_equal(place.point.written[5], "0.0416179145029");
+  const struct point origin = place.point;
+  sweep_place_copy(&copy[0], &place);
+  sweep_step(&place, r.sweep.product, 2, 3, NULL, NULL);
+  sweep_place_copy(&copy[1], &copy[0]);
+  for (int i = 0; i < 2; i++) {
+    assert_true(same_crawler(&copy[i].point.crawler, &origin.crawler));
+    assert_string_equal(copy[i].point.written[3], "2.53333333333333");
+    assert_string_equal(copy[i].point.written[5], "0.0416179145029");
+    assert_true(copy[i].point.written[5] == copy[i].written[5] && copy[i].point.written[6] == origin.written[6]);
+  }
   asked_free(r.asked);
   sweep_free(&r.sweep);
 }

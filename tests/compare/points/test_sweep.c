@@ -15,11 +15,20 @@ static struct sweep_variable listed(const char *name, const char **texts, long c
   return v;
 }
 
-static double no_formula(void *context, const struct formula *formula)
+static double no_formula(void *context, const struct sweep_place *place, const struct formula *formula)
 {
-  (void)context, (void)formula;
+  (void)context, (void)place, (void)formula;
   fail();
   return NAN;
+}
+
+/* To value index[g] of each group g */
+static void move(struct sweep_place *place, const struct point *base, const struct sweep_product *product,
+                 const long *index)
+{
+  sweep_place_set(place, base);
+  for (int g = 0; g < product->groups; g++)
+    sweep_step(place, product, g, index[g], no_formula, NULL);
 }
 
 TEST(every_combination_the_first_slowest)
@@ -29,23 +38,17 @@ TEST(every_combination_the_first_slowest)
     .groups = 2, .group = { { 2, { listed("F1", F1, 2), listed("F2", F2, 2) }, 2 }, { 1, { listed("T", T, 3) }, 3 } }
   };
   struct sweep sweep = { 1, &product };
-  struct sweep_cursor at = { .product = NULL };
   struct sweep_place place = { .why = "" };
-  long index[SWEEP_GROUPS] = { 0 };
-  int points = 0;
-  bool more = true;
   assert_int_equal(sweep_points(&sweep), 6);
   assert_null(sweep_set_twice(&product));
-  for (; more; points++) {
+  for (int points = 0; points < 6; points++) {
     const struct point base = point_initial(NULL), *point = &place.point;
-    sweep_move(&at, &place, &base, &product, index, no_formula, NULL);
+    move(&place, &base, &product, (const long[]){ points / 3, points % 3 });
     assert_string_equal(place.why, "");
     assert_true(point->crawler.F1 == strtod(F1[points / 3], NULL) && point->crawler.F2 == strtod(F2[points / 3], NULL));
     assert_true(point->crawler.T == strtod(T[points % 3], NULL));
-    more = sweep_next(&product, index);
+    assert_int_equal(place.ends_group, points % 3 == 2);
   }
-  assert_int_equal(points, 6);
-  assert_int_equal(index[0] + index[1], 0);
 }
 
 /* Ratios and Froude numbers hold whatever is set after them. */
@@ -57,10 +60,9 @@ TEST(ratios_are_settled_last)
                                        { 2, { listed("froude", &froude, 1), listed("F1_over_F2", &ratio, 1) }, 1 },
                                        { 1, { listed("F2", &F2, 1) }, 1 } } };
   const struct point base = point_initial(NULL);
-  struct sweep_cursor at = { .product = NULL };
   struct sweep_place place = { .why = "" };
   const struct scallop_crawler *c = &place.point.crawler;
-  sweep_move(&at, &place, &base, &product, (const long[]){ 0, 0 }, no_formula, NULL);
+  move(&place, &base, &product, (const long[]){ 0, 0 });
   assert_string_equal(place.why, "");
   CHECK_RELATIVE(c->F1 / c->F2, 4.5, 1e-15);
   CHECK_RELATIVE((c->m1 + c->m2) * c->L / (c->F1 + c->F2) / (c->T * c->T), 3.25, 1e-14);
@@ -78,13 +80,12 @@ TEST(ranges_are_decimal)
     v.is_log = is_log == 1;
     struct sweep_product product = { .groups = 1, .group = { { 1, { v }, 5 } } };
     const struct point base = point_initial(NULL);
-    struct sweep_cursor at = { .product = NULL };
     struct sweep_place place = { .why = "" };
-    sweep_move(&at, &place, &base, &product, (const long[]){ 1 }, no_formula, NULL);
+    move(&place, &base, &product, (const long[]){ 1 });
     assert_string_equal(place.point.written[6], is_log ? "0.000999974999062" : "0.15");
-    sweep_move(&at, &place, &base, &product, (const long[]){ 0 }, no_formula, NULL);
+    move(&place, &base, &product, (const long[]){ 0 });
     assert_true(place.point.crawler.alpha == v.from.number);
-    sweep_move(&at, &place, &base, &product, (const long[]){ 4 }, no_formula, NULL);
+    move(&place, &base, &product, (const long[]){ 4 });
     assert_true(place.point.crawler.alpha == v.to.number && place.ends_group);
   }
 }
@@ -95,11 +96,10 @@ TEST(what_is_not_allowed_is_said)
   struct sweep_variable v = listed("alpha", alpha, 2);
   struct sweep_product product = { .groups = 1, .group = { { 1, { v }, 2 } } };
   struct point point = point_initial(NULL);
-  struct sweep_cursor at = { .product = NULL };
   struct sweep_place place = { .why = "" };
   assert_null(sweep_wrong(&v, &point, "0.5"));
   assert_non_null(strstr(sweep_wrong(&v, &point, "1.0"), "'1.0' is not allowed"));
-  sweep_move(&at, &place, &point, &product, (const long[]){ 1 }, no_formula, NULL);
+  move(&place, &point, &product, (const long[]){ 1 });
   assert_non_null(strstr(place.why, "alpha: '1.0' is not allowed"));
   assert_true(place.point.crawler.alpha == point.crawler.alpha);
   assert_false(sweep_variable_of_name(&v, "F3"));
