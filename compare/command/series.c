@@ -204,7 +204,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   const struct flint_part *flint = flint_for("series", o->symbolic ? "--symbolic"
                                                        : o->bound  ? "--bound"
                                                                    : "--source derived or limit");
-  return !flint ? EXIT_UNSOLVED : o->symbolic ? flint->series_symbolic(o) : flint->series_derived(o);
+  return flint ? flint->series_report(o) : EXIT_UNSOLVED;
 }
 
 const struct command command_series = {
