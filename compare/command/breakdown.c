@@ -5,11 +5,9 @@
 #include "compare/answers/vary.h"
 #include "compare/breakdown/breakdown.h"
 #include "compare/command/commands.h"
-#include "compare/points/defaults.h"
 
 #define RANGE "0.01:100:41:log"
 #define RANGE_OF_ALPHA "0.01:0.99:41:linear"
-#define RANGES RANGE "; of alpha " RANGE_OF_ALPHA
 /* What an axis may be, as maps and as scenes call it, and what varies where nothing is said */
 static const struct {
   const char *name, *variable, *range;
@@ -24,29 +22,22 @@ static const char *const quantities[] = { "v_start", "v_mid", "displacement", "m
                                           "v_end",   "dx1",   "dx2",          "dxC",           NULL };
 static const char *const kinds[] = { "event", "reversal", "reach", "radius", "best", NULL };
 static const struct option options_of_breakdown[] = {
-  OPTIONS_TO_L(NULL),
-  OPTIONS_ALPHA_GAIT(NULL, NULL),
-  OPTION_PHASE("with --v0 %s, else the steady state"),
-  OPTION_V0("with --phase %s"),
-  OPTION_WORD("source", "SOURCE", "these series only: book, published, derived or limit", "all", breakdown_options,
-              source, sources),
-  OPTION_BOOK("the formulas of this book too: series are called by their names"),
-  OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, breakdown_options, order, 1, 1000),
-  OPTION_WORD("quantity", "NAME", "this quantity only", "all; with --map displacement", breakdown_options, quantity,
-              quantities),
-  OPTION_NUMBER("tol", "D", "for this relative error only",
-                TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES), breakdown_options,
-                tolerance, FROM_TO(1e-20, DBL_MAX, "a number from 1e-20 on")), /* errors are known to some 1e-32 */
-  OPTION_FLAG("all", "a table of all that is known, instead of a page about events and reach", breakdown_options, all),
-  OPTION_WORD("only", "WHAT", "rows of this kind only: event, reversal, reach, radius or best", "all",
-              breakdown_options, only, kinds),
-  OPTION_TEXT("map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", NULL, breakdown_options, map,
-              "the name of what varies"),
-  OPTION_TEXT("x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", RANGES,
-              breakdown_options, range[0], "FROM:TO:COUNT"),
-  OPTION_TEXT("y", "FROM:TO:N", "N values of Y", RANGES, breakdown_options, range[1], "FROM:TO:COUNT"),
-  OPTION_T("with --map %s"),
-  OPTION_FLAG("boundaries", "with --map: the boundaries between its regions instead", breakdown_options, boundaries),
+  OPTIONS_TO_L,
+  OPTIONS_ALPHA_GAIT,
+  OPTIONS_PHASE,
+  OPTION_WORD("source", breakdown_options, source, sources),
+  OPTION_BOOK,
+  OPTION_COUNT("order", breakdown_options, order, 1, 1000),
+  OPTION_WORD("quantity", breakdown_options, quantity, quantities),
+  OPTION_NUMBER("tol", breakdown_options, tolerance,
+                FROM_TO(1e-20, DBL_MAX, "a number from 1e-20 on")), /* errors are known to some 1e-32 */
+  OPTION_FLAG("all", breakdown_options, all),
+  OPTION_WORD("only", breakdown_options, only, kinds),
+  OPTION("map", read_text, OPTION_FIELD(breakdown_options, map), .values = 2, .allowed = "the name of what varies"),
+  OPTION_TEXT("x", breakdown_options, range[0], "FROM:TO:COUNT"),
+  OPTION_TEXT("y", breakdown_options, range[1], "FROM:TO:COUNT"),
+  OPTION_T,
+  OPTION_FLAG("boundaries", breakdown_options, boundaries),
   OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
@@ -162,8 +153,6 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 
 const struct command command_breakdown = {
   .name = "breakdown",
-  .summary = "where the expansion stops being valid: how far each series holds, what ends it, and maps",
-  .example = "scallop breakdown --F1 10 --only event",
   .options = options_of_breakdown,
   .rules = rules,
   .size = sizeof(struct breakdown_options),

@@ -6,15 +6,9 @@
 #include "compare/command/want.h"
 #include "compare/text/shipped.h"
 
-#define OF_SCENE "that of the figure's scene"
-
 static const struct option options_of_figure[] = {
-  OPTIONS_CRAWLER(OF_SCENE, OF_SCENE),
-  OPTION_STATS,
-  OPTION_FORMAT(OF_SCENE),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, OF_SCENE, DOUBLE_DIGITS),
-  OPTIONS_PLOT,
-  OPTIONS_LAST,
+  OPTIONS_CRAWLER, OPTION_STATS, OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS),
+  OPTIONS_PLOT,    OPTIONS_LAST,
 };
 
 /* Are columns named? Then they are drawn, else the figure as it is in the paper. */
@@ -41,8 +35,6 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 
 const struct command command_figure = {
   .name = "figure",
-  .summary = "the table behind a figure of the paper: 2, 3, 4 or 5",
-  .example = "scallop figure 4 -o figure4.tsv",
   .operand = "2|3|4|5",
   .options = options_of_figure,
   .size = sizeof(struct scene_options),

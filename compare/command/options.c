@@ -18,12 +18,10 @@ const struct option *option_of(const struct command *command, const char *name)
   return o->name ? o : NULL;
 }
 
-int option_values(const struct option *option)
+int option_values(const struct option *o)
 {
-  int count = option->argument ? 1 : 0;
-  for (const char *p = option->argument; p && *p; p++)
-    count += *p == ' ';
-  return count;
+  bool is_flag = o->read == read_flag || o->read == read_product;
+  return is_flag ? 0 : o->values > 0 ? o->values : 1;
 }
 
 bool takes_operands(const struct command *command)
@@ -99,7 +97,7 @@ const char *option_unknown(const struct arguments *a, const char *name, const ch
 
 const char *option_take(struct arguments *a, const struct option *o, const char *text)
 {
-  const char *wrong = o->kind->read(&a->options, o, text);
+  const char *wrong = o->read(&a->options, o, text);
   const char *instead = wrong && text ? removed_option(a->command->name, o->name, text) : NULL;
   a->given |= 1UL << (o - a->command->options);
   if (instead)
@@ -119,8 +117,8 @@ static bool read_values(struct arguments *a, const struct option *o, const char 
   for (int i = 0; i < (values == 0 ? 1 : values); i++) {
     bool is_here = values == 0 || (i == 0 && text);
     if (!is_here && a->place + 1 == a->count)
-      return complain(command, "--%s needs %s: --%s %s", o->name, i == 0 ? "a value" : "two values", o->name,
-                      o->argument);
+      return complain(command, "--%s needs %s (see scallop %s --help)", o->name, i == 0 ? "a value" : "two values",
+                      command);
     const char *wrong = option_take(a, o, is_here ? text : a->all[++a->place]);
     if (wrong)
       return complain(command, "%s", wrong);
@@ -169,10 +167,9 @@ static enum reading read_all(struct arguments *a)
 /* Is the option in a list of names, or of NAME=VALUE with the value that it has? */
 static bool is_listed(const struct arguments *a, const struct option *o, const char *names)
 {
-  char value[OPTION_VALUE] = "", both[2 * OPTION_VALUE];
-  if (o->kind->show)
-    o->kind->show(&a->options, o, value);
-  snprintf(both, sizeof both, "%s=%s", o->name, value);
+  char both[2 * OPTION_VALUE];
+  const struct given_word *word = o->read == read_word ? (const void *)((const char *)&a->options + o->field) : NULL;
+  snprintf(both, sizeof both, "%s=%s", o->name, word && word->value ? word->value : "");
   for (size_t length; *names; names += length + (names[length] == ' ')) {
     length = strcspn(names, " ");
     if (strncmp(names, both, length) == 0 && (length == strlen(o->name) || length == strlen(both)))

@@ -1,8 +1,8 @@
 /* The arguments of the command line. A command's options are a struct of its own that begins with struct request
- * (answers/request.h), and a row for each: its name, what it takes, what --help says of it, what holds where it is not
- * given, how it is read, and which field it sets. A new option is a field and a row. One that leaves is a row of
- * removed[] in options.c for a version: {"NAME" or "NAME VALUE", its command or NULL for all, what to use instead}. An
- * option or a value that a command still has is found before that row. */
+ * (answers/request.h), and a row for each: its name, how it is read, and which field it sets. What it takes, what it is
+ * for and what holds where it is not given stands in docs/help/COMMAND.txt. A new option is a field, a row and a line
+ * there. One that leaves is a row of removed[] in options.c for a version: {"NAME" or "NAME VALUE", its command or NULL
+ * for all, what to use instead}. An option or a value that a command still has is found before that row. */
 #ifndef SCALLOP_COMPARE_COMMAND_OPTIONS_H
 #define SCALLOP_COMPARE_COMMAND_OPTIONS_H
 
@@ -13,46 +13,33 @@
 #include "compare/answers/rows.h"
 #include "compare/text/values.h"
 
-/* The text of what a macro stands for, so that --help tells the numbers that are used */
-#define TEXT_OF(...) TEXT_OF_WRITTEN(__VA_ARGS__)
-#define TEXT_OF_WRITTEN(...) #__VA_ARGS__
-
 /* --digits: of doubles, and where they are proven. */
 enum { DOUBLE_DIGITS = 17, MOST_DIGITS = 10000, OPTION_VALUE = 48 };
 
+/* How the value of an option is read. Called for each of its values, with the text of it. Returns NULL, or what is
+ * wrong; the message lives until the next call. */
 struct option;
-
-/* How options of one kind are read. */
-struct option_kind {
-  /* Called for each of the values, with the text of it. Returns NULL, or what is wrong; the message lives until the
-   * next call. */
-  const char *(*read)(void *options, const struct option *option, const char *text);
-  /* The value that the options hold, "" where there is none; NULL: one of this kind has none unless it is given. */
-  void (*show)(const void *options, const struct option *option, char text[OPTION_VALUE]);
-};
-extern const struct option_kind
-    parameter_option,             /* of the point, or what varies, by its name                              */
-    product_option,               /* begins another product of what varies                                  */
-    flag_option,                  /* bool                                                                   */
-    number_option,                /* struct given_number, from least to most                                */
-    count_option,                 /* struct given_count, likewise                                           */
-    word_option,                  /* struct given_word, one of words                                        */
-    text_option,                  /* const char *, one for each value, not empty: allowed says what it is   */
-    format_option, output_option, /* of the style                                                           */
-    digits_option,                /* likewise, from 1 to most                                               */
-    plot_option,                  /* likewise, of its plot, by its name                                     */
-    columns_option;               /* likewise: which columns                                                */
+typedef const char *option_reader(void *options, const struct option *option, const char *text);
+option_reader read_parameter, /* of the point, or what varies, by its name                              */
+    read_product,             /* begins another product of what varies                                  */
+    read_flag,                /* bool                                                                   */
+    read_real,                /* struct given_number, from least to most                                */
+    read_whole,               /* struct given_count, likewise                                           */
+    read_word,                /* struct given_word, one of words                                        */
+    read_text,                /* const char *, one for each value, not empty: allowed says what it is   */
+    read_format, read_output, /* of the style                                                           */
+    read_digits,              /* likewise, from 1 to most                                               */
+    read_plot,                /* likewise, of its plot, by its name                                     */
+    read_choice;              /* likewise: which columns                                                */
 
 struct option {
-  const char *name;     /* without the dashes                                                                       */
-  const char *argument; /* one word for each value it takes, separated by blanks; NULL: a flag                      */
-  const char *help;
-  const char *otherwise; /* what holds where it is not given, in which %s stands for the value; NULL: that value     */
-  const struct option_kind *kind;
-  size_t field; /* in the struct of the command                                                             */
+  const char *name; /* without the dashes */
+  option_reader *read;
+  size_t field; /* in the struct of the command */
   double least, most;
   const char *const *words; /* NULL-terminated */
   const char *allowed;
+  int values;       /* how many it takes where it is more than one */
   const char *also; /* what else it may be called by who does not know its name: "did you mean"; or NULL */
 };
 
@@ -68,93 +55,53 @@ struct option_rule {
 };
 
 /* Rows that many commands have. */
-#define OPTION(...) \
+#define OPTION(named, reader, ...) \
   { \
-    __VA_ARGS__ \
+    .name = named, .read = reader, __VA_ARGS__ \
   }
 #define OPTION_FIELD(type, member) .field = offsetof(struct type, member)
-#define OPTION_POINT(name, argument, help, otherwise) OPTION(name, argument, help, otherwise, .kind = &parameter_option)
-#define OPTION_NUMBER_OF(name, argument, also_called, help, otherwise) \
-  OPTION(name, argument, help, otherwise, .kind = &parameter_option, .also = also_called)
-#define OPTIONS_TO_L(numbers) \
-  OPTION_NUMBER_OF("m1", "M", "mass1", "mass of body 1", numbers), \
-      OPTION_NUMBER_OF("m2", "M", "mass2", "mass of body 2", numbers), \
-      OPTION_NUMBER_OF("F1", "F", "friction1", "Coulomb friction force of body 1", numbers), \
-      OPTION_NUMBER_OF("F2", "F", "friction2", "Coulomb friction force of body 2", numbers), \
-      OPTION_NUMBER_OF("L", "L", "stroke", "amplitude of the separation x2 - x1", numbers)
-#define OPTION_T(otherwise) OPTION_NUMBER_OF("T", "T", "period", "period", otherwise)
-#define OPTIONS_ALPHA_GAIT(numbers, gait) \
-  OPTION_POINT("alpha", "A", "fraction of the period that the extension takes", numbers), \
-      OPTION_POINT("gait", "GAIT", "one of the gaits above", gait)
-#define OPTIONS_CRAWLER(numbers, gait) OPTIONS_TO_L(numbers), OPTION_T(numbers), OPTIONS_ALPHA_GAIT(numbers, gait)
-#define OPTION_PHASE(otherwise) OPTION_POINT("phase", "PHASE", "extension or contraction", otherwise)
-#define OPTION_V0(otherwise) OPTION_POINT("v0", "V", "velocity of both bodies at the start of the phase", otherwise)
-#define OPTION_FLAG(name, help, type, member) \
-  OPTION(name, NULL, help, NULL, .kind = &flag_option, OPTION_FIELD(type, member))
-#define OPTION_TEXT(name, argument, help, otherwise, type, member, text) \
-  OPTION(name, argument, help, otherwise, .kind = &text_option, OPTION_FIELD(type, member), .allowed = text)
-#define OPTION_WORD(name, argument, help, otherwise, type, member, list) \
-  OPTION(name, argument, help, otherwise, .kind = &word_option, OPTION_FIELD(type, member), .words = list)
-#define OPTION_COUNT(name, argument, help, otherwise, type, member, low, high) \
-  OPTION(name, argument, help, otherwise, .kind = &count_option, OPTION_FIELD(type, member), .least = low, .most = high)
-#define OPTION_NUMBER(name, argument, help, otherwise, type, member, ...) \
-  OPTION(name, argument, help, otherwise, .kind = &number_option, OPTION_FIELD(type, member), __VA_ARGS__)
-#define FROM_TO(low, high, text) .least = low, .most = high, .allowed = text
+#define OPTION_POINT(name) OPTION(name, read_parameter, )
+#define OPTIONS_TO_L \
+  OPTION("m1", read_parameter, .also = "mass1"), OPTION("m2", read_parameter, .also = "mass2"), \
+      OPTION("F1", read_parameter, .also = "friction1"), OPTION("F2", read_parameter, .also = "friction2"), \
+      OPTION("L", read_parameter, .also = "stroke")
+#define OPTION_T OPTION("T", read_parameter, .also = "period")
+#define OPTIONS_ALPHA_GAIT OPTION_POINT("alpha"), OPTION_POINT("gait")
+#define OPTIONS_CRAWLER OPTIONS_TO_L, OPTION_T, OPTIONS_ALPHA_GAIT
+#define OPTIONS_PHASE OPTION_POINT("phase"), OPTION_POINT("v0")
+#define OPTIONS_VARY \
+  OPTION_POINT("F1_over_F2"), OPTION_POINT("m1_over_m2"), OPTION_POINT("froude"), OPTION_POINT("label"), \
+      OPTION("and", read_product, )
+#define OPTION_FLAG(name, type, member) OPTION(name, read_flag, OPTION_FIELD(type, member))
+#define OPTION_TEXT(name, type, member, what) OPTION(name, read_text, OPTION_FIELD(type, member), .allowed = what)
+#define OPTION_WORD(name, type, member, list) OPTION(name, read_word, OPTION_FIELD(type, member), .words = list)
+#define OPTION_COUNT(name, type, member, low, high) \
+  OPTION(name, read_whole, OPTION_FIELD(type, member), .least = low, .most = high)
+#define OPTION_NUMBER(name, type, member, ...) OPTION(name, read_real, OPTION_FIELD(type, member), __VA_ARGS__)
+#define FROM_TO(low, high, what) .least = low, .most = high, .allowed = what
 #define FINITE FROM_TO(-DBL_MAX, DBL_MAX, "a finite number")
 #define POSITIVE FROM_TO(DBL_TRUE_MIN, DBL_MAX, "a finite number > 0")
-#define OPTIONS_VARY \
-  OPTION_POINT("F1_over_F2", "X", "F1 = X F2", NULL), OPTION_POINT("m1_over_m2", "X", "m1 = X m2", NULL), \
-      OPTION_POINT("froude", "X", "the Froude number, which sets T when all else is set", NULL), \
-      OPTION_POINT("label", "NAME=TEXT,...", "a column of texts, each for a block of rows", NULL), \
-      OPTION("and", NULL, "what varies from here on follows as rows of their own", NULL, .kind = &product_option)
-#define OPTIONS_ERRORS(otherwise) \
-  OPTION_NUMBER("accuracy", "D", \
-                "errors of series below this part of the exact value are 0; below 1e-10 they are " \
-                "errors against certified values", \
-                otherwise, request, accuracy, FROM_TO(1e-300, 0.999, "a number between 1e-300 and 1")), \
-      OPTION_WORD("reference", "WHICH", "what errors of series are against: exact (in doubles) or certified", \
-                  "by the accuracy", request, reference, reference_words)
+#define OPTIONS_ERRORS \
+  OPTION_NUMBER("accuracy", request, accuracy, FROM_TO(1e-300, 0.999, "a number between 1e-300 and 1")), \
+      OPTION_WORD("reference", request, reference, reference_words)
 extern const char *const reference_words[];
-#define OPTION_POINTS \
-  OPTION_TEXT( \
-      "points", "FILE", \
-      "points from a TSV file ('-': standard input) whose header names parameters; other columns are carried along", \
-      NULL, request, points, "a file name")
-#define OPTION_BOOK(help) OPTION_TEXT("book", "FILE", help, NULL, request, book, "a file name")
-#define OPTION_FORMAT(otherwise) \
-  OPTION("format", "F", "tsv, json (one object a line), csv, markdown or table (aligned, of 6 digits)", otherwise, \
-         .kind = &format_option)
-#define OPTION_DIGITS(range, otherwise, high) \
-  OPTION("digits", "N", "significant digits " range, otherwise, .kind = &digits_option, .most = high, .allowed = range)
-#define READ_BACK "as many as read back exactly"
+#define OPTION_POINTS OPTION_TEXT("points", request, points, "a file name")
+#define OPTION_BOOK OPTION_TEXT("book", request, book, "a file name")
+#define OPTION_FORMAT OPTION("format", read_format, )
+#define OPTION_DIGITS(range, high) OPTION("digits", read_digits, .most = high, .allowed = range)
 #define DIGITS_OF_DOUBLES "from 1 to 17"
 #define DIGITS_PROVEN(where) DIGITS_OF_DOUBLES "; " where " to 10000"
-#define OPTION_OUTPUT(otherwise) \
-  OPTION("output", "FILE", "write there when all is done ('-': to standard output, as without it); also -o", \
-         otherwise, .kind = &output_option)
-#define OPTION_PLOT(name, argument, help, otherwise) OPTION(name, argument, help, otherwise, .kind = &plot_option)
+#define OPTION_OUTPUT OPTION("output", read_output, )
+#define OPTION_PLOT(name) OPTION(name, read_plot, )
 #define OPTIONS_PLOT \
-  OPTION_PLOT("plot", "FILE", "draw the table: FILE ends in .svg, .png or .pdf (needs gnuplot)", NULL), \
-      OPTION_PLOT("plot-x", "NAME", "the column along x", "what varies"), \
-      OPTION_PLOT("plot-y", "NAME,...", "the columns that are drawn; of a map: what its colours show", \
-                  "those of the table's kind"), \
-      OPTION_PLOT("plot-by", "NAME,...", "a curve for each combination of values in these columns", \
-                  "what else varies"), \
-      OPTION_PLOT("plot-x-range", "FROM:TO", "the ends of the x axis, with :log or :linear", "those of the table"), \
-      OPTION_PLOT("plot-y-range", "FROM:TO", "the ends of the y axis, with :log or :linear", "those of the table"), \
-      OPTION_PLOT("plot-title", "TEXT", "the title of the picture", "the parameters that hold"), \
-      OPTION_PLOT("plot-size", "WxH", "width and height in pixels, from 200 to 10000", \
-                  "800x500, more where there is more to show")
-#define OPTION_STATS OPTION_FLAG("stats", "afterwards, on standard error, what was computed, as counts", request, stats)
-#define OPTION_QUIET OPTION_FLAG("quiet", "no notes on standard error, only errors", request, style.quiet)
+  OPTION_PLOT("plot"), OPTION_PLOT("plot-x"), OPTION_PLOT("plot-y"), OPTION_PLOT("plot-by"), \
+      OPTION_PLOT("plot-x-range"), OPTION_PLOT("plot-y-range"), OPTION_PLOT("plot-title"), OPTION_PLOT("plot-size")
+#define OPTION_STATS OPTION_FLAG("stats", request, stats)
+#define OPTION_QUIET OPTION_FLAG("quiet", request, style.quiet)
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
-#define NO_MORE_OPTIONS OPTION(.name = NULL)
-#define OPTION_COLUMNS \
-  OPTION("columns", "LIST", "only these columns, in this order, and new ones: a,b,\"c = F1/F2\"", "all", \
-         .kind = &columns_option)
-#define OPTIONS_LAST OPTION_COLUMNS, OPTION_OUTPUT(NULL), OPTION_QUIET, NO_MORE_OPTIONS
-#define OPTIONS_OF_DOUBLES \
-  OPTION_FORMAT("tsv"), OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS), OPTIONS_LAST
+#define NO_MORE_OPTIONS OPTION(NULL, NULL, )
+#define OPTIONS_LAST OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTIONS_OF_DOUBLES OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS), OPTIONS_LAST
 
 /* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr.
  * range: DIGITS_PROVEN. */
@@ -162,11 +109,9 @@ bool digits_hold(const struct style *style, bool proven, const char *range);
 
 struct arguments;
 
-/* One command: `scallop NAME`. What its columns mean is docs/help/NAME.txt, for --help. */
+/* One command: `scallop NAME`. What --help prints is docs/help/NAME.txt. */
 struct command {
   const char *name;
-  const char *summary;             /* one line                                                                  */
-  const char *example;             /* what `--help` shows first                                                 */
   const char *operand;             /* "FILE", or NULL if there is none; "FILE..." where it takes more than one  */
   const struct option *options;    /* the last without a name                                                   */
   const struct option_rule *rules; /* the last without names; NULL: there are none                               */

@@ -11,20 +11,15 @@
 #include "compare/text/plot.h"
 #include "compare/text/shipped.h"
 
-#define OF_SCENE "that of the scene"
-#define DIGITS DIGITS_PROVEN("where a scene has certified values")
-
 static const struct option options_of_run[] = {
-  OPTIONS_CRAWLER(OF_SCENE, OF_SCENE),
-  OPTION_FLAG("check-only", "read and check the scenes, and do nothing", scene_options, check_only),
+  OPTIONS_CRAWLER,
+  OPTION_FLAG("check-only", scene_options, check_only),
   OPTION_STATS,
-  OPTION_FLAG("no-plots", "tables only", scene_options, no_plots),
-  OPTION_TEXT("into", "FOLDER",
-              "the folder for all files that scenes name; a name that may lead out of it, /x or ../x, is refused",
-              "the current one", scene_options, folder, "a file name"),
-  OPTION_OUTPUT("the files that the scenes name"),
-  OPTION_FORMAT(OF_SCENE),
-  OPTION_DIGITS(DIGITS, OF_SCENE, MOST_DIGITS),
+  OPTION_FLAG("no-plots", scene_options, no_plots),
+  OPTION_TEXT("into", scene_options, folder, "a file name"),
+  OPTION_OUTPUT,
+  OPTION_FORMAT,
+  OPTION_DIGITS(DIGITS_PROVEN("where a scene has certified values"), MOST_DIGITS),
   OPTION_QUIET,
   NO_MORE_OPTIONS,
 };
@@ -256,8 +251,6 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 
 const struct command command_run = {
   .name = "run",
-  .summary = "what a scene asks for and nothing else",
-  .example = "scallop run figure5 --stats",
   .operand = "SCENE.cfg...",
   .options = options_of_run,
   .rules = rules,

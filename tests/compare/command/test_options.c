@@ -7,8 +7,8 @@ struct some_options {
   const char *map[2];
 };
 static const struct option options[] = {
-  OPTION_T(NULL),
-  OPTION_TEXT("map", "X Y", "a map", NULL, some_options, map, "a name"),
+  OPTION_T,
+  OPTION("map", read_text, OPTION_FIELD(some_options, map), .values = 2, .allowed = "a name"),
   OPTION_QUIET,
   NO_MORE_OPTIONS,
 };
