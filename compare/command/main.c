@@ -124,16 +124,14 @@ int main(int count, char **arguments)
     return answer(arguments[1], arguments[2]);
   struct arguments read;
   enum exit_code code;
-  enum reading reading = options_read(&read, command, commands, count, arguments, &code);
+  enum reading reading = options_read(&read, command, count, arguments, &code);
   if (reading == READ_HELP) {
     help_of(stdout, command);
     code = flushed();
   } else if (reading == READ_RUN) {
     point_tell_noise(&read.options.request.point, &read.options.request.style);
     progress_begin(read.options.request.style.quiet);
-    code = options_book(&read);
-    if (code == EXIT_DONE)
-      code = options_judge(&read, command_make(&read));
+    code = options_judge(&read, command_make(&read));
     if (read.options.request.stats)
       counts_print();
   }

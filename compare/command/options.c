@@ -1,4 +1,4 @@
-#include "compare/command/options.h"
+#include "compare/command/commands.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -74,7 +74,7 @@ const char *option_unknown(const struct arguments *a, const char *name, const ch
   const char *names[MOST + 2] = { NULL }, *command = a->command->name;
   int count = 0;
   const char *instead = removed_option(command, name, NULL);
-  for (const struct command *const *c = a->commands; *c && !instead; c++)
+  for (const struct command *const *c = commands; *c && !instead; c++)
     if (option_of(*c, name)) {
       snprintf(message, sizeof message, "this command does not take the option '%s' (see scallop %s --help)", argument,
                command);
@@ -245,13 +245,12 @@ void options_initial(struct arguments *a, const struct command *command)
                         .point = point_initial(command->defaults) };
 }
 
-enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
-                          int count, char **all, enum exit_code *code)
+enum reading options_read(struct arguments *a, const struct command *command, int count, char **all,
+                          enum exit_code *code)
 {
   options_initial(a, command);
   a->all = all;
   a->count = count;
-  a->commands = commands;
   a->operands = calloc((size_t)count, sizeof *a->operands);
   a->options.request.asked = asked_nothing(command->name);
   *code = EXIT_UNSOLVED;
@@ -276,10 +275,13 @@ bool command_has_rows(const struct command *c, const void *options)
 enum exit_code command_make(const struct arguments *a)
 {
   const struct request *request = &a->options.request;
+  const char *book = request->book;
+  enum exit_code code = book ? book_read(a->command->name, book, NULL, quantity_is_other) : EXIT_DONE;
+  if (code != EXIT_DONE)
+    return code;
   if (!command_has_rows(a->command, request))
     return a->command->run(a, request);
   struct rows rows = { .request = request, .sheet.asked = request->asked };
-  enum exit_code code = EXIT_UNSOLVED;
   const char *wrong = a->command->plan(request, &rows);
   if (wrong) {
     if (*wrong)
@@ -295,12 +297,6 @@ enum exit_code options_judge(const struct arguments *a, enum exit_code code)
 {
   const struct table_choice *choice = a->options.request.style.choice;
   return plot_refused() || (choice && choice->refused) ? EXIT_USAGE : code;
-}
-
-enum exit_code options_book(const struct arguments *a)
-{
-  const char *book = a->options.request.book;
-  return book ? book_read(a->command->name, book, NULL, quantity_is_other) : EXIT_DONE;
 }
 
 void options_free(struct arguments *a)

@@ -135,9 +135,8 @@ struct command {
 
 struct arguments {
   const struct command *command;
-  const struct command *const *commands; /* all of them */
-  char **all;                            /* of the program, NULL-terminated */
-  int count, place;                      /* how many those are, and the one that is being read */
+  char **all;       /* of the program, NULL-terminated */
+  int count, place; /* how many those are, and the one that is being read */
   const char **operands;
   int operand_count;
   unsigned long given; /* a bit for each row of the options, in their order */
@@ -151,7 +150,7 @@ struct arguments {
 
 /* Has it a row for each point? */
 bool command_has_rows(const struct command *command, const void *options);
-/* Makes the table that the options ask for. */
+/* Makes the table that the options ask for, once the book that they name is read. */
 enum exit_code command_make(const struct arguments *arguments);
 
 /* Takes one more value of an option of the command. NULL, or what is wrong, until the next call. */
@@ -175,13 +174,10 @@ bool takes_operands(const struct command *command);
 void options_initial(struct arguments *arguments, const struct command *command);
 
 enum reading { READ_RUN, READ_HELP, READ_REFUSED };
-/* Reads all[2], ... : the arguments behind the command's name. commands: all of them, to tell options of others from
- * those of none. READ_REFUSED: *code is the exit code, and the message is on stderr. Whichever it is, options_free ends
- * it. */
-enum reading options_read(struct arguments *arguments, const struct command *command,
-                          const struct command *const *commands, int count, char **all, enum exit_code *code);
-/* Reads the book that the options name, if they do: the exit code, the message being on stderr. */
-enum exit_code options_book(const struct arguments *arguments);
+/* Reads all[2], ... : the arguments behind the command's name. READ_REFUSED: *code is the exit code, and the message is
+ * on stderr. Whichever it is, options_free ends it. */
+enum reading options_read(struct arguments *arguments, const struct command *command, int count, char **all,
+                          enum exit_code *code);
 /* The exit code of a command that ended with code: EXIT_USAGE where --columns named what its table has not. */
 enum exit_code options_judge(const struct arguments *arguments, enum exit_code code);
 void options_free(struct arguments *arguments);

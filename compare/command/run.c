@@ -134,8 +134,7 @@ static enum exit_code run_commands(struct running *r)
   for (int i = 0; i < r->scene.wants && code != EXIT_FILE; i++)
     if (!r->want[i].has_rows) {
       count_add(COUNT_COMMANDS, 1);
-      enum exit_code one = options_book(&r->want[i].arguments);
-      code = worse(code, one != EXIT_DONE ? one : command_make(&r->want[i].arguments));
+      code = worse(code, command_make(&r->want[i].arguments));
     }
   return code;
 }
@@ -211,7 +210,8 @@ static enum exit_code run_all(struct running *all, int count, const struct scene
   return code;
 }
 
-enum exit_code run_scenes(const struct scene_options *o, const struct scene_source *sources, int count)
+/* Reads all scenes, and only then runs them. */
+static enum exit_code run_scenes(const struct scene_options *o, const struct scene_source *sources, int count)
 {
   struct running *all = calloc((size_t)count, sizeof *all);
   enum exit_code code = EXIT_DONE;
@@ -232,7 +232,6 @@ enum exit_code run_scenes(const struct scene_options *o, const struct scene_sour
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  struct scene_options with_commands = *(const struct scene_options *)options;
   struct scene_source *sources = calloc((size_t)arguments->operand_count, sizeof *sources);
   if (!sources) {
     complain("run", "out of memory");
@@ -243,8 +242,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     sources[i] = (struct scene_source){ .path = strcmp(operand, "/dev/stdin") == 0 ? "-" : operand,
                                         .text = shipped_text(shipped_scenes, operand) };
   }
-  with_commands.commands = arguments->commands;
-  enum exit_code code = run_scenes(&with_commands, sources, arguments->operand_count);
+  enum exit_code code = run_scenes(options, sources, arguments->operand_count);
   free(sources);
   return code;
 }
@@ -257,4 +255,36 @@ const struct command command_run = {
   .size = sizeof(struct scene_options),
   .quantities = { 0, NAMED_QUANTITIES },
   .run = run,
+};
+
+static const struct option options_of_figure[] = {
+  OPTIONS_CRAWLER, OPTION_STATS, OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS),
+  OPTIONS_PLOT,    OPTIONS_LAST,
+};
+
+/* The table behind a figure of the paper is that of a scene (data/scenes/), whatever file that names. Where columns are
+ * named they are drawn, else the figure as it is in the paper. */
+static enum exit_code run_figure(const struct arguments *arguments, const void *options)
+{
+  struct scene_options o = *(const struct scene_options *)options;
+  struct plot *plot = &o.request.style.plot;
+  const char *figure = arguments->operands[0];
+  char name[16];
+  snprintf(name, sizeof name, "figure%.4s", figure);
+  const char *scene = strlen(figure) == 1 ? shipped_text(shipped_scenes, name) : NULL;
+  if (!scene) {
+    complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", figure);
+    return EXIT_USAGE;
+  }
+  o.request.style.has_output = o.no_plots = true;
+  plot->picture = plot->x || plot->y || plot->by ? NULL : name;
+  return run_scenes(&o, &(struct scene_source){ .path = name, .text = scene }, 1);
+}
+
+const struct command command_figure = {
+  .name = "figure",
+  .operand = "2|3|4|5",
+  .options = options_of_figure,
+  .size = sizeof(struct scene_options),
+  .run = run_figure,
 };

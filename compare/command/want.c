@@ -121,7 +121,6 @@ static bool read_options(struct want *w, struct scene *s, const config_setting_t
   struct request *r = &w->arguments.options.request;
   const struct style *given = &o->request.style;
   options_initial(&w->arguments, kind->command);
-  w->arguments.commands = o->commands;
   r->asked = s->request.asked;
   for (int i = 0; i < 2 && kind->option[i][0]; i++)
     option_take(&w->arguments, option_of(kind->command, kind->option[i][0]), kind->option[i][1]);
