@@ -118,22 +118,27 @@ static bool report_numbers(struct report *r, const struct reported_motion *m)
   symbols_init(&T);
   symbols_add(&T, NAMED_T, 0, SCALLOP_EXTENSION);
   symbols_begin(&T);
-  for (int q = 0; q < QUANTITIES; q++) {
-    const struct series *series = n.derived.value[q];
-    if (series)
-      report_sum(r, &(struct reported_sum){ .motion = m,
-                                            .quantity = quantity_rows[q].name,
-                                            .modes = n.derived.modes,
-                                            .first = series->first < 0 ? series->first : 0,
-                                            .below = limit && series->first < 0 ? 0 : order,
-                                            .symbols = &T,
-                                            .series = series,
-                                            .T = n.T,
-                                            .exact = solved ? n.exact.value[q] : NULL,
-                                            .status = n.status });
-  }
+  struct reported_sum sum = { .motion = m, .modes = n.derived.modes, .symbols = &T, .T = n.T, .status = n.status };
+  for (int q = 0; q < QUANTITIES; q++)
+    if ((sum.series = n.derived.value[q])) {
+      sum.quantity = quantity_rows[q].name;
+      sum.first = sum.series->first < 0 ? sum.series->first : 0;
+      sum.below = limit && sum.first < 0 ? 0 : order;
+      sum.exact = solved ? n.exact.value[q] : NULL;
+      report_sum(r, &sum);
+    }
   symbols_end(&T);
   return true;
+}
+
+/* A row of terms for a series in formulas */
+static void report_formula(struct report *r, struct reported_sum sum, const char *quantity,
+                           const struct symbolic_series *series)
+{
+  sum.quantity = quantity;
+  sum.term = series->term;
+  sum.below = sum.first + series->length;
+  report_sum(r, &sum);
 }
 
 static bool report_phase(struct report *r, const struct reported_motion *m)
@@ -146,18 +151,13 @@ static bool report_phase(struct report *r, const struct reported_motion *m)
                                                      &why);
   if (status != SCALLOP_OK)
     return report_failure(r, m, status, why);
-  const struct {
-    const char *name;
-    const struct symbolic_series *series;
-  } quantities[] = { { "t1", &phase.t1 },   { "dT", &phase.dT },   { "v_end", &phase.v_end },
-                     { "dx1", &phase.dx1 }, { "dx2", &phase.dx2 }, { "dxC", &phase.dxC } };
-  for (int i = 0; i < 6; i++)
-    report_sum(r, &(struct reported_sum){ .motion = m,
-                                          .quantity = quantities[i].name,
-                                          .modes = phase.modes,
-                                          .below = quantities[i].series->length,
-                                          .symbols = &s,
-                                          .term = quantities[i].series->term });
+  const struct reported_sum sum = { .motion = m, .modes = phase.modes, .symbols = &s };
+  report_formula(r, sum, "t1", &phase.t1);
+  report_formula(r, sum, "dT", &phase.dT);
+  report_formula(r, sum, "v_end", &phase.v_end);
+  report_formula(r, sum, "dx1", &phase.dx1);
+  report_formula(r, sum, "dx2", &phase.dx2);
+  report_formula(r, sum, "dxC", &phase.dxC);
   symbols_end(&s);
   return true;
 }
@@ -180,14 +180,10 @@ static bool report_steady(struct report *r, const struct reported_motion *m)
     struct symbolic_series series = { 1, { values[i] } };
     if (!closed)
       series = symbolic_series_of(&s, values[i], first, r->options->order.value - first);
-    report_sum(r, &(struct reported_sum){ .motion = m,
-                                          .quantity = names[i],
-                                          .modes = steady.modes,
-                                          .first = first,
-                                          .below = first + series.length,
-                                          .is_closed = closed,
-                                          .symbols = &s,
-                                          .term = series.term });
+    const struct reported_sum sum = {
+      .motion = m, .modes = steady.modes, .first = first, .is_closed = closed, .symbols = &s
+    };
+    report_formula(r, sum, names[i], &series);
   }
   symbols_end(&s);
   return true;
@@ -206,13 +202,8 @@ static bool report_limit(struct report *r, enum limit_parameter in)
   enum scallop_status status = symbolic_expand_limit(&s, r->crawler, in, r->options->order.value, &limit, &why);
   if (status != SCALLOP_OK)
     return report_failure(r, &m, status, why);
-  report_sum(r, &(struct reported_sum){ .motion = &m,
-                                        .quantity = "U",
-                                        .modes = limit.modes,
-                                        .below = limit.term.length,
-                                        .small = small[in],
-                                        .symbols = &s,
-                                        .term = limit.term.term });
+  const struct reported_sum sum = { .motion = &m, .modes = limit.modes, .small = small[in], .symbols = &s };
+  report_formula(r, sum, "U", &limit.term);
   symbols_end(&s);
   return true;
 }
