@@ -117,12 +117,8 @@ static const struct option options_of_trajectory[] = {
 };
 static const struct trajectory_options of_trajectory = { .periods = { 10, false }, .samples = { 40, false } };
 
-struct trajectory {
-  const struct trajectory_options *options;
-  struct sweep_end end;
-};
-/* One of them that is being written */
-struct tracing {
+struct trajectory {     /* that is being written */
+  struct sweep_end end; /* the last time, of each point */
   struct rows *rows;
   struct at *at;
   double until;
@@ -130,7 +126,7 @@ struct tracing {
 
 static bool write_sample(void *context, const struct scallop_sample *s)
 {
-  struct tracing *t = context;
+  struct trajectory *t = context;
   const struct quantities *all = &t->at->asked->quantities;
   const double numbers[SAMPLE_VALUES] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
   count_add(COUNT_SAMPLES, 1);
@@ -149,13 +145,16 @@ static bool write_sample(void *context, const struct scallop_sample *s)
 
 static void trace(struct rows *rows, struct at *at)
 {
-  const struct trajectory *of = rows->context;
+  const struct trajectory_options *o = (const void *)rows->request;
+  struct trajectory *t = rows->context;
   double v0 = at_v0(at);
-  struct tracing t = { rows, at, of->end.is_formula ? at_formula(at, &of->end.formula) : of->end.number };
+  t->rows = rows;
+  t->at = at;
+  t->until = t->end.is_formula ? at_formula(at, &t->end.formula) : t->end.number;
   if (at->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = scallop_trajectory(&at->place.point.crawler, v0, of->options->periods.value,
-                                                  of->options->samples.value, write_sample, &t);
+  enum scallop_status status = scallop_trajectory(&at->place.point.crawler, v0, o->periods.value, o->samples.value,
+                                                  write_sample, t);
   count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
     at_fail(at, scallop_status_text(status));
@@ -166,7 +165,7 @@ static void trace(struct rows *rows, struct at *at)
 
 static void head(struct rows *rows)
 {
-  const struct trajectory_options *o = ((const struct trajectory *)rows->context)->options;
+  const struct trajectory_options *o = (const void *)rows->request;
   const struct point *p = &o->request.point;
   char v0[NUMBER_TEXT];
   number_text(v0, p->v0, 0);
@@ -181,11 +180,11 @@ static const char *plan_trajectory(const void *options, struct rows *rows)
 {
   const struct trajectory_options *o = options;
   const struct sweep_variable *v;
-  struct trajectory *of = rows->context = calloc(1, sizeof *of);
-  if (!of)
+  struct trajectory *t = rows->context = calloc(1, sizeof *t);
+  if (!t)
     return rows_no_memory;
-  *of = (struct trajectory){ .options = o, .end.number = INFINITY };
-  const char *wrong = o->until ? vary_end(&o->request, o->until, &of->end) : NULL;
+  t->end.number = INFINITY;
+  const char *wrong = o->until ? vary_end(&o->request, o->until, &t->end) : NULL;
   rows->opens_late = !o->request.scene && !has_many_points(&o->request);
   rows->sheet.of_samples = true;
   rows->notes_parameters = true;

@@ -1,6 +1,5 @@
 #include "compare/command/commands.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +7,6 @@
 #include "compare/answers/vary.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
-#include "compare/text/plot.h"
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -22,12 +20,6 @@ int option_values(const struct option *o)
 {
   bool is_flag = o->read == read_flag || o->read == read_product;
   return is_flag ? 0 : o->values > 0 ? o->values : 1;
-}
-
-bool takes_operands(const struct command *command)
-{
-  size_t length = command->operand ? strlen(command->operand) : 0;
-  return length > 3 && strcmp(command->operand + length - 3, "...") == 0;
 }
 
 /* What has left since the last version: an option, or "NAME VALUE", a value of one. */
@@ -142,7 +134,8 @@ static bool read_option(struct arguments *a)
 static bool take_operand(struct arguments *a, const char *text)
 {
   const struct command *c = a->command;
-  if (a->operand_count == (takes_operands(c) ? INT_MAX : c->operand ? 1 : 0))
+  bool takes_many = c->operand && strstr(c->operand, "...");
+  if (!takes_many && a->operand_count == (c->operand ? 1 : 0))
     return complain(c->name, "unexpected argument '%s' (see scallop %s --help)", text, c->name);
   a->operands[a->operand_count++] = text;
   return true;
@@ -291,12 +284,6 @@ enum exit_code command_make(const struct arguments *a)
     code = rows_table(&rows);
   rows_free(&rows);
   return code;
-}
-
-enum exit_code options_judge(const struct arguments *a, enum exit_code code)
-{
-  const struct table_choice *choice = a->options.request.style.choice;
-  return plot_refused() || (choice && choice->refused) ? EXIT_USAGE : code;
 }
 
 void options_free(struct arguments *a)

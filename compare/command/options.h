@@ -167,8 +167,6 @@ const struct option *option_of(const struct command *command, const char *name);
 const struct option *given_option(const struct arguments *arguments, const char *names);
 /* How many values it takes. */
 int option_values(const struct option *option);
-/* Does the command take more than one operand? */
-bool takes_operands(const struct command *command);
 
 /* What holds where no option is given. */
 void options_initial(struct arguments *arguments, const struct command *command);
@@ -178,8 +176,6 @@ enum reading { READ_RUN, READ_HELP, READ_REFUSED };
  * on stderr. Whichever it is, options_free ends it. */
 enum reading options_read(struct arguments *arguments, const struct command *command, int count, char **all,
                           enum exit_code *code);
-/* The exit code of a command that ended with code: EXIT_USAGE where --columns named what its table has not. */
-enum exit_code options_judge(const struct arguments *arguments, enum exit_code code);
 void options_free(struct arguments *arguments);
 
 #endif

@@ -111,13 +111,6 @@ TEST(what_is_no_longer_there_is_told)
   }
 }
 
-TEST(dots_at_the_end_mean_many)
-{
-  assert_true(takes_operands(&many));
-  assert_false(takes_operands(&one));
-  assert_false(takes_operands(&none));
-}
-
 TEST(values_are_counted)
 {
   assert_int_equal(option_values(option_of(&many, "map")), 2);
