@@ -1,4 +1,4 @@
-#include "compare/command/commands.h"
+#include "compare/command/options.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,12 +14,6 @@ const struct option *option_of(const struct command *command, const char *name)
   while (o->name && strcmp(o->name, name) != 0)
     o++;
   return o->name ? o : NULL;
-}
-
-int option_values(const struct option *o)
-{
-  bool is_flag = o->read == read_flag || o->read == read_product;
-  return is_flag ? 0 : o->values > 0 ? o->values : 1;
 }
 
 /* What has left since the last version: an option, or "NAME VALUE", a value of one. */
@@ -58,6 +52,7 @@ static const char *removed_option(const char *command, const char *name, const c
 }
 
 static char message[640];
+static const struct command *const *all_commands; /* as options_read was given them */
 
 /* Another command's option, a mistyped one, or none */
 const char *option_unknown(const struct arguments *a, const char *name, const char *argument)
@@ -66,7 +61,7 @@ const char *option_unknown(const struct arguments *a, const char *name, const ch
   const char *names[MOST + 2] = { NULL }, *command = a->command->name;
   int count = 0;
   const char *instead = removed_option(command, name, NULL);
-  for (const struct command *const *c = commands; *c && !instead; c++)
+  for (const struct command *const *c = all_commands; *c && !instead; c++)
     if (option_of(*c, name)) {
       snprintf(message, sizeof message, "this command does not take the option '%s' (see scallop %s --help)", argument,
                command);
@@ -238,9 +233,10 @@ void options_initial(struct arguments *a, const struct command *command)
                         .point = point_initial(command->defaults) };
 }
 
-enum reading options_read(struct arguments *a, const struct command *command, int count, char **all,
-                          enum exit_code *code)
+enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
+                          int count, char **all, enum exit_code *code)
 {
+  all_commands = commands;
   options_initial(a, command);
   a->all = all;
   a->count = count;

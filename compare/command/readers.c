@@ -4,8 +4,14 @@
 
 #include "compare/answers/vary.h"
 #include "compare/columns/columns.h"
-#include "compare/command/options.h"
+#include "compare/command/readers.h"
 #include "compare/text/plot.h"
+
+int option_values(const struct option *o)
+{
+  bool is_flag = o->read == read_flag || o->read == read_product;
+  return is_flag ? 0 : o->values > 0 ? o->values : 1;
+}
 
 static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
 

@@ -76,47 +76,39 @@ static struct place place_of(const char *path)
   return stat(folder, &at) == 0 ? (struct place){ at.st_dev, at.st_ino, name } : (struct place){ .name = NULL };
 }
 
-struct places { /* files that are written, so far */
-  int count;
-  struct place place[2 * SCENE_WANTS * 64];
-};
-
-static enum exit_code add_place(struct places *all, const char *command, const char *path)
+/* NULL is standard output. */
+static bool is_same_file(const char *a, const char *b)
 {
-  int error = file_spares(path);
-  if (error != 0)
-    return complain(command, "cannot write %s: %s", path, file_error(error)), EXIT_FILE;
-  const struct place new = place_of(path);
-  for (const struct place *p = all->place; p < all->place + all->count && new.name; p++)
-    if (p->device == new.device && p->number == new.number &&strcmp(p->name, new.name) == 0) {
-      complain(command, "two things would go to %s: give each table and each plot a file of its own", path);
-      return EXIT_USAGE;
-    }
-  if (new.name && all->count < (int)(sizeof all->place / sizeof *all->place))
-    all->place[all->count++] = new;
-  return EXIT_DONE;
+  if (!a || !b)
+    return a == b;
+  const struct place of_a = place_of(a), of_b = place_of(b);
+  return of_a.name && of_b.name && of_a.device == of_b.device && of_a.number == of_b.number
+         && strcmp(of_a.name, of_b.name) == 0;
 }
 
 /* Do tables and plots of all scenes go to different files, and none to one that is read? */
 static enum exit_code check_files(const struct running *all, int count, const char *command)
 {
-  static struct places places;
-  enum exit_code code = EXIT_DONE;
-  int printed = 0;
+  enum { MOST = 2 * SCENE_WANTS * 64 };
+  static const char *path[MOST + 2];
+  int files = 0;
   for (int i = 0; i < count; i++)
-    for (int k = 0; k < all[i].scene.wants && code == EXIT_DONE; k++) {
-      const struct scene_files *files = &all[i].want[k].files;
-      if (files->table)
-        code = add_place(&places, command, files->table);
-      else if (printed++ > 0) {
-        complain(command, "two tables would go to standard output: give each want a file of its own");
-        code = EXIT_USAGE;
-      }
-      if (files->has_plot && code == EXIT_DONE)
-        code = add_place(&places, command, files->plot.file);
+    for (const struct want *w = all[i].want; w < all[i].want + all[i].scene.wants && files < MOST; w++) {
+      path[files++] = w->files.table;
+      if (w->files.has_plot)
+        path[files++] = w->files.plot.file;
     }
-  places.count = 0;
-  return code;
+  for (int i = 0; i < files; i++) {
+    int error = path[i] ? file_spares(path[i]) : 0;
+    if (error != 0)
+      return complain(command, "cannot write %s: %s", path[i], file_error(error)), EXIT_FILE;
+    for (int k = 0; k < i; k++)
+      if (is_same_file(path[i], path[k]))
+        return complain(command, "two things would go to %s: give each table and each plot a file of its own",
+                        path[i] ? path[i] : "standard output"),
+               EXIT_USAGE;
+  }
+  return EXIT_DONE;
 }
 
 static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ? a : b; }

@@ -51,7 +51,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   enum exit_code code;
   struct scene *scene = calloc(1, sizeof *scene);
   bool reads_files = !text || strstr(text, "measured:") || strstr(text, "book");
-  if (!reads_files && scene && options_read(&read, &command_run, 3, arguments, &code) == READ_RUN) {
+  if (!reads_files && scene && options_read(&read, &command_run, commands, 3, arguments, &code) == READ_RUN) {
     struct want *wants = calloc(SCENE_WANTS, sizeof *wants);
     if (wants && read_scene(scene, wants, text, (const void *)&read.options) == EXIT_DONE)
       judge(scene, wants);
