@@ -17,8 +17,7 @@ struct breakdown_options;
 struct stress_options;
 extern const struct flint_part {
   const char *version; /* SCALLOP_VERSION, with which it goes together */
-  enum exit_code (*series_derived)(const struct series_options *options);
-  enum exit_code (*series_symbolic)(const struct series_options *options);
+  enum exit_code (*series_report)(const struct series_options *options);
   enum exit_code (*claims_table)(const struct claims_options *options);
   enum exit_code (*workprec_table)(const struct workprec_options *options);
   enum exit_code (*breakdown_table)(const struct breakdown_options *options);

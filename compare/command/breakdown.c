@@ -5,48 +5,37 @@
 #include "compare/answers/vary.h"
 #include "compare/breakdown/breakdown.h"
 #include "compare/command/commands.h"
-#include "compare/points/defaults.h"
 
-#define RANGE "0.01:100:41:log"
-#define RANGE_OF_ALPHA "0.01:0.99:41:linear"
-#define RANGES RANGE "; of alpha " RANGE_OF_ALPHA
 /* What an axis may be, as maps and as scenes call it, and what varies where nothing is said */
-static const struct {
+static const struct axis_choice {
   const char *name, *variable, *range;
-} axes[] = { { "F1/F2", "F1_over_F2", RANGE },
-             { "m1/m2", "m1_over_m2", RANGE },
-             { "alpha", "alpha", RANGE_OF_ALPHA },
-             { "T", "T", RANGE },
-             { "froude", "froude", RANGE } };
+} axes[] = { { "F1/F2", "F1_over_F2", "0.01:100:41" },
+             { "m1/m2", "m1_over_m2", "0.01:100:41" },
+             { "alpha", "alpha", "0.01:0.99:41:linear" },
+             { "T", "T", "0.01:100:41" },
+             { "froude", "froude", "0.01:100:41" } };
 enum { AXES = sizeof axes / sizeof *axes };
 static const char *const sources[] = { "book", "published", "derived", "limit", NULL };
 static const char *const quantities[] = { "v_start", "v_mid", "displacement", "mean_velocity", "t1", "dT",
                                           "v_end",   "dx1",   "dx2",          "dxC",           NULL };
 static const char *const kinds[] = { "event", "reversal", "reach", "radius", "best", NULL };
 static const struct option options_of_breakdown[] = {
-  OPTIONS_TO_L(NULL),
-  OPTIONS_ALPHA_GAIT(NULL, NULL),
-  OPTION_PHASE("with --v0 %s, else the steady state"),
-  OPTION_V0("with --phase %s"),
-  OPTION_WORD("source", "SOURCE", "these series only: book, published, derived or limit", "all", breakdown_options,
-              source, sources),
-  OPTION_BOOK("the formulas of this book too: series are called by their names"),
-  OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, breakdown_options, order, 1, 1000),
-  OPTION_WORD("quantity", "NAME", "this quantity only", "all; with --map displacement", breakdown_options, quantity,
-              quantities),
-  OPTION_NUMBER("tol", "D", "for this relative error only",
-                TEXT_OF(BREAKDOWN_TOLERANCES) "; with --map " TEXT_OF(BREAKDOWN_MAP_TOLERANCES), breakdown_options,
-                tolerance, FROM_TO(1e-20, DBL_MAX, "a number from 1e-20 on")), /* errors are known to some 1e-32 */
-  OPTION_FLAG("all", "a table of all that is known, instead of a page about events and reach", breakdown_options, all),
-  OPTION_WORD("only", "WHAT", "rows of this kind only: event, reversal, reach, radius or best", "all",
-              breakdown_options, only, kinds),
-  OPTION_TEXT("map", "X Y", "a map over two of F1/F2, m1/m2, alpha, T and froude", NULL, breakdown_options, map,
-              "the name of what varies"),
-  OPTION_TEXT("x", "FROM:TO:N", "N values of X, with :log or :linear for how they are spaced", RANGES,
-              breakdown_options, range[0], "FROM:TO:COUNT"),
-  OPTION_TEXT("y", "FROM:TO:N", "N values of Y", RANGES, breakdown_options, range[1], "FROM:TO:COUNT"),
-  OPTION_T("with --map %s"),
-  OPTION_FLAG("boundaries", "with --map: the boundaries between its regions instead", breakdown_options, boundaries),
+  OPTIONS_TO_L,
+  OPTIONS_ALPHA_GAIT,
+  OPTIONS_PHASE,
+  OPTION_WORD("source", breakdown_options, source, sources),
+  OPTION_BOOK,
+  OPTION_COUNT("order", breakdown_options, order, 1, 1000),
+  OPTION_WORD("quantity", breakdown_options, quantity, quantities),
+  OPTION_NUMBER("tol", breakdown_options, tolerance,
+                FROM_TO(1e-20, DBL_MAX, "a number from 1e-20 on")), /* errors are known to some 1e-32 */
+  OPTION_FLAG("all", breakdown_options, all),
+  OPTION_WORD("only", breakdown_options, only, kinds),
+  OPTION("map", read_text, OPTION_FIELD(breakdown_options, map), .values = 2, .allowed = "the name of what varies"),
+  OPTION_TEXT("x", breakdown_options, range[0], "FROM:TO:COUNT"),
+  OPTION_TEXT("y", breakdown_options, range[1], "FROM:TO:COUNT"),
+  OPTION_T,
+  OPTION_FLAG("boundaries", breakdown_options, boundaries),
   OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
 };
@@ -74,34 +63,45 @@ static const struct breakdown_options initial = { .source = { "published", false
                                                   .order = { 8, false },
                                                   .tolerance = { 0.1, false } };
 
-static char message[400];
-
-/* NULL, or what is wrong with the range of an axis, which is then a group of what varies */
-static const char *add_axis(struct breakdown_options *o, int i, int axis)
+/* NULL: there is none of that name. */
+static const struct axis_choice *axis_called(const char *name)
 {
-  char range[200];
-  const char *given = o->range[i] ? o->range[i] : axes[axis].range;
-  int colons = 0;
-  for (const char *c = given; *c; c++)
-    colons += *c == ':';
-  bool is_log = colons < 3 && strcmp(axes[axis].name, "alpha") != 0; /* unless it is said */
-  snprintf(range, sizeof range, "%s%s", given, is_log ? ":log" : "");
-  const char *wrong = colons < 2 ? "it takes FROM:TO:COUNT, FROM:TO:COUNT:log or FROM:TO:COUNT:linear"
-                                 : vary_text(&o->request, axes[axis].variable, range);
-  if (!wrong)
-    return NULL;
-  snprintf(message, sizeof message, "--%s: %.300s", o->range[i] ? i == 0 ? "x" : "y" : "map", wrong);
-  return message;
+  const struct axis_choice *axis = axes;
+  while (axis < axes + AXES && strcmp(name, axis->name) != 0 && strcmp(name, axis->variable) != 0)
+    axis++;
+  return axis < axes + AXES ? axis : NULL;
 }
 
-/* NULL, or the message where an option sets what an axis sets */
-static const char *set_by_option(const struct breakdown_options *o, int i, int axis)
+static const char *no_axis(const char *name)
 {
+  const char *names[AXES + 1] = { NULL };
+  for (int i = 0; i < AXES; i++)
+    names[i] = axes[i].name;
+  return wrong_text("--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s", name,
+                    did_you_mean(nearest(name, names)));
+}
+
+/* Adds a group of what varies. With :log unless it is said, but for alpha. NULL, or what is wrong */
+static const char *add_axis(struct breakdown_options *o, int i)
+{
+  const struct axis_choice *axis = axis_called(o->map[i]);
+  const char *range = o->range[i] ? o->range[i] : axis->range;
+  char text[200];
+  int colons = 0;
   struct sweep_variable v;
-  sweep_variable_of_name(&v, axes[axis].variable);
-  snprintf(message, sizeof message, "--%s has nothing to do with --map %s %s, where %s sets it", v.sets, o->map[0],
-           o->map[1], o->map[i]);
-  return o->request.point.written[crawler_place(v.sets)] ? message : NULL;
+  sweep_variable_of_name(&v, axis->variable);
+  o->map[i] = axis->name;
+  if (o->request.point.written[crawler_place(v.sets)])
+    return wrong_text("--%s has nothing to do with --map %s %s, where %s sets it", v.sets, o->map[0], o->map[1],
+                      axis->name);
+  for (const char *c = range; *c; c++)
+    colons += *c == ':';
+  snprintf(text, sizeof text, "%s%s", range, colons == 2 && strcmp(axis->name, "alpha") != 0 ? ":log" : "");
+  const char *wrong = colons < 2 ? "it takes FROM:TO:COUNT, FROM:TO:COUNT:log or FROM:TO:COUNT:linear"
+                                 : vary_text(&o->request, axis->variable, text);
+  if (wrong)
+    snprintf(text, sizeof text, "%.190s", wrong);
+  return wrong ? wrong_text("--%s: %s", o->range[i] ? i == 0 ? "x" : "y" : "map", text) : NULL;
 }
 
 /* Is it the page about events and reach? A scene, whose files are tables, sets a format. */
@@ -117,32 +117,18 @@ static bool is_page(const struct breakdown_options *o)
 static const char *complete(void *options)
 {
   struct breakdown_options *o = options;
-  const char *names[AXES + 1] = { NULL }, *wrong = NULL;
-  int axis[2];
   if (is_page(o))
     o->request.style.format = FORMAT_TABLE;
-  for (int i = 0; i < AXES; i++)
-    names[i] = axes[i].name;
-  for (int i = 0; o->map[0] && i < 2; i++) {
-    axis[i] = 0;
-    while (axis[i] < AXES && strcmp(o->map[i], axes[axis[i]].name) != 0
-           && strcmp(o->map[i], axes[axis[i]].variable) != 0)
-      axis[i]++;
-    if (axis[i] == AXES) {
-      snprintf(message, sizeof message,
-               "--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s", o->map[i],
-               did_you_mean(nearest(o->map[i], names)));
-      return message;
-    }
-    o->map[i] = axes[axis[i]].name;
-  }
-  if (o->map[0] && axis[0] == axis[1])
+  for (int i = 0; o->map[0] && i < 2; i++)
+    if (!axis_called(o->map[i]))
+      return no_axis(o->map[i]);
+  if (!o->map[0])
+    return NULL;
+  if (axis_called(o->map[0]) == axis_called(o->map[1]))
     return "--map: a map needs two different axes";
-  for (int i = 0; o->map[0] && i < 2 && !wrong; i++)
-    wrong = set_by_option(o, i, axis[i]);
-  for (int i = 1; o->map[0] && i >= 0 && !wrong; i--)
-    wrong = add_axis(o, i, axis[i]);
-  if (!wrong && o->map[0] && sweep_set_twice(o->request.sweep.product))
+  const char *wrong = add_axis(o, 1);
+  wrong = wrong ? wrong : add_axis(o, 0);
+  if (!wrong && sweep_set_twice(o->request.sweep.product))
     return "--map: T and froude set the same; a map needs two that can vary apart";
   return wrong;
 }
@@ -171,8 +157,6 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 
 const struct command command_breakdown = {
   .name = "breakdown",
-  .summary = "where the expansion stops being valid: how far each series holds, what ends it, and maps",
-  .example = "scallop breakdown --F1 10 --only event",
   .options = options_of_breakdown,
   .rules = rules,
   .size = sizeof(struct breakdown_options),

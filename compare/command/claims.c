@@ -7,28 +7,17 @@
 
 static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecided", NULL };
 static const struct option options_of_claims[] = {
-  OPTIONS_TO_L(NULL),
-  OPTIONS_ALPHA_GAIT(NULL, "both of the paper: quadratic and sinusoidal"),
-  OPTION_TEXT("errors", "CLAIM",
-              "print the errors behind a claim instead: names or equations, \"(28)\", separated by commas, or all",
-              NULL, claims_options, errors, "names of claims, separated by commas, or all"),
-  OPTION_WORD("verdict", "VERDICT", "rows with this verdict only: holds, sharper, refuted or undecided", "all",
-              claims_options, verdict, verdicts),
-  OPTION_FLAG("summary",
-              "one row for each claim of the paper: does it hold in every check under the paper's conditions?",
-              claims_options, summary),
-  OPTION_BOOK("decide the formulas of this book instead of the paper's: exit code 1 if one is refuted"),
-  OPTION_TEXT("formula", "TEXT", "decide this formula instead: \"(F1 - F2)/M*T\"", NULL, claims_options, formula,
-              "a formula"),
-  OPTION_WORD("of", "QUANTITY",
-              "what the formula gives: dxC, dT, v_end, displacement, v_start or another of docs/formulas.md",
-              "--formula needs one", claims_options, of, book_quantities),
-  OPTION_TEXT("claimed", "N", "its claim + O(T^N), or equality", "--formula needs one", claims_options, claimed,
-              "a power of T, or equality"),
-  OPTION_WORD("start", "START", "where its motion starts: rest, v0 or steady",
-              "steady for quantities of the steady state, else rest", claims_options, start, book_starts),
-  OPTION_WORD("phase", "PHASE", "of its motion from v0: extension, where none is given, or contraction", NULL,
-              claims_options, phase, book_phases),
+  OPTIONS_TO_L,
+  OPTIONS_ALPHA_GAIT,
+  OPTION_TEXT("errors", claims_options, errors, "names of claims, separated by commas, or all"),
+  OPTION_WORD("verdict", claims_options, verdict, verdicts),
+  OPTION_FLAG("summary", claims_options, summary),
+  OPTION_BOOK,
+  OPTION_TEXT("formula", claims_options, formula, "a formula"),
+  OPTION_WORD("of", claims_options, of, book_quantities),
+  OPTION_TEXT("claimed", claims_options, claimed, "a power of T, or equality"),
+  OPTION_WORD("start", claims_options, start, book_starts),
+  OPTION_WORD("phase", claims_options, phase, book_phases),
   OPTIONS_OF_DOUBLES,
 };
 static const struct option_rule rules[] = {
@@ -86,8 +75,6 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 
 const struct command command_claims = {
   .name = "claims",
-  .summary = "the ledger: the paper's formulas and statements, with verdicts",
-  .example = "scallop claims --format json",
   .options = options_of_claims,
   .rules = rules,
   .size = sizeof(struct claims_options),

@@ -131,9 +131,10 @@ int main(int count, char **arguments)
   } else if (reading == READ_RUN) {
     point_tell_noise(&read.options.request.point, &read.options.request.style);
     progress_begin(read.options.request.style.quiet);
-    code = options_book(&read);
-    if (code == EXIT_DONE)
-      code = options_judge(&read, command_make(&read));
+    code = command_make(&read);
+    const struct table_choice *choice = read.options.request.style.choice;
+    if (plot_refused() || (choice && choice->refused))
+      code = EXIT_USAGE; /* columns were named that the table has not */
     if (read.options.request.stats)
       counts_print();
   }

@@ -6,7 +6,6 @@
 #include "compare/answers/vary.h"
 #include "compare/command/commands.h"
 #include "compare/points/counts.h"
-#include "compare/points/defaults.h"
 #include "numerics/numerics.h"
 
 struct motion_options {
@@ -16,17 +15,13 @@ struct motion_options {
 };
 static const struct motion_options of_steady = { .of = OF_STEADY }, of_phase = { .of = OF_PHASE };
 
-#define DIGITS DIGITS_PROVEN("with --certified")
 #define OPTIONS_OF_ROWS \
-  OPTION_FLAG("certified", "in ball arithmetic: every digit printed is proven", motion_options, certified), \
-      OPTION_FLAG("error", "after each number an estimate of its error", motion_options, error), OPTION_POINTS, \
-      OPTION_FORMAT("tsv"), \
-      OPTION_DIGITS(DIGITS, READ_BACK "; with --certified " TEXT_OF(CERTIFIED_DIGITS), MOST_DIGITS), OPTIONS_VARY, \
-      OPTIONS_ERRORS("1e-10"), OPTIONS_PLOT, OPTION_STATS, OPTIONS_LAST
+  OPTION_FLAG("certified", motion_options, certified), OPTION_FLAG("error", motion_options, error), OPTION_POINTS, \
+      OPTION_FORMAT, OPTION_DIGITS(DIGITS_PROVEN("with --certified"), MOST_DIGITS), OPTIONS_VARY, OPTIONS_ERRORS, \
+      OPTIONS_PLOT, OPTION_STATS, OPTIONS_LAST
 
-static const struct option steady_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTIONS_OF_ROWS };
-static const struct option phase_options[] = { OPTIONS_CRAWLER(NULL, NULL), OPTION_PHASE(NULL), OPTION_V0(NULL),
-                                               OPTIONS_OF_ROWS };
+static const struct option steady_options[] = { OPTIONS_CRAWLER, OPTIONS_OF_ROWS };
+static const struct option phase_options[] = { OPTIONS_CRAWLER, OPTIONS_PHASE, OPTIONS_OF_ROWS };
 
 static bool is_certified(const struct motion_options *o)
 {
@@ -69,8 +64,6 @@ static const struct option_rule rules[] = {
 
 const struct command command_steady = {
   .name = "steady",
-  .summary = "the periodic steady state, exactly",
-  .example = "scallop steady --F1 3 --T 0.5 --gait sinusoidal",
   .options = steady_options,
   .initial = &of_steady,
   .size = sizeof(struct motion_options),
@@ -81,8 +74,6 @@ const struct command command_steady = {
 
 const struct command command_phase = {
   .name = "phase",
-  .summary = "one extension or contraction phase from a start velocity, exactly",
-  .example = "scallop phase --phase extension --v0 2.5",
   .options = phase_options,
   .initial = &of_phase,
   .size = sizeof(struct motion_options),
@@ -111,29 +102,23 @@ static const char *read_start(void *options, const struct option *option, const 
   return point_set(&o->request.point, "v0", text) ? no_number(text, "rest, steady or a velocity") : NULL;
 }
 
-static const struct option_kind start_option = { read_start, NULL };
 enum { MOST_PERIODS = 1000000000 };
 
 static const struct option options_of_trajectory[] = {
-  OPTIONS_CRAWLER(NULL, NULL),
+  OPTIONS_CRAWLER,
   OPTIONS_VARY,
-  OPTION("start", "WHAT", "rest, steady, or a velocity", "rest", .kind = &start_option),
-  OPTION_COUNT("periods", "N", "number of periods", NULL, trajectory_options, periods, 1, MOST_PERIODS),
-  OPTION_COUNT("samples", "N", "samples in a period", NULL, trajectory_options, samples, 1, MOST_PERIODS),
-  OPTION_TEXT("until", "TIME", "the last time: a number, or a formula of parameters such as alpha*T", "no limit",
-              trajectory_options, until, "a time"),
+  OPTION("start", read_start, ),
+  OPTION_COUNT("periods", trajectory_options, periods, 1, MOST_PERIODS),
+  OPTION_COUNT("samples", trajectory_options, samples, 1, MOST_PERIODS),
+  OPTION_TEXT("until", trajectory_options, until, "a time"),
   OPTIONS_PLOT,
   OPTION_STATS,
   OPTIONS_OF_DOUBLES,
 };
 static const struct trajectory_options of_trajectory = { .periods = { 10, false }, .samples = { 40, false } };
 
-struct trajectory {
-  const struct trajectory_options *options;
-  struct sweep_end end;
-};
-/* One of them that is being written */
-struct tracing {
+struct trajectory {     /* that is being written */
+  struct sweep_end end; /* the last time, of each point */
   struct rows *rows;
   struct at *at;
   double until;
@@ -141,7 +126,7 @@ struct tracing {
 
 static bool write_sample(void *context, const struct scallop_sample *s)
 {
-  struct tracing *t = context;
+  struct trajectory *t = context;
   const struct quantities *all = &t->at->asked->quantities;
   const double numbers[SAMPLE_VALUES] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
   count_add(COUNT_SAMPLES, 1);
@@ -160,13 +145,16 @@ static bool write_sample(void *context, const struct scallop_sample *s)
 
 static void trace(struct rows *rows, struct at *at)
 {
-  const struct trajectory *of = rows->context;
+  const struct trajectory_options *o = (const void *)rows->request;
+  struct trajectory *t = rows->context;
   double v0 = at_v0(at);
-  struct tracing t = { rows, at, of->end.is_formula ? at_formula(at, &of->end.formula) : of->end.number };
+  t->rows = rows;
+  t->at = at;
+  t->until = t->end.is_formula ? at_formula(at, &t->end.formula) : t->end.number;
   if (at->why[0] != '\0' || isnan(v0))
     return;
-  enum scallop_status status = scallop_trajectory(&at->place.point.crawler, v0, of->options->periods.value,
-                                                  of->options->samples.value, write_sample, &t);
+  enum scallop_status status = scallop_trajectory(&at->place.point.crawler, v0, o->periods.value, o->samples.value,
+                                                  write_sample, t);
   count_add(COUNT_TRAJECTORIES, 1);
   if (status < 0) {
     at_fail(at, scallop_status_text(status));
@@ -177,7 +165,7 @@ static void trace(struct rows *rows, struct at *at)
 
 static void head(struct rows *rows)
 {
-  const struct trajectory_options *o = ((const struct trajectory *)rows->context)->options;
+  const struct trajectory_options *o = (const void *)rows->request;
   const struct point *p = &o->request.point;
   char v0[NUMBER_TEXT];
   number_text(v0, p->v0, 0);
@@ -192,11 +180,11 @@ static const char *plan_trajectory(const void *options, struct rows *rows)
 {
   const struct trajectory_options *o = options;
   const struct sweep_variable *v;
-  struct trajectory *of = rows->context = calloc(1, sizeof *of);
-  if (!of)
+  struct trajectory *t = rows->context = calloc(1, sizeof *t);
+  if (!t)
     return rows_no_memory;
-  *of = (struct trajectory){ .options = o, .end.number = INFINITY };
-  const char *wrong = o->until ? vary_end(&o->request, o->until, &of->end) : NULL;
+  t->end.number = INFINITY;
+  const char *wrong = o->until ? vary_end(&o->request, o->until, &t->end) : NULL;
   rows->opens_late = !o->request.scene && !has_many_points(&o->request);
   rows->sheet.of_samples = true;
   rows->notes_parameters = true;
@@ -211,8 +199,6 @@ static const char *plan_trajectory(const void *options, struct rows *rows)
 
 const struct command command_trajectory = {
   .name = "trajectory",
-  .summary = "positions and velocities in time, from rest, from the steady state or from a velocity",
-  .example = "scallop trajectory --start rest --periods 20 --samples 50",
   .options = options_of_trajectory,
   .size = sizeof(struct trajectory_options),
   .initial = &of_trajectory,

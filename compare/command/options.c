@@ -1,6 +1,5 @@
 #include "compare/command/options.h"
 
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +7,6 @@
 #include "compare/answers/vary.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
-#include "compare/text/plot.h"
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -16,20 +14,6 @@ const struct option *option_of(const struct command *command, const char *name)
   while (o->name && strcmp(o->name, name) != 0)
     o++;
   return o->name ? o : NULL;
-}
-
-int option_values(const struct option *option)
-{
-  int count = option->argument ? 1 : 0;
-  for (const char *p = option->argument; p && *p; p++)
-    count += *p == ' ';
-  return count;
-}
-
-bool takes_operands(const struct command *command)
-{
-  size_t length = command->operand ? strlen(command->operand) : 0;
-  return length > 3 && strcmp(command->operand + length - 3, "...") == 0;
 }
 
 /* What has left since the last version: an option, or "NAME VALUE", a value of one. */
@@ -68,6 +52,7 @@ static const char *removed_option(const char *command, const char *name, const c
 }
 
 static char message[640];
+static const struct command *const *all_commands; /* as options_read was given them */
 
 /* Another command's option, a mistyped one, or none */
 const char *option_unknown(const struct arguments *a, const char *name, const char *argument)
@@ -76,7 +61,7 @@ const char *option_unknown(const struct arguments *a, const char *name, const ch
   const char *names[MOST + 2] = { NULL }, *command = a->command->name;
   int count = 0;
   const char *instead = removed_option(command, name, NULL);
-  for (const struct command *const *c = a->commands; *c && !instead; c++)
+  for (const struct command *const *c = all_commands; *c && !instead; c++)
     if (option_of(*c, name)) {
       snprintf(message, sizeof message, "this command does not take the option '%s' (see scallop %s --help)", argument,
                command);
@@ -99,7 +84,7 @@ const char *option_unknown(const struct arguments *a, const char *name, const ch
 
 const char *option_take(struct arguments *a, const struct option *o, const char *text)
 {
-  const char *wrong = o->kind->read(&a->options, o, text);
+  const char *wrong = o->read(&a->options, o, text);
   const char *instead = wrong && text ? removed_option(a->command->name, o->name, text) : NULL;
   a->given |= 1UL << (o - a->command->options);
   if (instead)
@@ -119,8 +104,8 @@ static bool read_values(struct arguments *a, const struct option *o, const char 
   for (int i = 0; i < (values == 0 ? 1 : values); i++) {
     bool is_here = values == 0 || (i == 0 && text);
     if (!is_here && a->place + 1 == a->count)
-      return complain(command, "--%s needs %s: --%s %s", o->name, i == 0 ? "a value" : "two values", o->name,
-                      o->argument);
+      return complain(command, "--%s needs %s (see scallop %s --help)", o->name, i == 0 ? "a value" : "two values",
+                      command);
     const char *wrong = option_take(a, o, is_here ? text : a->all[++a->place]);
     if (wrong)
       return complain(command, "%s", wrong);
@@ -144,7 +129,8 @@ static bool read_option(struct arguments *a)
 static bool take_operand(struct arguments *a, const char *text)
 {
   const struct command *c = a->command;
-  if (a->operand_count == (takes_operands(c) ? INT_MAX : c->operand ? 1 : 0))
+  bool takes_many = c->operand && strstr(c->operand, "...");
+  if (!takes_many && a->operand_count == (c->operand ? 1 : 0))
     return complain(c->name, "unexpected argument '%s' (see scallop %s --help)", text, c->name);
   a->operands[a->operand_count++] = text;
   return true;
@@ -169,10 +155,9 @@ static enum reading read_all(struct arguments *a)
 /* Is the option in a list of names, or of NAME=VALUE with the value that it has? */
 static bool is_listed(const struct arguments *a, const struct option *o, const char *names)
 {
-  char value[OPTION_VALUE] = "", both[2 * OPTION_VALUE];
-  if (o->kind->show)
-    o->kind->show(&a->options, o, value);
-  snprintf(both, sizeof both, "%s=%s", o->name, value);
+  char both[2 * OPTION_VALUE];
+  const struct given_word *word = o->read == read_word ? (const void *)((const char *)&a->options + o->field) : NULL;
+  snprintf(both, sizeof both, "%s=%s", o->name, word && word->value ? word->value : "");
   for (size_t length; *names; names += length + (names[length] == ' ')) {
     length = strcspn(names, " ");
     if (strncmp(names, both, length) == 0 && (length == strlen(o->name) || length == strlen(both)))
@@ -251,10 +236,10 @@ void options_initial(struct arguments *a, const struct command *command)
 enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
                           int count, char **all, enum exit_code *code)
 {
+  all_commands = commands;
   options_initial(a, command);
   a->all = all;
   a->count = count;
-  a->commands = commands;
   a->operands = calloc((size_t)count, sizeof *a->operands);
   a->options.request.asked = asked_nothing(command->name);
   *code = EXIT_UNSOLVED;
@@ -279,10 +264,13 @@ bool command_has_rows(const struct command *c, const void *options)
 enum exit_code command_make(const struct arguments *a)
 {
   const struct request *request = &a->options.request;
+  const char *book = request->book;
+  enum exit_code code = book ? book_read(a->command->name, book, NULL, quantity_is_other) : EXIT_DONE;
+  if (code != EXIT_DONE)
+    return code;
   if (!command_has_rows(a->command, request))
     return a->command->run(a, request);
   struct rows rows = { .request = request, .sheet.asked = request->asked };
-  enum exit_code code = EXIT_UNSOLVED;
   const char *wrong = a->command->plan(request, &rows);
   if (wrong) {
     if (*wrong)
@@ -292,18 +280,6 @@ enum exit_code command_make(const struct arguments *a)
     code = rows_table(&rows);
   rows_free(&rows);
   return code;
-}
-
-enum exit_code options_judge(const struct arguments *a, enum exit_code code)
-{
-  const struct table_choice *choice = a->options.request.style.choice;
-  return plot_refused() || (choice && choice->refused) ? EXIT_USAGE : code;
-}
-
-enum exit_code options_book(const struct arguments *a)
-{
-  const char *book = a->options.request.book;
-  return book ? book_read(a->command->name, book, NULL, quantity_is_other) : EXIT_DONE;
 }
 
 void options_free(struct arguments *a)

@@ -29,7 +29,6 @@ static const char *read_order(void *options, const struct option *o, const char 
   *(struct given_number *)((char *)options + o->field) = (struct given_number){ above / below, true };
   return NULL;
 }
-static const struct option_kind order_option = { read_order, NULL };
 
 /* Each --y adds columns. */
 static const char *read_columns(void *options, const struct option *o, const char *text)
@@ -40,28 +39,19 @@ static const char *read_columns(void *options, const struct option *o, const cha
   wanted->y[wanted->ys++] = text;
   return NULL;
 }
-static const struct option_kind columns_of_errors = { read_columns, NULL };
 
-#define OPTION_ORDER(name, help, otherwise, member) \
-  OPTION(name, "P", help, otherwise, .kind = &order_option, OPTION_FIELD(order_options, member), \
-         .allowed = "a finite number, or a fraction such as 3/2")
+#define OPTION_ORDER(name, member) \
+  OPTION(name, read_order, OPTION_FIELD(order_options, member), .allowed = "a finite number, or a fraction such as 3/2")
 static const struct option options_of_order[] = {
-  OPTION_ORDER("expect", "the order that is expected, 2 or 3/2: exit code 1 unless every table has it",
-               "none, and the order is only measured", expect),
-  OPTION_ORDER("at-least", "the same, but a higher order passes, too", "none: a higher order fails", at_least),
-  OPTION_NUMBER("tol", "D", "how far the order may be off, and how wide its interval on either side", NULL,
-                order_options, tolerance, POSITIVE),
-  OPTION_TEXT("x", "NAME", "the column of h: its name, or its number from 1", "h, otherwise the first one",
-              order_options, columns.x, "a column"),
-  OPTION("y", "NAME,...", "the columns of errors; each --y adds some",
-         "err, error or value, otherwise each one of numbers right of h", .kind = &columns_of_errors,
-         OPTION_FIELD(order_options, columns)),
-  OPTION_FLAG("values", "the columns hold values and not errors, as one named 'value' does", order_options,
-              columns.values),
-  OPTION_FLAG("rows", "print each row with its pairwise order and its use, and no verdicts", order_options, rows),
-  OPTION_WORD("format", "F", "tsv, json (one object a line), csv, markdown, table (aligned) or junit", NULL,
-              order_options, format, report_formats),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, READ_BACK, DOUBLE_DIGITS),
+  OPTION_ORDER("expect", expect),
+  OPTION_ORDER("at-least", at_least),
+  OPTION_NUMBER("tol", order_options, tolerance, POSITIVE),
+  OPTION_TEXT("x", order_options, columns.x, "a column"),
+  OPTION("y", read_columns, OPTION_FIELD(order_options, columns)),
+  OPTION_FLAG("values", order_options, columns.values),
+  OPTION_FLAG("rows", order_options, rows),
+  OPTION_WORD("format", order_options, format, report_formats),
+  OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS),
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };
@@ -115,8 +105,6 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 
 const struct command command_order = {
   .name = "order",
-  .summary = "the observed order of tables of h and err, from any code, and a verdict for CI",
-  .example = "scallop order errors.txt --expect 2",
   .operand = "FILE...",
   .options = options_of_order,
   .rules = rules,

@@ -10,10 +10,9 @@
 #include "compare/summary/summary.h"
 #include "compare/workprec/table.h"
 
-const struct flint_part flint_part = { SCALLOP_VERSION, series_derived,  series_symbolic, claims_table,
-                                       workprec_table,  breakdown_table, breakdown_map,   breakdown_boundaries,
-                                       breakdown_page,  summary_plan,    stress_table,    stress_point,
-                                       stress_stiff };
+const struct flint_part flint_part = { SCALLOP_VERSION, series_report, claims_table,         workprec_table,
+                                       breakdown_table, breakdown_map, breakdown_boundaries, breakdown_page,
+                                       summary_plan,    stress_table,  stress_point,         stress_stiff };
 
 /* For the functions of GSL that are linked into this part, too, an error is a status. */
 static void __attribute__((constructor)) begin(void) { gsl_set_error_handler_off(); }

@@ -1,49 +1,40 @@
-/* How the values of options are read, and shown in --help. */
+/* How the values of options are read. */
 #include <stdio.h>
 #include <string.h>
 
 #include "compare/answers/vary.h"
 #include "compare/columns/columns.h"
-#include "compare/command/options.h"
+#include "compare/command/readers.h"
 #include "compare/text/plot.h"
 
-static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
-static const void *value_of(const void *options, const struct option *o) { return (const char *)options + o->field; }
+int option_values(const struct option *o)
+{
+  bool is_flag = o->read == read_flag || o->read == read_product;
+  return is_flag ? 0 : o->values > 0 ? o->values : 1;
+}
 
-static const char *read_parameter(void *options, const struct option *o, const char *text)
+static void *field_of(void *options, const struct option *o) { return (char *)options + o->field; }
+
+const char *read_parameter(void *options, const struct option *o, const char *text)
 {
   return vary_text(options, o->name, text);
 }
 
-static const char *read_product(void *options, const struct option *o, const char *text)
+const char *read_product(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
   (void)o, (void)text;
   return r->sweep.products > 0 ? vary_product(r) : "nothing varies in front of it";
 }
 
-static void show_parameter(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  const struct request *r = options;
-  *text = '\0';
-  if (strcmp(o->name, "gait") == 0)
-    snprintf(text, OPTION_VALUE, "%s", r->point.crawler.gait->name);
-  else if (strcmp(o->name, "phase") == 0)
-    snprintf(text, OPTION_VALUE, "%s", r->point.phase == SCALLOP_EXTENSION ? "extension" : "contraction");
-  else if (strcmp(o->name, "v0") == 0)
-    snprintf(text, OPTION_VALUE, "%.15g", r->point.v0);
-  else if (crawler_place(o->name) < CRAWLER_NUMBERS)
-    snprintf(text, OPTION_VALUE, "%.15g", crawler_number(&r->point.crawler, crawler_place(o->name)));
-}
-
-static const char *read_flag(void *options, const struct option *o, const char *text)
+const char *read_flag(void *options, const struct option *o, const char *text)
 {
   (void)text;
   *(bool *)field_of(options, o) = true;
   return NULL;
 }
 
-static const char *read_real(void *options, const struct option *o, const char *text)
+const char *read_real(void *options, const struct option *o, const char *text)
 {
   double value;
   if (!read_number(text, &value) || value < o->least || value > o->most)
@@ -52,23 +43,13 @@ static const char *read_real(void *options, const struct option *o, const char *
   return NULL;
 }
 
-static void show_real(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  snprintf(text, OPTION_VALUE, "%.15g", ((const struct given_number *)value_of(options, o))->value);
-}
-
-static const char *read_whole(void *options, const struct option *o, const char *text)
+const char *read_whole(void *options, const struct option *o, const char *text)
 {
   struct given_count *count = field_of(options, o);
   char allowed[80];
   snprintf(allowed, sizeof allowed, "a whole number from %.0f to %.0f", o->least, o->most);
   count->given = read_count(text, (long)o->least, (long)o->most, &count->value);
   return count->given ? NULL : not_allowed(text, allowed);
-}
-
-static void show_whole(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  snprintf(text, OPTION_VALUE, "%ld", ((const struct given_count *)value_of(options, o))->value);
 }
 
 static const char *none_of(const char *text, const char *const *words)
@@ -79,7 +60,7 @@ static const char *none_of(const char *text, const char *const *words)
   return not_allowed(text, allowed);
 }
 
-static const char *read_word(void *options, const struct option *o, const char *text)
+const char *read_word(void *options, const struct option *o, const char *text)
 {
   int place = word_place(text, o->words);
   if (place < 0)
@@ -88,13 +69,7 @@ static const char *read_word(void *options, const struct option *o, const char *
   return NULL;
 }
 
-static void show_word(const void *options, const struct option *o, char text[OPTION_VALUE])
-{
-  const char *word = ((const struct given_word *)value_of(options, o))->value;
-  snprintf(text, OPTION_VALUE, "%s", word ? word : "");
-}
-
-static const char *read_text(void *options, const struct option *o, const char *text)
+const char *read_text(void *options, const struct option *o, const char *text)
 {
   const char **place = field_of(options, o);
   for (int more = option_values(o) - 1; more > 0 && *place; more--)
@@ -103,7 +78,7 @@ static const char *read_text(void *options, const struct option *o, const char *
   return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
 }
 
-static const char *read_format(void *options, const struct option *o, const char *text)
+const char *read_format(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
   int place = word_place(text, format_names);
@@ -122,7 +97,7 @@ static const char *no_digits(const char *text, const char *range)
   return not_allowed(text, allowed);
 }
 
-static const char *read_digits(void *options, const struct option *o, const char *text)
+const char *read_digits(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
   return read_count(text, 1, (long)o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
@@ -135,7 +110,7 @@ bool digits_hold(const struct style *style, bool proven, const char *range)
   return proven || style->digits <= DOUBLE_DIGITS || complain(style->command, "--digits: %s", no_digits(number, range));
 }
 
-static const char *read_output(void *options, const struct option *o, const char *text)
+const char *read_output(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
   (void)o;
@@ -150,13 +125,13 @@ static const char *read_output(void *options, const struct option *o, const char
   return NULL;
 }
 
-static const char *read_plot(void *options, const struct option *o, const char *text)
+const char *read_plot(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
   return plot_set(&r->style.plot, o->name, text);
 }
 
-static const char *read_choice(void *options, const struct option *o, const char *text)
+const char *read_choice(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
   (void)o;
@@ -165,9 +140,3 @@ static const char *read_choice(void *options, const struct option *o, const char
 }
 
 const char *const reference_words[] = { "exact", "certified", NULL };
-const struct option_kind parameter_option = { read_parameter, show_parameter }, product_option = { read_product, NULL },
-                         flag_option = { read_flag, NULL }, number_option = { read_real, show_real },
-                         count_option = { read_whole, show_whole }, word_option = { read_word, show_word },
-                         text_option = { read_text, NULL }, format_option = { read_format, NULL },
-                         digits_option = { read_digits, NULL }, output_option = { read_output, NULL },
-                         columns_option = { read_choice, NULL }, plot_option = { read_plot, NULL };

@@ -11,20 +11,15 @@
 #include "compare/text/plot.h"
 #include "compare/text/shipped.h"
 
-#define OF_SCENE "that of the scene"
-#define DIGITS DIGITS_PROVEN("where a scene has certified values")
-
 static const struct option options_of_run[] = {
-  OPTIONS_CRAWLER(OF_SCENE, OF_SCENE),
-  OPTION_FLAG("check-only", "read and check the scenes, and do nothing", scene_options, check_only),
+  OPTIONS_CRAWLER,
+  OPTION_FLAG("check-only", scene_options, check_only),
   OPTION_STATS,
-  OPTION_FLAG("no-plots", "tables only", scene_options, no_plots),
-  OPTION_TEXT("into", "FOLDER",
-              "the folder for all files that scenes name; a name that may lead out of it, /x or ../x, is refused",
-              "the current one", scene_options, folder, "a file name"),
-  OPTION_OUTPUT("the files that the scenes name"),
-  OPTION_FORMAT(OF_SCENE),
-  OPTION_DIGITS(DIGITS, OF_SCENE, MOST_DIGITS),
+  OPTION_FLAG("no-plots", scene_options, no_plots),
+  OPTION_TEXT("into", scene_options, folder, "a file name"),
+  OPTION_OUTPUT,
+  OPTION_FORMAT,
+  OPTION_DIGITS(DIGITS_PROVEN("where a scene has certified values"), MOST_DIGITS),
   OPTION_QUIET,
   NO_MORE_OPTIONS,
 };
@@ -81,47 +76,39 @@ static struct place place_of(const char *path)
   return stat(folder, &at) == 0 ? (struct place){ at.st_dev, at.st_ino, name } : (struct place){ .name = NULL };
 }
 
-struct places { /* files that are written, so far */
-  int count;
-  struct place place[2 * SCENE_WANTS * 64];
-};
-
-static enum exit_code add_place(struct places *all, const char *command, const char *path)
+/* NULL is standard output. */
+static bool is_same_file(const char *a, const char *b)
 {
-  int error = file_spares(path);
-  if (error != 0)
-    return complain(command, "cannot write %s: %s", path, file_error(error)), EXIT_FILE;
-  const struct place new = place_of(path);
-  for (const struct place *p = all->place; p < all->place + all->count && new.name; p++)
-    if (p->device == new.device && p->number == new.number &&strcmp(p->name, new.name) == 0) {
-      complain(command, "two things would go to %s: give each table and each plot a file of its own", path);
-      return EXIT_USAGE;
-    }
-  if (new.name && all->count < (int)(sizeof all->place / sizeof *all->place))
-    all->place[all->count++] = new;
-  return EXIT_DONE;
+  if (!a || !b)
+    return a == b;
+  const struct place of_a = place_of(a), of_b = place_of(b);
+  return of_a.name && of_b.name && of_a.device == of_b.device && of_a.number == of_b.number
+         && strcmp(of_a.name, of_b.name) == 0;
 }
 
 /* Do tables and plots of all scenes go to different files, and none to one that is read? */
 static enum exit_code check_files(const struct running *all, int count, const char *command)
 {
-  static struct places places;
-  enum exit_code code = EXIT_DONE;
-  int printed = 0;
+  enum { MOST = 2 * SCENE_WANTS * 64 };
+  static const char *path[MOST + 2];
+  int files = 0;
   for (int i = 0; i < count; i++)
-    for (int k = 0; k < all[i].scene.wants && code == EXIT_DONE; k++) {
-      const struct scene_files *files = &all[i].want[k].files;
-      if (files->table)
-        code = add_place(&places, command, files->table);
-      else if (printed++ > 0) {
-        complain(command, "two tables would go to standard output: give each want a file of its own");
-        code = EXIT_USAGE;
-      }
-      if (files->has_plot && code == EXIT_DONE)
-        code = add_place(&places, command, files->plot.file);
+    for (const struct want *w = all[i].want; w < all[i].want + all[i].scene.wants && files < MOST; w++) {
+      path[files++] = w->files.table;
+      if (w->files.has_plot)
+        path[files++] = w->files.plot.file;
     }
-  places.count = 0;
-  return code;
+  for (int i = 0; i < files; i++) {
+    int error = path[i] ? file_spares(path[i]) : 0;
+    if (error != 0)
+      return complain(command, "cannot write %s: %s", path[i], file_error(error)), EXIT_FILE;
+    for (int k = 0; k < i; k++)
+      if (is_same_file(path[i], path[k]))
+        return complain(command, "two things would go to %s: give each table and each plot a file of its own",
+                        path[i] ? path[i] : "standard output"),
+               EXIT_USAGE;
+  }
+  return EXIT_DONE;
 }
 
 static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ? a : b; }
@@ -139,8 +126,7 @@ static enum exit_code run_commands(struct running *r)
   for (int i = 0; i < r->scene.wants && code != EXIT_FILE; i++)
     if (!r->want[i].has_rows) {
       count_add(COUNT_COMMANDS, 1);
-      enum exit_code one = options_book(&r->want[i].arguments);
-      code = worse(code, one != EXIT_DONE ? one : command_make(&r->want[i].arguments));
+      code = worse(code, command_make(&r->want[i].arguments));
     }
   return code;
 }
@@ -216,7 +202,8 @@ static enum exit_code run_all(struct running *all, int count, const struct scene
   return code;
 }
 
-enum exit_code run_scenes(const struct scene_options *o, const struct scene_source *sources, int count)
+/* Reads all scenes, and only then runs them. */
+static enum exit_code run_scenes(const struct scene_options *o, const struct scene_source *sources, int count)
 {
   struct running *all = calloc((size_t)count, sizeof *all);
   enum exit_code code = EXIT_DONE;
@@ -237,7 +224,6 @@ enum exit_code run_scenes(const struct scene_options *o, const struct scene_sour
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  struct scene_options with_commands = *(const struct scene_options *)options;
   struct scene_source *sources = calloc((size_t)arguments->operand_count, sizeof *sources);
   if (!sources) {
     complain("run", "out of memory");
@@ -248,20 +234,49 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     sources[i] = (struct scene_source){ .path = strcmp(operand, "/dev/stdin") == 0 ? "-" : operand,
                                         .text = shipped_text(shipped_scenes, operand) };
   }
-  with_commands.commands = arguments->commands;
-  enum exit_code code = run_scenes(&with_commands, sources, arguments->operand_count);
+  enum exit_code code = run_scenes(options, sources, arguments->operand_count);
   free(sources);
   return code;
 }
 
 const struct command command_run = {
   .name = "run",
-  .summary = "what a scene asks for and nothing else",
-  .example = "scallop run figure5 --stats",
   .operand = "SCENE.cfg...",
   .options = options_of_run,
   .rules = rules,
   .size = sizeof(struct scene_options),
   .quantities = { 0, NAMED_QUANTITIES },
   .run = run,
+};
+
+static const struct option options_of_figure[] = {
+  OPTIONS_CRAWLER, OPTION_STATS, OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS),
+  OPTIONS_PLOT,    OPTIONS_LAST,
+};
+
+/* The table behind a figure of the paper is that of a scene (data/scenes/), whatever file that names. Where columns are
+ * named they are drawn, else the figure as it is in the paper. */
+static enum exit_code run_figure(const struct arguments *arguments, const void *options)
+{
+  struct scene_options o = *(const struct scene_options *)options;
+  struct plot *plot = &o.request.style.plot;
+  const char *figure = arguments->operands[0];
+  char name[16];
+  snprintf(name, sizeof name, "figure%.4s", figure);
+  const char *scene = strlen(figure) == 1 ? shipped_text(shipped_scenes, name) : NULL;
+  if (!scene) {
+    complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", figure);
+    return EXIT_USAGE;
+  }
+  o.request.style.has_output = o.no_plots = true;
+  plot->picture = plot->x || plot->y || plot->by ? NULL : name;
+  return run_scenes(&o, &(struct scene_source){ .path = name, .text = scene }, 1);
+}
+
+const struct command command_figure = {
+  .name = "figure",
+  .operand = "2|3|4|5",
+  .options = options_of_figure,
+  .size = sizeof(struct scene_options),
+  .run = run_figure,
 };

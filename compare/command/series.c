@@ -10,32 +10,26 @@
 static const char *const sources[] = { "published", "derived", "limit", "closed", NULL };
 static const char *const languages[] = { "text", "latex", "python", NULL };
 static const struct option options_of_series[] = {
-  OPTIONS_CRAWLER(NULL, NULL),
-  OPTION_V0("the steady velocity of the phase; with --source derived only phases from rest"),
-  OPTION_WORD("source", "SOURCE", "published, derived or limit; with --symbolic also closed", NULL, series_options,
-              source, sources),
-  OPTION_COUNT("order", "N", "derive all terms below T^N, N from 1 to 1000", NULL, series_options, order, 1, 1000),
-  OPTION_FLAG("symbolic", "derived series with coefficients as formulas (--order to 16)", series_options, symbolic),
-  OPTION_WORD("emit", "LANGUAGE", "derived series as text (a table), latex or python", NULL, series_options, emit,
-              languages),
-  OPTION_FLAG("bound", "bounds for the error of the derived terms below T^N", series_options, bound),
-  OPTION_BOOK("the formulas of this book too, before the paper's"),
-  OPTION_TEXT("only", "LIST",
-              "these series only, separated by commas: formulas by name or equation, \"(28)\", derived_8.dxC",
-              "all published formulas", series_options, only, "names or equations of formulas, separated by commas"),
+  OPTIONS_CRAWLER,
+  OPTION_POINT("v0"),
+  OPTION_WORD("source", series_options, source, sources),
+  OPTION_COUNT("order", series_options, order, 1, 1000),
+  OPTION_FLAG("symbolic", series_options, symbolic),
+  OPTION_WORD("emit", series_options, emit, languages),
+  OPTION_FLAG("bound", series_options, bound),
+  OPTION_BOOK,
+  OPTION_TEXT("only", series_options, only, "names or equations of formulas, separated by commas"),
   OPTION_POINTS,
   OPTIONS_VARY,
-  OPTION_FLAG("rows", "a row for each point, where there is one point, too", series_options, rows),
-  OPTION_TEXT("parts", "LIST", "what a row has of each series: value, exact, error, relative",
-              "value; with --only value,exact,relative", series_options, parts, "names of parts, separated by commas"),
-  OPTION_FLAG("orders", "the orders in T of the errors of series; T varies fastest", series_options, orders),
-  OPTION_NUMBER("expect", "P", "the order that is expected: exit code 1 unless it is met", "none is", series_options,
-                expect, FINITE),
-  OPTION_NUMBER("tol", "D", "how far orders may be from it", "with --orders 0.1", series_options, tolerance, POSITIVE),
-  OPTIONS_ERRORS("errors in doubles, as they are"),
+  OPTION_FLAG("rows", series_options, rows),
+  OPTION_TEXT("parts", series_options, parts, "names of parts, separated by commas"),
+  OPTION_FLAG("orders", series_options, orders),
+  OPTION_NUMBER("expect", series_options, expect, FINITE),
+  OPTION_NUMBER("tol", series_options, tolerance, POSITIVE),
+  OPTIONS_ERRORS,
   OPTION_STATS,
-  OPTION_FORMAT("tsv"),
-  OPTION_DIGITS(DIGITS, READ_BACK "; with --source derived fractions, or 17 digits", MOST_DIGITS),
+  OPTION_FORMAT,
+  OPTION_DIGITS(DIGITS, MOST_DIGITS),
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };
@@ -204,13 +198,11 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   const struct flint_part *flint = flint_for("series", o->symbolic ? "--symbolic"
                                                        : o->bound  ? "--bound"
                                                                    : "--source derived or limit");
-  return !flint ? EXIT_UNSOLVED : o->symbolic ? flint->series_symbolic(o) : flint->series_derived(o);
+  return flint ? flint->series_report(o) : EXIT_UNSOLVED;
 }
 
 const struct command command_series = {
   .name = "series",
-  .summary = "the paper's formulas as published, and the series derived to any order, beside the exact values",
-  .example = "scallop series --source derived --order 8 --T 0.1",
   .options = options_of_series,
   .size = sizeof(struct series_options),
   .initial = &initial,

@@ -1,240 +1,254 @@
-/* series --source derived|limit, and --bound. */
+/* series --source derived|limit, --symbolic and --bound. */
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 #include "compare/answers/answer_flint.h"
+#include "compare/command/report_flint.h"
 #include "compare/points/point_flint.h"
-#include "compare/command/emit_flint.h"
 
-enum { ERROR_DIGITS = 3, BOUND_PRECISION = 128 };
+enum { BOUND_PRECISION = 128 };
 
-struct motion_report { /* of one motion: its expansion and its certified values */
-  struct motion_names names;
-  fmpq_t v0, T; /* T: of the phase, or the period */
+struct numbers { /* the expansion of a motion, and its certified values */
+  const struct report *report;
+  const struct reported_motion *motion;
+  fmpq_t T; /* of the phase, or the period */
   struct series_answer derived;
   struct ball_answer exact;
   char status[2 * SCALLOP_MODES_TEXT + 240];
 };
-#define PARTS_OF_REPORT(of) of(fmpq, s->v0) of(fmpq, s->T) of(series_answer, &s->derived) of(ball_answer, &s->exact)
-SCOPED_PARTS(motion_report, struct motion_report, PARTS_OF_REPORT)
+#define NUMBERS(of) of(fmpq, s->T) of(series_answer, &s->derived) of(ball_answer, &s->exact)
+SCOPED_PARTS(numbers, struct numbers, NUMBERS)
 
-static slong bits_of(long digits) { return (slong)(3.33 * (double)digits); }
-
-static bool derive(struct motion_report *m, const struct report *r, long order, slong precision)
+static bool derive(struct numbers *n, long order, slong precision)
 {
-  return answer_in_series(&m->derived, r->crawler, m->names.of, m->names.kind, m->v0, order, precision);
+  const struct reported_motion *m = n->motion;
+  return answer_in_series(&n->derived, n->report->crawler, m->of, m->kind, m->v0, order, precision);
 }
 
 /* Whether every coefficient below T^order is exact or has the digits. */
-static bool is_precise(const struct motion_report *m, long order, long digits)
+static bool is_precise(const struct numbers *n, long order)
 {
   bool precise = true;
   SCOPED(arb, x);
   for (int q = 0; q < QUANTITIES; q++)
-    for (slong k = m->derived.value[q] ? m->derived.value[q]->first : order; k < order && precise; k++) {
-      const struct series *s = m->derived.value[q];
+    for (slong k = n->derived.value[q] ? n->derived.value[q]->first : order; k < order && precise; k++) {
+      const struct series *s = n->derived.value[q];
       if (s->kind != SERIES_BALLS || series_coefficient_is_zero(s, k))
         continue;
       series_coefficient(x, s, k, 64);
-      precise = arb_rel_accuracy_bits(x) > bits_of(digits) + 4 || arb_contains_zero(x);
+      precise = arb_rel_accuracy_bits(x) > bits_of_digits(n->report->digits) + 4 || arb_contains_zero(x);
     }
   return precise;
 }
 
 /* With so many bits, or as many more as the digits of the coefficients take. */
-static bool expand(struct motion_report *m, const struct report *r, long order)
+static bool expand(struct numbers *n, long order)
 {
   enum { TRIES = 6 };
-  slong precision = bits_of(r->digits) + 128 + order;
+  slong precision = bits_of_digits(n->report->digits) + 128 + order;
   for (int i = 0; i < TRIES; i++, precision *= 2) {
-    bool done = derive(m, r, order, precision);
-    if (m->derived.status == SCALLOP_EDOMAIN || (done && is_precise(m, order, r->digits)))
+    bool done = derive(n, order, precision);
+    if (n->derived.status == SCALLOP_EDOMAIN || (done && is_precise(n, order)))
       break;
   }
-  return m->derived.status == SCALLOP_OK;
+  return n->derived.status == SCALLOP_OK;
 }
 
 /* Certified values with so many digits; without an answer the errors are nan. */
-static bool solve(struct motion_report *m, const struct report *r, long digits)
+static bool solve(struct numbers *n, long digits)
 {
+  const struct reported_motion *m = n->motion;
   char modes[MOTION_MODES_TEXT];
-  bool solved = answer_in_balls(&m->exact, r->crawler, m->names.of, m->names.kind, m->v0, digits);
+  bool solved = answer_in_balls(&n->exact, n->report->crawler, m->of, m->kind, m->v0, digits);
   if (!solved)
-    snprintf(m->status, sizeof m->status, "not certified: %s",
-             m->exact.why ? m->exact.why : scallop_status_text(m->exact.status));
-  else if (strcmp(motion_modes_text(modes, m->names.of, m->exact.modes), m->derived.modes) != 0)
-    snprintf(m->status, sizeof m->status, "not of this motion: its modes are %s", modes);
+    snprintf(n->status, sizeof n->status, "not certified: %s",
+             n->exact.why ? n->exact.why : scallop_status_text(n->exact.status));
+  else if (strcmp(motion_modes_text(modes, m->of, n->exact.modes), n->derived.modes) != 0)
+    snprintf(n->status, sizeof n->status, "not of this motion: its modes are %s", modes);
   else
-    snprintf(m->status, sizeof m->status, "ok");
+    snprintf(n->status, sizeof n->status, "ok");
   return solved;
 }
 
-static void write_ball(struct table *t, const arb_t x, long digits)
+/* Has the exact value of each quantity the digits that the error of its series takes? */
+static bool errors_are_seen(const struct numbers *n, long order, slong precision)
 {
-  char *text = decimal_text(x, digits);
-  table_digits(t, text);
-  flint_free(text);
+  bool seen = true;
+  SCOPED(arb, T, sum, error);
+  arb_set_fmpq(T, n->T, precision);
+  for (int q = 0; q < QUANTITIES; q++)
+    if (n->derived.value[q] && n->exact.value[q]) {
+      series_value(sum, n->derived.value[q], T, order, precision);
+      seen = report_error(error, sum, n->exact.value[q], precision) && seen;
+    }
+  return seen;
 }
 
-/* A coefficient as a fraction, where it is one and no digits are asked for */
-static bool is_fraction(fmpq_t q, const struct report *r, const struct series *s, slong power)
-{
-  return r->options->request.style.digits == 0 && series_rational_coefficient(q, s, power);
-}
-
-static char *coefficient_text(const struct report *r, const struct series *s, slong power, const fmpq *fraction)
-{
-  SCOPED(arb, x);
-  series_coefficient(x, s, power, bits_of(r->digits) + 32);
-  return fraction ? decimal_fraction(fraction) : decimal_text(x, r->digits);
-}
-
-/* sum - exact. With too few digits of the exact value for this, false. */
-static bool error_of(arb_t error, const arb_t sum, const arb_t exact, slong precision)
-{
-  arb_sub(error, sum, exact, precision);
-  return arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12;
-}
-
-/* One row for each term that is not 0; if all are, one row says so. exact: NULL where the motion has no such quantity,
- * or could not be certified. */
-static void write_terms(struct report *r, const struct motion_report *m, int q, long order, const arb_struct *exact)
-{
-  const struct series *series = m->derived.value[q];
-  struct table *t = &r->table;
-  slong accuracy = exact ? arb_rel_accuracy_bits(exact) : 0, precision = bits_of(r->digits) + 128;
-  if (accuracy < WORD_MAX / 4 && accuracy + 64 > precision)
-    precision = accuracy + 64;
-  bool any = false;
-  SCOPED(arb, T, power, term, sum, error);
-  SCOPED(fmpq, fraction);
-  arb_set_fmpq(T, m->T, precision);
-  for (slong k = series->first < 0 ? series->first : 0; k < order; k++) {
-    bool zero = series_coefficient_is_zero(series, k), say_zero = zero && k == order - 1 && !any;
-    if (zero && !say_zero)
-      continue;
-    series_coefficient(term, series, k, precision);
-    arb_pow_ui(power, T, (ulong)labs(k), precision);
-    if (k < 0)
-      arb_inv(power, power, precision);
-    arb_addmul(sum, term, power, precision);
-    any = true;
-    write_names(r, &m->names, quantity_rows[q].name);
-    table_rounded(t, say_zero ? 0 : (double)k, "%.0f");
-    bool exactly = is_fraction(fraction, r, series, say_zero ? 0 : k);
-    char *text = coefficient_text(r, series, say_zero ? 0 : k, exactly ? fraction : NULL);
-    table_text(t, text);
-    flint_free(text);
-    write_ball(t, sum, r->digits);
-    if (exact) {
-      error_of(error, sum, exact, precision);
-      write_ball(t, error, ERROR_DIGITS);
-    } else
-      table_number(t, NAN);
-    table_text(t, m->status);
-  }
-}
-
-/* A coefficient times T^power: exact, but where its two sides are beyond the range of doubles */
-static struct written write_exactly(const struct report *r, const struct series *series, slong power)
-{
-  enum { LONGEST = 900 }; /* bits of a double's range */
-  struct symbols none;
-  SCOPED(fmpq, q);
-  bool exactly = is_fraction(q, r, series, power);
-  if (exactly && fmpz_bits(fmpq_numref(q)) < LONGEST && fmpz_bits(fmpq_denref(q)) < LONGEST) {
-    symbols_init(&none);
-    symbols_add(&none, NAMED_T, 0, SCALLOP_EXTENSION);
-    symbols_begin(&none);
-    struct written written = symbolic_written(&none, symbolic_fraction(&none, q), power, r->language);
-    symbols_end(&none);
-    return written;
-  }
-  char *decimal = coefficient_text(r, series, power, NULL);
-  struct written written = decimal_written(decimal, power, r->language);
-  flint_free(decimal);
-  return written;
-}
-
-/* A quantity as a function of T */
-static void emit_terms(struct report *r, const struct motion_report *m, int q, long order)
-{
-  const struct series *series = m->derived.value[q];
-  const struct emitted e = {
-    .names = m->names, .quantity = quantity_rows[q].name, .modes = m->derived.modes, .below = order
-  };
-  emit_begin(r, &e);
-  for (slong k = series->first < 0 ? series->first : 0; k < order; k++)
-    if (!series_coefficient_is_zero(series, k))
-      emit_term(r, write_exactly(r, series, k));
-  emit_end(r, &e);
-}
-
-/* The smallest error is seen: as many digits of the exact value, and of the coefficients, as that takes, within
- * reason. */
-static bool solve_well(struct motion_report *m, const struct report *r, long order)
+/* As many digits of the exact value, and of the coefficients, as the smallest error takes, within reason. */
+static bool solve_well(struct numbers *n, long order)
 {
   enum { TRIES = 9, MOST = 10000 };
-  long digits = r->digits + 20;
   bool solved = false, enough = false;
-  SCOPED(arb, T, sum, error);
-  for (int i = 0; i < TRIES && !enough; i++, digits *= 2) {
-    slong precision = 4 * (digits < MOST ? digits : MOST) + 128 + order;
-    solved = enough = solve(m, r, digits < MOST ? digits : MOST);
-    if (i > 0 && m->derived.value[m->names.of == OF_STEADY ? Q_V_START : Q_V_END]->kind == SERIES_BALLS
-        && !derive(m, r, order, precision))
+  int main_quantity = n->motion->of == OF_STEADY ? Q_V_START : Q_V_END;
+  for (long i = 0, more = n->report->digits + 20; i < TRIES && !enough; i++, more *= 2) {
+    long digits = more < MOST ? more : MOST;
+    slong precision = 4 * digits + 128 + order;
+    solved = solve(n, digits);
+    if (solved && i > 0 && n->derived.value[main_quantity]->kind == SERIES_BALLS && !derive(n, order, precision))
       break;
-    arb_set_fmpq(T, m->T, precision);
-    for (int q = 0; solved && q < QUANTITIES; q++) {
-      if (!m->derived.value[q] || !m->exact.value[q])
-        continue;
-      series_value(sum, m->derived.value[q], T, order, precision);
-      enough = error_of(error, sum, m->exact.value[q], precision) && enough;
-    }
-    enough |= !solved || digits >= MOST;
+    enough = !solved || digits == MOST || errors_are_seen(n, order, precision);
   }
   return solved;
 }
 
-static bool report_motion(struct report *r, const struct motion_names *names)
+static bool report_numbers(struct report *r, const struct reported_motion *m)
 {
   bool limit = is_from(r->options, "limit");
   long order = limit ? 1 : r->options->order.value;
-  SCOPED(motion_report, m);
-  m.names = *names;
-  if (names->from_v0)
-    fmpq_set(m.v0, r->v0);
-  if (names->of == OF_STEADY)
-    fmpq_set(m.T, r->crawler->T);
+  struct symbols T;
+  SCOPED(numbers, n);
+  n.report = r;
+  n.motion = m;
+  if (m->of == OF_STEADY)
+    fmpq_set(n.T, r->crawler->T);
   else
-    scallop_rational_duration(m.T, r->crawler, names->kind);
-  if (!expand(&m, r, order))
-    return write_failure(r, &m.names, m.derived.status, m.derived.why);
-  bool solved = !r->language && solve_well(&m, r, order);
-  for (int q = 0; q < QUANTITIES; q++) {
-    if (!m.derived.value[q])
-      continue;
-    long below = limit && m.derived.value[q]->first < 0 ? 0 : order;
-    if (r->language)
-      emit_terms(r, &m, q, below);
-    else
-      write_terms(r, &m, q, below, solved ? m.exact.value[q] : NULL);
-  }
+    scallop_rational_duration(n.T, r->crawler, m->kind);
+  if (!expand(&n, order))
+    return report_failure(r, m, n.derived.status, n.derived.why);
+  bool solved = !r->language && solve_well(&n, order);
+  symbols_init(&T);
+  symbols_add(&T, NAMED_T, 0, SCALLOP_EXTENSION);
+  symbols_begin(&T);
+  struct reported_sum sum = { .motion = m, .modes = n.derived.modes, .symbols = &T, .T = n.T, .status = n.status };
+  for (int q = 0; q < QUANTITIES; q++)
+    if ((sum.series = n.derived.value[q])) {
+      sum.quantity = quantity_rows[q].name;
+      sum.first = sum.series->first < 0 ? sum.series->first : 0;
+      sum.below = limit && sum.first < 0 ? 0 : order;
+      sum.exact = solved ? n.exact.value[q] : NULL;
+      report_sum(r, &sum);
+    }
+  symbols_end(&T);
   return true;
 }
 
-static enum exit_code report_series(struct report *r)
+/* A row of terms for a series in formulas */
+static void report_formula(struct report *r, struct reported_sum sum, const char *quantity,
+                           const struct symbolic_series *series)
+{
+  sum.quantity = quantity;
+  sum.term = series->term;
+  sum.below = sum.first + series->length;
+  report_sum(r, &sum);
+}
+
+static bool report_phase(struct report *r, const struct reported_motion *m)
+{
+  struct symbols s;
+  struct symbolic_phase phase;
+  const char *why = NULL;
+  symbols_init(&s);
+  enum scallop_status status = symbolic_expand_phase(&s, r->crawler, m->kind, m->v0, r->options->order.value, &phase,
+                                                     &why);
+  if (status != SCALLOP_OK)
+    return report_failure(r, m, status, why);
+  const struct reported_sum sum = { .motion = m, .modes = phase.modes, .symbols = &s };
+  report_formula(r, sum, "t1", &phase.t1);
+  report_formula(r, sum, "dT", &phase.dT);
+  report_formula(r, sum, "v_end", &phase.v_end);
+  report_formula(r, sum, "dx1", &phase.dx1);
+  report_formula(r, sum, "dx2", &phase.dx2);
+  report_formula(r, sum, "dxC", &phase.dxC);
+  symbols_end(&s);
+  return true;
+}
+
+/* As series in T, or in closed form */
+static bool report_steady(struct report *r, const struct reported_motion *m)
+{
+  static const char *const names[] = { "v_start", "v_mid", "displacement" };
+  bool closed = is_from(r->options, "closed");
+  struct symbols s;
+  struct symbolic_steady steady;
+  const char *why = NULL;
+  symbols_init(&s);
+  enum scallop_status status = symbolic_solve_steady(&s, r->crawler, &steady, &why);
+  if (status != SCALLOP_OK)
+    return report_failure(r, m, status, why);
+  const symbolic values[] = { steady.v_start, steady.v_mid, steady.displacement };
+  for (int i = 0; i < 3; i++) {
+    slong first = i < 2 && !closed ? -1 : 0; /* velocities begin with 1/T */
+    struct symbolic_series series = { 1, { values[i] } };
+    if (!closed)
+      series = symbolic_series_of(&s, values[i], first, r->options->order.value - first);
+    const struct reported_sum sum = {
+      .motion = m, .modes = steady.modes, .first = first, .is_closed = closed, .symbols = &s
+    };
+    report_formula(r, sum, names[i], &series);
+  }
+  symbols_end(&s);
+  return true;
+}
+
+/* The limit T -> 0 in powers of what makes it small */
+static bool report_limit(struct report *r, enum limit_parameter in)
+{
+  static const char *const names[] = { "product", "alpha", "friction" };
+  static const char *const small[] = { "(F1 - F2)*(2*alpha - 1)/(F1 + F2)", "2*alpha - 1", "(F1 - F2)/(F1 + F2)" };
+  const struct reported_motion m = { "period", r->language ? names[in] : small[in], .of = OF_STEADY };
+  struct symbols s;
+  struct symbolic_limit limit;
+  const char *why = NULL;
+  symbols_init(&s);
+  enum scallop_status status = symbolic_expand_limit(&s, r->crawler, in, r->options->order.value, &limit, &why);
+  if (status != SCALLOP_OK)
+    return report_failure(r, &m, status, why);
+  const struct reported_sum sum = { .motion = &m, .modes = limit.modes, .small = small[in], .symbols = &s };
+  report_formula(r, sum, "U", &limit.term);
+  symbols_end(&s);
+  return true;
+}
+
+static bool open_numbers(struct report *r)
 {
   static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient",
                                          "sum",   "error", "status",   NULL };
-  if (!report_open(r, "derived", columns, NULL,
-                   "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; "
-                   "error: sum - exact"))
-    return EXIT_FILE;
-  return report_close(r, is_from(r->options, "limit") ? report_motion(r, &steady_motion)
-                                                      : report_motions(r, report_motion));
+  return report_open(r, "derived", columns, NULL,
+                     "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; "
+                     "error: sum - exact");
+}
+
+static bool open_formulas(struct report *r)
+{
+  static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient", "modes", NULL };
+  static const char *const limit_columns[] = { "phase", "in", "quantity", "power", "term", "modes", NULL };
+  static const char names[] = "M = m1 + m2; L is the amplitude; l0/T^2, l3_0/T^3, k0/T^4, l5_0/T^5, ... are the "
+                              "second, third, fourth, fifth, ... derivative of l at the start of a phase of duration "
+                              "T, lT/T^2, l3_T/T^3, ... those at its end.";
+  bool limit = is_from(r->options, "limit");
+  const char *equation = limit ? symbolic_limit_equation(r->crawler) : NULL;
+  char note[800];
+  snprintf(note, sizeof note, "%s%s%s%s", names, equation ? " U is v_start T for T -> 0, the root of " : "",
+           equation ? equation : "", equation ? "." : "");
+  return report_open(r, NULL, limit ? limit_columns : columns, note,
+                     limit ? NULL : "power: of T, the duration of the phase, or the period in the steady state");
+}
+
+/* What is asked for of the steady state, and of each phase, from rest and from v0. Had everything a series? */
+static bool report_motions(struct report *r, const fmpq *rest, const fmpq *v0)
+{
+  const struct reported_motion steady = { "period", "steady", .of = OF_STEADY, .v0 = rest };
+  bool formulas = r->options->symbolic, limit = is_from(r->options, "limit"), done = true;
+  for (int in = 0; formulas && limit && in < LIMIT_PARAMETERS; in++)
+    done = report_limit(r, (enum limit_parameter)in) && done;
+  for (int i = 0; i < 4 && !limit && !is_from(r->options, "closed"); i++) {
+    const struct reported_motion phase = { i < 2 ? "extension" : "contraction", i % 2 == 0 ? "rest" : "v0", OF_PHASE,
+                                           i < 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION, i % 2 == 0 ? rest : v0 };
+    if (i % 2 == 0 || !fmpq_is_zero(v0))
+      done = (formulas ? report_phase : report_numbers)(r, &phase) && done;
+  }
+  if (formulas && limit)
+    return done;
+  return (formulas ? report_steady : report_numbers)(r, &steady) && done;
 }
 
 /* Four digits, rounded away from what is claimed: C and the bound up, times down. */
@@ -245,7 +259,7 @@ static void write_rounded(struct table *t, const arb_t x, int direction)
   (direction > 0 ? arb_get_ubound_arf : arb_get_lbound_arf)(arb_midref(shifted), x, BOUND_PRECISION);
   arb_mul_si(shifted, shifted, SPARE + direction, BOUND_PRECISION);
   arb_div_si(shifted, shifted, SPARE, BOUND_PRECISION);
-  write_ball(t, shifted, DIGITS);
+  report_ball(t, shifted, DIGITS);
 }
 
 static void write_bound(struct report *r, const struct scallop_bound *b, const char *quantity)
@@ -268,20 +282,18 @@ static void write_bound(struct report *r, const struct scallop_bound *b, const c
   table_text(t, b->ends);
 }
 
-static void end_bounds(struct scallop_bound (*bounds)[2])
-{
-  scallop_bound_clear(&(*bounds)[0]);
-  scallop_bound_clear(&(*bounds)[1]);
-}
+struct bounds { /* of v_start and displacement */
+  struct scallop_bound of[2];
+};
+#define BOUNDS(of_type) of_type(scallop_bound, &s->of[0]) of_type(scallop_bound, &s->of[1])
+SCOPED_PARTS(bounds, struct bounds, BOUNDS)
 
 static enum exit_code report_bounds(struct report *r)
 {
   static const char *const columns[] = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends", NULL };
   const char *why = NULL;
-  ENDED_BY(end_bounds) struct scallop_bound bounds[2];
-  scallop_bound_init(&bounds[0]);
-  scallop_bound_init(&bounds[1]);
-  enum scallop_status status = scallop_steady_bounds(r->crawler, r->options->order.value, BOUND_PRECISION, bounds,
+  SCOPED(bounds, bounds);
+  enum scallop_status status = scallop_steady_bounds(r->crawler, r->options->order.value, BOUND_PRECISION, bounds.of,
                                                      &why);
   if (status != SCALLOP_OK) {
     complain("series", "no bound: %s", why ? why : scallop_status_text(status));
@@ -290,12 +302,26 @@ static enum exit_code report_bounds(struct report *r)
   if (!report_open(r, "bounds", columns, NULL,
                    "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T"))
     return EXIT_FILE;
-  write_bound(r, &bounds[0], "v_start");
-  write_bound(r, &bounds[1], "displacement");
+  write_bound(r, &bounds.of[0], "v_start");
+  write_bound(r, &bounds.of[1], "displacement");
   return report_close(r, true);
 }
 
-enum exit_code series_derived(const struct series_options *o)
+enum exit_code series_report(const struct series_options *o)
 {
-  return report_run(o, o->bound ? report_bounds : report_series);
+  enum { DEFAULT_DIGITS = 17 };
+  SCOPED(scallop_rational, crawler);
+  SCOPED(fmpq, rest, v0);
+  struct report r = { .options = o,
+                      .crawler = &crawler,
+                      .digits = o->request.style.digits > 0 ? o->request.style.digits : DEFAULT_DIGITS,
+                      .language = strcmp(o->emit.value, "latex") == 0    ? &language_latex
+                                  : strcmp(o->emit.value, "python") == 0 ? &language_python
+                                                                         : NULL };
+  rational_point(&crawler, v0, &o->request.point);
+  if (o->bound)
+    return report_bounds(&r);
+  if (!(o->symbolic ? open_formulas : open_numbers)(&r))
+    return EXIT_FILE;
+  return report_close(&r, report_motions(&r, rest, v0));
 }

@@ -39,9 +39,7 @@ const char *series_use_name(char name[QUANTITY_NAME], const struct series_use *u
 /* Rows of points: NULL, or what is wrong */
 const char *series_plan(const void *options, struct rows *rows);
 
-/* --source derived|limit, and --bound */
-enum exit_code series_derived(const struct series_options *options);
-/* --symbolic */
-enum exit_code series_symbolic(const struct series_options *options);
+/* --source derived|limit, --symbolic and --bound */
+enum exit_code series_report(const struct series_options *options);
 
 #endif

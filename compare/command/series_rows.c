@@ -128,8 +128,7 @@ static const char *read_parts(bool has[4], const struct series_options *o)
 
 enum { MOST_TIMES = 4096 };
 
-struct orders { /* the errors of each series at the T so far */
-  const struct series_options *options;
+struct orders {                   /* the errors of each series at the T so far */
   int series, error[MOST_SERIES]; /* as quantities */
   long times;
   struct scallop_order_point point[]; /* MOST_TIMES of each series */
@@ -148,7 +147,7 @@ static const char *const order_columns[] = { "series", "order",     "order_lo", 
 static void write_order(struct rows *rows, struct at *at, int series)
 {
   struct orders *all = rows->context;
-  const struct series_options *o = all->options;
+  const struct series_options *o = (const void *)rows->request;
   const struct quantity *item = at->asked->quantities.item;
   const struct scallop_order_wanted wanted = { .order = o->expect.given ? o->expect.value : NAN,
                                                .tolerance = o->tolerance.value };
@@ -205,13 +204,12 @@ static bool T_varies(const struct sweep *s)
 }
 
 /* The errors of the series, as quantities */
-static const char *begin_orders(struct rows *rows, const struct series_options *o, const struct names_of_series *list)
+static const char *begin_orders(struct rows *rows, const struct names_of_series *list)
 {
   char error[SERIES_NAME + 8];
   struct orders *all = rows->context = calloc(1, sizeof *all + (size_t)list->count * MOST_TIMES * sizeof *all->point);
   if (!all)
     return rows_no_memory;
-  all->options = o;
   for (; all->series < list->count; all->series++) {
     snprintf(error, sizeof error, "error.%s", list->name[all->series]);
     all->error[all->series] = quantity_named(&rows->sheet.asked->quantities, error);
@@ -226,7 +224,7 @@ static const char *plan_orders(const struct series_options *o, struct rows *rows
   snprintf(T_needed, sizeof T_needed,
            "orders need T to vary, alone, in the last group of what varies, with 3 to %d values", MOST_TIMES);
   const char *wrong = T_varies(&o->request.sweep) ? read_names(&list, o) : T_needed;
-  wrong = wrong ? wrong : begin_orders(rows, o, &list);
+  wrong = wrong ? wrong : begin_orders(rows, &list);
   rows->has_errors = true;
   rows->visit = collect;
   rows->behind = order_columns;

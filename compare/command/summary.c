@@ -9,11 +9,7 @@ struct summary_options {
 static const struct summary_options initial = { .request.style.format = FORMAT_TABLE };
 
 static const struct option options_of_summary[] = {
-  OPTIONS_CRAWLER(NULL, NULL),
-  OPTION_BOOK("the formulas of this book too"),
-  OPTION_POINTS,
-  OPTION_FORMAT("table"),
-  OPTION_DIGITS(DIGITS_OF_DOUBLES, "6, in the other formats " READ_BACK, DOUBLE_DIGITS),
+  OPTIONS_CRAWLER, OPTION_BOOK, OPTION_POINTS, OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS),
   OPTIONS_LAST,
 };
 
@@ -26,8 +22,6 @@ static const char *plan(const void *options, struct rows *rows)
 
 const struct command command_summary = {
   .name = "summary",
-  .summary = "one page about a crawler: what it does, which formulas hold for it, and up to which T",
-  .example = "scallop summary --F1 3 --T 0.5",
   .options = options_of_summary,
   .size = sizeof(struct summary_options),
   .initial = &initial,

@@ -56,7 +56,7 @@ static bool take_option(struct want *w, struct scene *s, const config_setting_t 
     return values > 0 ? refuse_at(&s->config, at, "%s takes a value", name)
                       : !config_setting_get_bool(at) || take(w, s, at, o, NULL);
   if (values > 1 && count != values)
-    return refuse_at(&s->config, at, "%s takes %d values: %s", name, values, o->argument);
+    return refuse_at(&s->config, at, "%s takes %d values", name, values);
   bool fine = true;
   for (int i = 0; i < values && fine; i++) {
     const char *text = values > 1 ? text_of(&s->config, element_at(at, i)) : scene_text_of_list(s, at);
@@ -119,7 +119,6 @@ static bool read_options(struct want *w, struct scene *s, const config_setting_t
   struct request *r = &w->arguments.options.request;
   const struct style *given = &o->request.style;
   options_initial(&w->arguments, kind->command);
-  w->arguments.commands = o->commands;
   r->asked = s->request.asked;
   for (int i = 0; i < 2 && kind->option[i][0]; i++)
     option_take(&w->arguments, option_of(kind->command, kind->option[i][0]), kind->option[i][1]);

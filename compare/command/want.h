@@ -9,10 +9,7 @@ struct scene_options { /* of run and figure */
   struct request request;
   const char *folder; /* below which all files go, or NULL */
   bool check_only, no_plots;
-  const struct command *const *commands; /* whose tables can be wanted */
 };
-/* Reads all scenes, and only then runs them (run.c). */
-enum exit_code run_scenes(const struct scene_options *options, const struct scene_source *sources, int count);
 
 struct want {
   struct arguments arguments;

@@ -9,10 +9,61 @@
 #include "compare/text/shipped.h"
 #include "tests/support/check.h"
 
-TEST(every_command_has_a_text)
+/* The name of the option that a line of a page is about: "  --NAME ...". NULL: the line is about something else. */
+static const char *option_of_line(const char *line, char name[40])
 {
-  for (const struct command *const *c = commands; *c; c++)
-    assert_non_null(shipped_text(shipped_help, (*c)->name));
+  bool is_one = sscanf(line, "  --%39[A-Za-z0-9_-]", name) == 1 && strncmp(line, "  --", 4) == 0;
+  return is_one ? name : NULL;
+}
+
+/* A line for each option, in their order, and none for another */
+TEST(every_option_has_a_line)
+{
+  for (const struct command *const *c = commands; *c; c++) {
+    const struct option *o = (*c)->options;
+    char name[40];
+    const char *line = shipped_text(shipped_help, (*c)->name);
+    assert_non_null(line);
+    line = strstr(line, "\nOptions (defaults in brackets):\n");
+    assert_non_null(line);
+    for (line = strchr(line + 1, '\n'); line; line = strchr(line + 1, '\n'))
+      if (option_of_line(line + 1, name)) {
+        assert_string_equal(name, o->name ? o->name : "help");
+        o += o->name != NULL;
+      }
+    assert_null(o->name);
+  }
+}
+
+/* Copies a text, with one blank for any number of blanks and ends of lines. */
+static void flatten(char *to, size_t size, const char *text)
+{
+  size_t used = 0;
+  for (; *text && used + 1 < size; text++) {
+    char c = *text == '\n' ? ' ' : *text;
+    if (c != ' ' || (used > 0 && to[used - 1] != ' '))
+      to[used++] = c;
+  }
+  to[used] = '\0';
+}
+
+/* The list of commands says of each what its page begins with. */
+TEST(every_command_is_listed)
+{
+  enum { PAGE = 1 << 14 };
+  static char list[PAGE], page[PAGE];
+  flatten(list, PAGE, shipped_text(shipped_help, "scallop"));
+  for (const struct command *const *c = commands; *c; c++) {
+    char item[400];
+    flatten(page, PAGE, shipped_text(shipped_help, (*c)->name));
+    char *summary = strstr(page, "[options]: ");
+    assert_non_null(summary);
+    summary += strlen("[options]: ");
+    summary[strcspn(summary, ".")] = '\0';
+    snprintf(item, sizeof item, " %s %s ", (*c)->name, summary);
+    if (!strstr(list, item))
+      fail_msg("docs/help/scallop.txt does not have:%s", item);
+  }
 }
 
 TEST(numbers_are_those_of_the_code)

@@ -7,8 +7,8 @@ struct some_options {
   const char *map[2];
 };
 static const struct option options[] = {
-  OPTION_T(NULL),
-  OPTION_TEXT("map", "X Y", "a map", NULL, some_options, map, "a name"),
+  OPTION_T,
+  OPTION("map", read_text, OPTION_FIELD(some_options, map), .values = 2, .allowed = "a name"),
   OPTION_QUIET,
   NO_MORE_OPTIONS,
 };
@@ -109,13 +109,6 @@ TEST(what_is_no_longer_there_is_told)
     assert_non_null(strstr(said.text, cases[i].message));
     options_free(&o);
   }
-}
-
-TEST(dots_at_the_end_mean_many)
-{
-  assert_true(takes_operands(&many));
-  assert_false(takes_operands(&one));
-  assert_false(takes_operands(&none));
 }
 
 TEST(values_are_counted)
