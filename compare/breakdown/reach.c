@@ -3,7 +3,6 @@
 #include <stdlib.h>
 
 #include "compare/breakdown/motion.h"
-#include "numerics/event/itp.h"
 
 /* T = natural time times 2^(k/PER_OCTAVE - OCTAVES): between two of these an error is taken to have one maximum at
  * most. As T -> 0 it is what it is at FARTHEST. */
@@ -108,37 +107,20 @@ static double exact_of(const struct comparison *c, const struct look *look)
   return look->exact.value[c->item.quantity].high;
 }
 
-struct rise {
-  const struct comparison *comparison;
-  struct look low;
-  /* the error changes less than T does: a double of it has too few digits to tell where it reaches the tolerance */
-  bool flat;
-};
-
-/* The logarithm of |error|/tolerance, within bounds: as if it were above where the exact motion has no such value, and
- * beyond a zero of that, where the error is without bound. */
-static double level(const void *context, double T, double *slope)
+/* Not where the exact motion has no such value, nor beyond a zero of that, where the error is without bound */
+static bool is_below(const struct comparison *c, const struct look *low, double T)
 {
-  static const double most = 40;
-  const struct rise *r = context;
-  const struct look look = look_at(r->comparison, T, NULL);
-  double tolerance = r->comparison->tolerance;
-  *slope = 0; /* of no use */
-  if (exact_of(r->comparison, &r->low) * exact_of(r->comparison, &look) < 0)
-    return most;
-  return fmax(fmin(r->flat ? log1p(look.excess / tolerance) : log(fabs(look.error) / tolerance), most), -most);
+  const struct look look = look_at(c, T, NULL);
+  return !(exact_of(c, low) * exact_of(c, &look) < 0) && look.excess < 0;
 }
 
 /* |error| < tolerance at low, not at high: the last double between them at which it is. */
 static double crossing(const struct comparison *c, const struct look *low, double high)
 {
-  struct rise r = { c, *low, false };
-  double slope;
-  r.flat = level(&r, high, &slope) - level(&r, low->T, &slope) < log(high / low->T) / 2;
-  double T = itp_root(level, &r, low->T, high);
-  while (T > low->T && !(level(&r, T, &slope) < 0))
-    T = nextafter(T, low->T);
-  return T;
+  double below = low->T;
+  for (double T; (T = below + (high - below) / 2) > below && T < high;)
+    *(is_below(c, low, T) ? &below : &high) = T;
+  return below;
 }
 
 /* Where |error| is largest between two times, by golden section. */
