@@ -23,44 +23,25 @@ enum { BLOCK = 64 };
 #define VECTOR
 #endif
 
-enum number {
-  FROUDE,
-  V_START,
-  V_MID,
-  DISPLACEMENT,
-  MEAN_VELOCITY,
-  MULTIPLIER,
-  SINGLE,
-  V_LOW = SINGLE,
-  V_HIGH,
-  NUMBERS
-};
+enum { NUMBERS = 8 };
 
 struct row {
+  const struct scallop_crawlers *of;
   int count;
   long index[BLOCK];
   double order[BLOCK]; /* as in held_steady; 0: the modes are the regular ones                              */
-  double m1[BLOCK], m2[BLOCK], F1[BLOCK], F2[BLOCK], L[BLOCK], T[BLOCK], alpha[BLOCK];
 };
 
 struct answers { /* the last ones are doubles so that they fill a vector like the rest                     */
-  double number[SINGLE][BLOCK]; /* but for v_low and v_high, which are v_start                             */
-  double course[2][BLOCK];      /* held: of each phase                                                     */
+  double number[NUMBERS][BLOCK]; /* in the order of columns_of                                             */
+  double course[2][BLOCK];       /* held: of each phase                                                     */
   double valid[BLOCK];
 };
 
-static void collect(struct row *row, const struct scallop_crawlers *c, long i, double order)
+static void collect(struct row *row, long i, double order)
 {
-  int at = row->count++;
-  row->index[at] = i;
-  row->order[at] = order;
-  row->m1[at] = c->m1[i];
-  row->m2[at] = c->m2[i];
-  row->F1[at] = c->F1[i];
-  row->F2[at] = c->F2[i];
-  row->L[at] = c->L[i];
-  row->T[at] = c->T[i];
-  row->alpha[at] = c->alpha[i];
+  row->index[row->count] = i;
+  row->order[row->count++] = order;
 }
 
 /* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the
@@ -78,20 +59,28 @@ static double holds(const struct scallop_crawlers *c, long i, double slope_e, do
   return pull_c < 0 ? 1 : pull_e < 0 ? -1 : 0;
 }
 
+SCALLOP_INLINE int scale(const struct row *row, int i, struct scallop_scaled *s)
+{
+  const struct scallop_crawlers *c = row->of;
+  const long at = row->index[i];
+  return scaling_of(c->m1[at], c->m2[at], c->F1[at], c->F2[at], c->L[at], c->T[at], c->alpha[at], s);
+}
+
 /* True: no result over- or underflows. */
 SCALLOP_INLINE int answer(struct answers *out, int i, const struct row *row, const struct scallop_scaled *s,
                           double c_start, double c_mid, double travel, double multiplier)
 {
-  double displacement = scaling_back(travel, row->L[i]), mean = displacement / row->T[i];
-  out->number[FROUDE][i] = 1 / s->eps;
-  out->number[V_START][i] = c_start * s->velocity;
-  out->number[V_MID][i] = c_mid * s->velocity;
-  out->number[DISPLACEMENT][i] = displacement;
-  out->number[MEAN_VELOCITY][i] = mean;
-  out->number[MULTIPLIER][i] = multiplier;
-  return scaling_keeps(1, 1 / s->eps) & scaling_keeps(c_start, c_start * s->velocity)
-         & scaling_keeps(c_mid, c_mid * s->velocity) & scaling_keeps(travel, displacement)
-         & scaling_keeps(travel, mean);
+  double L = row->of->L[row->index[i]], T = row->of->T[row->index[i]], froude = 1 / s->eps;
+  double displacement = scaling_back(travel, L), mean = displacement / T;
+  double v_start = c_start * s->velocity, v_mid = c_mid * s->velocity;
+  out->number[0][i] = froude;
+  out->number[1][i] = out->number[6][i] = out->number[7][i] = v_start;
+  out->number[2][i] = v_mid;
+  out->number[3][i] = displacement;
+  out->number[4][i] = mean;
+  out->number[5][i] = multiplier;
+  return scaling_keeps(1, froude) & scaling_keeps(c_start, v_start) & scaling_keeps(c_mid, v_mid)
+         & scaling_keeps(travel, displacement) & scaling_keeps(travel, mean);
 }
 
 VECTOR static void solve_regular(const struct row *row, const struct scallop_gait *gait, struct answers *out)
@@ -103,9 +92,8 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
   for (int i = 0; i < row->count; i++) {
     struct scallop_scaled s;
     struct regular r;
-    double alpha = row->alpha[i];
-    int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], alpha, &s);
-    valid &= regular_steady(&s, period_driven(gait, alpha), &extension, &contraction, &r);
+    int valid = scale(row, i, &s);
+    valid &= regular_steady(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), &extension, &contraction, &r);
     valid &= (r.t[0] < e.top) & (r.u[0] < e.rest) & (r.t[1] < c.top) & (r.u[1] < c.rest);
     valid &= answer(out, i, row, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
     out->valid[i] = valid ? 1 : 0;
@@ -119,8 +107,7 @@ VECTOR static void solve_held(const struct row *row, const struct scallop_gait *
   for (int i = 0; i < row->count; i++) {
     struct scallop_scaled s;
     struct held h;
-    double alpha = row->alpha[i];
-    int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], alpha, &s);
+    int valid = scale(row, i, &s);
     held_steady(&s, row->order[i], &e, &c, false, &h);
     out->course[0][i] = h.course[0];
     out->course[1][i] = h.course[1];
@@ -148,14 +135,14 @@ static void put(double *const *columns, int count, long i, const double *numbers
       columns[k][i] = numbers[k];
 }
 
-static void put_numbers(const struct scallop_steady_states *to, long i, enum scallop_status status,
-                        const double numbers[NUMBERS])
+struct columns {
+  double *of[NUMBERS];
+};
+
+static struct columns columns_of(const struct scallop_steady_states *to)
 {
-  double *const columns[NUMBERS] = { to->froude,        to->v_start,    to->v_mid, to->displacement,
-                                     to->mean_velocity, to->multiplier, to->v_low, to->v_high };
-  put(columns, NUMBERS, i, numbers);
-  if (to->status)
-    to->status[i] = status;
+  return (struct columns){ { to->froude, to->v_start, to->v_mid, to->displacement, to->mean_velocity, to->multiplier,
+                             to->v_low, to->v_high } };
 }
 
 static void put_modes(struct scallop_modes *to, const struct scallop_modes *from)
@@ -183,7 +170,10 @@ static int solve_one(const struct job *job, long i)
   const struct scallop_period_result *p = &r.period;
   const double numbers[NUMBERS] = { r.froude,        p->v_start,    p->v_mid, p->displacement,
                                     r.mean_velocity, p->multiplier, r.v_low,  r.v_high };
-  put_numbers(to, i, status, numbers);
+  const struct columns columns = columns_of(to);
+  put(columns.of, NUMBERS, i, numbers);
+  if (to->status)
+    to->status[i] = status;
   if (to->regime && status >= 0)
     to->regime[i] = p->regime;
   for (int kind = 0; to->modes && kind < 2; kind++)
@@ -191,20 +181,16 @@ static int solve_one(const struct job *job, long i)
   return status < 0;
 }
 
-static void put_answer(const struct scallop_steady_states *to, long i, const struct row *row, const struct answers *a,
-                       int j)
+/* All but its numbers */
+static void put_state(const struct scallop_steady_states *to, long i, bool held, const struct answers *a, int j)
 {
-  const double course[2] = { a->course[0][j], a->course[1][j] };
-  double numbers[NUMBERS];
-  for (int k = 0; k < SINGLE; k++)
-    numbers[k] = a->number[k][j];
-  numbers[V_LOW] = numbers[V_HIGH] = numbers[V_START];
-  put_numbers(to, i, SCALLOP_OK, numbers);
-  bool held = row->order[j] != 0;
+  const double course[2] = { held ? a->course[0][j] : 0, held ? a->course[1][j] : 0 };
+  if (to->status)
+    to->status[i] = SCALLOP_OK;
   if (to->regime)
     to->regime[i] = held ? course_regime(course) : SCALLOP_SLIDING;
   if (to->modes && !held)
-    regular_modes(numbers[V_START] > 0, to->modes[i]);
+    regular_modes(a->number[1][j] > 0, to->modes[i]);
   for (int kind = 0; to->modes && held && kind < 2; kind++)
     course_modes((enum scallop_phase_kind)kind, course[kind], &to->modes[i][kind]);
 }
@@ -213,13 +199,17 @@ static void put_answer(const struct scallop_steady_states *to, long i, const str
 static long solve_row(const struct job *job, const struct row *row, const struct scallop_gait *gait,
                       void (*solve)(const struct row *, const struct scallop_gait *, struct answers *))
 {
-  struct answers answers;
+  struct answers a;
+  const struct columns columns = columns_of(job->states);
   long failed = 0;
   if (row->count > 0)
-    solve(row, gait, &answers);
+    solve(row, gait, &a);
+  for (int k = 0; k < NUMBERS; k++)
+    for (int j = 0; columns.of[k] && j < row->count; j++)
+      columns.of[k][row->index[j]] = a.number[k][j];
   for (int j = 0; j < row->count; j++)
-    if (answers.valid[j] > 0)
-      put_answer(job->states, row->index[j], row, &answers, j);
+    if (a.valid[j] > 0)
+      put_state(job->states, row->index[j], row->order[j] != 0, &a, j);
     else
       failed += solve_one(job, row->index[j]);
   return failed;
@@ -227,8 +217,10 @@ static long solve_row(const struct job *job, const struct row *row, const struct
 
 static long solve_states(const struct job *job, long first, int count)
 {
-  struct row regular = { .count = 0 }, held = { .count = 0 };
   const struct scallop_crawlers *c = job->crawlers;
+  struct row regular, held;
+  regular.of = held.of = c;
+  regular.count = held.count = 0;
   const struct scallop_gait *gait = c->gait[first];
   bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps;
   long failed = 0;
@@ -238,7 +230,7 @@ static long solve_states(const struct job *job, long first, int count)
     if (isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i]))))
       failed += solve_one(job, i);
     else
-      collect(order == 0 ? &regular : &held, c, i, order);
+      collect(order == 0 ? &regular : &held, i, order);
   }
   failed += solve_row(job, &regular, gait, solve_regular);
   return failed + solve_row(job, &held, gait, solve_held);

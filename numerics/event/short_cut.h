@@ -1,7 +1,7 @@
 /* Phases in closed form, or almost: |l'| is concave, from 0 to 0, and one body turns and turns back, or is held to the
  * end. Then there are at most two crossings, and nothing to walk through. Regions and curves are those of
- * walk_state.h. By symmetry c starts at or above 0 here: a motion that starts below, or from rest and goes there, is seen
- * in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2. Not public.
+ * walk_state.h. By symmetry c starts at or above 0 here: a motion that starts below, or from rest and goes there, is
+ * seen in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2. Not public.
  *
  * Where |l'| rises along one straight line and falls along another (the quadratic gait) this is a row of formulas, one
  * division a crossing, inline and without a branch, so that many crawlers can be solved in a row by vector
