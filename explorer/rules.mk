@@ -1,4 +1,4 @@
-# The explorer: the core in WebAssembly, with no import, in a page of one file. The walk and batches are compiled for speed, the rest for size; long double
+# The explorer: the core in WebAssembly, with no import, in a page of one file. The walk is compiled for speed, the rest for size; long double
 # is binary128 there. wasm-opt reads in the object which features of WebAssembly clang has used: the linker must not strip them.
 wasm_parts := $(filter-out numerics/rivals/% asymptotics/observed/% compare/%,$(filter-out $(flint),$(parts))) \
               compare/points/gait_file $(addprefix compare/text/,tsv values digits) $(basename $(wildcard explorer/*.c))
@@ -6,7 +6,7 @@ wasm       = clang --target=wasm32-wasi
 $(B)/wasm/%.o: %.c Makefile explorer/rules.mk
 	@mkdir -p $(@D); $(wasm) $(WASM_LEVEL) -std=c11 -D_XOPEN_SOURCE=700 -I. -ffp-contract=off -fno-trapping-math $(WARN) -MMD -MP -c -o $@ $<
 $(B)/wasm/%.o: WASM_LEVEL = -Oz
-$(patsubst %,$(B)/wasm/%.o,model/gait numerics/batch numerics/event/motion): WASM_LEVEL = -O3
+$(patsubst %,$(B)/wasm/%.o,model/gait numerics/event/motion): WASM_LEVEL = -O3
 $(B)/wasm/asymptotics/published/paper.o: $(B)/asymptotics/published/paper.c
 	@mkdir -p $(@D); $(wasm) -Oz -I. -c -o $@ $<
 $(B)/core.wasm: $(patsubst %,$(B)/wasm/%.o,$(wasm_parts))

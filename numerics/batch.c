@@ -227,13 +227,14 @@ static long solve_states(const struct job *job, long first, int count)
   for (long i = first; i < first + count; i++) {
     bool alike = ramps && c->gait[i] == gait;
     double order = alike ? holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT)) : NAN;
-    if (isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i]))))
+    if (!alike || isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i]))))
       failed += solve_one(job, i);
     else
       collect(order == 0 ? &regular : &held, i, order);
   }
-  failed += solve_row(job, &regular, gait, solve_regular);
-  return failed + solve_row(job, &held, gait, solve_held);
+  if (ramps)
+    failed += solve_row(job, &regular, gait, solve_regular) + solve_row(job, &held, gait, solve_held);
+  return failed;
 }
 
 static long solve_phases(const struct job *job, long first, int count)

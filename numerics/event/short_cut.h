@@ -115,9 +115,9 @@ SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct r
                               .own_size = one + fabs(two) + fabs(three) };
 }
 
-/* The modes of a phase as one number, which a row of crawlers can hold. Both bodies move in direction `starts` first (0:
- * the phase begins at rest), then, if one turns, in opposite directions, and at last in direction `ends`, or one does
- * and the other is held. */
+/* The modes of a phase as one number, which a row of crawlers can hold. Both bodies move in direction `starts` first
+ * (0: the phase begins at rest), then, if one turns, in opposite directions, and at last in direction `ends`, or one
+ * does and the other is held. */
 enum { COURSE_STARTS = 3, COURSE_ENDS = 4, COURSE_TURNS = 8, COURSE_HELD = 16 };
 SCALLOP_INLINE double course_of(double starts, double ends, double turns, int held)
 {

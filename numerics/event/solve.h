@@ -52,6 +52,7 @@ SOLVE void period_conclude(const struct walker *s, struct period *p)
 
 SOLVE void period_solve(const struct walker *s, real c_start, struct period *p)
 {
+  /* cppcheck-suppress ctuuninitvar ; it is set before the first solve */
   bool solved = p->goes_on;
   real from = solved ? p->c_mid : 0;
   p->c_start = c_start;
