@@ -15,11 +15,6 @@ enum {
   EXPLORER_FORMULAS = 6
 };
 
-/* Which digits that cancelled are computed again in binary128, which takes a hundred times as long as all the rest: a
- * picture needs none of them, and only who asks for the multiplier needs those of the multiplier. */
-enum explorer_digits { EXPLORER_ALL_DIGITS, EXPLORER_NO_MULTIPLIER, EXPLORER_PICTURE };
-extern enum explorer_digits explorer_digits;
-
 /* The crawler that was chosen last, with the gait that was. */
 extern struct scallop_crawler explorer_crawler;
 extern double explorer_numbers[EXPLORER_NUMBERS], explorer_rows[EXPLORER_ROWS][EXPLORER_MOST];
@@ -59,8 +54,7 @@ const char *EXPORTED(class_name)(int i);
 void EXPORTED(forget_classes)(void);
 /* The steady states of the first count crawlers, m1, m2, F1, F2, L, T, alpha in row(0) to row(6), all with the gait of
  * the crawler that was chosen. row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1:
- * it has no steady state), friction_work (if that is wanted). digits: of enum explorer_digits; in a picture
- * displacements that are small by cancellation may be off by a few ulp of L. */
+ * it has no steady state), friction_work (if that is wanted). digits: of enum digits (numerics/digits.h) */
 void EXPORTED(steady_states)(int count, int with_work, int digits);
 /* 0 the name, 1 the equation, 2 the text, 3 the word of its quantity, 4 the name of the right one, 5... names and texts
  * of its parts in turn. NULL: there is none */

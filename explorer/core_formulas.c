@@ -5,6 +5,7 @@
 #include <stddef.h>
 
 #include "asymptotics/published/read.h"
+#include "numerics/digits.h"
 #include "numerics/wide/wide.h"
 
 /* Number i of the published formulas and then of the corrected ones; NULL after the last. */
@@ -57,7 +58,10 @@ static void note_turning(void *context, const struct scallop_interval *i)
   t->started = true;
 }
 
-/* Of numbers in binary128, or of those in double with low parts of 0 */
+static const struct scallop_wide none = { NAN, 0 };
+
+static struct scallop_wide plain(double x) { return (struct scallop_wide){ x, 0 }; }
+
 static struct scallop_wide steady_number(const struct scallop_wide_steady *s, enum scallop_quantity quantity)
 {
   switch (quantity) {
@@ -77,22 +81,18 @@ static struct scallop_wide phase_number(const struct scallop_wide_phase *p, cons
   switch (quantity) {
   case SCALLOP_LAG: return p->dT;
   case SCALLOP_FIRST_SWITCH: return p->t1;
-  case SCALLOP_REAR_AT_FIRST: return (struct scallop_wide){ t->first * L, 0 };
-  case SCALLOP_REAR_AT_LAST: return (struct scallop_wide){ t->last * L, 0 };
+  case SCALLOP_REAR_AT_FIRST: return plain(t->first * L);
+  case SCALLOP_REAR_AT_LAST: return plain(t->last * L);
   case SCALLOP_REAR_AT_END: return extension ? p->dx1 : p->dx2;
   case SCALLOP_FRONT_AT_END: return extension ? p->dx2 : p->dx1;
   case SCALLOP_CENTRE_AT_END: return p->dxC;
   case SCALLOP_VELOCITY_AT_END: return p->v_end;
   case SCALLOP_VELOCITY_CHANGE: return (struct scallop_wide){ p->v_end.high - v0, p->v_end.low };
   case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: return (struct scallop_wide){ isnan(p->dT.high) ? NAN : 0, 0 };
-  default: return (struct scallop_wide){ NAN, 0 };
+  case SCALLOP_VELOCITY_AT_LAST: return plain(isnan(p->dT.high) ? NAN : 0);
+  default: return none;
   }
 }
-
-struct solved {
-  double exact, modes, t1, dT, last; /* modes: equal where the modes are; nan: no answer */
-};
 
 static double modes_number(const struct scallop_modes *modes, double number)
 {
@@ -103,41 +103,73 @@ static double modes_number(const struct scallop_modes *modes, double number)
   return number;
 }
 
-static struct solved of_steady(const struct scallop_crawler *c, enum scallop_quantity quantity)
+struct solved {
+  struct scallop_wide exact;
+  double modes, t1, dT, last; /* modes: equal where the modes are; nan: no answer */
+};
+
+static const struct solved unsolved = { { NAN, 0 }, NAN, NAN, NAN, NAN };
+
+/* The steady state in double, its numbers as those of binary128 are given */
+static enum scallop_status steady_in_double(const struct scallop_crawler *c, enum scallop_quantity quantity,
+                                            struct scallop_wide_steady *out)
 {
   struct scallop_steady_result s;
-  if (scallop_steady(c, &s) < 0)
-    return (struct solved){ NAN, NAN, NAN, NAN, NAN };
+  enum scallop_status status = steady_in(c, WITHOUT_MULTIPLIER, &s);
+  if (status < 0)
+    return status;
   const struct scallop_period_result *p = &s.period;
-  struct scallop_wide_steady numbers = { .mean_velocity = { s.mean_velocity, 0 }, .friction_work = { NAN, 0 } };
-  numbers.period.v_start.high = p->v_start;
-  numbers.period.v_mid.high = p->v_mid;
-  numbers.period.displacement.high = p->displacement;
+  out->mean_velocity = plain(s.mean_velocity);
+  out->period.v_start = plain(p->v_start);
+  out->period.v_mid = plain(p->v_mid);
+  out->period.displacement = plain(p->displacement);
+  out->period.modes[0] = p->modes[0];
+  out->period.modes[1] = p->modes[1];
+  out->friction_work = none;
   if (quantity == SCALLOP_STEADY_FRICTION_WORK)
-    scallop_friction_work(c, p->v_start, p->v_mid, &numbers.friction_work.high);
-  double modes = modes_number(&p->modes[1], modes_number(&p->modes[0], 0));
-  return (struct solved){ steady_number(&numbers, quantity).high, modes, NAN, NAN, NAN };
+    scallop_friction_work(c, p->v_start, p->v_mid, &out->friction_work.high);
+  return SCALLOP_OK;
 }
 
-static struct solved of_phase(const struct scallop_crawler *c, enum scallop_quantity quantity,
-                              enum scallop_phase_kind kind, double v0)
+static enum scallop_status phase_in_double(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
+                                           struct scallop_wide_phase *out)
 {
-  bool extension = kind == SCALLOP_EXTENSION;
   struct scallop_phase_result p;
+  enum scallop_status status = scallop_phase(c, kind, v0, &p);
+  if (status == SCALLOP_OK)
+    *out = (struct scallop_wide_phase){ .t1 = plain(p.t1),
+                                        .dT = plain(p.dT),
+                                        .v_end = plain(p.v_end),
+                                        .dx1 = plain(p.dx1),
+                                        .dx2 = plain(p.dx2),
+                                        .dxC = plain(p.dxC),
+                                        .modes = p.modes };
+  return status;
+}
+
+/* What formula f is about, in double or in binary128 */
+static struct solved solve(const struct scallop_formula *f, const struct scallop_crawler *c,
+                           enum scallop_phase_kind kind, double v0, bool wide)
+{
+  struct scallop_wide_steady s;
+  struct scallop_wide_phase p;
+  if (f->setting == SCALLOP_STEADY) {
+    bool known = wide ? f->quantity != SCALLOP_STEADY_FRICTION_WORK
+                            && scallop_wide_steady(SCALLOP_BINARY128, c, &s) == SCALLOP_OK
+                      : steady_in_double(c, f->quantity, &s) == SCALLOP_OK;
+    double modes = known ? modes_number(&s.period.modes[1], modes_number(&s.period.modes[0], 0)) : NAN;
+    return known ? (struct solved){ steady_number(&s, f->quantity), modes, NAN, NAN, NAN } : unsolved;
+  }
+  bool extension = kind == SCALLOP_EXTENSION;
   struct turning t = {
     .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
   };
-  if (scallop_phase(c, kind, v0, &p) < 0)
-    return (struct solved){ NAN, NAN, NAN, NAN, NAN };
-  scallop_phase_intervals(c, kind, v0, note_turning, &t);
-  struct scallop_wide_phase numbers = { .t1 = { p.t1, 0 } };
-  numbers.dT.high = p.dT;
-  numbers.v_end.high = p.v_end;
-  numbers.dx1.high = p.dx1;
-  numbers.dx2.high = p.dx2;
-  numbers.dxC.high = p.dxC;
-  return (struct solved){ phase_number(&numbers, &t, kind, v0, c->L, quantity).high, modes_number(&p.modes, 0), p.t1,
-                          p.dT, t.last * c->L };
+  if ((wide ? scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &p) : phase_in_double(c, kind, v0, &p)) != SCALLOP_OK)
+    return unsolved;
+  if (!wide)
+    scallop_phase_intervals(c, kind, v0, note_turning, &t);
+  return (struct solved){ phase_number(&p, &t, kind, v0, c->L, f->quantity), modes_number(&p.modes, 0), p.t1.high,
+                          p.dT.high, t.last * c->L };
 }
 
 int formula_is_claimed(int i)
@@ -156,42 +188,17 @@ void formulas_along(int formulas, int kind, double v0, int count)
   enum scallop_phase_kind phase = is_steady ? SCALLOP_EXTENSION : (enum scallop_phase_kind)kind;
   for (int j = 0; j < formulas; j++)
     read[j] = scallop_formula_read(formula_at((int)explorer_numbers[j]), message);
-  explorer_digits = EXPLORER_NO_MULTIPLIER;
   for (int k = 0; k < count; k++) {
     c.T = explorer_rows[0][k];
-    struct solved s = is_steady ? of_steady(&c, f->quantity) : of_phase(&c, f->quantity, phase, v0);
-    explorer_rows[1][k] = s.exact;
+    const struct solved s = solve(f, &c, phase, v0, false);
+    explorer_rows[1][k] = s.exact.high;
     explorer_rows[2][k] = s.modes;
     for (int j = 0; j < formulas; j++)
       explorer_rows[3 + j][k] =
           isnan(s.modes) ? NAN : scallop_formula_double(read[j], &c, phase, is_steady ? 0 : v0, s.t1, s.dT, s.last);
   }
-  explorer_digits = EXPLORER_ALL_DIGITS;
   for (int j = 0; j < formulas; j++)
     scallop_formula_free(read[j]);
-}
-
-/* A number in binary128; nan: there is none. */
-static long double steady_in_wide(const struct scallop_formula *f, const struct scallop_crawler *c, double *modes)
-{
-  struct scallop_wide_steady s;
-  if (f->quantity == SCALLOP_STEADY_FRICTION_WORK || scallop_wide_steady(SCALLOP_BINARY128, c, &s) != SCALLOP_OK)
-    return NAN;
-  struct scallop_wide number = steady_number(&s, f->quantity);
-  *modes = modes_number(&s.period.modes[1], modes_number(&s.period.modes[0], 0));
-  return (long double)number.high + number.low;
-}
-
-static long double phase_in_wide(const struct scallop_formula *f, const struct scallop_crawler *c,
-                                 enum scallop_phase_kind kind, double v0, double *modes)
-{
-  const struct turning none = { .first = NAN, .last = NAN };
-  struct scallop_wide_phase p;
-  if (scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &p) != SCALLOP_OK)
-    return NAN;
-  struct scallop_wide number = phase_number(&p, &none, kind, v0, c->L, f->quantity);
-  *modes = modes_number(&p.modes, 0);
-  return (long double)number.high + number.low;
 }
 
 /* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences,
@@ -212,16 +219,15 @@ int series_of(int i, int kind, double v0, double unit, int step, int shift, int 
   static double first_modes;
   const struct scallop_formula *f = formula_at(i);
   struct scallop_crawler c = explorer_crawler;
-  double modes = 0;
   c.T = explorer_rows[0][k];
   long double T = (long double)c.T / unit;
   x[k] = step == 2 ? T * T : T;
-  y[k] = f->setting == SCALLOP_STEADY ? steady_in_wide(f, &c, &modes)
-                                      : phase_in_wide(f, &c, (enum scallop_phase_kind)kind, v0, &modes);
-  if (isnan(y[k]) || (k > 0 && modes != first_modes))
+  const struct solved s = solve(f, &c, (enum scallop_phase_kind)kind, v0, true);
+  y[k] = (long double)s.exact.high + s.exact.low;
+  if (isnan(y[k]) || (k > 0 && s.modes != first_modes))
     return 0;
   y[k] *= shift ? T : 1;
-  first_modes = modes;
+  first_modes = s.modes;
   if (k < count - 1)
     return 1;
   interpolate(count, x, y);

@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "numerics/digits.h"
+
 enum { CLASSES = 256, BLOCK = 512 };
 
 /* The last class is for all that there is no room for. */
@@ -46,22 +48,7 @@ static int class_of(enum scallop_regime regime, const struct scallop_modes modes
 const char *class_name(int i) { return class_text[i]; }
 void forget_classes(void) { classes = 0; }
 
-/* The linker puts what is below in the place of wide_enough_steady (--wrap). */
-enum explorer_digits explorer_digits = EXPLORER_ALL_DIGITS;
-
-bool __real_wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
-                               struct scallop_wide_steady *out);
-bool __wrap_wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
-                               struct scallop_wide_steady *out);
-bool __wrap_wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
-                               struct scallop_wide_steady *out)
-{
-  if (explorer_digits == EXPLORER_PICTURE || (explorer_digits == EXPLORER_NO_MULTIPLIER && left >= 1))
-    return false;
-  return __real_wide_enough_steady(crawler, guess, left, out);
-}
-
-static void block(int begin, int count, bool with_work)
+static void block(int begin, int count, bool with_work, enum digits digits)
 {
   static const struct scallop_gait *gaits[BLOCK];
   static enum scallop_regime regime[BLOCK];
@@ -82,7 +69,7 @@ static void block(int begin, int count, bool with_work)
                                                 .regime = regime,
                                                 .modes = modes,
                                                 .status = status };
-  scallop_steady_batch(&crawlers, &states, 1);
+  steady_batch_in(&crawlers, &states, digits, 1);
   for (int i = 0; i < count; i++) {
     const struct scallop_crawler c = { at[0][i], at[1][i], at[2][i], at[3][i], at[4][i], at[5][i], at[6][i], gaits[i] };
     at[13][i] = status[i] < 0 ? -1 : class_of(regime[i], modes[i]);
@@ -94,8 +81,6 @@ static void block(int begin, int count, bool with_work)
 
 void steady_states(int count, int with_work, int digits)
 {
-  explorer_digits = (enum explorer_digits)digits;
   for (int begin = 0; begin < count; begin += BLOCK)
-    block(begin, count - begin < BLOCK ? count - begin : BLOCK, with_work);
-  explorer_digits = EXPLORER_ALL_DIGITS;
+    block(begin, count - begin < BLOCK ? count - begin : BLOCK, with_work, (enum digits)digits);
 }

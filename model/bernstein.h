@@ -1,5 +1,5 @@
-/* A Bernstein law (struct scallop_law) in the type `real`, which is to be defined before. No header in the usual sense,
- * and not public. */
+/* A Bernstein law (struct scallop_law) in the type `real`, which is to be defined before: its value, derivatives and
+ * integral. No header in the usual sense, and not public. */
 #include "model/model.h"
 
 struct bernstein { /* sum of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), x = (u - near)/(far - near) */
@@ -24,6 +24,39 @@ static inline struct bernstein bernstein_of(const struct scallop_law *law)
   return f;
 }
 
+/* sum of b[j] binomial(n, j) x^j y^(n - j), x + y = 1: to a few ulp of the sum of magnitudes, also next to x = 0 and
+ * y = 0. */
+static inline real bernstein_sum(const real *b, int n, real x, real y)
+{
+  real sum = b[0], factor = 1;
+  for (int j = 1; j <= n; j++) {
+    factor *= x * (n - j + 1) / j;
+    sum = sum * y + factor * b[j];
+  }
+  return sum;
+}
+
+/* b[j + 1] - b[j], of degree - 1: the slope times (far - near)/degree */
+static inline void bernstein_differences(struct bernstein *f)
+{
+  f->degree--;
+  for (int j = 0; j <= f->degree; j++)
+    f->b[j] = f->b[j + 1] - f->b[j];
+}
+
+/* The derivative of that order with respect to u; order 0: the value. */
+static inline real bernstein_derivative(struct bernstein f, real u, int order)
+{
+  real range = f.far - f.near, factor = 1;
+  if (order > f.degree)
+    return 0;
+  for (; order > 0; order--) {
+    factor *= f.degree / range;
+    bernstein_differences(&f);
+  }
+  return factor * bernstein_sum(f.b, f.degree, (u - f.near) / range, (f.far - u) / range);
+}
+
 /* The part between two offsets, low <= high, by de Casteljau's rule: the mean of its coefficients is that of the
  * polynomial there. */
 static inline void bernstein_cut(struct bernstein *f, real low, real high)
@@ -39,4 +72,34 @@ static inline void bernstein_cut(struct bernstein *f, real low, real high)
       f->b[j] = y * f->b[j] + x * f->b[j + 1];
   f->near = low;
   f->far = high;
+}
+
+static inline real bernstein_total(const struct bernstein *f)
+{
+  real sum = 0;
+  for (int j = 0; j <= f->degree; j++)
+    sum += f->b[j];
+  return sum;
+}
+
+/* The integral over u from the smaller to the larger of the two */
+static inline real bernstein_integral(struct bernstein f, real from, real to)
+{
+  if (from == to)
+    return 0;
+  bernstein_cut(&f, from < to ? from : to, from < to ? to : from);
+  return bernstein_total(&f) / (f.degree + 1) * (f.far - f.near);
+}
+
+/* The value at `to` minus that at `from`: to a few ulp of (to - from) max |slope|, however near they are to each other.
+ * The mean of the slope is formed without a difference of two values, which may be much larger than what they differ
+ * by: it is the mean of n + 1 coefficients, each (n + 1)/(far - near) times a difference. */
+static inline real bernstein_rise(struct bernstein f, real from, real to)
+{
+  real range = f.far - f.near;
+  if (from == to)
+    return 0;
+  bernstein_differences(&f);
+  bernstein_cut(&f, from < to ? from : to, from < to ? to : from);
+  return bernstein_total(&f) / range * (to - from);
 }

@@ -76,31 +76,29 @@ static double inverse_froude(double T, double F, double M, double L)
   return ldexp((T / L) * (F / M * T), 2 * eT + eF - eM - eL);
 }
 
-static void from_scaling(const struct scallop_crawler *crawler, const struct scaling *s, struct scallop_scaled *scaled)
-{
-  *scaled = (struct scallop_scaled){
-    s->mu1,      s->mu2,       s->mu_difference, s->f1, s->f2, s->delta, s->eps, { crawler->alpha, 1 - crawler->alpha },
-    s->velocity, crawler->gait
-  };
-}
-
 enum scallop_status scallop_scale(const struct scallop_crawler *c, struct scallop_scaled *scaled)
 {
-  struct scaling s;
-  if (scaling_of(c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha, &s) && c->gait) {
-    from_scaling(c, &s, scaled);
+  struct scallop_scaled s;
+  if (scaling_is_moderate(c->m1) && scaling_is_moderate(c->m2) && scaling_is_moderate(c->F1)
+      && scaling_is_moderate(c->F2) && scaling_is_moderate(c->L) && scaling_is_moderate(c->T)
+      && scaling_is_moderate(c->alpha) && 1 - c->alpha > 0 && c->gait) { /* nearly always, and then in its domain */
+    scaling_set(c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha, scaled);
+    scaled->gait = c->gait;
     return SCALLOP_OK;
   }
-  if (scallop_crawler_check(c, NULL) != SCALLOP_OK)
-    return SCALLOP_EDOMAIN;
-  s.eps = inverse_froude(c->T, c->F1 + c->F2, c->m1 + c->m2, c->L);
-  double a = c->alpha, b = 1 - a;
-  const double must_be_normal[] = { s.mu1,           s.mu2,           s.f1,  s.f2,  s.eps,          s.velocity,
-                                    s.eps * (a * a), s.eps * (b * b), a * a, b * b, s.velocity / a, s.velocity / b };
-  for (size_t i = 0; i < sizeof must_be_normal / sizeof *must_be_normal; i++)
-    if (!scaling_is_normal(must_be_normal[i]))
-      return SCALLOP_ERANGE;
-  from_scaling(c, &s, scaled);
+  if (!scaling_of(c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha, &s) || !c->gait) {
+    if (scallop_crawler_check(c, NULL) != SCALLOP_OK)
+      return SCALLOP_EDOMAIN;
+    s.eps = inverse_froude(c->T, c->F1 + c->F2, c->m1 + c->m2, c->L);
+    double a = c->alpha, b = 1 - a;
+    const double must_be_normal[] = { s.mu1,           s.mu2,           s.f1,  s.f2,  s.eps,          s.velocity,
+                                      s.eps * (a * a), s.eps * (b * b), a * a, b * b, s.velocity / a, s.velocity / b };
+    for (size_t i = 0; i < sizeof must_be_normal / sizeof *must_be_normal; i++)
+      if (!scaling_is_normal(must_be_normal[i]))
+        return SCALLOP_ERANGE;
+  }
+  s.gait = c->gait;
+  *scaled = s;
   return SCALLOP_OK;
 }
 

@@ -6,6 +6,9 @@
 
 #include "model/law.h"
 
+typedef long double real;
+#include "model/bernstein.h"
+
 enum { MOST = SCALLOP_LAW_MOST_DEGREE, MOST_ROOTS = 2 * MOST };
 
 static long double binomial(int n, int k)
@@ -156,7 +159,7 @@ struct place {
 static double value_at(const struct polynomial *p, double offset, bool late)
 {
   long double u = offset;
-  return (double)(late ? law_bernstein(p->b, p->n, 1 - u, u) : law_bernstein(p->b, p->n, u, 1 - u));
+  return (double)(late ? bernstein_sum(p->b, p->n, 1 - u, u) : bernstein_sum(p->b, p->n, u, 1 - u));
 }
 
 /* The root between low and high, to the last digit of its offset from the nearer end */
@@ -165,7 +168,7 @@ static struct place root_at(const struct polynomial *p, long double low, long do
   double middle = value_at(p, 0.5, false);
   if (low < 0.5L && high > 0.5L && fabs(middle) <= p->noise)
     return (struct place){ 0.5, false, turns };
-  bool at_low = law_bernstein(p->b, p->n, low, 1 - low) > 0;
+  bool at_low = bernstein_sum(p->b, p->n, low, 1 - low) > 0;
   bool late = low >= 0.5L || (high > 0.5L && (middle > 0) == at_low);
   double lo = (double)(late ? 1 - high : low), hi = (double)(late ? 1 - low : high);
   hi = fmin(hi, 0.5);
@@ -277,13 +280,13 @@ static long double way_to(const struct plan *plan, const struct place *place)
   long double sums[MOST + 2] = { 0 }, u = place->offset;
   for (int j = 0; j <= plan->n; j++)
     sums[j + 1] = sums[j] + plan->b[place->late][j];
-  return law_bernstein(sums, plan->n + 1, u, 1 - u) / (plan->n + 1);
+  return bernstein_sum(sums, plan->n + 1, u, 1 - u) / (plan->n + 1);
 }
 
 static double speed_at(const struct plan *plan, const struct place *place)
 {
   long double u = place->offset;
-  return place->turns ? 0 : (double)law_bernstein(plan->b[place->late], plan->n, u, 1 - u);
+  return place->turns ? 0 : (double)bernstein_sum(plan->b[place->late], plan->n, u, 1 - u);
 }
 
 /* The law of one piece, for which l' is 0 exactly where it changes its sign; its way is to the last digit, however
@@ -311,7 +314,7 @@ static void set_own_law(struct scallop_polynomial *g, int at, const struct plan 
 static int direction_between(const struct plan *plan, const struct place *begin, const struct place *end, bool late)
 {
   long double u = ((long double)begin->offset + end->offset) / 2;
-  return law_bernstein(plan->b[late], plan->n, u, 1 - u) > 0 ? 1 : -1;
+  return bernstein_sum(plan->b[late], plan->n, u, 1 - u) > 0 ? 1 : -1;
 }
 
 /* The ways are rounded, each to its own last digit; the longest one is what they leave of the amplitude, to all digits.

@@ -1,135 +1,78 @@
 #include "model/law.h"
 
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
 
-/* Long double rounds off, where it is wider, what the many terms of a Bernstein polynomial add up to. */
+/* Long double rounds off, where it is wider, what the many terms of a Bernstein polynomial add up to. In WebAssembly it
+ * is binary128 in software, a hundred times slower: how much double rounds there, tests/explorer/core.js measures. */
+#ifdef __wasm__
+typedef double real;
+#define ROUNDING (DBL_EPSILON / 2)
+#else
 typedef long double real;
+#define ROUNDING (LDBL_EPSILON / 2)
+#endif
 #include "model/bernstein.h"
+#include "model/root.h"
 
-long double law_bernstein(const long double *b, int n, long double x, long double y)
+double law_rise(const struct scallop_law *law, double from, double to)
 {
-  long double sum = b[0], factor = 1;
-  for (int j = 1; j <= n; j++) {
-    factor *= x * (n - j + 1) / j;
-    sum = sum * y + factor * b[j];
-  }
-  return sum;
-}
-
-struct place { /* in the range of a law: x from near, y from far                                                  */
-  struct bernstein of;
-  long double x, y;
-};
-
-static struct place place_at(const struct scallop_law *law, double u)
-{
-  struct place at = { .of = bernstein_of(law) };
-  at.x = (u - at.of.near) / (at.of.far - at.of.near);
-  at.y = (at.of.far - u) / (at.of.far - at.of.near);
-  return at;
-}
-
-static long double speed(const struct place *at) { return law_bernstein(at->of.b, at->of.degree, at->x, at->y); }
-
-/* b[j + 1] - b[j], of degree - 1: times degree/(far - near) the slope d|l'|/du */
-static void differences(struct bernstein *f)
-{
-  f->degree--;
-  for (int j = 0; j <= f->degree; j++)
-    f->b[j] = f->b[j + 1] - f->b[j];
-}
-
-static long double slope(const struct place *at)
-{
-  struct bernstein d = at->of;
-  differences(&d);
-  return at->of.degree / (at->of.far - at->of.near) * law_bernstein(d.b, d.degree, at->x, at->y);
+  return (double)bernstein_rise(bernstein_of(law), from, to);
 }
 
 /* What |l'| covers from near on */
-static long double way(const struct place *at)
+static real way(const struct bernstein *f, real u)
 {
-  long double sums[SCALLOP_LAW_MOST_DEGREE + 2];
-  int n = at->of.degree;
+  real sums[SCALLOP_LAW_MOST_DEGREE + 2], range = f->far - f->near;
+  int n = f->degree;
   sums[0] = 0;
   for (int j = 0; j <= n; j++)
-    sums[j + 1] = sums[j] + at->of.b[j];
-  return (at->of.far - at->of.near) / (n + 1) * law_bernstein(sums, n + 1, at->x, at->y);
-}
-
-/* The mean of the slope between from and to is formed without a difference of two speeds, which may be much larger than
- * what they differ by. */
-double law_rise(const struct scallop_law *law, double from, double to)
-{
-  struct bernstein f = bernstein_of(law);
-  long double range = f.far - f.near, sum = 0;
-  if (from == to)
-    return 0;
-  differences(&f);
-  bernstein_cut(&f, fmin(from, to), fmax(from, to));
-  for (int j = 0; j <= f.degree; j++)
-    sum += f.b[j];
-  return (double)(sum / range * (to - (long double)from)); /* (n + 1) slopes, the mean of n + 1 */
+    sums[j + 1] = sums[j] + f->b[j];
+  return range / (n + 1) * bernstein_sum(sums, n + 1, (u - f->near) / range, (f->far - u) / range);
 }
 
 static double bernstein_length(const struct scallop_piece *p, double u)
 {
-  struct place at = place_at(p->law, u);
-  return (double)(p->direction * (p->law->base + law_sense(p) * way(&at)));
-}
-
-static double bernstein_velocity(const struct scallop_piece *p, double u)
-{
-  struct place at = place_at(p->law, u);
-  return (double)(p->direction * speed(&at));
-}
-
-static double bernstein_acceleration(const struct scallop_piece *p, double u)
-{
-  struct place at = place_at(p->law, u);
-  return (double)(p->direction * law_sense(p) * slope(&at));
+  const struct bernstein f = bernstein_of(p->law);
+  return (double)(p->direction * (p->law->base + law_sense(p) * way(&f, u)));
 }
 
 static void bernstein_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
 {
-  struct place at = place_at(p->law, u);
-  *velocity = (double)(p->direction * speed(&at));
-  *acceleration = (double)(p->direction * law_sense(p) * slope(&at));
+  const struct bernstein f = bernstein_of(p->law);
+  *velocity = (double)(p->direction * bernstein_derivative(f, u, 0));
+  *acceleration = (double)(p->direction * law_sense(p) * bernstein_derivative(f, u, 1));
 }
 
-static long double bernstein_third(const struct scallop_law *law, double u)
+static double bernstein_velocity(const struct scallop_piece *p, double u)
 {
-  struct place at = place_at(law, u);
-  struct bernstein d = at.of;
-  long double factor = 1;
-  if (d.degree < 3)
-    return 0;
-  for (int k = 0; k < 3; k++) {
-    factor *= d.degree / (at.of.far - at.of.near);
-    differences(&d);
-  }
-  return factor * law_bernstein(d.b, d.degree, at.x, at.y);
+  return (double)(p->direction * bernstein_derivative(bernstein_of(p->law), u, 0));
 }
 
-static long double polynomial_third(const struct scallop_law *law, double u)
+static double bernstein_acceleration(const struct scallop_piece *p, double u)
 {
-  long double sum = 0;
+  return (double)(p->direction * law_sense(p) * bernstein_derivative(bernstein_of(p->law), u, 1));
+}
+
+static real polynomial_third(const struct scallop_law *law, real u)
+{
+  real sum = 0;
   for (int k = law->degree; k >= 3; k--)
-    sum = sum * u + (long double)law->polynomial.c[k] * k * (k - 1) * (k - 2);
+    sum = sum * u + (real)law->polynomial.c[k] * k * (k - 1) * (k - 2);
   return sum / law->polynomial.denominator;
 }
 
 /* d^3 |l'|/du^3 at offset u; nan where there is no law */
 static double third_derivative(const struct scallop_piece *p, double u)
 {
-  const long double pi = 3.14159265358979323846264338327950288L;
+  const real pi = (real)3.14159265358979323846264338327950288L;
   if (!p->law)
     return p->linear ? 0 : NAN;
   switch (p->law->kind) {
   case SCALLOP_LAW_POLYNOMIAL: return (double)polynomial_third(p->law, u);
   case SCALLOP_LAW_SINE: return (double)(-pi * pi * pi * pi / 2 * cosl(pi * u));
-  case SCALLOP_LAW_BERNSTEIN: return (double)bernstein_third(p->law, u);
+  case SCALLOP_LAW_BERNSTEIN: return (double)bernstein_derivative(bernstein_of(p->law), u, 3);
   case SCALLOP_LAW_RAMP: break;
   }
   return 0;
@@ -141,52 +84,26 @@ double scallop_fourth_derivative(const struct scallop_shape *shape, bool at_end)
   return piece->direction * law_sense(piece) * third_derivative(piece, at_end ? piece->end : piece->begin);
 }
 
-/* Where d|l'|/du = wanted between lo and hi, on either side of which it differs in sign from that; it is monotone
- * there. Regula falsi in the manner of Illinois (Dowell & Jarratt, BIT 11, 1971). Where the slope goes with a power of
- * u and the root is far below hi, a step only doubles lo, or halves the value at hi: after a few such steps the
- * logarithm of u is halved, until hi is less than twice lo. */
-static double slope_root(const struct scallop_law *law, long double wanted, double lo, double hi, long double f_lo,
-                         long double f_hi)
+struct slope_search {
+  struct bernstein of;
+  real wanted; /* of d|l'|/du */
+};
+
+static real slope_beyond(const void *context, real u, real *slope)
 {
-  enum { STEPS = 200, FEW = 16 };
-  const double far = 2;
-  for (int i = 0, kept = 0; i < STEPS; i++) {
-    bool far_apart = i >= FEW && lo > 0 && hi > far * lo;
-    double u = far_apart ? sqrt(lo) * sqrt(hi) : (double)(lo + (hi - lo) * (f_lo / (f_lo - f_hi)));
-    if (!(u > lo && u < hi))
-      return fabsl(f_lo) < fabsl(f_hi) ? lo : hi;
-    struct place at = place_at(law, u);
-    long double f = slope(&at) - wanted;
-    if (f == 0)
-      return u;
-    bool low = (f > 0) == (f_lo > 0);
-    if (low) {
-      lo = u;
-      f_lo = f;
-      f_hi *= kept > 0 ? 0.5L : 1;
-    } else {
-      hi = u;
-      f_hi = f;
-      f_lo *= kept < 0 ? 0.5L : 1;
-    }
-    kept = far_apart ? 0 : low ? 1 : -1;
-  }
-  return lo; /* GCOVR_EXCL_LINE: halving ends before STEPS */
+  const struct slope_search *s = context;
+  *slope = bernstein_derivative(s->of, u, 2);
+  return bernstein_derivative(s->of, u, 1) - s->wanted;
 }
 
 static double bernstein_when(const struct scallop_piece *p, double a)
 {
-  const struct scallop_law *law = p->law;
-  double lo = p->anchor == SCALLOP_FROM_START ? p->begin : p->end,
-         hi = p->anchor == SCALLOP_FROM_START ? p->end : p->begin;
-  long double wanted = (long double)(p->direction * law_sense(p)) * a;
-  struct place low = place_at(law, lo), high = place_at(law, hi);
-  long double f_lo = slope(&low) - wanted, f_hi = slope(&high) - wanted;
-  if ((f_lo > 0 && f_hi > 0) || (f_lo < 0 && f_hi < 0))
-    return NAN;
-  if (law->degree == 2) /* the slope is linear */
-    return f_lo == f_hi ? lo : (double)(lo + (hi - lo) * (f_lo / (f_lo - f_hi)));
-  return f_lo == 0 ? lo : f_hi == 0 ? hi : slope_root(law, wanted, lo, hi, f_lo, f_hi);
+  const struct slope_search s = { bernstein_of(p->law), (real)(p->direction * law_sense(p)) * a };
+  struct root_end begin = { .u = p->begin }, end = { .u = p->end };
+  begin.f = slope_beyond(&s, begin.u, &begin.slope);
+  end.f = slope_beyond(&s, end.u, &end.slope);
+  bool same_side = (begin.f > 0 && end.f > 0) || (begin.f < 0 && end.f < 0);
+  return same_side ? NAN : (double)root_between(slope_beyond, &s, begin, end);
 }
 
 const struct scallop_curve law_curve_bernstein = { bernstein_length, bernstein_velocity, bernstein_acceleration,

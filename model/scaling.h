@@ -13,17 +13,8 @@
 #define SCALLOP_INLINE static inline __attribute__((always_inline))
 #endif
 
-struct scaling {
-  double mu1, mu2, mu_difference, f1, f2, delta, eps, velocity; /* as in struct scallop_scaled */
-};
-
 /* Below DBL_MAX, which is what an overflow gives where it is not rounded up. */
 SCALLOP_INLINE int scaling_is_normal(double positive) { return (positive >= DBL_MIN) & (positive < DBL_MAX); }
-
-static inline struct scaling scaling_again(const struct scallop_scaled *s)
-{
-  return (struct scaling){ s->mu1, s->mu2, s->mu_difference, s->f1, s->f2, s->delta, s->eps, s->velocity };
-}
 
 /* Whether a result keeps its digits when it is scaled back. Far below its natural unit it has few to keep. */
 SCALLOP_INLINE int scaling_keeps(double scaled, double result)
@@ -40,28 +31,41 @@ SCALLOP_INLINE double scaling_back(double scaled, double unit)
   return size >= DBL_MIN ? result : 0 * scaled;
 }
 
-/* True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False:
- * scallop_scale will tell what is the matter, and what it is. */
-SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double L, double T, double alpha,
-                              struct scaling *s)
+/* All but the gait */
+SCALLOP_INLINE void scaling_set(double m1, double m2, double F1, double F2, double L, double T, double alpha,
+                                struct scallop_scaled *s)
 {
-  double M = m1 + m2, F = F1 + F2, rest = 1 - alpha;
-  double slowness = T / L, friction = F / M, speed = friction * T;
+  double M = m1 + m2, F = F1 + F2;
   s->mu1 = m1 / M;
   s->mu2 = m2 / M;
   s->mu_difference = (m1 - m2) / M;
   s->f1 = F1 / F;
   s->f2 = F2 / F;
   s->delta = (F1 - F2) / F;
-  s->eps = slowness * speed;
+  s->eps = (T / L) * (F / M * T);
+  s->fraction[SCALLOP_EXTENSION] = alpha;
+  s->fraction[SCALLOP_CONTRACTION] = 1 - alpha;
   s->velocity = L / T;
+}
+
+/* The same. True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False:
+ * scallop_scale will tell what is the matter, and what it is. */
+SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double L, double T, double alpha,
+                              struct scallop_scaled *s)
+{
+  double friction = (F1 + F2) / (m1 + m2), rest = 1 - alpha;
+  scaling_set(m1, m2, F1, F2, L, T, alpha, s);
   double shorter = alpha < rest ? alpha : rest, square = shorter * shorter;
   int positive = (m1 > 0) & (m2 > 0) & (F1 > 0) & (F2 > 0) & (L > 0) & (T > 0) & (alpha > 0) & (alpha < 1);
   int normal = scaling_is_normal(s->mu1) & scaling_is_normal(s->mu2) & scaling_is_normal(s->f1)
-               & scaling_is_normal(s->f2) & scaling_is_normal(slowness) & scaling_is_normal(friction)
-               & scaling_is_normal(speed) & (square >= DBL_MIN) & scaling_is_normal(s->eps * square)
+               & scaling_is_normal(s->f2) & scaling_is_normal(T / L) & scaling_is_normal(friction)
+               & scaling_is_normal(friction * T) & (square >= DBL_MIN) & scaling_is_normal(s->eps * square)
                & (s->eps < DBL_MAX) & (s->velocity >= DBL_MIN) & (s->velocity < DBL_MAX * shorter);
   return positive & normal;
 }
+
+/* Whether a parameter is so far from over- and underflow that of such ones no scaled quantity can be near either: eps
+ * times the square of a phase's fraction is a product of seven. */
+static inline bool scaling_is_moderate(double x) { return x >= 0x1p-100 && x <= 0x1p100; }
 
 #endif

@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/event/held.h"
-#include "numerics/event/period.h"
+#include "numerics/digits.h"
 #include "numerics/event/regular.h"
+#include "numerics/event/short_cut.h"
 #include "numerics/threads.h"
 
 /* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be
@@ -23,32 +23,25 @@ enum { BLOCK = 64 };
 #define VECTOR
 #endif
 
+enum { NUMBERS = 8 };
+
 struct row {
+  const struct scallop_crawlers *of;
   int count;
   long index[BLOCK];
-  double order[BLOCK]; /* held: +1 begins with the extension, -1 with the contraction                */
-  double m1[BLOCK], m2[BLOCK], F1[BLOCK], F2[BLOCK], L[BLOCK], T[BLOCK], alpha[BLOCK];
+  double order[BLOCK]; /* as in held_steady; 0: the modes are the regular ones                              */
 };
 
 struct answers { /* the last ones are doubles so that they fill a vector like the rest                     */
-  double froude[BLOCK], v_start[BLOCK], v_mid[BLOCK], displacement[BLOCK], mean_velocity[BLOCK], multiplier[BLOCK];
+  double number[NUMBERS][BLOCK]; /* in the order of columns_of                                             */
+  double course[2][BLOCK];       /* held: of each phase                                                     */
   double valid[BLOCK];
-  double starts[2][BLOCK], ends[2][BLOCK], grip[2][BLOCK],
-      stuck[2][BLOCK]; /* of each phase, as in struct held_phase              */
 };
 
-static void collect(struct row *row, const struct scallop_crawlers *c, long i, double order)
+static void collect(struct row *row, long i, double order)
 {
-  int at = row->count++;
-  row->index[at] = i;
-  row->order[at] = order;
-  row->m1[at] = c->m1[i];
-  row->m2[at] = c->m2[i];
-  row->F1[at] = c->F1[i];
-  row->F2[at] = c->F2[i];
-  row->L[at] = c->L[i];
-  row->T[at] = c->T[i];
-  row->alpha[at] = c->alpha[i];
+  row->index[row->count] = i;
+  row->order[row->count++] = order;
 }
 
 /* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the
@@ -66,20 +59,28 @@ static double holds(const struct scallop_crawlers *c, long i, double slope_e, do
   return pull_c < 0 ? 1 : pull_e < 0 ? -1 : 0;
 }
 
-/* True: no result over- or underflows. */
-SCALLOP_INLINE int answer(struct answers *out, int i, const struct row *row, const struct scaling *s, double c_start,
-                          double c_mid, double travel, double multiplier)
+SCALLOP_INLINE int scale(const struct row *row, int i, struct scallop_scaled *s)
 {
-  double displacement = scaling_back(travel, row->L[i]), mean = displacement / row->T[i];
-  out->froude[i] = 1 / s->eps;
-  out->v_start[i] = c_start * s->velocity;
-  out->v_mid[i] = c_mid * s->velocity;
-  out->displacement[i] = displacement;
-  out->mean_velocity[i] = mean;
-  out->multiplier[i] = multiplier;
-  return scaling_keeps(1, 1 / s->eps) & scaling_keeps(c_start, c_start * s->velocity)
-         & scaling_keeps(c_mid, c_mid * s->velocity) & scaling_keeps(travel, displacement)
-         & scaling_keeps(travel, mean);
+  const struct scallop_crawlers *c = row->of;
+  const long at = row->index[i];
+  return scaling_of(c->m1[at], c->m2[at], c->F1[at], c->F2[at], c->L[at], c->T[at], c->alpha[at], s);
+}
+
+/* True: no result over- or underflows. */
+SCALLOP_INLINE int answer(struct answers *out, int i, const struct row *row, const struct scallop_scaled *s,
+                          double c_start, double c_mid, double travel, double multiplier)
+{
+  double L = row->of->L[row->index[i]], T = row->of->T[row->index[i]], froude = 1 / s->eps;
+  double displacement = scaling_back(travel, L), mean = displacement / T;
+  double v_start = c_start * s->velocity, v_mid = c_mid * s->velocity;
+  out->number[0][i] = froude;
+  out->number[1][i] = out->number[6][i] = out->number[7][i] = v_start;
+  out->number[2][i] = v_mid;
+  out->number[3][i] = displacement;
+  out->number[4][i] = mean;
+  out->number[5][i] = multiplier;
+  return scaling_keeps(1, froude) & scaling_keeps(c_start, v_start) & scaling_keeps(c_mid, v_mid)
+         & scaling_keeps(travel, displacement) & scaling_keeps(travel, mean);
 }
 
 VECTOR static void solve_regular(const struct row *row, const struct scallop_gait *gait, struct answers *out)
@@ -89,11 +90,10 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
   const struct ramps e = ramps_of(&phase[0]), c = ramps_of(&phase[1]);
 #pragma omp simd
   for (int i = 0; i < row->count; i++) {
-    struct scaling s;
+    struct scallop_scaled s;
     struct regular r;
-    double alpha = row->alpha[i];
-    int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], alpha, &s);
-    valid &= regular_steady(&s, alpha, period_driven(gait, alpha), &extension, &contraction, &r);
+    int valid = scale(row, i, &s);
+    valid &= regular_steady(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), &extension, &contraction, &r);
     valid &= (r.t[0] < e.top) & (r.u[0] < e.rest) & (r.t[1] < c.top) & (r.u[1] < c.rest);
     valid &= answer(out, i, row, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
     out->valid[i] = valid ? 1 : 0;
@@ -105,61 +105,44 @@ VECTOR static void solve_held(const struct row *row, const struct scallop_gait *
   const struct ramps e = ramps_of(&gait->phase[0]), c = ramps_of(&gait->phase[1]);
 #pragma omp simd
   for (int i = 0; i < row->count; i++) {
-    struct scaling s;
+    struct scallop_scaled s;
     struct held h;
-    double alpha = row->alpha[i];
-    int valid = scaling_of(row->m1[i], row->m2[i], row->F1[i], row->F2[i], row->L[i], row->T[i], alpha, &s);
-    held_steady(&s, alpha, row->order[i], &e, &c, &h);
-    for (int phase = 0; phase < 2; phase++) {
-      out->starts[phase][i] = h.starts[phase];
-      out->ends[phase][i] = h.ends[phase];
-      out->stuck[phase][i] = h.stuck[phase];
-      out->grip[phase][i] = h.grip[phase];
-    }
+    int valid = scale(row, i, &s);
+    held_steady(&s, row->order[i], &e, &c, false, &h);
+    out->course[0][i] = h.course[0];
+    out->course[1][i] = h.course[1];
     valid &= answer(out, i, row, &s, h.c_start, h.c_mid, h.travel, 0);
     valid &= !period_cancels(h.travel, h.size, 0);
     out->valid[i] = (valid & (h.margin > 0)) ? 1 : 0;
   }
 }
 
-static void put(double *column, long i, double value)
+/* states are for solve_states, phases, v0 and kind for solve_phases; solve returns how many of count have no answer. */
+struct job {
+  long (*solve)(const struct job *job, long first, int count);
+  const struct scallop_crawlers *crawlers;
+  const struct scallop_steady_states *states;
+  enum digits digits;
+  const struct scallop_phases *phases;
+  const double *v0;
+  enum scallop_phase_kind kind;
+};
+
+static void put(double *const *columns, int count, long i, const double *numbers)
 {
-  if (column)
-    column[i] = value;
+  for (int k = 0; k < count; k++)
+    if (columns[k])
+      columns[k][i] = numbers[k];
 }
 
-static void put_answer(const struct scallop_steady_states *states, long i, const struct answers *a, int j)
-{
-  put(states->froude, i, a->froude[j]);
-  put(states->v_start, i, a->v_start[j]);
-  put(states->v_mid, i, a->v_mid[j]);
-  put(states->displacement, i, a->displacement[j]);
-  put(states->mean_velocity, i, a->mean_velocity[j]);
-  put(states->multiplier, i, a->multiplier[j]);
-  put(states->v_low, i, a->v_start[j]);
-  put(states->v_high, i, a->v_start[j]);
-  if (states->status)
-    states->status[i] = SCALLOP_OK;
-}
+struct columns {
+  double *of[NUMBERS];
+};
 
-static void put_regular(const struct scallop_steady_states *states, long i, const struct answers *a, int j)
+static struct columns columns_of(const struct scallop_steady_states *to)
 {
-  put_answer(states, i, a, j);
-  if (states->regime)
-    states->regime[i] = SCALLOP_SLIDING;
-  if (states->modes)
-    regular_modes(a->v_start[j] > 0, states->modes[i]);
-}
-
-static void put_held(const struct scallop_steady_states *states, long i, const struct answers *a, int j)
-{
-  const double starts[2] = { a->starts[0][j], a->starts[1][j] }, ends[2] = { a->ends[0][j], a->ends[1][j] };
-  const double stuck[2] = { a->stuck[0][j], a->stuck[1][j] }, grip[2] = { a->grip[0][j], a->grip[1][j] };
-  put_answer(states, i, a, j);
-  if (states->regime)
-    states->regime[i] = held_regime(starts, ends, stuck);
-  if (states->modes)
-    held_modes(starts, ends, stuck, grip, states->modes[i]);
+  return (struct columns){ { to->froude, to->v_start, to->v_mid, to->displacement, to->mean_velocity, to->multiplier,
+                             to->v_low, to->v_high } };
 }
 
 static void put_modes(struct scallop_modes *to, const struct scallop_modes *from)
@@ -169,131 +152,108 @@ static void put_modes(struct scallop_modes *to, const struct scallop_modes *from
     to->kept[i] = from->kept[i];
 }
 
-static void store(const struct scallop_steady_states *states, long i, enum scallop_status status,
-                  const struct scallop_steady_result *r)
-{
-  put(states->froude, i, r->froude);
-  put(states->v_start, i, r->period.v_start);
-  put(states->v_mid, i, r->period.v_mid);
-  put(states->displacement, i, r->period.displacement);
-  put(states->mean_velocity, i, r->mean_velocity);
-  put(states->multiplier, i, r->period.multiplier);
-  put(states->v_low, i, r->v_low);
-  put(states->v_high, i, r->v_high);
-  if (states->regime && status >= 0)
-    states->regime[i] = r->period.regime;
-  for (int phase = 0; states->modes && phase < 2; phase++)
-    put_modes(&states->modes[i][phase], &r->period.modes[phase]);
-  if (states->status)
-    states->status[i] = status;
-}
-
 static struct scallop_crawler crawler_at(const struct scallop_crawlers *c, long i)
 {
   return (struct scallop_crawler){ c->m1[i], c->m2[i], c->F1[i], c->F2[i], c->L[i], c->T[i], c->alpha[i], c->gait[i] };
 }
 
-/* True: there is an answer. */
-static bool solve_one(const struct scallop_crawlers *c, const struct scallop_steady_states *states, long i)
+/* Returns 1 if there is no answer, else 0. */
+static int solve_one(const struct job *job, long i)
 {
-  static const struct scallop_steady_result none = {
-    .froude = NAN,
-    .mean_velocity = NAN,
-    .period = { .v_start = NAN, .v_mid = NAN, .displacement = NAN, .multiplier = NAN },
-    .v_low = NAN,
-    .v_high = NAN
+  static const struct scallop_period_result no_period = {
+    .v_start = NAN, .v_mid = NAN, .displacement = NAN, .multiplier = NAN
   };
-  const struct scallop_crawler one = crawler_at(c, i);
-  struct scallop_steady_result result;
-  enum scallop_status status = scallop_steady(&one, &result);
-  store(states, i, status, status < 0 ? &none : &result);
-  return status >= 0;
+  const struct scallop_steady_states *to = job->states;
+  const struct scallop_crawler one = crawler_at(job->crawlers, i);
+  struct scallop_steady_result r = { NAN, NAN, no_period, NAN, NAN, .work = { 0 } };
+  enum scallop_status status = steady_in(&one, job->digits, &r);
+  const struct scallop_period_result *p = &r.period;
+  const double numbers[NUMBERS] = { r.froude,        p->v_start,    p->v_mid, p->displacement,
+                                    r.mean_velocity, p->multiplier, r.v_low,  r.v_high };
+  const struct columns columns = columns_of(to);
+  put(columns.of, NUMBERS, i, numbers);
+  if (to->status)
+    to->status[i] = status;
+  if (to->regime && status >= 0)
+    to->regime[i] = p->regime;
+  for (int kind = 0; to->modes && kind < 2; kind++)
+    put_modes(&to->modes[i][kind], &p->modes[kind]);
+  return status < 0;
+}
+
+/* All but its numbers */
+static void put_state(const struct scallop_steady_states *to, long i, bool held, const struct answers *a, int j)
+{
+  const double course[2] = { held ? a->course[0][j] : 0, held ? a->course[1][j] : 0 };
+  if (to->status)
+    to->status[i] = SCALLOP_OK;
+  if (to->regime)
+    to->regime[i] = held ? course_regime(course) : SCALLOP_SLIDING;
+  if (to->modes && !held)
+    regular_modes(a->number[1][j] > 0, to->modes[i]);
+  for (int kind = 0; to->modes && held && kind < 2; kind++)
+    course_modes((enum scallop_phase_kind)kind, course[kind], &to->modes[i][kind]);
 }
 
 /* What is not of the row's kind after all is solved alone. Returns how many have no answer. */
-static long store_row(const struct scallop_crawlers *c, const struct scallop_steady_states *states,
-                      const struct row *row, const struct answers *answers,
-                      void (*put_one)(const struct scallop_steady_states *, long, const struct answers *, int))
+static long solve_row(const struct job *job, const struct row *row, const struct scallop_gait *gait,
+                      void (*solve)(const struct row *, const struct scallop_gait *, struct answers *))
 {
+  struct answers a;
+  const struct columns columns = columns_of(job->states);
   long failed = 0;
+  if (row->count > 0)
+    solve(row, gait, &a);
+  for (int k = 0; k < NUMBERS; k++)
+    for (int j = 0; columns.of[k] && j < row->count; j++)
+      columns.of[k][row->index[j]] = a.number[k][j];
   for (int j = 0; j < row->count; j++)
-    if (answers->valid[j] > 0)
-      put_one(states, row->index[j], answers, j);
+    if (a.valid[j] > 0)
+      put_state(job->states, row->index[j], row->order[j] != 0, &a, j);
     else
-      failed += !solve_one(c, states, row->index[j]);
+      failed += solve_one(job, row->index[j]);
   return failed;
 }
 
-/* Returns how many of count have no answer. */
-static long solve_block(const struct scallop_crawlers *c, const struct scallop_steady_states *states, long first,
-                        int count)
+static long solve_states(const struct job *job, long first, int count)
 {
-  struct row regular = { .count = 0 }, held = { .count = 0 };
-  struct answers answers;
+  const struct scallop_crawlers *c = job->crawlers;
+  struct row regular, held;
+  regular.of = held.of = c;
+  regular.count = held.count = 0;
   const struct scallop_gait *gait = c->gait[first];
   bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps;
   long failed = 0;
-  for (long i = first; i < first + count; i++)
-    if (ramps && c->gait[i] == gait) {
-      double order = holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT));
-      if (isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i]))))
-        failed += !solve_one(c, states, i);
-      else
-        collect(order == 0 ? &regular : &held, c, i, order);
-    } else {
-      failed += !solve_one(c, states, i);
-    }
-  if (regular.count > 0)
-    solve_regular(&regular, gait, &answers);
-  failed += store_row(c, states, &regular, &answers, put_regular);
-  if (held.count > 0)
-    solve_held(&held, gait, &answers);
-  return failed + store_row(c, states, &held, &answers, put_held);
-}
-
-static void store_phase(const struct scallop_phases *phases, long i, enum scallop_status status,
-                        const struct scallop_phase_result *r)
-{
-  put(phases->t1, i, r->t1);
-  put(phases->dT, i, r->dT);
-  put(phases->v_end, i, r->v_end);
-  put(phases->dx1, i, r->dx1);
-  put(phases->dx2, i, r->dx2);
-  put(phases->dxC, i, r->dxC);
-  if (phases->regime && status >= 0)
-    phases->regime[i] = r->regime;
-  if (phases->modes)
-    put_modes(&phases->modes[i], &r->modes);
-  if (phases->status)
-    phases->status[i] = status;
-}
-
-/* states are for solve_states, phases, v0 and kind for solve_phases; solve returns how many of count have no answer. */
-struct job {
-  long (*solve)(const struct job *job, long first, int count);
-  const struct scallop_crawlers *crawlers;
-  const struct scallop_steady_states *states;
-  const struct scallop_phases *phases;
-  const double *v0;
-  enum scallop_phase_kind kind;
-};
-
-static long solve_states(const struct job *job, long first, int count)
-{
-  return solve_block(job->crawlers, job->states, first, count);
+  for (long i = first; i < first + count; i++) {
+    bool alike = ramps && c->gait[i] == gait;
+    double order = alike ? holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT)) : NAN;
+    if (!alike || isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i]))))
+      failed += solve_one(job, i);
+    else
+      collect(order == 0 ? &regular : &held, i, order);
+  }
+  if (ramps)
+    failed += solve_row(job, &regular, gait, solve_regular) + solve_row(job, &held, gait, solve_held);
+  return failed;
 }
 
 static long solve_phases(const struct job *job, long first, int count)
 {
-  static const struct scallop_phase_result none = {
-    .t1 = NAN, .dT = NAN, .v_end = NAN, .dx1 = NAN, .dx2 = NAN, .dxC = NAN
-  };
+  const struct scallop_phases *to = job->phases;
+  double *const columns[] = { to->t1, to->dT, to->v_end, to->dx1, to->dx2, to->dxC };
   long failed = 0;
   for (long i = first; i < first + count; i++) {
     const struct scallop_crawler one = crawler_at(job->crawlers, i);
-    struct scallop_phase_result result;
-    enum scallop_status status = scallop_phase(&one, job->kind, job->v0[i], &result);
-    store_phase(job->phases, i, status, status < 0 ? &none : &result);
+    struct scallop_phase_result r = { NAN, NAN, NAN, NAN, NAN, NAN, .modes = { .count = 0 } };
+    enum scallop_status status = scallop_phase(&one, job->kind, job->v0[i], &r);
+    const double numbers[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
+    put(columns, 6, i, numbers);
+    if (to->regime && status >= 0)
+      to->regime[i] = r.regime;
+    if (to->modes)
+      put_modes(&to->modes[i], &r.modes);
+    if (to->status)
+      to->status[i] = status;
     failed += status < 0;
   }
   return failed;
@@ -326,11 +286,17 @@ static long solve_all(const struct job *job, int threads)
   return failed;
 }
 
+long steady_batch_in(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,
+                     enum digits digits, int threads)
+{
+  const struct job job = { .solve = solve_states, .crawlers = crawlers, .states = states, .digits = digits };
+  return solve_all(&job, threads);
+}
+
 long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,
                           int threads)
 {
-  const struct job job = { .solve = solve_states, .crawlers = crawlers, .states = states };
-  return solve_all(&job, threads);
+  return steady_batch_in(crawlers, states, ALL_DIGITS, threads);
 }
 
 long scallop_phase_batch(const struct scallop_crawlers *crawlers, enum scallop_phase_kind kind, const double *v0,

@@ -5,7 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "numerics/event/solve.h"
+#include "numerics/digits.h"
+#include "numerics/event/doubt.h"
 #include "numerics/wide/wide_parts.h"
 
 const char *scallop_regime_text(enum scallop_regime regime)
@@ -109,11 +110,17 @@ static void mend(const struct scallop_crawler *crawler, const struct doubt *doub
   }
 }
 
-enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
+enum scallop_status steady_in(const struct scallop_crawler *crawler, enum digits digits,
+                              struct scallop_steady_result *result)
 {
   struct doubt doubt;
   enum scallop_status status = solve_steady(crawler, result, &doubt);
-  if (status >= 0 && (doubt.left < 1 || doubt.delicate))
+  if (status >= 0 && ((doubt.left < 1 && digits != PICTURE_DIGITS) || (doubt.delicate && digits == ALL_DIGITS)))
     mend(crawler, &doubt, result);
   return status;
+}
+
+enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result)
+{
+  return steady_in(crawler, ALL_DIGITS, result);
 }

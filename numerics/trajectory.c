@@ -1,6 +1,6 @@
 #include <math.h>
 
-#include "numerics/event/period.h"
+#include "numerics/event/motion.h"
 #include "numerics/event/start.h"
 
 /* A sum that keeps what rounding drops (Neumaier's variant of Kahan's). */
@@ -89,20 +89,23 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
   struct sum c = { v0 / unit, 0 }, x = { 0, 0 }; /* where periods begin */
   if (!start_is_kept(v0, c.high, scaled.eps))
     return SCALLOP_ERANGE;
+  const struct walker walker = walker_of(&scaled);
   struct recorder r = {
     .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples
   };
   for (long n = 0; n < periods && !r.stopped; n++) {
-    struct period p = { .c_start = value(&c) };
+    struct period p = { .c_start = value(&c), .c_end = value(&c) };
     r.period_number = (double)n;
     r.next = 0;
     for (int kind = 0; kind < 2; kind++) {
       r.kind = (enum scallop_phase_kind)kind;
-      r.x_start = value(&x) + (kind == SCALLOP_EXTENSION ? 0 : p.phase[SCALLOP_EXTENSION].travel);
-      period_phase(&scaled, r.kind, &p, record, &r);
+      r.x_start = value(&x) + (kind == SCALLOP_EXTENSION ? 0 : p.phase[SCALLOP_EXTENSION].way[0]);
+      p.c_mid = p.c_end;
+      motion_walk(&walker.phase[kind], p.c_mid * scaled.fraction[kind], record, &r, &p.phase[kind]);
+      p.c_end = p.phase[kind].c_end / scaled.fraction[kind];
     }
-    period_conclude(&scaled, &p);
-    period_sum_up(&scaled, &p);
+    period_conclude(&walker, &p);
+    period_sum_up(&walker, &p);
     add(&x, p.travel);
     if (p.forgets)
       c = (struct sum){ p.c_end, 0 };

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 
 #include "compare/breakdown/motion.h"
-#include "compare/text/halfway.h"
+#include "compare/text/digits.h"
 
 /* T = natural time times 2^(k/PER_OCTAVE - OCTAVES): between two of these an error is taken to have one maximum at
  * most. As T -> 0 it is what it is at FARTHEST. */

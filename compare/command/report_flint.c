@@ -60,7 +60,7 @@ bool report_open(struct report *r, const char *of, const char *const *columns, c
   parameters_text(parameters, &request->point, r->language ? varied : NULL, true);
   remark(r, "parameters:%s", parameters);
   if (request->point.has_v0)
-    remark(r, "v0: %s", request->point.written_v0);
+    remark(r, "v0: %s", request->point.written[PLACE_OF_V0]);
   if (note)
     remark(r, "%s", note);
   if (r->language)

@@ -3,11 +3,8 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "model/law.h"
-#include "numerics/event/ramps.h"
-#include "numerics/event/root.h"
-
-typedef double real;
+#include "model/root.h"
+#include "numerics/event/short_cut.h"
 
 static inline real walk_velocity(const struct scallop_piece *p) { return p->velocity; }
 static inline real walk_acceleration(const struct scallop_piece *p) { return p->acceleration; }
@@ -51,37 +48,17 @@ static real walk_rise(const struct scallop_piece *p, real from, real to)
   return forward * short_sum(p, p->curve->acceleration, from, to);
 }
 
-struct walk;
-static void walk_show(const struct walk *w, real u, real c);
-#include "numerics/event/walk.h"
+#include "numerics/event/solve.h"
 
-struct audience {
-  scallop_visitor *visit;
-  void *context;
-};
-
-static void walk_show(const struct walk *w, real u, real c)
+struct walker walker_of(const struct scallop_scaled *s)
 {
-  const struct audience *audience = w->audience;
-  bool glued = w->stuck >= 0;
-  struct scallop_interval interval = { .piece = w->leg.given,
-                                       .u_begin = given_offset(w, w->u),
-                                       .u_end = given_offset(w, u),
-                                       .mode = mode_now(w),
-                                       .c_begin = w->c,
-                                       .c_end = c,
-                                       .c_slope = glued ? 0 : w->slope[w->region],
-                                       .glue = glued ? w->curve[w->stuck] * w->piece->direction : 0,
-                                       .x_begin = w->out->way[0] + (w->many ? w->carried.way[0].total : 0) };
-  audience->visit(audience->context, &interval);
-}
-
-void motion_modes(const struct motion *motion, enum scallop_phase_kind kind, struct scallop_modes *modes)
-{
-  if (motion->trail)
-    trail_modes(motion->trail, kind, modes);
-  else
-    *modes = motion->modes;
+  struct walker walker = { .fraction = { s->fraction[0], s->fraction[1] },
+                           .eps = s->eps,
+                           .driven = period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]),
+                           .gait = s->gait };
+  for (int kind = 0; kind < 2; kind++)
+    walker.phase[kind] = phase_input_of(s, &s->gait->phase[kind], s->fraction[kind]);
+  return walker;
 }
 
 double motion_left(const struct scallop_shape *shape, const struct motion *motion)
@@ -90,56 +67,14 @@ double motion_left(const struct scallop_shape *shape, const struct motion *motio
   return !shape->ramps && c < 0x1p-3 * motion->furthest ? c / motion->furthest : 1;
 }
 
-static struct walk_input walk_input_of(const struct motion_input *in)
+void period_result(const struct walker *walker, const struct period *p, struct scallop_period_result *result)
 {
-  const struct scallop_scaled *s = in->scaled;
-  return (struct walk_input){ in->shape, s->mu1, s->mu2, s->f1, s->f2, s->delta, in->eps, in->base };
-}
-
-double motion_level(const struct motion_input *in, double c, double near)
-{
-  const struct walk_input input = walk_input_of(in);
-  return walk_level(&input, c, near);
-}
-
-static void solve(const struct motion_input *in, double c0, struct audience *audience, struct motion *motion,
-                  struct motion_ways *ways)
-{
-  const struct walk_input input = walk_input_of(in);
-  struct walk_result r;
-  walk_phase(&input, c0, audience, &motion->modes, &r);
-  motion->c_end = r.c_end + 0.0; /* no -0 */
-  motion->travel = r.way[0];
-  motion->size = r.size[0];
-  motion->extra_impulse = r.extra_impulse;
-  motion->slope = r.slope;
-  motion->stretch = r.stretch;
-  motion->furthest = r.furthest;
-  motion->forgets = r.forgets;
-  motion->delicate = r.delicate;
-  motion->sticks = r.sticks;
-  motion->never_moved[0] = r.never_moved[0];
-  motion->never_moved[1] = r.never_moved[1];
-  motion->first_switch = r.first_switch;
-  motion->last_switch = r.last_switch;
-  motion->work = r.work;
-  motion->trail = 0;
-  for (int i = 0; ways && i < 3; i++) {
-    ways->way[i] = r.way[i];
-    ways->size[i] = r.size[i];
-  }
-  for (int i = 0; ways && i < 2; i++)
-    ways->path[i] = r.path[i];
-}
-
-void motion_solve(const struct motion_input *in, double c0, struct motion *motion, scallop_visitor *visit,
-                  void *context)
-{
-  struct audience audience = { visit, context };
-  solve(in, c0, visit ? &audience : NULL, motion, NULL);
-}
-
-void motion_solve_ways(const struct motion_input *in, double c0, struct motion *motion, struct motion_ways *ways)
-{
-  solve(in, c0, NULL, motion, ways);
+  *result = (struct scallop_period_result){ .v_start = p->c_start,
+                                            .v_mid = p->c_mid,
+                                            .v_end = p->c_end,
+                                            .displacement = p->travel,
+                                            .multiplier = period_multiplier(walker, p),
+                                            .balance = p->forgets ? (p->c_end - p->c_start) / walker->eps : p->balance,
+                                            .regime = period_regime(p),
+                                            .modes = { p->phase[0].modes, p->phase[1].modes } };
 }

@@ -1,55 +1,108 @@
-/* The period map in units of L, T and F1 + F2. Not public. */
-#ifndef SCALLOP_NUMERICS_EVENT_PERIOD_H
-#define SCALLOP_NUMERICS_EVENT_PERIOD_H
-
+/* A phase, a period and the search for the steady state, in units of L, T and F1 + F2 and in the type `real`: what is
+ * known of them and what solves them (solve.h). motion.h has them in double. No header in the usual sense, and not
+ * public. Before including it define
+ *
+ *     real       the type
+ *     ROUNDING   2^-bits of it: half of the distance from 1 to the next number
+ *     SOLVE      how the functions are declared: static inline, or nothing where they are those of another file
+ */
 #include "model/scaling.h"
-#include "numerics/event/motion.h"
+#include "numerics/numerics.h"
 
-/* The mean of sgn l' over the period: 2 alpha - 1 for the usual gaits, correctly rounded */
-SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alpha)
+struct phase_input { /* in units where the phase lasts 1, L is 1 and forces are in F1 + F2                 */
+  const struct scallop_shape *shape;
+  real mu1, mu2, f1, f2, delta, eps; /* as in struct scallop_scaled; eps of this phase                           */
+  real base; /* what velocities c at the start and at the end are counted from: 0, or see walk_level               */
+};
+
+/* Of a phase that begins with velocity c_0 of the centre of mass. */
+struct motion {
+  real c_end;
+  real extra_impulse;       /* integral of c'/eps - (its value with the bodies in opposite motion, delta sgn l'): zero
+                         where nothing but the stronger driving body matters; meaningless if it forgets */
+  real slope;               /* (d c_end / d c_0 - 1)/eps, from the right; meaningless if it forgets           */
+  real stretch;             /* d c_end / d c_0, as a product without cancellation; likewise                   */
+  real first_switch;        /* from the start; nan if none                                                    */
+  real last_switch;         /* back from the end; nan if none                                                 */
+  real way[3];              /* how far the centre of mass, body 1 and body 2 come                             */
+  real size[3];             /* sums of the magnitudes of the parts of that, which rounding goes with          */
+  real path[2];             /* of body 1 and body 2: how far each slides, one way and the other               */
+  real furthest;            /* the largest |c| since a body was held, of a phase of many pieces; else 0       */
+  bool short_cut;           /* of the ways only way[0] and size[0] are known, and no path                     */
+  bool forgets;             /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0            */
+  bool delicate;            /* slope and stretch depend on the last digit of c_0: see is_delicate             */
+  bool sticks;              /* a body is stuck for some time                                                  */
+  bool never_moved[2];      /* body 1, body 2 stuck throughout                                          */
+  struct scallop_work work; /* periods: 0                                                               */
+  struct scallop_modes modes;
+};
+
+struct period {
+  real c_start, c_mid, c_end; /* in L/T, from the base of the phase                                     */
+  real travel, size;          /* displacement, in L, and the size of its parts, as in struct motion     */
+  real balance;               /* (c_end - c_start)/eps, formed without that subtraction                 */
+  real noise;                 /* what rounding can do to balance                                        */
+  real slope;                 /* d balance / d c_start <= 0, unless it forgets                          */
+  bool forgets;               /* a body was stuck: c_end does not depend on c_start                     */
+  bool goes_on;               /* phase[1] is the contraction from c_mid                                 */
+  struct motion phase[2];
+};
+
+/* A crawler as it is solved for */
+struct walker {
+  struct phase_input phase[2];
+  real fraction[2], eps; /* as in struct scallop_scaled                                                 */
+  real driven;           /* the mean of sgn l' over the period: 2 alpha - 1 for the usual gaits         */
+  const struct scallop_gait *gait;
+};
+
+/* A curve whose slope is `along`, `steep` where it is steepest, is crossed by a line with these slopes on its sides,
+ * nearly at a tangent or where the curve is nearly level: where in the last digit decides what the crossing does to the
+ * derivative of the motion. */
+static inline bool is_delicate(real along, real before, real after, real steep)
 {
-  double e = gait->phase[SCALLOP_EXTENSION].net, c = gait->phase[SCALLOP_CONTRACTION].net;
-  return alpha * (e - c) + c;
+  const int small = 32;
+  real level = along < 0 ? -along : along, from = before < 0 ? -before : before, to = after < 0 ? -after : after;
+  real apart_from = along < before ? before - along : along - before;
+  real apart_to = along < after ? after - along : along - after;
+  return small * level < (steep < 0 ? -steep : steep) || small * apart_from < level + from
+         || small * apart_to < level + to;
 }
 
 /* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding
  * leaves up to an ulp of size, and the displacement itself may be known to as little as an ulp of its own. Of ramps the
  * parts are products, and exact to a few ulp of their own. */
-SCALLOP_INLINE int period_cancels(double travel, double size, int ramps)
+SCALLOP_INLINE int period_cancels(real travel, real size, int ramps)
 {
-  return (travel < 0 ? -travel : travel) < (ramps ? 0x1p-6 : 0x1p-3) * size;
+  return (travel < 0 ? -travel : travel) * (ramps ? 64 : 8) < size;
 }
 
-/* Nearly equal phases that are mirror images undo each other's displacement but for about 2 alpha - 1 of it. */
-SCALLOP_INLINE int period_undoes(double driven) { return (driven < 0 ? -driven : driven) < 0x1p-10; }
+/* The level of a curve over a plateau of l' that c is no further from than `near`; 0: there is none. */
+SOLVE real walk_level(const struct phase_input *in, real c, real near);
+/* Event by event; visit may be NULL. */
+SOLVE void motion_walk(const struct phase_input *in, real c_0, scallop_visitor *visit, void *context, struct motion *m);
+/* The ways of body 1, of body 2 and of the middle between them, and the sizes of their parts */
+SOLVE void motion_bodies(const struct phase_input *in, enum scallop_phase_kind kind, real mu_difference,
+                         const struct motion *motion, real way[3], real size[3]);
+SOLVE enum scallop_regime motion_regime(const struct motion *motion);
 
-struct period {
-  double base[2];               /* of the phases, in L/tau: what velocities are counted from (walk.h)  */
-  double c_start, c_mid, c_end; /* in L/T, from base                                                 */
-  double travel;                /* displacement, in L                                                */
-  double size;                  /* sum of the magnitudes of the parts that it was summed from          */
-  double balance;               /* (c_end - c_start)/eps, formed without that subtraction            */
-  double noise;                 /* what rounding can do to balance                                   */
-  double balance_slope;         /* d balance / d c_start <= 0, unless it forgets                         */
-  bool forgets;                 /* a body was stuck: c_end does not depend on c_start */
-  bool goes_on;                 /* phase[1] is the contraction from c_mid                              */
-  struct motion phase[2];
-};
+/* One phase, by a short cut where there is one: from velocity c in L/T to the one that is returned. */
+SOLVE real period_phase(const struct walker *walker, enum scallop_phase_kind kind, real c, struct motion *motion);
+SOLVE void period_solve(const struct walker *walker, real c_start, struct period *period);
+/* For who has solved the phases: what they come to */
+SOLVE void period_conclude(const struct walker *walker, struct period *period);
+/* Afterwards, where the displacement is wanted and not only the velocities: travel as well as it can be told */
+SOLVE void period_sum_up(const struct walker *walker, struct period *period);
+SOLVE real period_multiplier(const struct walker *walker, const struct period *period);
+SOLVE enum scallop_regime period_regime(const struct period *period);
 
-/* The parts of period_solve, for who wants to see the intervals: c_start is set, then the extension, the
- * contraction, and the conclusion. */
-void period_phase(const struct scallop_scaled *scaled, enum scallop_phase_kind kind, struct period *period,
-                  scallop_visitor *visit, void *context);
-/* Afterwards, where the displacement is wanted and not only the velocities: travel as well as it can be told in
- * double. */
-void period_sum_up(const struct scallop_scaled *scaled, struct period *period);
-void period_conclude(const struct scallop_scaled *scaled, struct period *period);
-
-/* Before the first solve: velocities are counted from 0. */
-void period_begin(struct period *period);
-void period_solve(const struct scallop_scaled *scaled, double c_start, struct period *period);
-/* Velocities in L/T, the displacement in L */
-void period_result(const struct scallop_scaled *scaled, const struct period *period,
-                   struct scallop_period_result *result);
-
-#endif
+/* Above this velocity both bodies always move forward, below its negative always backward. */
+SOLVE real steady_bound(const struct walker *walker);
+/* The root of the balance between -bound and bound, from guess on. The numbers of iterations and of what they take are
+ * added to *work. */
+SOLVE void steady_find(const struct walker *walker, real guess, real bound, struct period *period,
+                       struct scallop_work *work);
+/* If the root is near the level of a curve over a plateau of l', finds it once more with velocities counted from that
+ * level: friction may change c by less than an ulp of c, but this change decides where on the plateau c meets the
+ * curve, and so the modes and the multiplier. False: there is none, or c goes far from the level. */
+SOLVE bool steady_find_from_level(const struct walker *walker, struct period *period, struct scallop_work *work);

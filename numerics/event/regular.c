@@ -3,8 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/event/period.h"
-#include "numerics/event/root.h"
+#include "numerics/event/step.h"
 
 enum { STEPS = 24 };
 
@@ -36,29 +35,23 @@ struct aim { /* of one phase                                                    
   double t, u; /* the crossings                                                                    */
 };
 
-static double margin(double steep, double slope) { return fabs(steep - slope) / (fabs(steep) + fabs(slope)); }
-
 /* The tangents at the crossings just found; true: so small a step away from those before that the tangents touch at the
  * crossings, to all digits, and have the slopes there, which the multiplier needs. */
 static bool touch(const struct scallop_shape *shape, double t, double u, struct aim *aim, struct tangents *tangents)
 {
   *tangents = (struct tangents){ tangent_at(&shape->pieces[0], t), tangent_at(&shape->pieces[shape->count - 1], u) };
   double up = aim->q * tangents->first.slope, down = aim->q * tangents->last.slope;
-  double small_t = root_step(margin(up, aim->between));
-  double small_u = root_step(fmin(margin(down, -aim->between), margin(down, aim->outside)));
-  bool small = fabs(t - aim->t) <= small_t * t && fabs(u - aim->u) <= small_u * u;
+  double margin = fmin(step_margin(down, -aim->between), step_margin(down, aim->outside));
+  bool last = step_is_last(t - aim->t, t, step_margin(up, aim->between)) && step_is_last(u - aim->u, u, margin);
   aim->t = t;
   aim->u = u;
-  return small;
+  return last;
 }
 
-static bool is_delicate(const struct scallop_shape *shape, const struct aim *aim, const struct tangents *tangents)
+static bool crosses_delicately(const struct scallop_shape *shape, const struct aim *aim, const struct tangents *at)
 {
-  static const double small = 0x1p-5;
-  double up = aim->q * tangents->first.slope, down = aim->q * tangents->last.slope;
-  return tangents->first.slope < small * fabs(shape->l0) || tangents->last.slope < small * fabs(shape->lT)
-         || margin(up, aim->between) < small || margin(down, -aim->between) < small
-         || margin(down, aim->outside) < small;
+  return is_delicate(aim->q * at->first.slope, -aim->outside, aim->between, aim->q * shape->l0)
+         || is_delicate(-aim->q * at->last.slope, aim->between, -aim->outside, aim->q * shape->lT);
 }
 
 void regular_modes(bool forward, struct scallop_modes modes[2])
@@ -79,31 +72,32 @@ enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regula
     r->c_start = first_guess(s);
     return REGULAR_NOT;
   }
-  const struct scaling scaling = scaling_again(s);
   struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
   double b = s->fraction[SCALLOP_CONTRACTION], eps_e = s->eps * (alpha * alpha), eps_c = s->eps * (b * b);
   r->c_start = 0;
-  r->delicate = false;
-  if (!regular_may_be(&scaling, SCALLOP_CONTRACTION, driven, tangents[1].last.slope, eps_c))
+  if (!regular_may_be(s, SCALLOP_CONTRACTION, driven, tangents[1].last.slope, eps_c))
     return CONTRACTION_HOLDS;
-  if (!regular_may_be(&scaling, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e))
+  if (!regular_may_be(s, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e))
     return EXTENSION_HOLDS;
   bool forward = s->delta * driven > 0;
   double beta = forward ? s->delta : -s->delta;
   struct aim aim[2] = { { .q = forward ? s->mu2 : s->mu1, .between = beta * eps_e, .outside = eps_e },
                         { .q = forward ? s->mu1 : s->mu2, .between = -beta * eps_c, .outside = eps_c } };
-  bool last = phase[0].ramps && phase[1].ramps;
+  bool ramps = phase[0].ramps && phase[1].ramps, last = ramps;
   work->periods = 1;
   for (int i = 0; i < STEPS; i++) {
-    bool valid = regular_steady(&scaling, alpha, driven, &tangents[0], &tangents[1], r);
+    bool valid = regular_steady(s, driven, &tangents[0], &tangents[1], r);
     if (!valid || !regular_is_inside(&phase[0], r->t[0], r->u[0]) || !regular_is_inside(&phase[1], r->t[1], r->u[1]))
       return REGULAR_NOT;
     work->events = 4;
-    if (last)
+    if (last) {
+      r->delicate = !ramps
+                    && (crosses_delicately(&phase[0], &aim[0], &tangents[0])
+                        || crosses_delicately(&phase[1], &aim[1], &tangents[1]));
       return REGULAR_FOUND;
+    }
     last = touch(&phase[0], r->t[0], r->u[0], &aim[0], &tangents[0]);
     last &= touch(&phase[1], r->t[1], r->u[1], &aim[1], &tangents[1]);
-    r->delicate = is_delicate(&phase[0], &aim[0], &tangents[0]) || is_delicate(&phase[1], &aim[1], &tangents[1]);
     work->gait_evaluations += 4;
     work->root_iterations++;
   }

@@ -1,15 +1,11 @@
-/* The walk from event to event through one phase, once for every floating type: motion.c makes the solver in double of
- * it, wide_solve.h the ones in wider types. No header in the usual sense, and not public. Before including it define
+/* The walk from event to event through one phase, once for every floating type: a part of solve.h. No header in the
+ * usual sense, and not public. Before including it define what period.h wants, and
  *
- *     real                                              the type
  *     walk_velocity(piece), walk_acceleration(piece)    of a piece that is linear: l' at its anchor, and l''
  *     walk_curve(piece, u, &velocity, &acceleration)    l' and l'' at offset u of a piece that is not linear
  *     walk_when(piece, a)                               u in a curved piece with l''(u) = a, nan if there is none
  *     walk_way(piece, from, to)                         what |l'| covers between two offsets of such a piece
  *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, without cancellation
- *     struct root_end, root_function, root_between      as in root.h
- *
- *     walk_show(walk, u, c)                             what is told of each interval of constant mode
  */
 #include "numerics/event/walk_meet.h"
 
@@ -145,7 +141,7 @@ static void place(struct walk *w)
 
 static void set_regions(struct walk *w)
 {
-  const struct walk_input *s = w->in;
+  const struct phase_input *s = w->in;
   real eps = s->eps;
   bool rear_is_1 = w->piece->direction > 0;
   w->slope[0] = -eps;
@@ -243,24 +239,21 @@ static inline void go_to_end(struct walk *w)
   }
 }
 
-/* c0: velocity of the centre of mass at the start, from base. modes: where they go. */
-static void walk_phase(const struct walk_input *input, real c0, void *audience, struct scallop_modes *modes,
-                       struct walk_result *result)
+SOLVE void motion_walk(const struct phase_input *input, real c_0, scallop_visitor *visit, void *context,
+                       struct motion *motion)
 {
   struct walk w;
-  *result = (struct walk_result){
-    .stretch = 1, .first_switch = NAN, .last_switch = NAN, .never_moved = { true, true }, .modes = modes
-  };
-  modes->count = 0;
+  *motion = (struct motion){ .stretch = 1, .first_switch = NAN, .last_switch = NAN, .never_moved = { true, true } };
   w.in = input;
   w.leg.given = NULL;
-  w.audience = audience;
-  w.rest = c0;
+  w.visit = visit;
+  w.context = context;
+  w.rest = c_0;
   begin_line(&w, 0);
-  w.c = input->base + c0;
+  w.c = input->base + c_0;
   w.end.speed = 0;
   w.stuck = w.left = -1;
-  w.out = result;
+  w.out = motion;
   w.node = false;
   w.many = input->shape->count > WALK_FEW_PIECES;
   if (w.many)
@@ -279,10 +272,10 @@ static void walk_phase(const struct walk_input *input, real c0, void *audience, 
   if (w.many) {
     carry_over(&w);
     for (int i = 0; i < 3; i++)
-      result->way[i] = w.carried.way[i].total + w.carried.way[i].lost;
+      motion->way[i] = w.carried.way[i].total + w.carried.way[i].lost;
     for (int i = 0; i < 2; i++)
-      result->path[i] = w.carried.path[i].total + w.carried.path[i].lost;
-    result->extra_impulse = w.carried.extra_impulse.total + w.carried.extra_impulse.lost;
+      motion->path[i] = w.carried.path[i].total + w.carried.path[i].lost;
+    motion->extra_impulse = w.carried.extra_impulse.total + w.carried.extra_impulse.lost;
   }
-  result->c_end = w.rest;
+  motion->c_end = w.rest + 0; /* no -0 */
 }

@@ -17,16 +17,6 @@ static inline real steepest(const struct scallop_shape *shape)
   return start > rise ? start : rise;
 }
 
-/* A curve whose slope here is `along`, and `steep` where it is steepest, crossed by a line with these slopes on its
- * sides. */
-static inline bool is_delicate(real along, real before, real after, real steep)
-{
-  const int small = 32;
-  real level = magnitude(along);
-  return small * level < magnitude(steep) || small * magnitude(along - before) < level + magnitude(before)
-         || small * magnitude(along - after) < level + magnitude(after);
-}
-
 /* c has met curve j, coming from w->region. moved: some time has passed since the last event. */
 static inline void meet(struct walk *w, int j, bool moved)
 {

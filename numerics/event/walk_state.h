@@ -4,23 +4,6 @@
 
 #include "model/law.h"
 #include "numerics/event/leg.h"
-#include "numerics/numerics.h"
-
-struct walk_input { /* in units where the phase lasts 1, L is 1 and forces are in F1 + F2                  */
-  const struct scallop_shape *shape;
-  real mu1, mu2, f1, f2, delta, eps; /* as in struct scallop_scaled; eps of this phase                           */
-  real base; /* what velocities c at the start and at the end are counted from: 0, or see walk_level               */
-};
-
-struct walk_result { /* as in struct motion                                                                */
-  real c_end, extra_impulse, slope, stretch, first_switch, last_switch;
-  real way[3], size[3];
-  real path[2];  /* of body 1 and body 2: how far each slides, one way and the other */
-  real furthest; /* the largest |c| since a body was held, if there are many pieces; else 0 */
-  bool forgets, delicate, sticks, never_moved[2];
-  struct scallop_work work;
-  struct scallop_modes *modes;
-};
 
 struct rates {
   real speed, rate; /* |l'| and d|l'|/dt */
@@ -38,7 +21,7 @@ static inline bool is_plateau(const struct scallop_piece *p) { return p->linear 
 /* The level of a curve over a plateau of l', if c is no further from the level than `near`; else 0. Friction changes c
  * in a phase by eps at most, which may be less than rounding of c. If c is counted from the level that change keeps its
  * digits, because the level minus the curve is exactly 0 on the plateau. */
-static real walk_level(const struct walk_input *in, real c, real near)
+SOLVE real walk_level(const struct phase_input *in, real c, real near)
 {
   for (int i = 0; i < in->shape->count; i++) {
     const struct scallop_piece *p = &in->shape->pieces[i];
@@ -70,10 +53,11 @@ enum { WALK_FEW_PIECES = 4 };
  * region 1, or along a curve, has exactly c = 0 there. In a dwell, while l' stays 0, both curves are c = 0; on them
  * both bodies are at rest. */
 struct walk {
-  const struct walk_input *in;
+  const struct phase_input *in;
   struct leg leg;
   const struct scallop_piece *piece;
-  void *audience;           /* of walk_show, or NULL                                                   */
+  scallop_visitor *visit; /* is shown each interval of constant mode, or NULL                        */
+  void *context;
   real sense;               /* +1: u runs with time, -1: against it                                    */
   real curve[2];            /* c on a curve divided by |l'|                                            */
   real slope[3];            /* of c in each region                                                     */
@@ -94,7 +78,7 @@ struct walk {
   int passed;               /* a curve that c has left for the rest of the piece, or -1                */
   int left;                 /* the curve whose body was released, if c has met none since and is near it; or -1 */
   bool turned;              /* the mode may have changed since it was last noted                       */
-  struct walk_result *out;
+  struct motion *out;
 };
 
 static inline real given_offset(const struct walk *w, real u) { return w->leg.origin + w->leg.turn * u; }
@@ -126,8 +110,8 @@ static struct scallop_mode mode_now(const struct walk *w)
 /* Notes the mode that begins at u, unless it goes on. */
 static void note_mode(const struct walk *w, struct scallop_mode mode)
 {
-  struct walk_result *out = w->out;
-  struct scallop_modes *modes = out->modes;
+  struct motion *out = w->out;
+  struct scallop_modes *modes = &out->modes;
   real at = given_offset(w, w->u);
   real passed = w->leg.given->anchor == SCALLOP_FROM_START ? at : 1 - at;
   real left = w->leg.given->anchor == SCALLOP_FROM_START ? 1 - at : at;
@@ -159,6 +143,22 @@ static inline void advance(struct walk *w, real u, real rest, const struct rates
   w->here = *there;
 }
 
+static void show(const struct walk *w, real u, real c)
+{
+  const struct scallop_interval interval = {
+    .piece = w->leg.given,
+    .u_begin = (double)given_offset(w, w->u),
+    .u_end = (double)given_offset(w, u),
+    .mode = mode_now(w),
+    .c_begin = (double)w->c,
+    .c_end = (double)c,
+    .c_slope = w->stuck >= 0 ? 0 : (double)w->slope[w->region],
+    .glue = w->stuck < 0 ? 0 : (double)(w->curve[w->stuck] * w->piece->direction),
+    .x_begin = (double)(w->out->way[0] + (w->many ? w->carried.way[0].total : 0))
+  };
+  w->visit(w->context, &interval);
+}
+
 /* The mode of now lasts until u, where c is the velocity. */
 static inline void last(struct walk *w, real u, real c)
 {
@@ -167,8 +167,8 @@ static inline void last(struct walk *w, real u, real c)
   if (w->turned)
     note_mode(w, mode_now(w));
   w->turned = false;
-  if (w->audience)
-    walk_show(w, u, c);
+  if (w->visit && sizeof(real) == sizeof(double)) /* intervals are in double */
+    show(w, u, c);
 }
 
 static inline real magnitude(real x) { return x < 0 ? -x : x; }

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/event/solve.h"
+#include "numerics/event/doubt.h"
 #include "numerics/wide/wide_parts.h"
 
 /* Of long double: none where the processor rounds it to less than it holds, as a host of the library may have set it
@@ -86,8 +86,8 @@ bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, dou
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  return solvers[width]->steady(crawler, guess, out) && is_kept(out->period.displacement.high)
-         && is_kept(out->mean_velocity.high);
+  solvers[width]->steady(crawler, guess, out);
+  return is_kept(out->period.displacement.high) && is_kept(out->mean_velocity.high);
 }
 
 enum scallop_status scallop_wide_phase(enum scallop_width width, const struct scallop_crawler *crawler,
@@ -132,12 +132,11 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
   enum scallop_status status = check(width, crawler, solve_steady(crawler, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
-  double guess = plain.period.v_start;
-  bool found = solvers[width]->steady(crawler, guess, &answer);
-  bool finite = period_is_finite(&answer.period) && isfinite(answer.mean_velocity.high);
-  if (found && finite)
-    *result = answer;
-  return !found ? SCALLOP_ECONVERGE : finite ? SCALLOP_OK : SCALLOP_ERANGE;
+  solvers[width]->steady(crawler, plain.period.v_start, &answer);
+  if (!period_is_finite(&answer.period) || !isfinite(answer.mean_velocity.high))
+    return SCALLOP_ERANGE;
+  *result = answer;
+  return SCALLOP_OK;
 }
 
 static enum scallop_width widest(void)

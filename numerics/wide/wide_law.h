@@ -27,46 +27,10 @@ static real polynomial(const struct scallop_law *law, real u, int order)
   return sum / law->polynomial.denominator;
 }
 
-/* The coefficients of the derivative with respect to u */
-static void derive(struct bernstein *f)
-{
-  for (int j = 0; j < f->degree; j++)
-    f->b[j] = f->degree * (f->b[j + 1] - f->b[j]) / (f->far - f->near);
-  f->degree--;
-}
-
-static real bernstein_at(const struct bernstein *f, real u)
-{
-  real x = (u - f->near) / (f->far - f->near), y = (f->far - u) / (f->far - f->near), sum = f->b[0], factor = 1;
-  for (int j = 1; j <= f->degree; j++) {
-    factor = factor * x * (f->degree - j + 1) / j;
-    sum = sum * y + factor * f->b[j];
-  }
-  return sum;
-}
-
-static real bernstein_derivative(const struct scallop_law *law, real u, int order)
-{
-  struct bernstein f = bernstein_of(law);
-  for (int i = 0; i < order; i++)
-    derive(&f);
-  return bernstein_at(&f, u);
-}
-
-/* The integral over u from the smaller to the larger of the two */
-static real bernstein_integral(struct bernstein f, real from, real to)
-{
-  real low = from < to ? from : to, high = from < to ? to : from, sum = 0;
-  bernstein_cut(&f, low, high);
-  for (int j = 0; j <= f.degree; j++)
-    sum += f.b[j];
-  return sum / (f.degree + 1) * (high - low);
-}
-
 static real speed_derivative(const struct scallop_piece *p, real u, int order)
 {
   if (p->law->kind == SCALLOP_LAW_BERNSTEIN)
-    return bernstein_derivative(p->law, u, order);
+    return bernstein_derivative(bernstein_of(p->law), u, order);
   if (p->law->kind == SCALLOP_LAW_POLYNOMIAL)
     return polynomial(p->law, u, order);
   real pi = circle_number();
@@ -108,7 +72,7 @@ static real walk_way(const struct scallop_piece *p, real from, real to)
 {
   real way = 0, apart = from < to ? to - from : from - to;
   if (p->law->kind == SCALLOP_LAW_BERNSTEIN)
-    return apart > 0 ? bernstein_integral(bernstein_of(p->law), from, to) : 0;
+    return bernstein_integral(bernstein_of(p->law), from, to);
   if (p->law->kind == SCALLOP_LAW_POLYNOMIAL) {
     for (int k = p->law->degree; k >= 0; k--) { /* (to^(k + 1) - from^(k + 1))/(to - from), term by term */
       real power = 1, terms = 0;
@@ -123,10 +87,29 @@ static real walk_way(const struct scallop_piece *p, real from, real to)
 
 static real walk_rise(const struct scallop_piece *p, real from, real to)
 {
-  if (p->law->kind == SCALLOP_LAW_BERNSTEIN && from != to) {
-    struct bernstein slope = bernstein_of(p->law);
-    derive(&slope);
-    return from < to ? bernstein_integral(slope, from, to) : -bernstein_integral(slope, from, to);
-  }
+  if (p->law->kind == SCALLOP_LAW_BERNSTEIN)
+    return bernstein_rise(bernstein_of(p->law), from, to);
   return speed_derivative(p, to, 0) - speed_derivative(p, from, 0);
+}
+
+struct rate_search {
+  const struct scallop_piece *piece;
+  real wanted; /* of the derivative of |l'| with respect to u */
+};
+
+static real rate_beyond(const void *context, real u, real *slope)
+{
+  const struct rate_search *s = context;
+  *slope = speed_derivative(s->piece, u, 2);
+  return speed_derivative(s->piece, u, 1) - s->wanted;
+}
+
+static real walk_when(const struct scallop_piece *p, real a)
+{
+  const struct rate_search search = { p, law_sense(p) * p->direction * a };
+  struct root_end begin = { .u = p->begin }, end = { .u = p->end };
+  begin.f = rate_beyond(&search, begin.u, &begin.slope);
+  end.f = rate_beyond(&search, end.u, &end.slope);
+  const bool changes = (begin.f > 0) != (end.f > 0) || begin.f == 0 || end.f == 0;
+  return changes ? root_between(rate_beyond, &search, begin, end) : NAN;
 }

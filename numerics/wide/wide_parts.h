@@ -2,6 +2,8 @@
 #ifndef SCALLOP_NUMERICS_WIDE_WIDE_PARTS_H
 #define SCALLOP_NUMERICS_WIDE_WIDE_PARTS_H
 
+#include <float.h>
+
 #include "numerics/wide/wide.h"
 
 #ifdef __SIZEOF_FLOAT128__
@@ -14,9 +16,12 @@ struct wide_solver {
   void (*phase)(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                 struct scallop_wide_phase *out);
   void (*period)(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out);
-  /* guess: a start velocity to begin with. False: no end of the iteration. */
-  bool (*steady)(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
+  /* guess: a start velocity to begin with */
+  void (*steady)(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
 };
+#if LDBL_MANT_DIG == 113 /* then both are one */
+#define wide_long wide_quad
+#endif
 extern const struct wide_solver wide_long, wide_quad;
 
 /* The same in the cheapest type that resolves a sum after cancellation to the fraction `left`; left > 0, or 0 where

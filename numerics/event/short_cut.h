@@ -1,0 +1,203 @@
+/* Phases in closed form, or almost: |l'| is concave, from 0 to 0, and one body turns and turns back, or is held to the
+ * end. Then there are at most two crossings, and nothing to walk through. Regions and curves are those of
+ * walk_state.h. By symmetry c starts at or above 0 here: a motion that starts below, or from rest and goes there, is
+ * seen in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2. Not public.
+ *
+ * Where |l'| rises along one straight line and falls along another (the quadratic gait) this is a row of formulas, one
+ * division a crossing, inline and without a branch, so that many crawlers can be solved in a row by vector
+ * instructions. What is of another kind is left to the walk.
+ */
+#ifndef SCALLOP_NUMERICS_EVENT_SHORT_CUT_H
+#define SCALLOP_NUMERICS_EVENT_SHORT_CUT_H
+
+#include <math.h>
+#include <stddef.h>
+
+#include "numerics/event/motion.h"
+
+/* As motion_walk, of the ways only that of the centre of mass. False: the motion is of another kind, or too near to
+ * one; *motion is then of no use. */
+bool short_cut(const struct phase_input *input, double c_0, struct motion *motion);
+
+struct ramps {
+  double up, down;  /* |l'| = up t until t = top, then down (1 - t)                                       */
+  double top, rest; /* rest = 1 - top                                                                    */
+};
+
+/* For a shape that has them (shape->ramps). */
+static inline struct ramps ramps_of(const struct scallop_shape *shape)
+{
+  const struct scallop_piece *a = &shape->pieces[0], *b = &shape->pieces[1];
+  return (struct ramps){ a->direction * a->acceleration, -b->direction * b->acceleration, a->end, b->begin };
+}
+
+/* What c meets, in units of the phase: curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|. */
+struct line {
+  double q0, q1, eps, between; /* c' is -eps, between, eps in regions 0, 1, 2                            */
+  double f_first, f_second;    /* of the body that turns first, and of the other, over F1 + F2           */
+};
+
+/* plain: body 1 is the one that turns first. */
+SCALLOP_INLINE struct line line_of(const struct phase_input *in, int plain)
+{
+  return (struct line){ .q0 = plain ? in->mu2 : in->mu1,
+                        .q1 = plain ? in->mu1 : in->mu2,
+                        .eps = in->eps,
+                        .between = in->eps * (plain ? in->delta : -in->delta),
+                        .f_first = plain ? in->f1 : in->f2,
+                        .f_second = plain ? in->f2 : in->f1 };
+}
+
+/* -1: seen in a mirror. direction: of l', +1 or -1 */
+SCALLOP_INLINE double mirror_of(double direction, double delta, double c)
+{
+  double drive = c != 0 ? c : direction * delta;
+  return drive >= 0 ? 1 : -1;
+}
+
+SCALLOP_INLINE double least_of(double a, double b) { return a < b ? a : b; }
+
+struct ramp_phase {
+  double t, u;     /* the crossings, from the start and back from the end                           */
+  double y, steep; /* c at the first one, and the slope of the curve                                */
+  double z, fall;  /* the same of the last one, back in time                                        */
+  double side;     /* +1: c ends at or above 0, -1: below                                           */
+  double turns;    /* 0: the body does not turn, but is held from where it stops, to the end        */
+  double grip;     /* of friction on the body at the end: it is held there where this is >= 0       */
+  double margin;   /* > 0: the motion is of this kind                                               */
+  double c_end;
+  double way, size;     /* of the centre of mass: how far it comes, and the magnitudes of the parts of that */
+  double own, own_size; /* the same of the body that turns last, or is held                              */
+};
+
+/* c: at the start, >= 0 */
+SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct ramps *r, double c)
+{
+  double eps = l->eps, between = l->between, steep = r->up * l->q0, t = c / (steep + eps), y = steep * t;
+  int turns = steep > between;
+  double top = turns ? y + between * (r->top - t) : steep * r->top, end = top + between * r->rest;
+  int above = turns ? end > 0 : 1;
+  double side = above ? 1 : -1, q = above ? l->q0 : -l->q1, fall = r->down * q, u = end / (between + fall);
+  double z = fall * u, grip = eps - side * fall;
+  int crosses = grip < 0;
+  double c_end = crosses ? z - side * eps * u : 0;
+  /* how far the centre of mass comes: sliding straight; turning, then held or crossing; riding all the way */
+  double d = r->top - t, left = r->rest - u, first = 0.5 * (c + y) * t;
+  double turned = first + 0.5 * ((y + top) * d + (top + z) * left);
+  double turned_size = first + 0.5 * ((y + fabs(top)) * d + (fabs(top) + fabs(z)) * left);
+  double ridden = first + l->q0 * 0.5 * (r->up * (d * (r->top + t)) + r->down * (r->rest * r->rest));
+  double held = q * (0.5 * r->down * (u * u)), crossed = 0.5 * (z + c_end) * u;
+  double last_size = crosses ? 0.5 * (fabs(z) + fabs(c_end)) * u : fabs(held);
+  /* and the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes
+   * to rest, another one or two until it does again, and a last one; own_...: as body_slope in walk_state.h */
+  double push0 = eps * l->f_first, push1 = eps * l->f_second, own_up = steep - push0, own_below = r->up * l->q1 - push1;
+  double slope_up = fabs(own_up) < fabs(between) ? own_up + push1 : steep - between;
+  double slope_below = fabs(own_below) < fabs(between) ? own_below + push0 : r->up * l->q1 + between;
+  double v = above ? -slope_up * d : r->up * t + slope_below * d, v_first = above ? 0 : r->up * t;
+  double one = 0.5 * (c + v_first) * t, two = turns ? 0.5 * ((v_first + v) * d + v * left) : 0;
+  double pulled = above ? (fall - push0) - push1 : (fall + push1) + push0, three = crosses ? 0.5 * pulled * (u * u) : 0;
+  double turning = least_of(top + r->up * l->q1 * r->top, least_of(u, r->rest - u));
+  double riding = least_of(grip, between + r->down * l->q0);
+  return (struct ramp_phase){ .t = t,
+                              .u = u,
+                              .y = y,
+                              .steep = steep,
+                              .z = z,
+                              .fall = fall,
+                              .side = side,
+                              .turns = turns,
+                              .grip = grip,
+                              .margin = least_of(r->top - t, turns ? turning : riding),
+                              .c_end = c_end,
+                              .way = turns ? turned + (crosses ? crossed : held) : ridden,
+                              .size = turns ? turned_size + last_size : ridden,
+                              .own = one + two + three,
+                              .own_size = one + fabs(two) + fabs(three) };
+}
+
+/* The modes of a phase as one number, which a row of crawlers can hold. Both bodies move in direction `starts` first
+ * (0: the phase begins at rest), then, if one turns, in opposite directions, and at last in direction `ends`, or one
+ * does and the other is held. */
+enum { COURSE_STARTS = 3, COURSE_ENDS = 4, COURSE_TURNS = 8, COURSE_HELD = 16 };
+SCALLOP_INLINE double course_of(double starts, double ends, double turns, int held)
+{
+  return starts + 1 + (ends > 0 ? COURSE_ENDS : 0) + turns * COURSE_TURNS + (held ? COURSE_HELD : 0);
+}
+static inline bool course_turns(double course) { return (int)course & COURSE_TURNS; }
+void course_modes(enum scallop_phase_kind kind, double course, struct scallop_modes *modes);
+enum scallop_regime course_regime(const double course[2]);
+
+/* The same as it is, and not in the mirror */
+struct held_phase {
+  double c_end, travel, size;      /* of the centre of mass                                                      */
+  double way1, way2, size1, size2; /* of the bodies                                                              */
+  double margin, grip, ends, turns, course;
+};
+
+/* fraction: of the period; direction: of l', +1 or -1; c: velocity of the centre of mass at the start, in L/tau. */
+SCALLOP_INLINE struct held_phase held_phase(const struct scallop_scaled *s, double fraction, double direction,
+                                            const struct ramps *r, double c)
+{
+  double sign = mirror_of(direction, s->delta, c);
+  int plain = direction * sign > 0;
+  const struct phase_input in = phase_input_of(s, NULL, fraction);
+  const struct line line = line_of(&in, plain);
+  const struct ramp_phase p = ramp_phase(&line, r, fabs(c));
+  int above = p.side > 0; /* then it is the body that turned first; the other one is |l| = 1 ahead, or behind */
+  double first = above ? p.own : p.own - 1, second = above ? p.own + 1 : p.own;
+  double first_size = above ? p.own_size : p.own_size + 1, second_size = above ? p.own_size + 1 : p.own_size;
+  return (struct held_phase){ .c_end = sign * p.c_end + 0.0, /* no -0 */
+                              .travel = sign * p.way,
+                              .size = p.size,
+                              .way1 = sign * (plain ? first : second),
+                              .way2 = sign * (plain ? second : first),
+                              .size1 = plain ? first_size : second_size,
+                              .size2 = plain ? second_size : first_size,
+                              .margin = p.margin,
+                              .grip = p.grip,
+                              .ends = sign * p.side,
+                              .turns = p.turns,
+                              .course = course_of(c != 0 ? sign : 0, sign * p.side, p.turns, p.grip >= 0) };
+}
+
+/* The steady state of two ramps in which friction holds a body to the end of a phase. Both bodies are then at rest, so
+ * the next phase is known, and the one after it: if this comes to rest again the period is closed. */
+struct held {
+  double c_start, c_mid, travel, size; /* as in struct period                                                    */
+  double way[2], way_size[2];          /* of the bodies, and the sizes of their parts                            */
+  double margin;                       /* > 0: this is the steady state                                          */
+  double course[2];                    /* of each phase                                                          */
+};
+
+/* order: +1 if friction holds a body to the end of the contraction, -1 if of the extension. The phase that is followed
+ * by rest comes second, and the first begins at rest. Multiplier and balance are 0. ways: of the bodies too */
+SCALLOP_INLINE void held_steady(const struct scallop_scaled *s, double order, const struct ramps *e,
+                                const struct ramps *c, int ways, struct held *out)
+{
+  int plain = order > 0;
+  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION], x1 = plain ? a : b,
+         x2 = plain ? b : a;
+  const struct ramps r1 = { plain ? e->up : c->up, plain ? e->down : c->down, plain ? e->top : c->top,
+                            plain ? e->rest : c->rest };
+  const struct ramps r2 = { plain ? c->up : e->up, plain ? c->down : e->down, plain ? c->top : e->top,
+                            plain ? c->rest : e->rest };
+  const struct held_phase p1 = held_phase(s, x1, order, &r1, 0);
+  double between = p1.c_end / x1;
+  const struct held_phase p2 = held_phase(s, x2, -order, &r2, between * x2);
+  int rests = p1.turns + p2.turns == 0 && p1.ends == -p2.ends; /* the same body in both phases */
+  out->c_start = plain ? 0 : between;
+  out->c_mid = plain ? between : 0;
+  out->travel = rests ? 0 : p1.travel + p2.travel;
+  out->size = rests ? 0 : p1.size + p2.size;
+  if (ways) {
+    out->way[0] = p1.way1 + p2.way1;
+    out->way[1] = p1.way2 + p2.way2;
+    out->way_size[0] = p1.size1 + p2.size1;
+    out->way_size[1] = p1.size2 + p2.size2;
+  }
+  out->margin = least_of(least_of(p1.margin, p2.margin), p2.grip);
+  out->course[0] = plain ? p1.course : p2.course;
+  out->course[1] = plain ? p2.course : p1.course;
+}
+
+#endif
