@@ -8,7 +8,7 @@
 #ifndef SCALLOP_ASYMPTOTICS_DERIVED_SERIES_H
 #define SCALLOP_ASYMPTOTICS_DERIVED_SERIES_H
 
-#include "asymptotics/derived/pi_poly.h"
+#include "asymptotics/derived/named_poly.h"
 
 struct ring {      /* what a computation keeps                                              */
   slong length;    /* terms of each series                                                  */
@@ -16,14 +16,14 @@ struct ring {      /* what a computation keeps                                  
 };
 
 /* What the coefficients are; with one of a later kind, a sum or product is of that kind. */
-enum series_kind { SERIES_FRACTIONS, SERIES_IN_PI, SERIES_BALLS };
+enum series_kind { SERIES_FRACTIONS, SERIES_NAMED, SERIES_BALLS };
 
 struct series {
   enum series_kind kind;
   slong first, known;
-  fmpq_poly_t rational; /* the coefficients from x^first on, if fractions                    */
-  struct pi_poly in_pi; /* if rational functions of pi                                       */
-  arb_poly_t ball;      /* otherwise                                                         */
+  fmpq_poly_t rational;    /* the coefficients from x^first on, if fractions                    */
+  struct named_poly named; /* if rational functions of names                                    */
+  arb_poly_t ball;         /* otherwise                                                         */
 };
 
 enum {
@@ -49,6 +49,7 @@ void series_set_rational_poly(struct series *s, const fmpq_poly_t poly, slong kn
 void series_set_ball_poly(struct series *s, const arb_poly_t poly, slong known);
 void series_set_x(struct series *s); /* the variable itself */
 void series_set_pi(struct series *s);
+void series_set_ratio(struct series *s, const struct ratio *value);
 /* A number that does not exist: no coefficient of the series is known. */
 void series_set_unknown(struct series *s);
 bool series_is_unknown(const struct series *s);

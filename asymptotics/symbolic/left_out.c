@@ -159,23 +159,23 @@ static bool derive(struct symbolic_laurent *derived, struct motion *m, enum scal
   return closed || series;
 }
 
-struct names { /* in a formula; NULL: without a value here */
+struct values { /* in a formula; NULL: without a value here */
   struct symbolic_laurent value[SCALLOP_SYMBOLS];
   const struct symbolic_laurent *list[SCALLOP_SYMBOLS];
 };
 
-static void set_name(struct names *names, enum scallop_symbol symbol, struct symbolic_laurent value)
+static void set_name(struct values *names, enum scallop_symbol symbol, struct symbolic_laurent value)
 {
   names->value[symbol] = value;
   names->list[symbol] = &names->value[symbol];
 }
 
-static void set_symbol(struct names *names, struct symbols *s, enum scallop_symbol symbol, symbolic value)
+static void set_symbol(struct values *names, struct symbols *s, enum scallop_symbol symbol, symbolic value)
 {
   set_name(names, symbol, symbolic_laurent_set(s, value, 0));
 }
 
-static void set_kinematic_length(struct names *names, struct motion *m, symbolic l0, symbolic lT)
+static void set_kinematic_length(struct values *names, struct motion *m, symbolic l0, symbolic lT)
 {
   struct symbols *s = &m->symbols;
   symbolic difference = symbolic_sub(s, lT, l0), twice = symbolic_number(s, m->kind == SCALLOP_EXTENSION ? 2 : -2, 1);
@@ -185,9 +185,9 @@ static void set_kinematic_length(struct names *names, struct motion *m, symbolic
 }
 
 /* The bodies exchanged, and with them the sign of l */
-static void exchange_names(struct names *names, struct symbols *s)
+static void exchange_names(struct values *names, struct symbols *s)
 {
-  const struct names before = *names;
+  const struct values before = *names;
   const struct symbolic_laurent none = symbolic_laurent_set(s, symbolic_number(s, 0, 1), 0);
   for (int i = 0, sign; i < SCALLOP_SYMBOLS; i++) {
     enum scallop_symbol meant = scallop_symbol_exchanged((enum scallop_symbol)i, &sign);
@@ -199,7 +199,7 @@ static void exchange_names(struct names *names, struct symbols *s)
   }
 }
 
-static void set_names(struct names *names, struct motion *m)
+static void set_names(struct values *names, struct motion *m)
 {
   static const struct {
     enum scallop_symbol symbol;
@@ -308,7 +308,7 @@ static const char *find(struct left_out *l, struct motion *m, const struct formu
                         enum scallop_quantity quantity, const fmpq_t v0, slong most, char message[FORMULA_MESSAGE])
 {
   struct symbolic_laurent derived, value;
-  struct names *names = flint_malloc(sizeof *names);
+  struct values *names = flint_malloc(sizeof *names);
   const char *why = NULL;
   set_names(names, m);
   if (!derive(&derived, m, quantity, most))

@@ -64,8 +64,8 @@ static bool are_equal(const struct series *a, const struct series *b)
   bool equal = a->kind == SERIES_FRACTIONS ? fmpq_poly_equal(a->rational, b->rational)
                : a->kind == SERIES_BALLS   ? arb_poly_equal(a->ball, b->ball)
                                            : true;
-  for (slong k = 0; a->kind == SERIES_IN_PI && k < a->in_pi.length; k++)
-    equal = equal && fmpz_poly_q_equal(&a->in_pi.coeffs[k], &b->in_pi.coeffs[k]);
+  for (slong k = 0; a->kind == SERIES_NAMED && k < a->named.length; k++)
+    equal = equal && ratio_equal(&a->named.coeffs[k], &b->named.coeffs[k]);
   return equal;
 }
 
