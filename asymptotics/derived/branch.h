@@ -78,6 +78,20 @@ void base_clear(struct base *b);
 bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
                  const arb_t c_slope, bool same, slong precision);
 
+/* The same constants as series, and what the motion of a phase is measured in: numbers of a crawler, or names that stand
+ * for those of any crawler with its modes. */
+struct phase_series {
+  enum scallop_phase_kind kind;
+  struct series fraction, curve[2], beta[3];
+  struct series whole; /* how much l changes in the phase                                    */
+  struct series unit;  /* of the displacements                                                */
+  bool has_laws;       /* |l'| is law[i] in the time since the base point of crossing i; else that of its piece */
+  struct series law[MOST_CROSSINGS];
+};
+void phase_series_init(struct phase_series *p);
+void phase_series_clear(struct phase_series *p);
+void phase_series_set(struct phase_series *to, const struct phase_constants *from, const fmpq_t L);
+
 struct lift { /* the same as series in x                                                       */
   struct series when[MOST_CROSSINGS]; /* times of the crossings, from the start of the phase   */
   struct series left[MOST_CROSSINGS]; /* 1 minus that                                          */
@@ -89,7 +103,7 @@ void lift_init(struct lift *l);
 void lift_clear(struct lift *l);
 /* eps, c and c_slope as series whose constant terms are the base point. pi_squared: see model/exact/ball.h, or NULL.
  * False: a crossing is not transversal. */
-bool lift_phase(struct lift *lift, const struct branch *b, const struct phase_constants *p, const struct series *eps,
+bool lift_phase(struct lift *lift, const struct branch *b, const struct phase_series *p, const struct series *eps,
                 const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring);
 
 #endif

@@ -32,6 +32,44 @@ void lift_clear(struct lift *l)
   series_clear(&l->travel);
 }
 
+#define PHASE_SERIES(p) \
+  { \
+    &(p)->fraction, &(p)->curve[0], &(p)->curve[1], &(p)->beta[0], &(p)->beta[1], &(p)->beta[2], &(p)->whole, \
+        &(p)->unit \
+  }
+enum { PHASE_CONSTANTS = 8 };
+
+void phase_series_init(struct phase_series *p)
+{
+  struct series *const all[] = PHASE_SERIES(p);
+  for (int i = 0; i < PHASE_CONSTANTS; i++)
+    series_init(all[i]);
+  for (int i = 0; i < MOST_CROSSINGS; i++)
+    series_init(&p->law[i]);
+  p->has_laws = false;
+}
+
+void phase_series_clear(struct phase_series *p)
+{
+  struct series *const all[] = PHASE_SERIES(p);
+  for (int i = 0; i < PHASE_CONSTANTS; i++)
+    series_clear(all[i]);
+  for (int i = 0; i < MOST_CROSSINGS; i++)
+    series_clear(&p->law[i]);
+}
+
+void phase_series_set(struct phase_series *to, const struct phase_constants *from, const fmpq_t L)
+{
+  to->kind = from->kind;
+  series_set_rational(&to->fraction, from->fraction);
+  for (int i = 0; i < 2; i++)
+    series_set_rational(&to->curve[i], from->curve[i]);
+  for (int i = 0; i < 3; i++)
+    series_set_rational(&to->beta[i], from->beta[i]);
+  series_set_si(&to->whole, 1);
+  series_set_rational(&to->unit, L);
+}
+
 /* c = a + b s until the next crossing; a_slope is the derivative of a by the unknown. */
 struct line {
   struct series a, a_slope, b;
@@ -40,7 +78,7 @@ struct line {
 /* q |l'| near a crossing. Exact: its series in the time since the base point, and that of its derivative. */
 struct curve {
   const struct crossing *at;
-  const fmpq *q;
+  const struct series *q;
   bool exact;
   struct series value, rate;
 };
@@ -59,17 +97,21 @@ static void line_clear(struct line *l)
   series_clear(&l->b);
 }
 
-static void curve_at(struct curve *curve, const struct crossing *at, const struct phase_constants *p,
+static void curve_at(struct curve *curve, const struct branch *b, int i, const struct phase_series *p,
                      const fmpq_t pi_squared, const struct ring *ring)
 {
+  const struct crossing *at = &b->crossing[i];
   const struct ring longer = { ring->length + 1, ring->precision }; /* one more, for the derivative */
   SCOPED(fmpq, u);
   curve->at = at;
-  curve->q = p->curve[at->curve];
-  curve->exact = series_rational_coefficient(u, &at->offset, 0)
-                 && scallop_exact_speed_series(&curve->value, at->piece, u, pi_squared, &longer);
+  curve->q = &p->curve[at->curve];
+  if (p->has_laws)
+    series_set(&curve->value, &p->law[i]);
+  curve->exact = p->has_laws
+                 || (series_rational_coefficient(u, &at->offset, 0)
+                     && scallop_exact_speed_series(&curve->value, at->piece, u, pi_squared, &longer));
   if (curve->exact) {
-    series_scale(&curve->value, &curve->value, curve->q, &longer);
+    series_mul(&curve->value, &curve->value, curve->q, &longer);
     series_derivative(&curve->rate, &curve->value, ring);
   }
 }
@@ -90,8 +132,8 @@ static void curve_along(struct series *value, struct series *rate, const struct 
   scallop_ball_speed_along(speed, slope, curve->at->piece, u, time, ring->length, ring->precision);
   series_set_ball_poly(value, speed, ring->length < x->known ? ring->length : x->known);
   series_set_ball_poly(rate, slope, value->known);
-  series_scale(value, value, curve->q, ring);
-  series_scale(rate, rate, curve->q, ring);
+  series_mul(value, value, curve->q, ring);
+  series_mul(rate, rate, curve->q, ring);
 }
 
 /* The time of the base point since the start of the phase */
@@ -180,22 +222,21 @@ static void travel_between(struct series *way, const struct line *line, const st
 }
 
 /* From region r to region `to` at time s: a and its derivative, and the two balances, take in the change of slope. */
-static void change_region(struct lift *l, struct line *line, const struct phase_constants *p, int r, int to,
+static void change_region(struct lift *l, struct line *line, const struct phase_series *p, int r, int to,
                           const struct series *eps, const struct series *s, const struct series *s_slope,
                           const struct ring *ring)
 {
-  SCOPED(fmpq, drop);
-  SCOPED(series, term, change);
-  fmpq_sub(drop, p->beta[r], p->beta[to]);
-  series_scale(&term, s, drop, ring);
+  SCOPED(series, drop, term, change);
+  series_sub(&drop, &p->beta[r], &p->beta[to], ring);
+  series_mul(&term, s, &drop, ring);
   series_add(&l->balance, &l->balance, &term, ring);
   series_mul(&change, &term, eps, ring);
   series_add(&line->a, &line->a, &change, ring);
-  series_scale(&term, s_slope, drop, ring);
+  series_mul(&term, s_slope, &drop, ring);
   series_add(&l->balance_slope, &l->balance_slope, &term, ring);
   series_mul(&change, &term, eps, ring);
   series_add(&line->a_slope, &line->a_slope, &change, ring);
-  series_scale(&line->b, eps, p->beta[to], ring);
+  series_mul(&line->b, eps, &p->beta[to], ring);
 }
 
 static void set_time(struct lift *l, int i, const struct series *base, const struct series *x, const struct ring *ring)
@@ -207,7 +248,7 @@ static void set_time(struct lift *l, int i, const struct series *base, const str
   series_sub(&l->left[i], &l->left[i], x, ring);
 }
 
-static void finish(struct lift *l, const struct line *line, const struct phase_constants *p, int region,
+static void finish(struct lift *l, const struct line *line, const struct phase_series *p, int region,
                    const struct series *since, const struct ring *ring)
 {
   SCOPED(series, one);
@@ -216,13 +257,14 @@ static void finish(struct lift *l, const struct line *line, const struct phase_c
   series_add(&l->travel, &l->travel, &l->c_end, ring);
   series_add(&l->c_end, &line->a, &line->b, ring);
   series_set(&l->c_end_slope, &line->a_slope);
-  series_set_rational(&one, p->beta[region]);
-  series_add(&l->balance, &l->balance, &one, ring);
+  series_add(&l->balance, &l->balance, &p->beta[region], ring);
 }
 
-bool lift_phase(struct lift *l, const struct branch *b, const struct phase_constants *p, const struct series *eps,
+bool lift_phase(struct lift *l, const struct branch *b, const struct phase_series *p, const struct series *eps,
                 const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring)
 {
+  /* times enter c multiplied by eps, and the displacements by c: where both begin later, fewer terms of them do */
+  const struct ring of_times = { ring->length - (eps->first > 1 && ring->length > 1), ring->precision };
   struct curve curve;
   struct series x, closing, base, since;
   struct series *const work[] = { &curve.value, &curve.rate, &x, &closing, &base, &since };
@@ -233,20 +275,21 @@ bool lift_phase(struct lift *l, const struct branch *b, const struct phase_const
     series_init(work[i]);
   series_set(&line.a, c);
   series_set(&line.a_slope, c_slope);
-  series_scale(&line.b, eps, p->beta[b->first_region], ring);
+  series_mul(&line.b, eps, &p->beta[b->first_region], ring);
   series_set_si(&since, 0);
   series_set_si(&l->balance, 0);
   series_set_si(&l->balance_slope, 0);
   series_set_si(&l->travel, 0);
   for (int i = 0; transversal && i < b->count; i++) {
     const struct crossing *at = &b->crossing[i];
-    curve_at(&curve, at, p, pi_squared, ring);
+    const struct ring *of_crossing = at->tangent ? ring : &of_times; /* a tangent is where c itself begins anew */
+    curve_at(&curve, b, i, p, pi_squared, of_crossing);
     base_time(&base, at, ring);
     if (at->tangent) {
-      transversal = leave_curve(&x, &line, &l->travel_to[i], &curve, ring);
+      transversal = leave_curve(&x, &line, &l->travel_to[i], &curve, of_crossing);
       series_set_si(&closing, 0);
     } else
-      transversal = solve_crossing(&x, &closing, &curve, &line, &base, ring)
+      transversal = solve_crossing(&x, &closing, &curve, &line, &base, of_crossing)
                     && series_div(&closing, &line.a_slope, &closing, ring); /* d(time)/d(unknown) */
     if (!transversal)
       break;

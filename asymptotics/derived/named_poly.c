@@ -217,11 +217,10 @@ void named_poly_div_series(struct named_poly *to, const struct named_poly *a, co
 void named_poly_compose_series(struct named_poly *to, const struct named_poly *outer, const struct named_poly *inner,
                                slong length)
 {
-  const bool begins_later = inner->length == 0 || ratio_is_zero(&inner->coeffs[0]);
   ENDED_BY(named_poly_clear) struct named_poly value;
   begin(&value, outer->names, 1);
-  for (slong k = (begins_later ? least(outer->length, length) : outer->length) - 1; k >= 0; k--) { /* Horner */
-    named_poly_mullow(&value, &value, inner, begins_later ? length - k : length);
+  for (slong k = least(outer->length, length) - 1; k >= 0; k--) { /* Horner */
+    named_poly_mullow(&value, &value, inner, length - k);
     make_room(&value, 1);
     ratio_add(&value.coeffs[0], &value.coeffs[0], &outer->coeffs[k]);
     set_length(&value, value.length > 0 ? value.length : 1);

@@ -29,7 +29,7 @@ void named_poly_zero_coeff(struct named_poly *p, slong k);
 void named_poly_neg(struct named_poly *to, const struct named_poly *a);
 void named_poly_add(struct named_poly *to, const struct named_poly *a, const struct named_poly *b);
 void named_poly_sub(struct named_poly *to, const struct named_poly *a, const struct named_poly *b);
-/* The first `length` coefficients; of a divisor the first is not 0. */
+/* The first `length` coefficients; of a divisor the first is not 0, of what is composed into another the first is 0. */
 void named_poly_mullow(struct named_poly *to, const struct named_poly *a, const struct named_poly *b, slong length);
 void named_poly_div_series(struct named_poly *to, const struct named_poly *a, const struct named_poly *b, slong length);
 void named_poly_compose_series(struct named_poly *to, const struct named_poly *outer, const struct named_poly *inner,

@@ -6,6 +6,7 @@
 void names_init(struct names *names, slong count)
 {
   fmpz_mpoly_ctx_init(names->ring, count, ORD_LEX);
+  names->pi = -1;
   names->only_pi = false;
   names->terms = names->most_terms = 0;
 }
@@ -19,6 +20,7 @@ static struct names of_pi;
 static void begin_of_pi(void)
 {
   names_init(&of_pi, 1);
+  of_pi.pi = 0;
   of_pi.only_pi = true;
 }
 

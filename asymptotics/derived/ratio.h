@@ -12,6 +12,7 @@
 
 struct names {
   fmpz_mpoly_ctx_t ring; /* of polynomials with whole coefficients in all the names                   */
+  slong pi;              /* its place among them, -1: it is none of them                              */
   bool only_pi;          /* the one name has a value                                                  */
   slong terms;           /* of the polynomials of all sums and products so far                        */
   slong most_terms;      /* with more of them the work is given up: what is still made is 1; 0: with any number */

@@ -85,25 +85,25 @@ void series_set_ratio(struct series *s, const struct ratio *value)
   named_poly_set_constant(&s->named, value);
 }
 
-static void begin_pi(struct ratio *pi)
+static void begin_pi(struct ratio *pi, struct names *names)
 {
-  ratio_init(pi, names_of_pi());
-  fmpz_mpoly_gen(pi->over, 0, pi->names->ring);
+  ratio_init(pi, names);
+  fmpz_mpoly_gen(pi->over, names->pi, names->ring);
 }
 
 void series_set_pi_poly(struct series *s, const fmpq_poly_t poly, slong power, slong step, slong known)
 {
   ENDED_BY(ratio_clear) struct ratio pi;
-  begin_pi(&pi);
+  begin_pi(&pi, names_of_pi());
   begin(s, SERIES_NAMED, 0, known);
   named_poly_set_fmpq_poly(&s->named, poly, pi.names);
   named_poly_mul_powers(&s->named, &pi, power, step);
 }
 
-void series_set_pi(struct series *s)
+void series_set_pi(struct series *s, struct names *names)
 {
   ENDED_BY(ratio_clear) struct ratio pi;
-  begin_pi(&pi);
+  begin_pi(&pi, names ? names : names_of_pi());
   series_set_ratio(s, &pi);
 }
 
@@ -251,11 +251,17 @@ void series_sub(struct series *difference, const struct series *a, const struct 
   add_or_sub(difference, a, b, true, ring);
 }
 
+/* Of a product or quotient: what is beyond its last known power need not be made. */
+static slong terms_that_count(slong first, slong known, const struct ring *ring)
+{
+  return known > first ? least(ring->length, known - first) : 1;
+}
+
 void series_mul(struct series *product, const struct series *a, const struct series *b, const struct ring *ring)
 {
   const struct form form = common(a, b, ring);
   const slong first = a->first + b->first, known = least(moved(a->known, b->first), moved(b->known, a->first));
-  const slong length = ring->length;
+  const slong length = terms_that_count(first, known, ring);
   SCOPED(series, spare_a, spare_b);
   const struct series *p = in_form(&spare_a, a, form), *q = in_form(&spare_b, b, form);
   bool cut = series_terms(p) > 0 && series_terms(q) > 0 && series_terms(p) + series_terms(q) - 1 > length;
@@ -296,10 +302,11 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
       || (divisor.kind == SERIES_BALLS && arb_contains_zero(arb_poly_get_coeff_ptr(divisor.ball, 0))))
     return false;
   const struct form form = common(a, &divisor, ring);
-  const slong first = a->first - divisor.first, length = ring->length;
+  const slong first = a->first - divisor.first;
   const struct series *p = in_form(&spare_a, a, form);
   const struct series *q = in_form(&spare_b, &divisor, form);
   slong known = least(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
+  const slong length = terms_that_count(first, known, ring);
   if (series_terms(&divisor) > 1 || series_terms(a) > length) /* before a may be overwritten */
     known = least(known, first + length);
   BY_KIND(form.kind, fmpq_poly_div_series(quotient->rational, p->rational, q->rational, length),
@@ -351,7 +358,10 @@ void series_compose(struct series *to, const struct series *outer, const struct 
   SCOPED(series, f, g);
   set_from(&f, outer, 0, form);
   set_from(&g, inner, 0, form);
-  slong known = least(least(f.known, g.known), ring->length);
+  slong bends = 1; /* outer is c + d x^bends + ...: what is not known of inner comes in times inner^(bends - 1) */
+  while (bends < series_terms(&f) && series_coefficient_is_zero(&f, bends))
+    bends++;
+  slong known = least(least(f.known, moved(g.known, (bends - 1) * inner->first)), ring->length);
   BY_KIND(form.kind, fmpq_poly_compose_series(to->rational, f.rational, g.rational, known),
           named_poly_compose_series(&to->named, &f.named, &g.named, known),
           arb_poly_compose_series(to->ball, f.ball, g.ball, known, ring->precision));
@@ -389,6 +399,17 @@ void series_coefficient(arb_t value, const struct series *s, slong power, slong 
     SCOPED(fmpq, c);
     fmpq_poly_get_coeff_fmpq(c, s->rational, power - s->first);
     arb_set_fmpq(value, c, precision);
+  }
+}
+
+void series_get_ratio(struct ratio *value, const struct series *s, slong power)
+{
+  SCOPED(fmpq, fraction);
+  if (s->kind == SERIES_NAMED && !series_coefficient_is_zero(s, power))
+    ratio_set(value, &s->named.coeffs[power - s->first]);
+  else {
+    series_rational_coefficient(fraction, s, power);
+    ratio_set_fmpq(value, fraction);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asymptotics/derived/scoped.h"
 #include "compare/command/emit_flint.h"
 
 /* A row for a coefficient, or for a closed form, which has no power */
@@ -19,55 +20,65 @@ static void write_value(struct report *r, const struct emitted *e, const char *p
   free(written.text);
 }
 
-/* The terms of T^first times a series in T, or of one in e->small: a row for each that is not 0, or one row if all are;
- * or a formula with all of them. Where the variable is small, its power is part of the term. A closed form is one
- * term. */
-static void write_terms(struct report *r, struct emitted e, struct symbols *s, slong first,
-                        const struct symbolic_series *series, bool closed)
+/* The terms of a series in T below T^below, or of one in e->small: a row for each that is not 0, or one row if all are;
+ * or a formula with all of them. Where the variable is small, its power is part of the term. */
+static void write_terms(struct report *r, struct emitted e, struct symbols *s, const struct series *series, slong below)
 {
   char power[24];
+  const slong first = series->first < below ? series->first : 0;
   bool any = false;
   e.symbols = s;
-  e.below = closed ? 0 : series->length + first;
-  for (slong k = 0; k < series->length; k++)
-    symbolic_uses(series->term[k], s, e.used);
+  e.below = below;
+  for (slong k = first; k < below; k++)
+    symbolic_uses(symbolic_coefficient(s, series, k), s, e.used);
   if (r->language)
     emit_begin(r, &e);
-  for (slong k = 0; k < series->length; k++) {
-    bool zero = symbolic_is_zero(series->term[k], s), say_zero = !r->language && k == series->length - 1 && !any;
-    if (zero && !say_zero && !closed)
+  for (slong k = first; k < below; k++) {
+    symbolic term = symbolic_coefficient(s, series, k);
+    const bool zero = ratio_is_zero(term), say_zero = !r->language && k == below - 1 && !any;
+    if (zero && !say_zero)
       continue;
     any = true;
-    snprintf(power, sizeof power, "%ld", zero ? 0 : (long)(k + first));
+    snprintf(power, sizeof power, "%ld", zero ? 0 : (long)k);
     if (r->language)
-      emit_term(r, symbolic_written(s, series->term[k], e.small || closed ? 0 : k + first, r->language));
+      emit_term(r, symbolic_written(s, term, e.small ? 0 : k, r->language));
     else
-      write_value(r, &e, closed ? "-" : power, s, series->term[k]);
+      write_value(r, &e, power, s, term);
   }
   if (r->language)
     emit_end(r, &e);
 }
 
+/* A closed form, as the one term of a formula */
+static void write_closed(struct report *r, struct emitted e, struct symbols *s, symbolic value)
+{
+  e.symbols = s;
+  symbolic_uses(value, s, e.used);
+  if (r->language) {
+    emit_begin(r, &e);
+    emit_term(r, symbolic_written(s, value, 0, r->language));
+    emit_end(r, &e);
+  } else
+    write_value(r, &e, "-", s, value);
+}
+
 static bool report_phase(struct report *r, const struct motion_names *m)
 {
   static const char *const names[] = { "t1", "dT", "v_end", "dx1", "dx2", "dxC" };
-  struct symbols s;
-  struct symbolic_phase phase;
+  const slong order = r->options->order.value;
   const char *why = NULL;
+  ENDED_BY(symbols_end) struct symbols s;
+  symbols_init(&s);
+  SCOPED(scallop_phase_expansion, phase);
   SCOPED(fmpq, v0);
   if (m->from_v0)
     fmpq_set(v0, r->v0);
-  symbols_init(&s);
-  enum scallop_status status = symbolic_expand_phase(&s, r->crawler, m->kind, v0, r->options->order.value, &phase,
-                                                     &why);
+  enum scallop_status status = symbolic_expand_phase(&s, r->crawler, m->kind, v0, order, &phase, &why);
   if (status != SCALLOP_OK)
     return write_failure(r, m, status, why);
-  const struct symbolic_series *const series[] = { &phase.t1,  &phase.dT,  &phase.v_end,
-                                                   &phase.dx1, &phase.dx2, &phase.dxC };
+  const struct series *const series[] = { &phase.t1, &phase.dT, &phase.v_end, &phase.dx1, &phase.dx2, &phase.dxC };
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    write_terms(r, (struct emitted){ .names = *m, .quantity = names[i], .modes = phase.modes }, &s, 0, series[i],
-                false);
-  symbols_end(&s);
+    write_terms(r, (struct emitted){ .names = *m, .quantity = names[i], .modes = phase.modes }, &s, series[i], order);
   return true;
 }
 
@@ -75,23 +86,25 @@ static bool report_phase(struct report *r, const struct motion_names *m)
 static bool report_steady(struct report *r, bool closed)
 {
   static const char *const names[] = { "v_start", "v_mid", "displacement" };
-  struct symbols s;
-  struct symbolic_steady steady;
+  const slong order = r->options->order.value;
   const char *why = NULL;
+  struct symbolic_steady steady;
+  ENDED_BY(symbols_end) struct symbols s;
   symbols_init(&s);
+  SCOPED(series, series);
   enum scallop_status status = symbolic_solve_steady(&s, r->crawler, &steady, &why);
   if (status != SCALLOP_OK)
     return write_failure(r, &steady_motion, status, why);
   const symbolic values[] = { steady.v_start, steady.v_mid, steady.displacement };
   for (int i = 0; i < 3; i++) {
-    slong first = i < 2 && !closed ? -1 : 0; /* velocities begin with 1/T */
-    struct symbolic_series series = { 1, { values[i] } };
-    if (!closed)
-      series = symbolic_series_of(&s, values[i], first, r->options->order.value - first);
-    write_terms(r, (struct emitted){ .names = steady_motion, .quantity = names[i], .modes = steady.modes }, &s, first,
-                &series, closed);
+    const struct emitted e = { .names = steady_motion, .quantity = names[i], .modes = steady.modes };
+    if (closed)
+      write_closed(r, e, &s, values[i]);
+    else {
+      symbolic_in_T(&series, &s, values[i], order + 1); /* velocities begin with 1/T */
+      write_terms(r, e, &s, &series, order);
+    }
   }
-  symbols_end(&s);
   return true;
 }
 
@@ -106,16 +119,16 @@ static bool report_limit(struct report *r, enum limit_parameter in)
   static const char *const names[] = { "product", "alpha", "friction" };
   static const char *const small[] = { "(F1 - F2)*(2*alpha - 1)/(F1 + F2)", "2*alpha - 1", "(F1 - F2)/(F1 + F2)" };
   const struct motion_names m = { .phase = "period", .start = r->language ? names[in] : small[in] };
-  struct symbols s;
-  struct symbolic_limit limit;
   const char *why = NULL;
+  ENDED_BY(symbols_end) struct symbols s;
   symbols_init(&s);
+  ENDED_BY(symbolic_limit_clear) struct symbolic_limit limit;
+  symbolic_limit_init(&limit);
   enum scallop_status status = symbolic_expand_limit(&s, r->crawler, in, r->options->order.value, &limit, &why);
   if (status != SCALLOP_OK)
     return write_failure(r, &m, status, why);
-  write_terms(r, (struct emitted){ .names = m, .quantity = "U", .modes = limit.modes, .small = small[in] }, &s, 0,
-              &limit.term, false);
-  symbols_end(&s);
+  write_terms(r, (struct emitted){ .names = m, .quantity = "U", .modes = limit.modes, .small = small[in] }, &s,
+              &limit.term, r->options->order.value);
   return true;
 }
 

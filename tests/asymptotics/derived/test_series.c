@@ -225,7 +225,7 @@ TEST(functions_of_pi_one_by_one)
     }
   }
   SCOPED(series, pi, large);
-  series_set_pi(&pi);
+  series_set_pi(&pi, NULL);
   series_set_si(&large, 3);
   series_add(&large, &large, &pi, &ring);
   for (int i = 0; i < 14 && large.kind == SERIES_NAMED; i++)
