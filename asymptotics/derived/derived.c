@@ -20,29 +20,6 @@ static void modes_text(char *text, size_t size, const struct branch *b, enum sca
   }
 }
 
-#define EXPANSION_SERIES(e) \
-  { \
-    &(e)->t1, &(e)->dT, &(e)->v_end, &(e)->dx1, &(e)->dx2, &(e)->dxC, &(e)->at_first, &(e)->at_last, \
-        &(e)->turning_velocity \
-  }
-enum { PHASE_QUANTITIES = 9 };
-
-void scallop_phase_expansion_init(struct scallop_phase_expansion *e)
-{
-  struct series *const all[] = EXPANSION_SERIES(e);
-  for (int i = 0; i < PHASE_QUANTITIES; i++)
-    series_init(all[i]);
-  e->switches = false;
-  *e->modes = '\0';
-}
-
-void scallop_phase_expansion_clear(struct scallop_phase_expansion *e)
-{
-  struct series *const all[] = EXPANSION_SERIES(e);
-  for (int i = 0; i < PHASE_QUANTITIES; i++)
-    series_clear(all[i]);
-}
-
 /* |way| of the separation from the start of the phase to a crossing at offset 0 of its piece: the integral of |l'| */
 static void way_to(struct series *way, const struct lift *l, int i, const struct branch *b,
                    const struct phase_series *p, const fmpq_t pi_squared, const struct ring *ring)
@@ -50,16 +27,16 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
   const struct scallop_piece *piece = b->crossing[i].piece;
   SCOPED(series, speed);
   if (p->has_laws)
-    series_set(&speed, &p->law[i]);
+    series_set(&speed, &p->law.at[i]);
   else
     scallop_speed_series(&speed, piece, pi_squared, ring);
   series_integral(&speed, &speed, ring);
   if (piece->anchor == SCALLOP_FROM_END) { /* times are measured from the end: minus what is left */
-    series_neg(way, &l->left[i]);
+    series_neg(way, &l->left.at[i]);
     series_compose(way, &speed, way, ring);
     series_add(way, way, &p->whole, ring);
   } else
-    series_compose(way, &speed, &l->when[i], ring);
+    series_compose(way, &speed, &l->when.at[i], ring);
 }
 
 /* unit (travel - share way): a point at that share goes back while the separation grows by way */
@@ -78,7 +55,7 @@ static void rear_position(struct series *to, const struct lift *l, int i, const 
 {
   SCOPED(series, way);
   way_to(&way, l, i, b, p, pi_squared, ring);
-  position(to, &l->travel_to[i], &p->curve[0], &way, p, ring);
+  position(to, &l->travel_to.at[i], &p->curve[0], &way, p, ring);
 }
 
 static void displacements(struct scallop_phase_expansion *e, const struct lift *l, const struct phase_series *p,
@@ -115,8 +92,7 @@ static void start_series(struct series *c, struct series *eps, const struct scal
 bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_series *p,
                    const struct series *c, const struct series *eps, const fmpq_t pi_squared, const struct ring *ring)
 {
-  ENDED_BY(lift_clear) struct lift l;
-  lift_init(&l);
+  SCOPED(lift, l);
   SCOPED(series, none);
   bool lifted = lift_phase(&l, b, p, eps, c, &none, pi_squared, ring);
   if (lifted) {
@@ -126,8 +102,8 @@ bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, co
     series_mul(&e->v_end, &l.c_end, &p->unit, ring);
     series_shift(&e->v_end, &e->v_end, -1);
     if (e->switches) {
-      series_shift(&e->t1, &l.when[0], 1);
-      series_shift(&e->dT, &l.left[last], 1);
+      series_shift(&e->t1, &l.when.at[0], 1);
+      series_shift(&e->dT, &l.left.at[last], 1);
       rear_position(&e->at_first, &l, 0, b, p, pi_squared, ring);
       rear_position(&e->at_last, &l, last, b, p, pi_squared, ring);
     }
@@ -164,11 +140,10 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   enum scallop_status status = check(crawler, order, precision, why);
   if (status != SCALLOP_OK)
     return status;
-  const struct ring ring = { order + 1, precision };
+  const struct ring ring = { order + 2, precision }; /* formulas may divide by times, which begin with T or T^3 */
   ENDED_BY(phase_constants_clear) struct phase_constants p;
   phase_constants_init(&p, crawler, kind);
-  ENDED_BY(phase_series_clear) struct phase_series in_series;
-  phase_series_init(&in_series);
+  SCOPED(phase_series, in_series);
   phase_series_set(&in_series, &p, crawler->L);
   ENDED_BY(branch_clear) struct branch b;
   branch_init(&b);
@@ -179,25 +154,6 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
       || !expand_branch(expansion, &b, &in_series, &c, &eps, pi_squared, &ring))
     status = refuse(why, branch_without_ends);
   return status;
-}
-
-void scallop_steady_expansion_init(struct scallop_steady_expansion *e)
-{
-  series_init(&e->v_start);
-  series_init(&e->v_mid);
-  series_init(&e->displacement);
-  series_init(&e->mean_velocity);
-  series_init(&e->friction_work);
-  *e->modes = '\0';
-}
-
-void scallop_steady_expansion_clear(struct scallop_steady_expansion *e)
-{
-  series_clear(&e->v_start);
-  series_clear(&e->v_mid);
-  series_clear(&e->displacement);
-  series_clear(&e->mean_velocity);
-  series_clear(&e->friction_work);
 }
 
 /* From a series in T^2 and units of L to one in T, times T^power */
@@ -237,8 +193,7 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
   SCOPED(fmpq, energy);
   ENDED_BY(limit_clear) struct limit l;
   limit_init(&l, crawler);
-  ENDED_BY(steady_lift_clear) struct steady_lift s;
-  steady_lift_init(&s);
+  SCOPED(steady_lift, s);
   SCOPED(series, eps);
   set_eps(&eps, crawler, &ring);
   status = limit_find(&l, crawler, precision, &reason);

@@ -4,63 +4,22 @@
 #include "asymptotics/derived/evaluate.h"
 #include "asymptotics/derived/scoped.h"
 
-void lift_init(struct lift *l)
+void of_crossings_init(struct of_crossings *s)
 {
-  for (int i = 0; i < MOST_CROSSINGS; i++) {
-    series_init(&l->when[i]);
-    series_init(&l->left[i]);
-    series_init(&l->travel_to[i]);
-  }
-  series_init(&l->c_end);
-  series_init(&l->c_end_slope);
-  series_init(&l->balance);
-  series_init(&l->balance_slope);
-  series_init(&l->travel);
-}
-
-void lift_clear(struct lift *l)
-{
-  for (int i = 0; i < MOST_CROSSINGS; i++) {
-    series_clear(&l->when[i]);
-    series_clear(&l->left[i]);
-    series_clear(&l->travel_to[i]);
-  }
-  series_clear(&l->c_end);
-  series_clear(&l->c_end_slope);
-  series_clear(&l->balance);
-  series_clear(&l->balance_slope);
-  series_clear(&l->travel);
-}
-
-#define PHASE_SERIES(p) \
-  { \
-    &(p)->fraction, &(p)->curve[0], &(p)->curve[1], &(p)->beta[0], &(p)->beta[1], &(p)->beta[2], &(p)->whole, \
-        &(p)->unit \
-  }
-enum { PHASE_CONSTANTS = 8 };
-
-void phase_series_init(struct phase_series *p)
-{
-  struct series *const all[] = PHASE_SERIES(p);
-  for (int i = 0; i < PHASE_CONSTANTS; i++)
-    series_init(all[i]);
   for (int i = 0; i < MOST_CROSSINGS; i++)
-    series_init(&p->law[i]);
-  p->has_laws = false;
+    series_init(&s->at[i]);
 }
 
-void phase_series_clear(struct phase_series *p)
+void of_crossings_clear(struct of_crossings *s)
 {
-  struct series *const all[] = PHASE_SERIES(p);
-  for (int i = 0; i < PHASE_CONSTANTS; i++)
-    series_clear(all[i]);
   for (int i = 0; i < MOST_CROSSINGS; i++)
-    series_clear(&p->law[i]);
+    series_clear(&s->at[i]);
 }
 
 void phase_series_set(struct phase_series *to, const struct phase_constants *from, const fmpq_t L)
 {
   to->kind = from->kind;
+  to->has_laws = false;
   series_set_rational(&to->fraction, from->fraction);
   for (int i = 0; i < 2; i++)
     series_set_rational(&to->curve[i], from->curve[i]);
@@ -74,6 +33,8 @@ void phase_series_set(struct phase_series *to, const struct phase_constants *fro
 struct line {
   struct series a, a_slope, b;
 };
+#define LINE(of) of(series, &s->a) of(series, &s->a_slope) of(series, &s->b)
+SCOPED_PARTS(line, struct line, LINE)
 
 /* q |l'| near a crossing. Exact: its series in the time since the base point, and that of its derivative. */
 struct curve {
@@ -82,20 +43,8 @@ struct curve {
   bool exact;
   struct series value, rate;
 };
-
-static void line_init(struct line *l)
-{
-  series_init(&l->a);
-  series_init(&l->a_slope);
-  series_init(&l->b);
-}
-
-static void line_clear(struct line *l)
-{
-  series_clear(&l->a);
-  series_clear(&l->a_slope);
-  series_clear(&l->b);
-}
+#define CURVE(of) of(series, &s->value) of(series, &s->rate)
+SCOPED_PARTS(curve, struct curve, CURVE)
 
 static void curve_at(struct curve *curve, const struct branch *b, int i, const struct phase_series *p,
                      const fmpq_t pi_squared, const struct ring *ring)
@@ -106,7 +55,7 @@ static void curve_at(struct curve *curve, const struct branch *b, int i, const s
   curve->at = at;
   curve->q = &p->curve[at->curve];
   if (p->has_laws)
-    series_set(&curve->value, &p->law[i]);
+    series_set(&curve->value, &p->law.at[i]);
   curve->exact = p->has_laws
                  || (series_rational_coefficient(u, &at->offset, 0)
                      && scallop_exact_speed_series(&curve->value, at->piece, u, pi_squared, &longer));
@@ -243,9 +192,9 @@ static void set_time(struct lift *l, int i, const struct series *base, const str
 {
   SCOPED(series, one);
   series_set_si(&one, 1);
-  series_add(&l->when[i], base, x, ring);
-  series_sub(&l->left[i], &one, base, ring); /* first, so that an exact 1 - 1 is 0 */
-  series_sub(&l->left[i], &l->left[i], x, ring);
+  series_add(&l->when.at[i], base, x, ring);
+  series_sub(&l->left.at[i], &one, base, ring); /* first, so that an exact 1 - 1 is 0 */
+  series_sub(&l->left.at[i], &l->left.at[i], x, ring);
 }
 
 static void finish(struct lift *l, const struct line *line, const struct phase_series *p, int region,
@@ -263,16 +212,13 @@ static void finish(struct lift *l, const struct line *line, const struct phase_s
 bool lift_phase(struct lift *l, const struct branch *b, const struct phase_series *p, const struct series *eps,
                 const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring)
 {
-  /* times enter c multiplied by eps, and the displacements by c: where both begin later, fewer terms of them do */
-  const struct ring of_times = { ring->length - (eps->first > 1 && ring->length > 1), ring->precision };
-  struct curve curve;
-  struct series x, closing, base, since;
-  struct series *const work[] = { &curve.value, &curve.rate, &x, &closing, &base, &since };
+  /* times enter c multiplied by eps, and the displacements by c: where both begin later, one term fewer of them does,
+   * and the last one is the largest where it is in names */
+  const struct ring of_times = { ring->length - (p->has_laws && eps->first > 1 && ring->length > 1), ring->precision };
   bool transversal = true;
-  ENDED_BY(line_clear) struct line line;
-  line_init(&line);
-  for (size_t i = 0; i < sizeof work / sizeof *work; i++)
-    series_init(work[i]);
+  SCOPED(curve, curve);
+  SCOPED(line, line);
+  SCOPED(series, x, closing, base, since);
   series_set(&line.a, c);
   series_set(&line.a_slope, c_slope);
   series_mul(&line.b, eps, &p->beta[b->first_region], ring);
@@ -286,7 +232,7 @@ bool lift_phase(struct lift *l, const struct branch *b, const struct phase_serie
     curve_at(&curve, b, i, p, pi_squared, of_crossing);
     base_time(&base, at, ring);
     if (at->tangent) {
-      transversal = leave_curve(&x, &line, &l->travel_to[i], &curve, of_crossing);
+      transversal = leave_curve(&x, &line, &l->travel_to.at[i], &curve, of_crossing);
       series_set_si(&closing, 0);
     } else
       transversal = solve_crossing(&x, &closing, &curve, &line, &base, of_crossing)
@@ -295,15 +241,13 @@ bool lift_phase(struct lift *l, const struct branch *b, const struct phase_serie
       break;
     set_time(l, i, &base, &x, ring);
     if (!at->tangent)
-      travel_between(&l->travel_to[i], &line, &since, &l->when[i], ring);
-    series_add(&l->travel, &l->travel, &l->travel_to[i], ring);
-    series_set(&l->travel_to[i], &l->travel);
-    series_set(&since, &l->when[i]);
+      travel_between(&l->travel_to.at[i], &line, &since, &l->when.at[i], ring);
+    series_add(&l->travel, &l->travel, &l->travel_to.at[i], ring);
+    series_set(&l->travel_to.at[i], &l->travel);
+    series_set(&since, &l->when.at[i]);
     change_region(l, &line, p, branch_region(b, i), at->to, eps, &since, &closing, ring);
   }
   if (transversal)
     finish(l, &line, p, branch_region(b, b->count), &since, ring);
-  for (size_t i = 0; i < sizeof work / sizeof *work; i++)
-    series_clear(work[i]);
   return transversal;
 }

@@ -33,13 +33,14 @@ struct steady_lift {
   struct series w, w_mid, travel; /* of eps = eps0 + x                                         */
   struct lift phase[2];
 };
-void steady_lift_init(struct steady_lift *s);
-void steady_lift_clear(struct steady_lift *s);
+#define STEADY_LIFT(of) \
+  of(series, &s->w) of(series, &s->w_mid) of(series, &s->travel) of(lift, &s->phase[0]) of(lift, &s->phase[1])
+SCOPED_PARTS(steady_lift, struct steady_lift, STEADY_LIFT)
 /* eps: the series eps0 + x, or any other in x. Starts from l->w and the branches' offsets at the base point. */
 bool steady_lift(struct steady_lift *s, const struct limit *l, const struct series *eps, const struct ring *ring);
 /* The same from what the limit has, in these units; w too is that of the base point. */
 bool steady_lift_from(struct steady_lift *s, const struct series *w, const struct branch branch[2],
-                      const struct phase_series phases[2], const struct series *eps, const struct ring *ring);
+                      const struct phase_series *const phases[2], const struct series *eps, const struct ring *ring);
 
 /* The energy that friction takes in a period, in units of (F1 + F2) L. s: what steady_lift made of l, unless
  * l->at_rest. */

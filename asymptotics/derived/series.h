@@ -41,6 +41,7 @@ enum {
 
 void series_init(struct series *s);
 void series_clear(struct series *s);
+SCOPED_KIND(series, struct series)
 void series_set(struct series *to, const struct series *from);
 void series_set_rational(struct series *s, const fmpq_t value);
 void series_set_si(struct series *s, slong value);

@@ -4,27 +4,10 @@
 
 #include <math.h>
 
-void steady_lift_init(struct steady_lift *s)
-{
-  series_init(&s->w);
-  series_init(&s->w_mid);
-  series_init(&s->travel);
-  lift_init(&s->phase[0]);
-  lift_init(&s->phase[1]);
-}
-
-void steady_lift_clear(struct steady_lift *s)
-{
-  series_clear(&s->w);
-  series_clear(&s->w_mid);
-  series_clear(&s->travel);
-  lift_clear(&s->phase[0]);
-  lift_clear(&s->phase[1]);
-}
-
 /* Both phases from start velocity s->w; balance and slope of the period. */
-static bool lift_period(struct steady_lift *s, const struct branch branch[2], const struct phase_series phases[2],
-                        const struct series *eps, struct series *balance, struct series *slope, const struct ring *ring)
+static bool lift_period(struct steady_lift *s, const struct branch branch[2],
+                        const struct phase_series *const phases[2], const struct series *eps, struct series *balance,
+                        struct series *slope, const struct ring *ring)
 {
   bool lifted = true;
   SCOPED(series, c, c_slope, here);
@@ -34,13 +17,13 @@ static bool lift_period(struct steady_lift *s, const struct branch branch[2], co
   series_set_si(slope, 0);
   series_set_si(&s->travel, 0);
   for (int k = 0; lifted && k < 2; k++) {
-    const struct series *fraction = &phases[k].fraction;
+    const struct series *fraction = &phases[k]->fraction;
     struct lift *phase = &s->phase[k];
     series_mul(&here, eps, fraction, ring);
     series_mul(&here, &here, fraction, ring);
     series_mul(&c, &c, fraction, ring);
     series_mul(&c_slope, &c_slope, fraction, ring);
-    lifted = lift_phase(phase, &branch[k], &phases[k], &here, &c, &c_slope, NULL, ring);
+    lifted = lift_phase(phase, &branch[k], phases[k], &here, &c, &c_slope, NULL, ring);
     series_div(&c, &phase->c_end, fraction, ring);
     series_div(&c_slope, &phase->c_end_slope, fraction, ring);
     if (k == SCALLOP_EXTENSION)
@@ -55,7 +38,7 @@ static bool lift_period(struct steady_lift *s, const struct branch branch[2], co
 }
 
 bool steady_lift_from(struct steady_lift *s, const struct series *w, const struct branch branch[2],
-                      const struct phase_series phases[2], const struct series *eps, const struct ring *ring)
+                      const struct phase_series *const phases[2], const struct series *eps, const struct ring *ring)
 {
   bool lifted = true, last = false;
   SCOPED(series, balance, slope);
@@ -78,15 +61,10 @@ bool steady_lift_from(struct steady_lift *s, const struct series *w, const struc
 
 bool steady_lift(struct steady_lift *s, const struct limit *l, const struct series *eps, const struct ring *ring)
 {
-  struct phase_series phases[2];
+  SCOPED(phase_series, extension, contraction);
   SCOPED(fmpq, one);
   fmpq_one(one);
-  for (int k = 0; k < 2; k++) {
-    phase_series_init(&phases[k]);
-    phase_series_set(&phases[k], &l->phase[k], one);
-  }
-  const bool lifted = steady_lift_from(s, &l->w, l->branch, phases, eps, ring);
-  phase_series_clear(&phases[0]);
-  phase_series_clear(&phases[1]);
-  return lifted;
+  phase_series_set(&extension, &l->phase[0], one);
+  phase_series_set(&contraction, &l->phase[1], one);
+  return steady_lift_from(s, &l->w, l->branch, (const struct phase_series *[]){ &extension, &contraction }, eps, ring);
 }

@@ -124,8 +124,8 @@ struct symbolic_limit {
   slong reached;            /* terms known before there were too many of the symbols' polynomials   */
   char why[160];            /* where there were: the reason                                         */
 };
-void symbolic_limit_init(struct symbolic_limit *limit);
-void symbolic_limit_clear(struct symbolic_limit *limit);
+#define SYMBOLIC_LIMIT(of) of(series, &s->term)
+SCOPED_PARTS(symbolic_limit, struct symbolic_limit, SYMBOLIC_LIMIT)
 /* The equation of which U is the root, as text "LEFT = RIGHT": in the language of formula.h for the sinusoidal gait,
  * where share = 2/pi asin(...) with asin = pi/2 beyond 1; else with a sentence that says what share_e and share_c are.
  * NULL: alpha = 1/2 or F1 = F2, and U = 0. */

@@ -9,10 +9,6 @@
 /* Of all sums and products, each of some hundred bytes while it is made: ten seconds, and half a gigabyte */
 #define MOST_TERMS 10000000
 
-void symbolic_limit_init(struct symbolic_limit *limit) { series_init(&limit->term); }
-
-void symbolic_limit_clear(struct symbolic_limit *limit) { series_clear(&limit->term); }
-
 /* The part of a phase in which mu |l'| < M U, as a series in y = M U f/mu, f the fraction of the phase: where a level y
  * crosses |l'| near both ends, which is the same where the phase is reversible */
 static void set_share(struct series *share, struct symbols *s, const struct scallop_rational_crawler *crawler,
@@ -22,44 +18,28 @@ static void set_share(struct series *share, struct symbols *s, const struct scal
   phase_constants_init(&constants, crawler, kind);
   ENDED_BY(branch_clear) struct branch b;
   branch_init(&b);
-  ENDED_BY(phase_series_clear) struct phase_series p;
-  phase_series_init(&p);
-  ENDED_BY(lift_clear) struct lift lift;
-  lift_init(&lift);
+  SCOPED(phase_series, p);
+  SCOPED(lift, lift);
   SCOPED(series, level, none);
   branch_from_ends(&b, &constants, 1, 1);
   b.count = reversible ? 1 : b.count;
   p.has_laws = true;
   series_set_si(&p.curve[0], 1);
   for (int i = 0; i < b.count; i++)
-    named_law(&p.law[i], s, b.crossing[i].piece, kind);
+    named_law(&p.law.at[i], s, b.crossing[i].piece, kind);
   series_set_x(&level);
   lift_phase(&lift, &b, &p, &none, &level, &none, NULL, ring);
-  series_add(share, &lift.when[0], reversible ? &lift.when[0] : &lift.left[1], ring);
+  series_add(share, &lift.when.at[0], reversible ? &lift.when.at[0] : &lift.left.at[1], ring);
 }
 
 /* F1/(F1 + F2), F2/(F1 + F2), alpha, beta, and (F1 - F2)(2 alpha - 1)/(F1 + F2), as series in the small parameter */
 struct weights {
   struct series force[2], fraction[2], drive;
 };
-
-static void weights_init(struct weights *w)
-{
-  for (int k = 0; k < 2; k++) {
-    series_init(&w->force[k]);
-    series_init(&w->fraction[k]);
-  }
-  series_init(&w->drive);
-}
-
-static void weights_clear(struct weights *w)
-{
-  for (int k = 0; k < 2; k++) {
-    series_clear(&w->force[k]);
-    series_clear(&w->fraction[k]);
-  }
-  series_clear(&w->drive);
-}
+#define WEIGHTS(of) \
+  of(series, &s->force[0]) of(series, &s->force[1]) of(series, &s->fraction[0]) of(series, &s->fraction[1]) \
+      of(series, &s->drive)
+SCOPED_PARTS(weights, struct weights, WEIGHTS)
 
 /* 1/2 + x/2 and 1/2 - x/2 */
 static void set_halves(struct series both[2])
@@ -267,8 +247,7 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
   limit->small = in == LIMIT_IN_ALPHA      ? time_difference(s)
                  : in == LIMIT_IN_FRICTION ? friction_difference(s)
                                            : symbolic_mul(s, time_difference(s), friction_difference(s));
-  ENDED_BY(weights_clear) struct weights w;
-  weights_init(&w);
+  SCOPED(weights, w);
   set_weights(&w, s, in);
   solve(&limit->term, s, crawler, &w, limit, terms);
   if (names_given_up(&s->names)) {

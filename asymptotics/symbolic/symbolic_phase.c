@@ -19,11 +19,10 @@ static void expand(struct symbols *s, const struct branch *b, enum scallop_phase
                    struct scallop_phase_expansion *phase)
 {
   const struct ring ring = { order, 2 };
-  ENDED_BY(phase_series_clear) struct phase_series p;
-  phase_series_init(&p);
+  SCOPED(phase_series, p);
   named_phase(&p, s, kind);
   for (int i = 0; i < b->count; i++)
-    named_law(&p.law[i], s, b->crossing[i].piece, kind);
+    named_law(&p.law.at[i], s, b->crossing[i].piece, kind);
   SCOPED(series, start, eps);
   if (!from_rest)
     series_set_ratio(&start, symbolic_mul(s, symbolic_named(s, NAMED_M), symbolic_named(s, NAMED_v0)));

@@ -34,8 +34,8 @@ static void set_phase(struct phase_series *to, struct branch *b, struct symbols 
   named_phase(to, s, kind);
   series_set_ratio(&to->fraction, symbolic_named(s, kind == SCALLOP_EXTENSION ? NAMED_alpha : NAMED_beta));
   for (int i = 0; i < b->count; i++) {
-    linear_law(&to->law[i], b->crossing[i].piece);
-    series_mul(&to->law[i], &to->law[i], &to->whole, &ring);
+    linear_law(&to->law.at[i], b->crossing[i].piece);
+    series_mul(&to->law.at[i], &to->law.at[i], &to->whole, &ring);
     series_set_si(&b->crossing[i].offset, 0);
   }
 }
@@ -45,21 +45,17 @@ static void solve(struct symbols *s, struct limit *limit, struct symbolic_steady
   const struct ring constants = { 1, 2 };
   symbolic T = symbolic_named(s, NAMED_T), M = symbolic_named(s, NAMED_M);
   symbolic momentum = symbolic_mul(s, M, T);
-  struct phase_series phases[2];
-  ENDED_BY(steady_lift_clear) struct steady_lift lifted;
-  steady_lift_init(&lifted);
+  SCOPED(phase_series, extension, contraction);
+  SCOPED(steady_lift, lifted);
   SCOPED(series, eps, rest);
   series_set_ratio(&eps, symbolic_mul(s, T, T));
-  for (int k = 0; k < 2; k++) {
-    phase_series_init(&phases[k]);
-    set_phase(&phases[k], &limit->branch[k], s, (enum scallop_phase_kind)k);
-  }
-  steady_lift_from(&lifted, &rest, limit->branch, phases, &eps, &constants);
+  set_phase(&extension, &limit->branch[0], s, SCALLOP_EXTENSION);
+  set_phase(&contraction, &limit->branch[1], s, SCALLOP_CONTRACTION);
+  steady_lift_from(&lifted, &rest, limit->branch, (const struct phase_series *[]){ &extension, &contraction }, &eps,
+                   &constants);
   steady->v_start = symbolic_div(s, symbolic_coefficient(s, &lifted.w, 0), momentum);
   steady->v_mid = symbolic_div(s, symbolic_coefficient(s, &lifted.w_mid, 0), momentum);
   steady->displacement = symbolic_div(s, symbolic_coefficient(s, &lifted.travel, 0), M);
-  phase_series_clear(&phases[0]);
-  phase_series_clear(&phases[1]);
 }
 
 static const char *obstacle(const struct limit *limit)

@@ -122,8 +122,7 @@ static bool report_limit(struct report *r, enum limit_parameter in)
   const char *why = NULL;
   ENDED_BY(symbols_end) struct symbols s;
   symbols_init(&s);
-  ENDED_BY(symbolic_limit_clear) struct symbolic_limit limit;
-  symbolic_limit_init(&limit);
+  SCOPED(symbolic_limit, limit);
   enum scallop_status status = symbolic_expand_limit(&s, r->crawler, in, r->options->order.value, &limit, &why);
   if (status != SCALLOP_OK)
     return write_failure(r, &m, status, why);

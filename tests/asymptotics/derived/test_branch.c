@@ -6,9 +6,6 @@
 #include "tests/support/odd_gaits.h"
 #include "tests/support/solved.h"
 
-SCOPED_KIND(lift, struct lift)
-SCOPED_KIND(base, struct base)
-
 enum { PRECISION = 128 };
 
 struct subject {
@@ -109,8 +106,7 @@ TEST(crossings_along_the_curve)
   SUBJECT(s, &trapezoid_gait);
   series_set_si(&one, 1);
   series_set_si(&eps, 0);
-  ENDED_BY(phase_series_clear) struct phase_series in_series;
-  phase_series_init(&in_series);
+  SCOPED(phase_series, in_series);
   phase_series_set(&in_series, &s.phase, s.crawler.L);
   for (int along = 0; along < 2; along++) { /* first where c does cross */
     double u = along ? 0.5 : 0.125;

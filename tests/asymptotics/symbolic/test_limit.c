@@ -8,8 +8,6 @@
 #include "tests/support/odd_gaits.h"
 #include "tests/support/random_gait.h"
 
-SCOPED_KIND(symbolic_limit, struct symbolic_limit)
-
 enum { ORDER = 5, PRECISION = 600 };
 
 /* 2 alpha - 1 or F1/F2 - 1, or both, become some 2^-far, with the signs that they had. */
@@ -71,7 +69,7 @@ static bool check_limit(struct random *r, const struct scallop_gait *gait, enum 
   symbols_values(values, &s, &c, NULL, pi_squared);
   assert_true(series_coefficient_is_zero(&limit.term, 0));
   for (slong k = 1; k < ORDER; k++) {
-    assert_true(symbolic_value(term, symbolic_coefficient(& s, & limit.term, k), & s, values));
+    assert_true(symbolic_value(term, symbolic_coefficient(&s, &limit.term, k), &s, values));
     arb_set_fmpq(next, sum, PRECISION);
     arb_sub(error, U, next, PRECISION);
     arb_set_fmpq(next, term, PRECISION);
@@ -127,7 +125,7 @@ TEST(first_term_is_27)
     assert_int_equal(symbolic_expand_limit(&s, &c, LIMIT_IN_PRODUCT, ORDER, &limit, NULL), SCALLOP_OK);
     fmpq *values = _fmpq_vec_init(MOST_SYMBOLS);
     symbols_values(values, &s, &c, NULL, pi_squared);
-    assert_true(symbolic_value(got, symbolic_coefficient(& s, & limit.term, 1), & s, values));
+    assert_true(symbolic_value(got, symbolic_coefficient(&s, &limit.term, 1), &s, values));
     for (slong k = 2; k < ORDER && !sine; k++)
       assert_true(series_coefficient_is_zero(&limit.term, k));
     symbols_end(&s);
