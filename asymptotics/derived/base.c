@@ -4,22 +4,6 @@
 
 #include <math.h>
 
-void base_init(struct base *b)
-{
-  arb_init(b->c_end);
-  arb_init(b->balance);
-  arb_init(b->c_end_slope);
-  arb_init(b->balance_slope);
-}
-
-void base_clear(struct base *b)
-{
-  arb_clear(b->c_end);
-  arb_clear(b->balance);
-  arb_clear(b->c_end_slope);
-  arb_clear(b->balance_slope);
-}
-
 struct straight { /* c = a + b s                                                               */
   arb_t a, b, a_slope;
 };

@@ -46,18 +46,8 @@ enum { MORE = 8 }; /* further terms, by which a coefficient is carried from the 
 struct around { /* the expansions around the middle of the ball, and around anywhere in it              */
   struct steady_lift middle, all;
 };
-
-static void around_init(struct around *a)
-{
-  steady_lift_init(&a->middle);
-  steady_lift_init(&a->all);
-}
-
-static void around_clear(struct around *a)
-{
-  steady_lift_clear(&a->middle);
-  steady_lift_clear(&a->all);
-}
+#define AROUND(of) of(steady_lift, &s->middle) of(steady_lift, &s->all)
+SCOPED_PARTS(around, struct around, AROUND)
 
 /* The branch followed to every eps in the ball, and expanded there to so many terms */
 static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps, slong terms, slong precision)
@@ -131,8 +121,8 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
       const struct lift *middle = &a->middle.phase[k], *all = &a->all.phase[k];
       series_coefficient(u, &at->offset, 0, precision);
       meet = meet
-             && narrow(u, forward ? &middle->when[i] : &middle->left[i], forward ? &all->when[i] : &all->left[i], r,
-                       precision);
+             && narrow(u, forward ? &middle->when.at[i] : &middle->left.at[i],
+                       forward ? &all->when.at[i] : &all->left.at[i], r, precision);
       series_set_ball(&at->offset, u);
     }
   return meet ? limit_holds(l, w, w_mid, eps, precision) : not_smooth;
@@ -145,8 +135,7 @@ static void find_end(arf_t end, const char **ends, const struct limit *from,
 {
   enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4, MOST_FINE = 64 };
   int failures = 0, fine = 0;
-  ENDED_BY(around_clear) struct around around;
-  around_init(&around);
+  SCOPED(around, around);
   ENDED_BY(limit_clear) struct limit here;
   limit_init(&here, crawler);
   ENDED_BY(limit_clear) struct limit trial;
@@ -194,8 +183,7 @@ struct cover {
 static bool coefficients(struct cover *cover, arb_t value[2], const arb_t eps)
 {
   slong most = cover->power[0] > cover->power[1] ? cover->power[0] : cover->power[1];
-  ENDED_BY(around_clear) struct around a;
-  around_init(&a);
+  SCOPED(around, a);
   copy_branches(&cover->trial, &cover->here);
   bool found = lift_around(&a, &cover->trial, eps, most + MORE + 1, cover->precision)
                && !modes_around(&a, &cover->trial, eps, cover->precision);

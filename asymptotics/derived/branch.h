@@ -33,6 +33,13 @@ void phase_constants_init(struct phase_constants *p, const struct scallop_ration
                           enum scallop_phase_kind kind);
 void phase_constants_clear(struct phase_constants *p);
 
+/* A series for each crossing */
+struct of_crossings {
+  struct series at[MOST_CROSSINGS];
+};
+void of_crossings_init(struct of_crossings *s);
+void of_crossings_clear(struct of_crossings *s);
+
 /* tangent: not a crossing, but where a body that was held from the start is let go, and c leaves its curve, that one.
  * Only the first */
 struct crossing {
@@ -70,26 +77,45 @@ struct base {                       /* what a phase does to c, in balls         
   arb_t c_end, balance;             /* balance: (c_end - c_start)/eps, formed without a division           */
   arb_t c_end_slope, balance_slope; /* their derivatives by the unknown that c_start depends on */
 };
-void base_init(struct base *b);
-void base_clear(struct base *b);
+#define BASE(of) of(arb, s->c_end) of(arb, s->balance) of(arb, s->c_end_slope) of(arb, s->balance_slope)
+SCOPED_PARTS(base, struct base, BASE)
 /* Encloses every crossing anew for these balls, from where it was before. c_slope: derivative of c. same: it must be
  * the very crossing that the offset's ball holds, shown by its lying where there is only one. False: no enclosure was
  * found; the offsets are then as before. */
 bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
                  const arb_t c_slope, bool same, slong precision);
 
-struct lift { /* the same as series in x                                                       */
-  struct series when[MOST_CROSSINGS]; /* times of the crossings, from the start of the phase   */
-  struct series left[MOST_CROSSINGS]; /* 1 minus that                                          */
-  struct series travel_to[MOST_CROSSINGS];
+/* The same constants as series, and what the motion of a phase is measured in: numbers of a crawler, or names that stand
+ * for those of any crawler with its modes. */
+struct phase_series {
+  enum scallop_phase_kind kind;
+  struct series fraction, curve[2], beta[3];
+  struct series whole; /* how much l changes in the phase                                    */
+  struct series unit;  /* of the displacements                                                */
+  bool has_laws;       /* |l'| is law[i] in the time since the base point of crossing i; else that of its piece */
+  struct of_crossings law;
+};
+#define PHASE_SERIES(of) \
+  of(series, &s->fraction) of(series, &s->curve[0]) of(series, &s->curve[1]) of(series, &s->beta[0]) \
+      of(series, &s->beta[1]) of(series, &s->beta[2]) of(series, &s->whole) of(series, &s->unit) \
+          of(of_crossings, &s->law)
+SCOPED_PARTS(phase_series, struct phase_series, PHASE_SERIES)
+void phase_series_set(struct phase_series *to, const struct phase_constants *from, const fmpq_t L);
+
+struct lift {               /* the same as series in x                                                       */
+  struct of_crossings when; /* times of the crossings, from the start of the phase   */
+  struct of_crossings left; /* 1 minus that                                          */
+  struct of_crossings travel_to;
   struct series c_end, c_end_slope, balance, balance_slope;
   struct series travel; /* of the centre of mass                                               */
 };
-void lift_init(struct lift *l);
-void lift_clear(struct lift *l);
+#define LIFT(of) \
+  of(of_crossings, &s->when) of(of_crossings, &s->left) of(of_crossings, &s->travel_to) of(series, &s->c_end) \
+      of(series, &s->c_end_slope) of(series, &s->balance) of(series, &s->balance_slope) of(series, &s->travel)
+SCOPED_PARTS(lift, struct lift, LIFT)
 /* eps, c and c_slope as series whose constant terms are the base point. pi_squared: see model/exact/ball.h, or NULL.
  * False: a crossing is not transversal. */
-bool lift_phase(struct lift *lift, const struct branch *b, const struct phase_constants *p, const struct series *eps,
+bool lift_phase(struct lift *lift, const struct branch *b, const struct phase_series *p, const struct series *eps,
                 const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring);
 
 #endif

@@ -20,82 +20,56 @@ static void modes_text(char *text, size_t size, const struct branch *b, enum sca
   }
 }
 
-#define PHASE_SERIES(e) \
-  { \
-    &(e)->t1, &(e)->dT, &(e)->v_end, &(e)->dx1, &(e)->dx2, &(e)->dxC, &(e)->at_first, &(e)->at_last, \
-        &(e)->turning_velocity \
-  }
-enum { PHASE_QUANTITIES = 9 };
-
-void scallop_phase_expansion_init(struct scallop_phase_expansion *e)
-{
-  struct series *const all[] = PHASE_SERIES(e);
-  for (int i = 0; i < PHASE_QUANTITIES; i++)
-    series_init(all[i]);
-  e->switches = false;
-  *e->modes = '\0';
-}
-
-void scallop_phase_expansion_clear(struct scallop_phase_expansion *e)
-{
-  struct series *const all[] = PHASE_SERIES(e);
-  for (int i = 0; i < PHASE_QUANTITIES; i++)
-    series_clear(all[i]);
-}
-
 /* |way| of the separation from the start of the phase to a crossing at offset 0 of its piece: the integral of |l'| */
-static void way_to(struct series *way, const struct lift *l, int i, const struct branch *b, const fmpq_t pi_squared,
-                   const struct ring *ring)
+static void way_to(struct series *way, const struct lift *l, int i, const struct branch *b,
+                   const struct phase_series *p, const fmpq_t pi_squared, const struct ring *ring)
 {
   const struct scallop_piece *piece = b->crossing[i].piece;
-  bool at_end = piece->anchor == SCALLOP_FROM_END;
-  SCOPED(series, one, speed);
-  scallop_speed_series(&speed, piece, pi_squared, ring);
+  SCOPED(series, speed);
+  if (p->has_laws)
+    series_set(&speed, &p->law.at[i]);
+  else
+    scallop_speed_series(&speed, piece, pi_squared, ring);
   series_integral(&speed, &speed, ring);
-  series_set_si(&one, at_end ? 1 : 0);
-  if (at_end) { /* times are measured from the end: minus what is left */
-    series_neg(way, &l->left[i]);
+  if (piece->anchor == SCALLOP_FROM_END) { /* times are measured from the end: minus what is left */
+    series_neg(way, &l->left.at[i]);
     series_compose(way, &speed, way, ring);
-    series_add(way, way, &one, ring);
+    series_add(way, way, &p->whole, ring);
   } else
-    series_compose(way, &speed, &l->when[i], ring);
+    series_compose(way, &speed, &l->when.at[i], ring);
 }
 
-/* L (travel - q_0 way): the rear body goes back while the separation grows, and so does its counterpart in a
- * contraction */
+/* unit (travel - share way): a point at that share goes back while the separation grows by way */
+static void position(struct series *to, const struct series *travel, const struct series *share,
+                     const struct series *way, const struct phase_series *p, const struct ring *ring)
+{
+  SCOPED(series, back);
+  series_mul(&back, way, share, ring);
+  series_sub(to, travel, &back, ring);
+  series_mul(to, to, &p->unit, ring);
+}
+
+/* The rear body's, and that of its counterpart in a contraction */
 static void rear_position(struct series *to, const struct lift *l, int i, const struct branch *b,
-                          const struct phase_constants *p, const fmpq_t L, const fmpq_t pi_squared,
-                          const struct ring *ring)
+                          const struct phase_series *p, const fmpq_t pi_squared, const struct ring *ring)
 {
   SCOPED(series, way);
-  way_to(&way, l, i, b, pi_squared, ring);
-  series_scale(&way, &way, p->curve[0], ring);
-  series_sub(to, &l->travel_to[i], &way, ring);
-  series_scale(to, to, L, ring);
+  way_to(&way, l, i, b, p, pi_squared, ring);
+  position(to, &l->travel_to.at[i], &p->curve[0], &way, p, ring);
 }
 
-/* L (travel + share), share in L: what a point moves against the centre of mass */
-static void add_share(struct series *to, const struct series *travel, const fmpq_t share, const fmpq_t L,
-                      const struct ring *ring)
-{
-  SCOPED(series, constant);
-  series_set_rational(&constant, share);
-  series_add(to, travel, &constant, ring);
-  series_scale(to, to, L, ring);
-}
-
-static void displacements(struct scallop_phase_expansion *e, const struct lift *l, const struct phase_constants *p,
-                          const fmpq_t L, const struct ring *ring)
+static void displacements(struct scallop_phase_expansion *e, const struct lift *l, const struct phase_series *p,
+                          const struct ring *ring)
 {
   bool extension = p->kind == SCALLOP_EXTENSION;
-  SCOPED(fmpq, rear, front, centre);
-  fmpq_neg(rear, p->curve[0]);
-  fmpq_neg(front, p->curve[1]);
-  fmpq_add(centre, rear, front);
-  fmpq_div_2exp(centre, centre, 1);
-  add_share(extension ? &e->dx1 : &e->dx2, &l->travel, rear, L, ring);
-  add_share(extension ? &e->dx2 : &e->dx1, &l->travel, front, L, ring);
-  add_share(&e->dxC, &l->travel, centre, L, ring);
+  SCOPED(series, centre);
+  SCOPED(fmpq, half);
+  fmpq_set_si(half, 1, 2);
+  series_add(&centre, &p->curve[0], &p->curve[1], ring);
+  series_scale(&centre, &centre, half, ring);
+  position(extension ? &e->dx1 : &e->dx2, &l->travel, &p->curve[0], &p->whole, p, ring);
+  position(extension ? &e->dx2 : &e->dx1, &l->travel, &p->curve[1], &p->whole, p, ring);
+  position(&e->dxC, &l->travel, &centre, &p->whole, p, ring);
 }
 
 /* c at the start is v0 T/L and eps is T^2 (F1 + F2)/(M L), both in units of the phase. */
@@ -115,27 +89,23 @@ static void start_series(struct series *c, struct series *eps, const struct scal
   series_scale(eps, eps, q, ring);
 }
 
-static bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_constants *p,
-                          const struct scallop_rational_crawler *crawler, const fmpq_t v0, const fmpq_t pi_squared,
-                          const struct ring *ring)
+bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_series *p,
+                   const struct series *c, const struct series *eps, const fmpq_t pi_squared, const struct ring *ring)
 {
-  ENDED_BY(lift_clear) struct lift l;
-  lift_init(&l);
-  SCOPED(series, c, eps, none);
-  start_series(&c, &eps, crawler, v0, ring);
-  series_set_si(&none, 1);
-  bool lifted = lift_phase(&l, b, p, &eps, &c, &none, pi_squared, ring);
+  SCOPED(lift, l);
+  SCOPED(series, none);
+  bool lifted = lift_phase(&l, b, p, eps, c, &none, pi_squared, ring);
   if (lifted) {
     int last = b->count - 1;
     e->switches = b->count > 0;
-    displacements(e, &l, p, crawler->L, ring);
-    series_scale(&e->v_end, &l.c_end, crawler->L, ring);
+    displacements(e, &l, p, ring);
+    series_mul(&e->v_end, &l.c_end, &p->unit, ring);
     series_shift(&e->v_end, &e->v_end, -1);
     if (e->switches) {
-      series_shift(&e->t1, &l.when[0], 1);
-      series_shift(&e->dT, &l.left[last], 1);
-      rear_position(&e->at_first, &l, 0, b, p, crawler->L, pi_squared, ring);
-      rear_position(&e->at_last, &l, last, b, p, crawler->L, pi_squared, ring);
+      series_shift(&e->t1, &l.when.at[0], 1);
+      series_shift(&e->dT, &l.left.at[last], 1);
+      rear_position(&e->at_first, &l, 0, b, p, pi_squared, ring);
+      rear_position(&e->at_last, &l, last, b, p, pi_squared, ring);
     }
     modes_text(e->modes, sizeof e->modes, b, p->kind);
   }
@@ -170,34 +140,20 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   enum scallop_status status = check(crawler, order, precision, why);
   if (status != SCALLOP_OK)
     return status;
-  const struct ring ring = { order + 2, precision };
+  const struct ring ring = { order + 2, precision }; /* formulas may divide by times, which begin with T or T^3 */
   ENDED_BY(phase_constants_clear) struct phase_constants p;
   phase_constants_init(&p, crawler, kind);
+  SCOPED(phase_series, in_series);
+  phase_series_set(&in_series, &p, crawler->L);
   ENDED_BY(branch_clear) struct branch b;
   branch_init(&b);
+  SCOPED(series, c, eps);
+  start_series(&c, &eps, crawler, v0, &ring);
   int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
-  if (!branch_from_ends(&b, &p, at_start, at_end) || !expand_branch(expansion, &b, &p, crawler, v0, pi_squared, &ring))
+  if (!branch_from_ends(&b, &p, at_start, at_end)
+      || !expand_branch(expansion, &b, &in_series, &c, &eps, pi_squared, &ring))
     status = refuse(why, branch_without_ends);
   return status;
-}
-
-void scallop_steady_expansion_init(struct scallop_steady_expansion *e)
-{
-  series_init(&e->v_start);
-  series_init(&e->v_mid);
-  series_init(&e->displacement);
-  series_init(&e->mean_velocity);
-  series_init(&e->friction_work);
-  *e->modes = '\0';
-}
-
-void scallop_steady_expansion_clear(struct scallop_steady_expansion *e)
-{
-  series_clear(&e->v_start);
-  series_clear(&e->v_mid);
-  series_clear(&e->displacement);
-  series_clear(&e->mean_velocity);
-  series_clear(&e->friction_work);
 }
 
 /* From a series in T^2 and units of L to one in T, times T^power */
@@ -237,8 +193,7 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
   SCOPED(fmpq, energy);
   ENDED_BY(limit_clear) struct limit l;
   limit_init(&l, crawler);
-  ENDED_BY(steady_lift_clear) struct steady_lift s;
-  steady_lift_init(&s);
+  SCOPED(steady_lift, s);
   SCOPED(series, eps);
   set_eps(&eps, crawler, &ring);
   status = limit_find(&l, crawler, precision, &reason);

@@ -24,8 +24,10 @@ struct scallop_phase_expansion {
   struct series turning_velocity;  /* of the body that turns there: 0                                    */
   char modes[SCALLOP_BRANCH_TEXT]; /* for T -> 0, as in "++ -+ ++"                                    */
 };
-void scallop_phase_expansion_init(struct scallop_phase_expansion *e);
-void scallop_phase_expansion_clear(struct scallop_phase_expansion *e);
+#define PHASE_EXPANSION(of) \
+  of(series, &s->t1) of(series, &s->dT) of(series, &s->v_end) of(series, &s->dx1) of(series, &s->dx2) \
+      of(series, &s->dxC) of(series, &s->at_first) of(series, &s->at_last) of(series, &s->turning_velocity)
+SCOPED_PARTS(scallop_phase_expansion, struct scallop_phase_expansion, PHASE_EXPANSION)
 
 /* All coefficients below T^order, 1 <= order <= SCALLOP_MOST_TERMS; balls have `precision` bits, less what is lost. T
  * and alpha of the crawler are not used. pi_squared: NULL, or a rational number that takes the place of pi^2 in a
@@ -45,8 +47,10 @@ struct scallop_steady_expansion {
   struct series friction_work;  /* sum over the bodies of F_i times how far body i slides; powers as displacement */
   char modes[2 * SCALLOP_BRANCH_TEXT]; /* for T -> 0, as in "++ -+ ++ | ++ +- ++"                   */
 };
-void scallop_steady_expansion_init(struct scallop_steady_expansion *e);
-void scallop_steady_expansion_clear(struct scallop_steady_expansion *e);
+#define STEADY_EXPANSION(of) \
+  of(series, &s->v_start) of(series, &s->v_mid) of(series, &s->displacement) of(series, &s->mean_velocity) \
+      of(series, &s->friction_work)
+SCOPED_PARTS(scallop_steady_expansion, struct scallop_steady_expansion, STEADY_EXPANSION)
 
 /* All coefficients below T^order. SCALLOP_EDOMAIN as above; SCALLOP_EUNDECIDED: in the limit a body touches v = 0
  * without turning, where no power series exists, or is too close to that for this precision. */

@@ -9,6 +9,7 @@ void scallop_symbols_init(struct scallop_symbols *s)
 {
   for (int i = 0; i < SCALLOP_SYMBOLS; i++)
     series_init(&s->value[i]);
+  s->names = NULL;
 }
 
 void scallop_symbols_clear(struct scallop_symbols *s)
@@ -83,12 +84,21 @@ static void set_kinematic_length(struct series *value, enum scallop_phase_kind k
     series_set_unknown(L_kin);
 }
 
+void scallop_symbols_complete(struct scallop_symbols *s, enum scallop_phase_kind kind, const struct ring *ring)
+{
+  struct series *v = s->value;
+  const bool extension = kind == SCALLOP_EXTENSION;
+  series_set_x(&v[SCALLOP_SYMBOL_T]);
+  series_set(&v[extension ? SCALLOP_SYMBOL_l_end : SCALLOP_SYMBOL_l_start], &v[SCALLOP_SYMBOL_L]);
+  series_set_si(&v[extension ? SCALLOP_SYMBOL_l_start : SCALLOP_SYMBOL_l_end], 0);
+  set_kinematic_length(v, kind, ring);
+}
+
 void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *c,
                          enum scallop_phase_kind kind, const fmpq_t v0, const fmpq_t pi_squared,
                          const struct ring *ring)
 {
   struct series *v = s->value;
-  bool extension = kind == SCALLOP_EXTENSION;
   series_set_rational(&v[SCALLOP_SYMBOL_m1], c->m1);
   series_set_rational(&v[SCALLOP_SYMBOL_m2], c->m2);
   series_set_rational(&v[SCALLOP_SYMBOL_F1], c->F1);
@@ -96,15 +106,11 @@ void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rationa
   series_set_rational(&v[SCALLOP_SYMBOL_L], c->L);
   series_set_rational(&v[SCALLOP_SYMBOL_alpha], c->alpha);
   series_add(&v[SCALLOP_SYMBOL_M], &v[SCALLOP_SYMBOL_m1], &v[SCALLOP_SYMBOL_m2], ring);
-  series_set_x(&v[SCALLOP_SYMBOL_T]);
-  series_set_si(&v[SCALLOP_SYMBOL_l_start], 0);
-  series_set(&v[extension ? SCALLOP_SYMBOL_l_end : SCALLOP_SYMBOL_l_start], &v[SCALLOP_SYMBOL_L]);
-  series_set_si(&v[extension ? SCALLOP_SYMBOL_l_start : SCALLOP_SYMBOL_l_end], 0);
   series_set_si(&v[SCALLOP_SYMBOL_v0], 0);
   if (v0)
     series_set_rational(&v[SCALLOP_SYMBOL_v0], v0);
   set_shape(v, &c->gait->phase[kind], c->L, pi_squared, ring);
-  set_kinematic_length(v, kind, ring);
+  scallop_symbols_complete(s, kind, ring);
 }
 
 /* The symbol as the formula means it. exchanged: the bodies, and with them the sign of l */
@@ -128,7 +134,7 @@ const char *scallop_formula_expand(struct series *value, const struct scallop_fo
   scallop_symbols_init(&meant);
   for (int i = 0, count = formula_places(&formula, places); i < count; i++)
     set_meant(&meant.value[places[i]], s, places[i], scallop_formula_is_exchanged(f, kind));
-  return formula_series(value, &formula, meant.value, ring, message);
+  return formula_series(value, &formula, meant.value, s->names, ring, message);
 }
 
 /* The balls that a formula takes for its names. exchanged: for the other phase, with the bodies exchanged */

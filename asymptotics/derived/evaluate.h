@@ -11,6 +11,7 @@
 /* What the names in the texts stand for. T is the duration of the phase, or the period in the steady setting. */
 struct scallop_symbols {
   struct series value[SCALLOP_SYMBOLS];
+  struct names *names; /* NULL, or those in which the values are rational functions                    */
 };
 void scallop_symbols_init(struct scallop_symbols *s);
 void scallop_symbols_clear(struct scallop_symbols *s);
@@ -21,6 +22,9 @@ void scallop_symbols_clear(struct scallop_symbols *s);
 void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rational_crawler *crawler,
                          enum scallop_phase_kind kind, const fmpq_t v0, const fmpq_t pi_squared,
                          const struct ring *ring);
+
+/* Those that follow from others: T, l at both ends, and L_kin, of L, l0 and lT */
+void scallop_symbols_complete(struct scallop_symbols *s, enum scallop_phase_kind kind, const struct ring *ring);
 
 /* |l'| at time x after offset u of a piece, as a series in x: false where it is not exact. A sine is, at u = 0, in pi
  * up to SERIES_PI_TERMS terms, and in fractions with a number in the place of pi^2. */

@@ -12,8 +12,10 @@ void formula_number(fmpq_t number, const struct formula_step *step);
 void formula_ball(arb_t value, const struct formula *formula, arb_srcptr values, slong precision);
 
 /* Likewise as a series. Returns NULL, or `message`: what a series cannot do and at which character; value is then
- * unchanged. */
+ * unchanged. names: NULL, or those in which values are rational functions. Then the formula is one, too: refused are
+ * functions, powers but whole ones from -64 to 64, pi where it is no name, and values with coefficients of more than
+ * 200 terms, degree 2000 or 20000 bits. */
 const char *formula_series(struct series *value, const struct formula *formula, const struct series *values,
-                           const struct ring *ring, char message[FORMULA_MESSAGE]);
+                           struct names *names, const struct ring *ring, char message[FORMULA_MESSAGE]);
 
 #endif

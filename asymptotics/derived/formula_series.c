@@ -2,14 +2,19 @@
 #include "asymptotics/derived/formula_flint.h"
 #include "asymptotics/derived/scoped.h"
 
-static const char *set_operand(struct series *value, const struct formula_step *s, const struct series *values)
+#include <stdlib.h>
+
+static const char *set_operand(struct series *value, const struct formula_step *s, const struct series *values,
+                               struct names *names)
 {
   if (s->operation == FORMULA_QUANTITY && series_is_unknown(&values[s->place]))
     return "does not exist for this motion";
+  if (s->operation == FORMULA_PI && names && names->pi < 0)
+    return "is no rational number";
   if (s->operation == FORMULA_QUANTITY)
     series_set(value, &values[s->place]);
   else if (s->operation == FORMULA_PI)
-    series_set_pi(value);
+    series_set_pi(value, names);
   else {
     SCOPED(fmpq, number);
     formula_number(number, s);
@@ -25,10 +30,18 @@ static const char *set_negative(struct series *to, const struct series *a, const
   return NULL;
 }
 
+static const char no_series[] = "has no series in T";
+
+static const char *refuse(struct series *to, const struct series *a, const struct ring *ring)
+{
+  (void)to, (void)a, (void)ring;
+  return no_series;
+}
+
 static const char *(*const of_one[])(struct series *, const struct series *, const struct ring *) = {
-  [FORMULA_NEGATE] = set_negative, [FORMULA_ABS] = series_abs, [FORMULA_SQRT] = series_sqrt,
-  [FORMULA_EXP] = series_exp,      [FORMULA_LOG] = series_log, [FORMULA_LOG10] = series_log10,
-  [FORMULA_SIN] = series_sin,      [FORMULA_COS] = series_cos, [FORMULA_ASIN] = series_asin,
+  [FORMULA_NEGATE] = set_negative, [FORMULA_SQRT] = series_sqrt, [FORMULA_EXP] = series_exp,
+  [FORMULA_LOG] = series_log,      [FORMULA_SIN] = series_sin,   [FORMULA_COS] = series_cos,
+  [FORMULA_ABS] = refuse,          [FORMULA_LOG10] = refuse,     [FORMULA_ASIN] = refuse,
 };
 
 /* a becomes a OPERATION b. NULL, or what a series cannot do */
@@ -41,30 +54,72 @@ static const char *of_two(struct series *a, const struct series *b, enum formula
   case FORMULA_MULTIPLY: series_mul(a, a, b, ring); return NULL;
   case FORMULA_DIVIDE: return series_div(a, a, b, ring) ? NULL : "divides by what may be 0";
   case FORMULA_POWER: return series_power(a, a, b, ring);
-  case FORMULA_MIN: return series_min(a, a, b, ring);
-  default: return series_max(a, a, b, ring);
+  default: return no_series;
   }
 }
 
+enum { MOST_TERMS = 200, MOST_DEGREE = 2000, MOST_BITS = 20000, MOST_TERMS_OF_A_STEP = 100000 };
+
+static bool is_short(const fmpz_mpoly_t p, const fmpz_mpoly_ctx_t ring)
+{
+  return fmpz_mpoly_length(p, ring) <= MOST_TERMS && labs(fmpz_mpoly_max_bits(p)) <= MOST_BITS
+         && fmpz_mpoly_total_degree_fits_si(p, ring) && fmpz_mpoly_total_degree_si(p, ring) <= MOST_DEGREE;
+}
+
+/* Whether what names stand in stays within bounds that take a moment */
+static bool is_small(const struct series *s, const struct names *names)
+{
+  bool small = labs(s->first) <= SERIES_FARTHEST && !names_given_up(names)
+               && (s->kind != SERIES_FRACTIONS || series_bits(s) <= MOST_BITS);
+  for (slong k = 0; s->kind == SERIES_NAMED && k < s->named.length && small; k++)
+    small = is_short(s->named.coeffs[k].over, names->ring) && is_short(s->named.coeffs[k].under, names->ring);
+  return small;
+}
+
+/* What a formula in names cannot do before it is tried */
+static const char *no_ratio(const struct formula_step *s, const struct series *top)
+{
+  SCOPED(fmpq, power);
+  if (s->operation == FORMULA_POWER
+      && (top->known < SERIES_ALL || series_terms(top) + top->first > 1 || top->first < 0
+          || !series_rational_coefficient(power, top, 0) || !fmpz_is_one(fmpq_denref(power))
+          || fmpz_cmpabs(fmpq_numref(power), (fmpz[]){ SERIES_EXACT_POWER }) > 0))
+    return "is a formula for whole powers from -64 to 64 only";
+  const bool is_function = s->operation > FORMULA_NEGATE && s->operation != FORMULA_POWER
+                           && (s->operation < FORMULA_ADD || s->operation > FORMULA_DIVIDE);
+  return is_function ? "is no rational function" : NULL;
+}
+
 const char *formula_series(struct series *value, const struct formula *formula, const struct series *values,
-                           const struct ring *ring, char message[FORMULA_MESSAGE])
+                           struct names *names, const struct ring *ring, char message[FORMULA_MESSAGE])
 {
   struct series stack[FORMULA_DEPTH], *top = stack; /* the last value is at top[-1] */
   const char *wrong = NULL;
   for (int i = 0; i < FORMULA_DEPTH; i++)
     series_init(&stack[i]);
   for (const struct formula_step *s = formula->steps, *end = s + formula->count; s < end && !wrong; s++) {
-    if (s->operation < FORMULA_NEGATE)
-      wrong = set_operand(top++, s, values);
+    if (names) {
+      names->terms = 0;
+      names->most_terms = MOST_TERMS_OF_A_STEP;
+      wrong = no_ratio(s, top - 1);
+    }
+    if (wrong)
+      ;
+    else if (s->operation < FORMULA_NEGATE)
+      wrong = set_operand(top++, s, values, names);
     else if (s->operation < FORMULA_ADD)
       wrong = of_one[s->operation](&top[-1], &top[-1], ring);
     else {
       top--;
       wrong = of_two(&top[-1], &top[0], s->operation, ring);
     }
+    if (!wrong && names && !is_small(top - 1, names))
+      wrong = "grows beyond 200 terms, degree 2000 or 20000 bits";
     if (wrong)
       formula_refuse(message, s, wrong);
   }
+  if (names)
+    names->most_terms = 0;
   if (!wrong)
     series_set(value, stack);
   for (int i = 0; i < FORMULA_DEPTH; i++)

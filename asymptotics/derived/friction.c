@@ -47,11 +47,11 @@ static void add_friction_work(struct series *work, const struct branch *b, const
   power_of_region(power, p, b->first_region);
   for (int i = 0; i < b->count; i++) {
     const struct crossing *at = &b->crossing[i];
-    series_sub(&term, &lift->when[i], &since, ring);
+    series_sub(&term, &lift->when.at[i], &since, ring);
     series_mul(&term, &term, eps, ring);
     series_scale(&term, &term, p->beta[branch_region(b, i)], ring);
     series_add(c, c, &term, ring); /* now at this crossing */
-    series_set(&since, &lift->when[i]);
+    series_set(&since, &lift->when.at[i]);
     series_derivative(&term, &since, ring);
     series_mul(&term, &term, c, ring);
     fmpq_inv(next, p->curve[at->curve]);

@@ -4,72 +4,63 @@
 #include "asymptotics/derived/evaluate.h"
 #include "asymptotics/derived/scoped.h"
 
-void lift_init(struct lift *l)
+void of_crossings_init(struct of_crossings *s)
 {
-  for (int i = 0; i < MOST_CROSSINGS; i++) {
-    series_init(&l->when[i]);
-    series_init(&l->left[i]);
-    series_init(&l->travel_to[i]);
-  }
-  series_init(&l->c_end);
-  series_init(&l->c_end_slope);
-  series_init(&l->balance);
-  series_init(&l->balance_slope);
-  series_init(&l->travel);
+  for (int i = 0; i < MOST_CROSSINGS; i++)
+    series_init(&s->at[i]);
 }
 
-void lift_clear(struct lift *l)
+void of_crossings_clear(struct of_crossings *s)
 {
-  for (int i = 0; i < MOST_CROSSINGS; i++) {
-    series_clear(&l->when[i]);
-    series_clear(&l->left[i]);
-    series_clear(&l->travel_to[i]);
-  }
-  series_clear(&l->c_end);
-  series_clear(&l->c_end_slope);
-  series_clear(&l->balance);
-  series_clear(&l->balance_slope);
-  series_clear(&l->travel);
+  for (int i = 0; i < MOST_CROSSINGS; i++)
+    series_clear(&s->at[i]);
+}
+
+void phase_series_set(struct phase_series *to, const struct phase_constants *from, const fmpq_t L)
+{
+  to->kind = from->kind;
+  to->has_laws = false;
+  series_set_rational(&to->fraction, from->fraction);
+  for (int i = 0; i < 2; i++)
+    series_set_rational(&to->curve[i], from->curve[i]);
+  for (int i = 0; i < 3; i++)
+    series_set_rational(&to->beta[i], from->beta[i]);
+  series_set_si(&to->whole, 1);
+  series_set_rational(&to->unit, L);
 }
 
 /* c = a + b s until the next crossing; a_slope is the derivative of a by the unknown. */
 struct line {
   struct series a, a_slope, b;
 };
+#define LINE(of) of(series, &s->a) of(series, &s->a_slope) of(series, &s->b)
+SCOPED_PARTS(line, struct line, LINE)
 
 /* q |l'| near a crossing. Exact: its series in the time since the base point, and that of its derivative. */
 struct curve {
   const struct crossing *at;
-  const fmpq *q;
+  const struct series *q;
   bool exact;
   struct series value, rate;
 };
+#define CURVE(of) of(series, &s->value) of(series, &s->rate)
+SCOPED_PARTS(curve, struct curve, CURVE)
 
-static void line_init(struct line *l)
-{
-  series_init(&l->a);
-  series_init(&l->a_slope);
-  series_init(&l->b);
-}
-
-static void line_clear(struct line *l)
-{
-  series_clear(&l->a);
-  series_clear(&l->a_slope);
-  series_clear(&l->b);
-}
-
-static void curve_at(struct curve *curve, const struct crossing *at, const struct phase_constants *p,
+static void curve_at(struct curve *curve, const struct branch *b, int i, const struct phase_series *p,
                      const fmpq_t pi_squared, const struct ring *ring)
 {
+  const struct crossing *at = &b->crossing[i];
   const struct ring longer = { ring->length + 1, ring->precision }; /* one more, for the derivative */
   SCOPED(fmpq, u);
   curve->at = at;
-  curve->q = p->curve[at->curve];
-  curve->exact = series_rational_coefficient(u, &at->offset, 0)
-                 && scallop_exact_speed_series(&curve->value, at->piece, u, pi_squared, &longer);
+  curve->q = &p->curve[at->curve];
+  if (p->has_laws)
+    series_set(&curve->value, &p->law.at[i]);
+  curve->exact = p->has_laws
+                 || (series_rational_coefficient(u, &at->offset, 0)
+                     && scallop_exact_speed_series(&curve->value, at->piece, u, pi_squared, &longer));
   if (curve->exact) {
-    series_scale(&curve->value, &curve->value, curve->q, &longer);
+    series_mul(&curve->value, &curve->value, curve->q, &longer);
     series_derivative(&curve->rate, &curve->value, ring);
   }
 }
@@ -90,8 +81,8 @@ static void curve_along(struct series *value, struct series *rate, const struct 
   scallop_ball_speed_along(speed, slope, curve->at->piece, u, time, ring->length, ring->precision);
   series_set_ball_poly(value, speed, ring->length < x->known ? ring->length : x->known);
   series_set_ball_poly(rate, slope, value->known);
-  series_scale(value, value, curve->q, ring);
-  series_scale(rate, rate, curve->q, ring);
+  series_mul(value, value, curve->q, ring);
+  series_mul(rate, rate, curve->q, ring);
 }
 
 /* The time of the base point since the start of the phase */
@@ -180,34 +171,33 @@ static void travel_between(struct series *way, const struct line *line, const st
 }
 
 /* From region r to region `to` at time s: a and its derivative, and the two balances, take in the change of slope. */
-static void change_region(struct lift *l, struct line *line, const struct phase_constants *p, int r, int to,
+static void change_region(struct lift *l, struct line *line, const struct phase_series *p, int r, int to,
                           const struct series *eps, const struct series *s, const struct series *s_slope,
                           const struct ring *ring)
 {
-  SCOPED(fmpq, drop);
-  SCOPED(series, term, change);
-  fmpq_sub(drop, p->beta[r], p->beta[to]);
-  series_scale(&term, s, drop, ring);
+  SCOPED(series, drop, term, change);
+  series_sub(&drop, &p->beta[r], &p->beta[to], ring);
+  series_mul(&term, s, &drop, ring);
   series_add(&l->balance, &l->balance, &term, ring);
   series_mul(&change, &term, eps, ring);
   series_add(&line->a, &line->a, &change, ring);
-  series_scale(&term, s_slope, drop, ring);
+  series_mul(&term, s_slope, &drop, ring);
   series_add(&l->balance_slope, &l->balance_slope, &term, ring);
   series_mul(&change, &term, eps, ring);
   series_add(&line->a_slope, &line->a_slope, &change, ring);
-  series_scale(&line->b, eps, p->beta[to], ring);
+  series_mul(&line->b, eps, &p->beta[to], ring);
 }
 
 static void set_time(struct lift *l, int i, const struct series *base, const struct series *x, const struct ring *ring)
 {
   SCOPED(series, one);
   series_set_si(&one, 1);
-  series_add(&l->when[i], base, x, ring);
-  series_sub(&l->left[i], &one, base, ring); /* first, so that an exact 1 - 1 is 0 */
-  series_sub(&l->left[i], &l->left[i], x, ring);
+  series_add(&l->when.at[i], base, x, ring);
+  series_sub(&l->left.at[i], &one, base, ring); /* first, so that an exact 1 - 1 is 0 */
+  series_sub(&l->left.at[i], &l->left.at[i], x, ring);
 }
 
-static void finish(struct lift *l, const struct line *line, const struct phase_constants *p, int region,
+static void finish(struct lift *l, const struct line *line, const struct phase_series *p, int region,
                    const struct series *since, const struct ring *ring)
 {
   SCOPED(series, one);
@@ -216,51 +206,48 @@ static void finish(struct lift *l, const struct line *line, const struct phase_c
   series_add(&l->travel, &l->travel, &l->c_end, ring);
   series_add(&l->c_end, &line->a, &line->b, ring);
   series_set(&l->c_end_slope, &line->a_slope);
-  series_set_rational(&one, p->beta[region]);
-  series_add(&l->balance, &l->balance, &one, ring);
+  series_add(&l->balance, &l->balance, &p->beta[region], ring);
 }
 
-bool lift_phase(struct lift *l, const struct branch *b, const struct phase_constants *p, const struct series *eps,
+bool lift_phase(struct lift *l, const struct branch *b, const struct phase_series *p, const struct series *eps,
                 const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring)
 {
-  struct curve curve;
-  struct series x, closing, base, since;
-  struct series *const work[] = { &curve.value, &curve.rate, &x, &closing, &base, &since };
+  /* times enter c multiplied by eps, and the displacements by c: where both begin later, one term fewer of them does,
+   * and the last one is the largest where it is in names */
+  const struct ring of_times = { ring->length - (p->has_laws && eps->first > 1 && ring->length > 1), ring->precision };
   bool transversal = true;
-  ENDED_BY(line_clear) struct line line;
-  line_init(&line);
-  for (size_t i = 0; i < sizeof work / sizeof *work; i++)
-    series_init(work[i]);
+  SCOPED(curve, curve);
+  SCOPED(line, line);
+  SCOPED(series, x, closing, base, since);
   series_set(&line.a, c);
   series_set(&line.a_slope, c_slope);
-  series_scale(&line.b, eps, p->beta[b->first_region], ring);
+  series_mul(&line.b, eps, &p->beta[b->first_region], ring);
   series_set_si(&since, 0);
   series_set_si(&l->balance, 0);
   series_set_si(&l->balance_slope, 0);
   series_set_si(&l->travel, 0);
   for (int i = 0; transversal && i < b->count; i++) {
     const struct crossing *at = &b->crossing[i];
-    curve_at(&curve, at, p, pi_squared, ring);
+    const struct ring *of_crossing = at->tangent ? ring : &of_times; /* a tangent is where c itself begins anew */
+    curve_at(&curve, b, i, p, pi_squared, of_crossing);
     base_time(&base, at, ring);
     if (at->tangent) {
-      transversal = leave_curve(&x, &line, &l->travel_to[i], &curve, ring);
+      transversal = leave_curve(&x, &line, &l->travel_to.at[i], &curve, of_crossing);
       series_set_si(&closing, 0);
     } else
-      transversal = solve_crossing(&x, &closing, &curve, &line, &base, ring)
+      transversal = solve_crossing(&x, &closing, &curve, &line, &base, of_crossing)
                     && series_div(&closing, &line.a_slope, &closing, ring); /* d(time)/d(unknown) */
     if (!transversal)
       break;
     set_time(l, i, &base, &x, ring);
     if (!at->tangent)
-      travel_between(&l->travel_to[i], &line, &since, &l->when[i], ring);
-    series_add(&l->travel, &l->travel, &l->travel_to[i], ring);
-    series_set(&l->travel_to[i], &l->travel);
-    series_set(&since, &l->when[i]);
+      travel_between(&l->travel_to.at[i], &line, &since, &l->when.at[i], ring);
+    series_add(&l->travel, &l->travel, &l->travel_to.at[i], ring);
+    series_set(&l->travel_to.at[i], &l->travel);
+    series_set(&since, &l->when.at[i]);
     change_region(l, &line, p, branch_region(b, i), at->to, eps, &since, &closing, ring);
   }
   if (transversal)
     finish(l, &line, p, branch_region(b, b->count), &since, ring);
-  for (size_t i = 0; i < sizeof work / sizeof *work; i++)
-    series_clear(work[i]);
   return transversal;
 }

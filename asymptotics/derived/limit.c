@@ -34,8 +34,7 @@ static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, c
                    slong precision)
 {
   bool followed = true;
-  ENDED_BY(base_clear) struct base base;
-  base_init(&base);
+  SCOPED(base, base);
   SCOPED(arb, c, c_slope, here);
   arb_set(c, w);
   arb_one(c_slope);
@@ -244,8 +243,7 @@ static bool make_exact(struct limit *l, const arb_t near)
   const struct ring ring = { 1, 64 };
   SCOPED(fmpq, w);
   SCOPED(series, zero);
-  ENDED_BY(steady_lift_clear) struct steady_lift lifted;
-  steady_lift_init(&lifted);
+  SCOPED(steady_lift, lifted);
   SCOPED(arf, few);
   arf_set_round(few, arb_midref(near), 30, ARF_RND_NEAR);
   arf_get_fmpq(w, few);

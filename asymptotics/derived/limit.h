@@ -8,6 +8,7 @@
 #define SCALLOP_ASYMPTOTICS_DERIVED_LIMIT_H
 
 #include "asymptotics/derived/branch.h"
+#include "asymptotics/derived/derived.h"
 
 struct limit {
   struct phase_constants phase[2];
@@ -24,14 +25,22 @@ void limit_clear(struct limit *l);
 enum scallop_status limit_find(struct limit *l, const struct scallop_rational_crawler *crawler, slong precision,
                                const char **why);
 
+/* What a phase does, from what its limit has: as scallop_expand_phase. c, at the start, and eps as for lift_phase */
+bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_series *p,
+                   const struct series *c, const struct series *eps, const fmpq_t pi_squared, const struct ring *ring);
+
 struct steady_lift {
   struct series w, w_mid, travel; /* of eps = eps0 + x                                         */
   struct lift phase[2];
 };
-void steady_lift_init(struct steady_lift *s);
-void steady_lift_clear(struct steady_lift *s);
+#define STEADY_LIFT(of) \
+  of(series, &s->w) of(series, &s->w_mid) of(series, &s->travel) of(lift, &s->phase[0]) of(lift, &s->phase[1])
+SCOPED_PARTS(steady_lift, struct steady_lift, STEADY_LIFT)
 /* eps: the series eps0 + x, or any other in x. Starts from l->w and the branches' offsets at the base point. */
 bool steady_lift(struct steady_lift *s, const struct limit *l, const struct series *eps, const struct ring *ring);
+/* The same from what the limit has, in these units; w too is that of the base point. */
+bool steady_lift_from(struct steady_lift *s, const struct series *w, const struct branch branch[2],
+                      const struct phase_series *const phases[2], const struct series *eps, const struct ring *ring);
 
 /* The energy that friction takes in a period, in units of (F1 + F2) L. s: what steady_lift made of l, unless
  * l->at_rest. */

@@ -6,9 +6,6 @@
 #include "asymptotics/derived/evaluate.h"
 #include "model/exact/scoped.h"
 
-SCOPED_KIND(series, struct series)
 SCOPED_KIND(scallop_symbols, struct scallop_symbols)
-SCOPED_KIND(scallop_phase_expansion, struct scallop_phase_expansion)
-SCOPED_KIND(scallop_steady_expansion, struct scallop_steady_expansion)
 
 #endif

@@ -6,8 +6,8 @@
 #include <flint/fmpz_vec.h>
 
 /* The call for this kind of coefficients */
-#define BY_KIND(kind, fractions, of_pi, balls) \
-  ((kind) == SERIES_FRACTIONS ? (fractions) : (kind) == SERIES_IN_PI ? (of_pi) : (balls))
+#define BY_KIND(kind, fractions, named, balls) \
+  ((kind) == SERIES_FRACTIONS ? (fractions) : (kind) == SERIES_NAMED ? (named) : (balls))
 
 static slong least(slong a, slong b) { return a < b ? a : b; }
 
@@ -20,14 +20,14 @@ void series_init(struct series *s)
   s->first = 0;
   s->known = SERIES_ALL;
   fmpq_poly_init(s->rational);
-  pi_poly_init(&s->in_pi);
+  named_poly_init(&s->named);
   arb_poly_init(s->ball);
 }
 
 void series_clear(struct series *s)
 {
   fmpq_poly_clear(s->rational);
-  pi_poly_clear(&s->in_pi);
+  named_poly_clear(&s->named);
   arb_poly_clear(s->ball);
 }
 
@@ -38,7 +38,7 @@ void series_set(struct series *to, const struct series *from)
   to->kind = from->kind;
   to->first = from->first;
   to->known = from->known;
-  BY_KIND(to->kind, fmpq_poly_set(to->rational, from->rational), pi_poly_set(&to->in_pi, &from->in_pi),
+  BY_KIND(to->kind, fmpq_poly_set(to->rational, from->rational), named_poly_set(&to->named, &from->named),
           arb_poly_set(to->ball, from->ball));
 }
 
@@ -79,16 +79,32 @@ void series_set_ball_poly(struct series *s, const arb_poly_t poly, slong known)
   arb_poly_set(s->ball, poly);
 }
 
-void series_set_pi_poly(struct series *s, const fmpq_poly_t poly, slong power, slong step, slong known)
+void series_set_ratio(struct series *s, const struct ratio *value)
 {
-  begin(s, SERIES_IN_PI, 0, known);
-  pi_poly_set_fmpq_poly(&s->in_pi, poly, power, step);
+  begin(s, SERIES_NAMED, 0, SERIES_ALL);
+  named_poly_set_constant(&s->named, value);
 }
 
-void series_set_pi(struct series *s)
+static void begin_pi(struct ratio *pi, struct names *names)
 {
-  series_set_si(s, 1);
-  series_set_pi_poly(s, s->rational, 1, 0, SERIES_ALL);
+  ratio_init(pi, names);
+  fmpz_mpoly_gen(pi->over, names->pi, names->ring);
+}
+
+void series_set_pi_poly(struct series *s, const fmpq_poly_t poly, slong power, slong step, slong known)
+{
+  ENDED_BY(ratio_clear) struct ratio pi;
+  begin_pi(&pi, names_of_pi());
+  begin(s, SERIES_NAMED, 0, known);
+  named_poly_set_fmpq_poly(&s->named, poly, pi.names);
+  named_poly_mul_powers(&s->named, &pi, power, step);
+}
+
+void series_set_pi(struct series *s, struct names *names)
+{
+  ENDED_BY(ratio_clear) struct ratio pi;
+  begin_pi(&pi, names ? names : names_of_pi());
+  series_set_ratio(s, &pi);
 }
 
 void series_set_unknown(struct series *s)
@@ -108,17 +124,17 @@ void series_set_x(struct series *s)
 slong series_terms(const struct series *s)
 {
   return s->kind == SERIES_FRACTIONS ? fmpq_poly_length(s->rational)
-         : s->kind == SERIES_IN_PI   ? s->in_pi.length
+         : s->kind == SERIES_NAMED   ? s->named.length
                                      : arb_poly_length(s->ball);
 }
 
 static void shift(struct series *s, slong by)
 {
   if (by > 0)
-    BY_KIND(s->kind, fmpq_poly_shift_left(s->rational, s->rational, by), pi_poly_shift(&s->in_pi, &s->in_pi, by),
+    BY_KIND(s->kind, fmpq_poly_shift_left(s->rational, s->rational, by), named_poly_shift(&s->named, &s->named, by),
             arb_poly_shift_left(s->ball, s->ball, by));
   else if (by < 0)
-    BY_KIND(s->kind, fmpq_poly_shift_right(s->rational, s->rational, -by), pi_poly_shift(&s->in_pi, &s->in_pi, by),
+    BY_KIND(s->kind, fmpq_poly_shift_right(s->rational, s->rational, -by), named_poly_shift(&s->named, &s->named, by),
             arb_poly_shift_right(s->ball, s->ball, -by));
 }
 
@@ -150,41 +166,49 @@ void series_truncate(struct series *s, slong known)
   slong keep = s->known - s->first;
   if (series_terms(s) <= keep)
     return;
-  BY_KIND(s->kind, fmpq_poly_truncate(s->rational, keep), pi_poly_truncate(&s->in_pi, keep),
+  BY_KIND(s->kind, fmpq_poly_truncate(s->rational, keep), named_poly_truncate(&s->named, keep),
           arb_poly_truncate(s->ball, keep));
 }
 
 static enum series_kind later(enum series_kind a, enum series_kind b) { return a > b ? a : b; }
 
-/* The kind in which two series are combined */
-static enum series_kind common(const struct series *a, const struct series *b)
+/* What coefficients are converted to */
+struct form {
+  enum series_kind kind;
+  struct names *names; /* if they have names                                                  */
+  slong precision;     /* if they are balls                                                   */
+};
+
+/* In which two series are combined */
+static struct form common(const struct series *a, const struct series *b, const struct ring *ring)
 {
   enum series_kind kind = later(a->kind, b->kind);
-  bool large = kind == SERIES_IN_PI && (series_bits(a) > SERIES_PI_BITS || series_bits(b) > SERIES_PI_BITS);
-  return large ? SERIES_BALLS : kind;
+  struct names *names = a->kind == SERIES_NAMED ? a->named.names : b->named.names;
+  bool large = kind == SERIES_NAMED && names->only_pi
+               && (series_bits(a) > SERIES_PI_BITS || series_bits(b) > SERIES_PI_BITS);
+  return (struct form){ large ? SERIES_BALLS : kind, names, ring->precision };
 }
 
-/* s with coefficients of a kind that its own can be: itself, or converted into spare, which the caller has
+/* s with coefficients of a form that its own can have: itself, or converted into spare, which the caller has
  * initialised. */
-static const struct series *as_kind(struct series *spare, const struct series *s, enum series_kind kind,
-                                    slong precision)
+static const struct series *in_form(struct series *spare, const struct series *s, struct form form)
 {
-  if (s->kind == kind)
+  if (s->kind == form.kind)
     return s;
-  begin(spare, kind, s->first, s->known);
-  if (kind == SERIES_IN_PI)
-    pi_poly_set_fmpq_poly(&spare->in_pi, s->rational, 0, 0);
-  else if (s->kind == SERIES_IN_PI)
-    pi_poly_get_arb_poly(spare->ball, &s->in_pi, precision);
+  begin(spare, form.kind, s->first, s->known);
+  if (form.kind == SERIES_NAMED)
+    named_poly_set_fmpq_poly(&spare->named, s->rational, form.names);
+  else if (s->kind == SERIES_NAMED)
+    named_poly_get_arb_poly(spare->ball, &s->named, form.precision);
   else
-    arb_poly_set_fmpq_poly(spare->ball, s->rational, precision);
+    arb_poly_set_fmpq_poly(spare->ball, s->rational, form.precision);
   return spare;
 }
 
 /* The same, as a copy whose coefficients begin with that of x^first, which is not after its own */
-static void set_from(struct series *to, const struct series *s, slong first, enum series_kind kind, slong precision)
+static void set_from(struct series *to, const struct series *s, slong first, struct form form)
 {
-  series_set(to, as_kind(to, s, kind, precision));
+  series_set(to, in_form(to, s, form));
   shift(to, to->first - first);
   to->first = first;
 }
@@ -207,13 +231,13 @@ static void add_or_sub(struct series *to, const struct series *all_of_a, const s
   SCOPED(series, p, q);
   const struct series *a = within(&p, all_of_a, all_of_b, ring), *b = within(&q, all_of_b, all_of_a, ring);
   const slong first = least(a->first, b->first), known = least(a->known, b->known);
-  const enum series_kind kind = common(a, b);
-  set_from(&p, a, first, kind, ring->precision);
-  set_from(&q, b, first, kind, ring->precision);
-  BY_KIND(kind, (sub ? fmpq_poly_sub : fmpq_poly_add)(to->rational, p.rational, q.rational),
-          (sub ? pi_poly_sub : pi_poly_add)(&to->in_pi, &p.in_pi, &q.in_pi),
+  const struct form form = common(a, b, ring);
+  set_from(&p, a, first, form);
+  set_from(&q, b, first, form);
+  BY_KIND(form.kind, (sub ? fmpq_poly_sub : fmpq_poly_add)(to->rational, p.rational, q.rational),
+          (sub ? named_poly_sub : named_poly_add)(&to->named, &p.named, &q.named),
           (sub ? arb_poly_sub : arb_poly_add)(to->ball, p.ball, q.ball, ring->precision));
-  begin(to, kind, first, known);
+  begin(to, form.kind, first, known);
   series_tidy(to, ring);
 }
 
@@ -227,26 +251,31 @@ void series_sub(struct series *difference, const struct series *a, const struct 
   add_or_sub(difference, a, b, true, ring);
 }
 
+/* Of a product or quotient: what is beyond its last known power need not be made. */
+static slong terms_that_count(slong first, slong known, const struct ring *ring)
+{
+  return known > first ? least(ring->length, known - first) : 1;
+}
+
 void series_mul(struct series *product, const struct series *a, const struct series *b, const struct ring *ring)
 {
-  const enum series_kind kind = common(a, b);
+  const struct form form = common(a, b, ring);
   const slong first = a->first + b->first, known = least(moved(a->known, b->first), moved(b->known, a->first));
-  const slong length = ring->length;
+  const slong length = terms_that_count(first, known, ring);
   SCOPED(series, spare_a, spare_b);
-  const struct series *p = as_kind(&spare_a, a, kind, ring->precision),
-                      *q = as_kind(&spare_b, b, kind, ring->precision);
+  const struct series *p = in_form(&spare_a, a, form), *q = in_form(&spare_b, b, form);
   bool cut = series_terms(p) > 0 && series_terms(q) > 0 && series_terms(p) + series_terms(q) - 1 > length;
-  BY_KIND(kind, fmpq_poly_mullow(product->rational, p->rational, q->rational, length),
-          pi_poly_mullow(&product->in_pi, &p->in_pi, &q->in_pi, length),
+  BY_KIND(form.kind, fmpq_poly_mullow(product->rational, p->rational, q->rational, length),
+          named_poly_mullow(&product->named, &p->named, &q->named, length),
           arb_poly_mullow(product->ball, p->ball, q->ball, length, ring->precision));
-  begin(product, kind, first, cut ? least(known, first + length) : known);
+  begin(product, form.kind, first, cut ? least(known, first + length) : known);
   series_tidy(product, ring);
 }
 
 void series_neg(struct series *to, const struct series *a)
 {
   series_set(to, a);
-  BY_KIND(to->kind, fmpq_poly_neg(to->rational, to->rational), pi_poly_neg(&to->in_pi, &to->in_pi),
+  BY_KIND(to->kind, fmpq_poly_neg(to->rational, to->rational), named_poly_neg(&to->named, &to->named),
           arb_poly_neg(to->ball, to->ball));
 }
 
@@ -272,17 +301,18 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
   if (series_terms(&divisor) == 0
       || (divisor.kind == SERIES_BALLS && arb_contains_zero(arb_poly_get_coeff_ptr(divisor.ball, 0))))
     return false;
-  const enum series_kind kind = common(a, &divisor);
-  const slong first = a->first - divisor.first, length = ring->length;
-  const struct series *p = as_kind(&spare_a, a, kind, ring->precision);
-  const struct series *q = as_kind(&spare_b, &divisor, kind, ring->precision);
+  const struct form form = common(a, &divisor, ring);
+  const slong first = a->first - divisor.first;
+  const struct series *p = in_form(&spare_a, a, form);
+  const struct series *q = in_form(&spare_b, &divisor, form);
   slong known = least(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
+  const slong length = terms_that_count(first, known, ring);
   if (series_terms(&divisor) > 1 || series_terms(a) > length) /* before a may be overwritten */
     known = least(known, first + length);
-  BY_KIND(kind, fmpq_poly_div_series(quotient->rational, p->rational, q->rational, length),
-          pi_poly_div_series(&quotient->in_pi, &p->in_pi, &q->in_pi, length),
+  BY_KIND(form.kind, fmpq_poly_div_series(quotient->rational, p->rational, q->rational, length),
+          named_poly_div_series(&quotient->named, &p->named, &q->named, length),
           arb_poly_div_series(quotient->ball, p->ball, q->ball, length, ring->precision));
-  begin(quotient, kind, first, known);
+  begin(quotient, form.kind, first, known);
   series_tidy(quotient, ring);
   return true;
 }
@@ -300,8 +330,8 @@ void series_inflate(struct series *to, const struct series *a, slong power)
   to->first *= power;
   if (to->known < SERIES_ALL)
     to->known *= power;
-  if (to->kind == SERIES_IN_PI)
-    pi_poly_inflate(&to->in_pi, &to->in_pi, power);
+  if (to->kind == SERIES_NAMED)
+    named_poly_inflate(&to->named, &to->named, power);
   else if (to->kind == SERIES_FRACTIONS) {
     fmpq_poly_t spread;
     SCOPED(fmpq, c);
@@ -324,22 +354,25 @@ void series_inflate(struct series *to, const struct series *a, slong power)
 
 void series_compose(struct series *to, const struct series *outer, const struct series *inner, const struct ring *ring)
 {
-  const enum series_kind kind = common(outer, inner);
+  const struct form form = common(outer, inner, ring);
   SCOPED(series, f, g);
-  set_from(&f, outer, 0, kind, ring->precision);
-  set_from(&g, inner, 0, kind, ring->precision);
-  slong known = least(least(f.known, g.known), ring->length);
-  BY_KIND(kind, fmpq_poly_compose_series(to->rational, f.rational, g.rational, known),
-          pi_poly_compose_series(&to->in_pi, &f.in_pi, &g.in_pi, known),
+  set_from(&f, outer, 0, form);
+  set_from(&g, inner, 0, form);
+  slong bends = 1; /* outer is c + d x^bends + ...: what is not known of inner comes in times inner^(bends - 1) */
+  while (bends < series_terms(&f) && series_coefficient_is_zero(&f, bends))
+    bends++;
+  slong known = least(least(f.known, moved(g.known, (bends - 1) * inner->first)), ring->length);
+  BY_KIND(form.kind, fmpq_poly_compose_series(to->rational, f.rational, g.rational, known),
+          named_poly_compose_series(&to->named, &f.named, &g.named, known),
           arb_poly_compose_series(to->ball, f.ball, g.ball, known, ring->precision));
-  begin(to, kind, 0, known);
+  begin(to, form.kind, 0, known);
   series_tidy(to, ring);
 }
 
 void series_integral(struct series *to, const struct series *a, const struct ring *ring)
 {
-  set_from(to, a, 0, a->kind, ring->precision);
-  BY_KIND(to->kind, fmpq_poly_integral(to->rational, to->rational), pi_poly_integral(&to->in_pi, &to->in_pi),
+  set_from(to, a, 0, (struct form){ .kind = a->kind });
+  BY_KIND(to->kind, fmpq_poly_integral(to->rational, to->rational), named_poly_integral(&to->named, &to->named),
           arb_poly_integral(to->ball, to->ball, ring->precision));
   to->known = moved(to->known, 1);
   series_tidy(to, ring);
@@ -347,8 +380,8 @@ void series_integral(struct series *to, const struct series *a, const struct rin
 
 void series_derivative(struct series *to, const struct series *a, const struct ring *ring)
 {
-  set_from(to, a, 0, a->kind, ring->precision);
-  BY_KIND(to->kind, fmpq_poly_derivative(to->rational, to->rational), pi_poly_derivative(&to->in_pi, &to->in_pi),
+  set_from(to, a, 0, (struct form){ .kind = a->kind });
+  BY_KIND(to->kind, fmpq_poly_derivative(to->rational, to->rational), named_poly_derivative(&to->named, &to->named),
           arb_poly_derivative(to->ball, to->ball, ring->precision));
   to->known = moved(to->known, -1);
   series_tidy(to, ring);
@@ -360,12 +393,23 @@ void series_coefficient(arb_t value, const struct series *s, slong power, slong 
     arb_zero(value);
   else if (s->kind == SERIES_BALLS)
     arb_poly_get_coeff_arb(value, s->ball, power - s->first);
-  else if (s->kind == SERIES_IN_PI)
-    pi_poly_get_ball(value, &s->in_pi, power - s->first, precision);
+  else if (s->kind == SERIES_NAMED)
+    ratio_get_ball(value, &s->named.coeffs[power - s->first], precision);
   else {
     SCOPED(fmpq, c);
     fmpq_poly_get_coeff_fmpq(c, s->rational, power - s->first);
     arb_set_fmpq(value, c, precision);
+  }
+}
+
+void series_get_ratio(struct ratio *value, const struct series *s, slong power)
+{
+  SCOPED(fmpq, fraction);
+  if (s->kind == SERIES_NAMED && !series_coefficient_is_zero(s, power))
+    ratio_set(value, &s->named.coeffs[power - s->first]);
+  else {
+    series_rational_coefficient(fraction, s, power);
+    ratio_set_fmpq(value, fraction);
   }
 }
 
@@ -376,8 +420,8 @@ bool series_rational_coefficient(fmpq_t value, const struct series *s, slong pow
     fmpq_zero(value);
   else if (s->kind == SERIES_FRACTIONS)
     fmpq_poly_get_coeff_fmpq(value, s->rational, power - s->first);
-  else if (s->kind == SERIES_IN_PI)
-    return pi_poly_get_fraction(value, &s->in_pi, power - s->first);
+  else if (s->kind == SERIES_NAMED)
+    return ratio_get_fmpq(value, &s->named.coeffs[power - s->first]);
   return zero || s->kind == SERIES_FRACTIONS;
 }
 
@@ -387,7 +431,7 @@ bool series_coefficient_is_zero(const struct series *s, slong power)
   if (k < 0 || k >= series_terms(s))
     return true;
   return s->kind == SERIES_FRACTIONS ? fmpz_is_zero(fmpq_poly_numref(s->rational) + k)
-         : s->kind == SERIES_IN_PI   ? fmpz_poly_q_is_zero(&s->in_pi.coeffs[k])
+         : s->kind == SERIES_NAMED   ? ratio_is_zero(&s->named.coeffs[k])
                                      : arb_is_zero(arb_poly_get_coeff_ptr(s->ball, k));
 }
 
@@ -395,14 +439,14 @@ void series_set_zero(struct series *s, slong power)
 {
   slong k = power - s->first;
   if (k >= 0 && k < series_terms(s))
-    BY_KIND(s->kind, fmpq_poly_set_coeff_si(s->rational, k, 0), pi_poly_zero_coeff(&s->in_pi, k),
+    BY_KIND(s->kind, fmpq_poly_set_coeff_si(s->rational, k, 0), named_poly_zero_coeff(&s->named, k),
             arb_poly_set_coeff_si(s->ball, k, 0));
 }
 
 void series_get_ball_poly(arb_poly_t poly, const struct series *s, slong length, slong precision)
 {
   SCOPED(series, spare);
-  arb_poly_set_round(poly, as_kind(&spare, s, SERIES_BALLS, precision)->ball, precision);
+  arb_poly_set_round(poly, in_form(&spare, s, (struct form){ SERIES_BALLS, NULL, precision })->ball, precision);
   arb_poly_shift_left(poly, poly, s->first);
   arb_poly_truncate(poly, length);
 }
@@ -413,7 +457,7 @@ void series_value(arb_t value, const struct series *s, const arb_t x, slong befo
   SCOPED(arb, power);
   series_set(&cut, s);
   series_truncate(&cut, before);
-  arb_poly_evaluate(value, as_kind(&spare, &cut, SERIES_BALLS, precision)->ball, x, precision);
+  arb_poly_evaluate(value, in_form(&spare, &cut, (struct form){ SERIES_BALLS, NULL, precision })->ball, x, precision);
   arb_set(power, x);
   if (cut.first < 0)
     arb_inv(power, power, precision);
@@ -426,6 +470,6 @@ slong series_bits(const struct series *s)
   const fmpq_poly_struct *p = s->rational;
   return s->kind == SERIES_FRACTIONS
              ? labs(_fmpz_vec_max_bits(p->coeffs, p->length)) + (slong)fmpz_bits(fmpq_poly_denref(p))
-         : s->kind == SERIES_IN_PI ? pi_poly_bits(&s->in_pi)
+         : s->kind == SERIES_NAMED ? named_poly_bits(&s->named)
                                    : 0;
 }

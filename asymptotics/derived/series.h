@@ -8,7 +8,7 @@
 #ifndef SCALLOP_ASYMPTOTICS_DERIVED_SERIES_H
 #define SCALLOP_ASYMPTOTICS_DERIVED_SERIES_H
 
-#include "asymptotics/derived/pi_poly.h"
+#include "asymptotics/derived/named_poly.h"
 
 struct ring {      /* what a computation keeps                                              */
   slong length;    /* terms of each series                                                  */
@@ -16,14 +16,14 @@ struct ring {      /* what a computation keeps                                  
 };
 
 /* What the coefficients are; with one of a later kind, a sum or product is of that kind. */
-enum series_kind { SERIES_FRACTIONS, SERIES_IN_PI, SERIES_BALLS };
+enum series_kind { SERIES_FRACTIONS, SERIES_NAMED, SERIES_BALLS };
 
 struct series {
   enum series_kind kind;
   slong first, known;
-  fmpq_poly_t rational; /* the coefficients from x^first on, if fractions                    */
-  struct pi_poly in_pi; /* if rational functions of pi                                       */
-  arb_poly_t ball;      /* otherwise                                                         */
+  fmpq_poly_t rational;    /* the coefficients from x^first on, if fractions                    */
+  struct named_poly named; /* if rational functions of names                                    */
+  arb_poly_t ball;         /* otherwise                                                         */
 };
 
 enum {
@@ -41,14 +41,16 @@ enum {
 
 void series_init(struct series *s);
 void series_clear(struct series *s);
+SCOPED_KIND(series, struct series)
 void series_set(struct series *to, const struct series *from);
 void series_set_rational(struct series *s, const fmpq_t value);
 void series_set_si(struct series *s, slong value);
 void series_set_ball(struct series *s, const arb_t value);
 void series_set_rational_poly(struct series *s, const fmpq_poly_t poly, slong known);
 void series_set_ball_poly(struct series *s, const arb_poly_t poly, slong known);
-void series_set_x(struct series *s); /* the variable itself */
-void series_set_pi(struct series *s);
+void series_set_x(struct series *s);                       /* the variable itself */
+void series_set_pi(struct series *s, struct names *names); /* NULL: pi alone                     */
+void series_set_ratio(struct series *s, const struct ratio *value);
 /* A number that does not exist: no coefficient of the series is known. */
 void series_set_unknown(struct series *s);
 bool series_is_unknown(const struct series *s);
@@ -82,24 +84,17 @@ slong series_terms(const struct series *s); /* coefficients that it keeps, from 
 /* Functions (series_functions.c), for x -> 0 from above. Each returns NULL, or what a series cannot do, as words that
  * follow the function's name; `to` is then unchanged. A sign, or an order of two, is that of the first coefficient that
  * is not exactly 0, and must be proven. Coefficients stay exact where those of the result are fractions because the
- * constant term (of a log: 1; of a power: p/q: a q-th power of a fraction; of exp, sin, cos, asin: 0) is one for which
+ * constant term (of a log: 1; of a power: p/q: a q-th power of a fraction; of exp, sin, cos: 0) is one for which
  * they are. */
 const char *series_exp(struct series *to, const struct series *a,
                        const struct ring *ring); /* no negative powers       */
 const char *series_log(struct series *to, const struct series *a,
                        const struct ring *ring); /* begins with c x^0, c > 0 */
-const char *series_log10(struct series *to, const struct series *a, const struct ring *ring);
 const char *series_sin(struct series *to, const struct series *a, const struct ring *ring);
 const char *series_cos(struct series *to, const struct series *a, const struct ring *ring);
-const char *series_asin(struct series *to, const struct series *a,
-                        const struct ring *ring); /* -1 < a < 1 at x = 0, or a constant 1 or -1 */
-const char *series_abs(struct series *to, const struct series *a, const struct ring *ring);
-const char *series_min(struct series *to, const struct series *a, const struct series *b, const struct ring *ring);
-const char *series_max(struct series *to, const struct series *a, const struct series *b, const struct ring *ring);
-/* base^exponent = c^y x^(k y) (1 + u)^y of base = c x^k (1 + u), with a whole power k y, at most SERIES_FARTHEST in
- * size. A whole y of at most SERIES_EXACT_POWER in size is a product: any base, finite sums stay finite. Other whole y:
- * c must not be 0; other constants y: c > 0, or the base is 0 and y > 0. An exponent that varies: exp(exponent
- * log(base)). */
+/* base^exponent = c^y x^(k y) (1 + u)^y of base = c x^k (1 + u), y a fraction, with a whole power k y, at most
+ * SERIES_FARTHEST in size. A whole y of at most SERIES_EXACT_POWER in size is a product: any base, finite sums stay
+ * finite. Other whole y: c must not be 0; other y: c > 0, or the base is 0 and y > 0. */
 const char *series_power(struct series *to, const struct series *base, const struct series *exponent,
                          const struct ring *ring);
 const char *series_sqrt(struct series *to, const struct series *a, const struct ring *ring); /* the power 1/2 */
@@ -109,6 +104,8 @@ void series_coefficient(arb_t value, const struct series *s, slong power, slong 
 /* false: it is a ball, or depends on pi */
 bool series_rational_coefficient(fmpq_t value, const struct series *s, slong power);
 bool series_coefficient_is_zero(const struct series *s, slong power); /* exactly            */
+/* As a rational function of value's names, which are those of s; no balls */
+void series_get_ratio(struct ratio *value, const struct series *s, slong power);
 /* Bits of the largest exact numerator and the denominator, in pi of all of them; 0 of balls, which have as many as
  * their ring. */
 slong series_bits(const struct series *s);

@@ -48,35 +48,6 @@ static const char *not_for_log(const struct series *a, slong precision)
                                               : not_positive(a, precision);
 }
 
-/* At -1 and 1 asin has a value, and no series. */
-static const char *not_for_asin(const struct series *a, slong precision)
-{
-  const char *wrong = not_entire(a, precision);
-  if (wrong)
-    return wrong;
-  SCOPED(arb, constant, one);
-  arb_one(one);
-  series_coefficient(constant, a, 0, precision);
-  arb_abs(constant, constant);
-  if (!arb_lt(constant, one) && !(is_constant(a) && arb_le(constant, one)))
-    wrong = "of what may be -1, 1 or beyond at T = 0";
-  return wrong;
-}
-
-/* The integral of f'/sqrt(1 - f^2), f = 0 at x = 0. fmpq_poly_asin_series of FLINT 2.9 reads beyond a short f with
- * large fractions. */
-static void set_asin(fmpq_poly_t to, const fmpq_poly_t f, slong terms)
-{
-  SCOPED(fmpq_poly, root, one);
-  fmpq_poly_one(one);
-  fmpq_poly_mullow(root, f, f, terms);
-  fmpq_poly_sub(root, one, root);
-  fmpq_poly_invsqrt_series(root, root, terms);
-  fmpq_poly_derivative(to, f);
-  fmpq_poly_mullow(to, to, root, terms - 1);
-  fmpq_poly_integral(to, to);
-}
-
 struct function {
   const char *(*refused)(const struct series *a, slong precision); /* a tidy one                                   */
   void (*exact)(fmpq_poly_t, const fmpq_poly_t, slong terms);
@@ -89,7 +60,6 @@ static const struct function EXP = { not_entire, fmpq_poly_exp_series, 0, arb_po
 static const struct function LOG = { not_for_log, fmpq_poly_log_series, 1, arb_poly_log_series, false };
 static const struct function SIN = { not_entire, fmpq_poly_sin_series, 0, arb_poly_sin_series, true };
 static const struct function COS = { not_entire, fmpq_poly_cos_series, 0, arb_poly_cos_series, false };
-static const struct function ASIN = { not_for_asin, set_asin, 0, arb_poly_asin_series, true };
 
 static bool are_finite(const arb_poly_t poly)
 {
@@ -176,68 +146,6 @@ const char *series_cos(struct series *to, const struct series *a, const struct r
 {
   return apply(to, a, &COS, ring);
 }
-const char *series_asin(struct series *to, const struct series *a, const struct ring *ring)
-{
-  return apply(to, a, &ASIN, ring);
-}
-
-const char *series_log10(struct series *to, const struct series *a, const struct ring *ring)
-{
-  const char *wrong = series_log(to, a, ring);
-  if (wrong)
-    return wrong;
-  SCOPED(series, unit);
-  SCOPED(arb, log_10);
-  arb_const_log10(log_10, ring->precision);
-  series_set_ball(&unit, log_10);
-  series_div(to, to, &unit, ring);
-  return NULL;
-}
-
-/* |a| is a or -a; where each known coefficient is 0, both are the same as far as they are known. */
-const char *series_abs(struct series *to, const struct series *a, const struct ring *ring)
-{
-  struct series size;
-  copy_tidy(&size, a, ring);
-  const char *wrong = series_terms(&size) > 0 ? not_positive(&size, ring->precision) : NULL;
-  if (wrong == IS_NEGATIVE) {
-    series_neg(&size, &size);
-    wrong = NULL;
-  }
-  if (!wrong)
-    series_set(to, &size);
-  series_clear(&size);
-  return wrong;
-}
-
-/* The one that is larger, or where they are the same, either, as far as both are known */
-static const char *set_larger(struct series *to, const struct series *a, const struct series *b,
-                              const struct series *difference, const struct ring *ring)
-{
-  const char *sign = not_positive(difference, ring->precision);
-  bool same = series_terms(difference) == 0;
-  if (sign == MAY_VANISH && !same)
-    return "of series whose order is not proven";
-  series_set(to, same || !sign ? a : b);
-  if (same)
-    series_truncate(to, difference->known);
-  return NULL;
-}
-
-const char *series_max(struct series *to, const struct series *a, const struct series *b, const struct ring *ring)
-{
-  SCOPED(series, difference);
-  series_sub(&difference, a, b, ring);
-  return set_larger(to, a, b, &difference, ring);
-}
-
-const char *series_min(struct series *to, const struct series *a, const struct series *b, const struct ring *ring)
-{
-  SCOPED(series, difference);
-  series_sub(&difference, b, a, ring);
-  return set_larger(to, a, b, &difference, ring);
-}
-
 /* Below, a power of x is taken off a series, whose constant term is then positive. */
 
 static bool is_within(const fmpz_t n, slong size) { return fmpz_cmp_si(n, size) <= 0 && fmpz_cmp_si(n, -size) >= 0; }
@@ -282,7 +190,8 @@ static const char *set_real_power(struct series *to, const struct series *a, con
   slong known = is_constant(a) ? SERIES_ALL : least(a->known, ring->length);
   const char *wrong = NULL;
   SCOPED(fmpq, power);
-  if (!series_rational_coefficient(power, exponent, 0) || !set_exact_power(to, a, power, known, ring->length)) {
+  series_rational_coefficient(power, exponent, 0);
+  if (!set_exact_power(to, a, power, known, ring->length)) {
     SCOPED(arb, ball);
     SCOPED(arb_poly, poly);
     series_coefficient(ball, exponent, 0, ring->precision);
@@ -297,9 +206,9 @@ static const char *set_real_power(struct series *to, const struct series *a, con
 static const char *get_first(slong *power, slong first, const struct series *exponent)
 {
   SCOPED(fmpq, product);
-  bool whole = first == 0 || series_rational_coefficient(product, exponent, 0);
+  series_rational_coefficient(product, exponent, 0);
   fmpq_mul_si(product, product, first);
-  whole = whole && fmpz_is_one(fmpq_denref(product));
+  bool whole = fmpz_is_one(fmpq_denref(product));
   bool near = is_within(fmpq_numref(product), SERIES_FARTHEST);
   *power = whole && near ? fmpz_get_si(fmpq_numref(product)) : 0;
   return !whole ? "gives a power of T that is not whole" : near ? NULL : IS_FAR;
@@ -362,14 +271,10 @@ static const char *set_small_power(struct series *to, const struct series *base,
 static const char *set_power(struct series *to, struct series *base, const struct series *exponent,
                              const struct ring *ring)
 {
-  if (!is_constant(exponent)) {
-    const char *wrong = series_log(base, base, ring);
-    if (!wrong)
-      series_mul(base, base, exponent, ring);
-    return wrong ? wrong : series_exp(to, base, ring);
-  }
   SCOPED(fmpq, value);
-  bool small = series_rational_coefficient(value, exponent, 0) && is_small(value);
+  if (!is_constant(exponent) || !series_rational_coefficient(value, exponent, 0))
+    return "has a series for powers that are fractions only";
+  bool small = is_small(value);
   bool by_products = small && fmpz_is_one(fmpq_denref(value));
   slong power = small ? fmpz_get_si(fmpq_numref(value)) : 0, root = small ? fmpz_get_si(fmpq_denref(value)) : 1;
   if (series_bits(base) * labs(power) / root > SERIES_BITS)

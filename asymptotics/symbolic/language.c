@@ -83,7 +83,7 @@ static void put_sign(struct writer *w, bool negative, bool first)
 /* A polynomial as the sum of its terms */
 static void put_terms(struct writer *w, const fmpz_mpoly_t polynomial)
 {
-  const fmpz_mpoly_ctx_struct *ring = w->symbols->ring;
+  const fmpz_mpoly_ctx_struct *ring = w->symbols->names.ring;
   ulong powers[MOST_SYMBOLS];
   SCOPED(fmpz, coefficient);
   for (slong i = 0; i < fmpz_mpoly_length(polynomial, ring); i++) {
@@ -106,7 +106,7 @@ static void put_terms(struct writer *w, const fmpz_mpoly_t polynomial)
 
 static slong power_of_T(const struct writer *w, const fmpz_mpoly_t polynomial)
 {
-  return w->T < 0 ? 0 : fmpz_mpoly_degree_si(polynomial, w->T, w->symbols->ring);
+  return w->T < 0 ? 0 : fmpz_mpoly_degree_si(polynomial, w->T, w->symbols->names.ring);
 }
 
 static void put_product(struct writer *w, const fmpz_mpoly_t polynomial, slong power);
@@ -114,7 +114,7 @@ static void put_product(struct writer *w, const fmpz_mpoly_t polynomial, slong p
 /* A polynomial by powers of T, with factored coefficients */
 static void put_by_powers(struct writer *w, const fmpz_mpoly_t polynomial)
 {
-  const fmpz_mpoly_ctx_struct *ring = w->symbols->ring;
+  const fmpz_mpoly_ctx_struct *ring = w->symbols->names.ring;
   fmpz_mpoly_t coefficient;
   bool first = true;
   fmpz_mpoly_init(coefficient, ring);
@@ -136,7 +136,7 @@ static void put_by_powers(struct writer *w, const fmpz_mpoly_t polynomial)
  * Those that become 1 are left out. */
 static void write_in_alpha(fmpz_mpoly_factor_t factors, const struct symbols *s)
 {
-  const fmpz_mpoly_ctx_struct *ring = s->ring;
+  const fmpz_mpoly_ctx_struct *ring = s->names.ring;
   fmpz_mpoly_struct instead[MOST_SYMBOLS], *list[MOST_SYMBOLS];
   int used[MOST_SYMBOLS], alpha = -1, beta = -1;
   for (int i = 0; i < s->count; i++) {
@@ -186,14 +186,14 @@ static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slo
   }
   for (slong place = 0; place < s->count; place++)
     for (slong i = 0; i < factors->num; i++)
-      if (fmpz_mpoly_is_gen(factors->poly + i, place, s->ring))
+      if (fmpz_mpoly_is_gen(factors->poly + i, place, s->names.ring))
         put_symbol_power(w, place, fmpz_get_si(factors->exp + i), &any);
   if (power != 0)
     put_symbol_power(w, -1, power, &any);
   for (slong i = 0; i < factors->num; i++) {
     const fmpz_mpoly_struct *sum = factors->poly + i;
     slong exponent = fmpz_get_si(factors->exp + i);
-    if (exponent == 0 || fmpz_mpoly_is_gen(sum, -1, s->ring))
+    if (exponent == 0 || fmpz_mpoly_is_gen(sum, -1, s->names.ring))
       continue;
     bool bare = held && count == 1 && exponent == 1;
     put_times(w, &any);
@@ -207,21 +207,21 @@ static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slo
 /* The factors of a polynomial, see write_in_alpha */
 static void factor(fmpz_mpoly_factor_t factors, const fmpz_mpoly_t polynomial, const struct symbols *s)
 {
-  if (!fmpz_mpoly_factor(factors, polynomial, s->ring)) {         /* only if exponents overflow */
-    fmpz_mpoly_factor_one(factors, s->ring);                      /* GCOVR_EXCL_LINE: likewise  */
-    fmpz_mpoly_factor_append_ui(factors, polynomial, 1, s->ring); /* GCOVR_EXCL_LINE: likewise  */
+  if (!fmpz_mpoly_factor(factors, polynomial, s->names.ring)) {         /* only if exponents overflow */
+    fmpz_mpoly_factor_one(factors, s->names.ring);                      /* GCOVR_EXCL_LINE: likewise  */
+    fmpz_mpoly_factor_append_ui(factors, polynomial, 1, s->names.ring); /* GCOVR_EXCL_LINE: likewise  */
   }
-  fmpz_mpoly_factor_sort(factors, s->ring); /* the same order whatever FLINT finds first */
+  fmpz_mpoly_factor_sort(factors, s->names.ring); /* the same order whatever FLINT finds first */
   write_in_alpha(factors, s);
 }
 
 static void put_product(struct writer *w, const fmpz_mpoly_t polynomial, slong power)
 {
   fmpz_mpoly_factor_t factors;
-  fmpz_mpoly_factor_init(factors, w->symbols->ring);
+  fmpz_mpoly_factor_init(factors, w->symbols->names.ring);
   factor(factors, polynomial, w->symbols);
   put_factors(w, factors, power, false);
-  fmpz_mpoly_factor_clear(factors, w->symbols->ring);
+  fmpz_mpoly_factor_clear(factors, w->symbols->names.ring);
 }
 
 static struct writer writer_of(struct symbols *s, const struct language *language, char **text, size_t *size)
@@ -235,12 +235,12 @@ static struct writer writer_of(struct symbols *s, const struct language *languag
 
 struct written symbolic_written(struct symbols *s, symbolic a, slong power, const struct language *language)
 {
-  struct written written = { !symbolic_is_zero(a, s) && fmpz_sgn(a->over->coeffs) < 0, NULL };
+  struct written written = { !ratio_is_zero(a) && fmpz_sgn(a->over->coeffs) < 0, NULL };
   size_t size;
   struct writer w = writer_of(s, language, &written.text, &size);
   fmpz_mpoly_factor_t over, under;
-  fmpz_mpoly_factor_init(over, s->ring);
-  fmpz_mpoly_factor_init(under, s->ring);
+  fmpz_mpoly_factor_init(over, s->names.ring);
+  fmpz_mpoly_factor_init(under, s->names.ring);
   factor(over, a->over, s);
   factor(under, a->under, s);
   fmpz_abs(over->constant, over->constant);
@@ -255,8 +255,8 @@ struct written symbolic_written(struct symbols *s, symbolic a, slong power, cons
     put(&w, brackets ? ")" : "");
     put(&w, language->fraction[2]);
   }
-  fmpz_mpoly_factor_clear(over, s->ring);
-  fmpz_mpoly_factor_clear(under, s->ring);
+  fmpz_mpoly_factor_clear(over, s->names.ring);
+  fmpz_mpoly_factor_clear(under, s->names.ring);
   fclose(w.out);
   return written;
 }
@@ -292,8 +292,8 @@ char *symbol_written(const struct symbol *symbol, const struct language *languag
 void symbolic_uses(symbolic a, const struct symbols *s, bool *used)
 {
   int over[MOST_SYMBOLS], under[MOST_SYMBOLS];
-  fmpz_mpoly_used_vars(over, a->over, s->ring);
-  fmpz_mpoly_used_vars(under, a->under, s->ring);
+  fmpz_mpoly_used_vars(over, a->over, s->names.ring);
+  fmpz_mpoly_used_vars(under, a->under, s->names.ring);
   for (int i = 0; i < s->count; i++)
     used[i] |= over[i] || under[i];
 }

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "asymptotics/derived/evaluate.h"
 #include "asymptotics/derived/scoped.h"
 #include "asymptotics/published/read.h"
-#include "asymptotics/symbolic/formula_symbolic.h"
 #include "asymptotics/symbolic/language.h"
 #include "asymptotics/symbolic/reduced.h"
 
@@ -15,12 +15,18 @@
 struct motion {
   const struct scallop_rational_crawler *crawler;
   enum scallop_phase_kind kind;
-  bool is_steady, from_rest, exchanged;
+  bool is_steady, from_rest;
   bool equal_forces; /* of all crawlers that the formula is about                                */
   struct symbols symbols;
-  struct symbolic_phase phase;
+  struct scallop_phase_expansion phase;
   struct symbolic_steady steady;
 };
+
+static void motion_end(struct motion *m)
+{
+  scallop_phase_expansion_clear(&m->phase);
+  symbols_end(&m->symbols);
+}
 
 /* The symbols that are a derivative of l at an end of the phase */
 struct derivative {
@@ -104,7 +110,6 @@ static slong terms_for(const struct formula *formula, slong power)
 static const char *expand(struct motion *m, const struct formula *formula, const fmpq_t v0, slong power)
 {
   const char *why = NULL;
-  symbols_init(&m->symbols);
   if (needs_pi(m, formula))
     symbols_add(&m->symbols, NAMED_pi, 0, m->kind);
   if (m->is_steady && !scallop_gait_is_rational(m->crawler->gait))
@@ -118,88 +123,33 @@ static const char *expand(struct motion *m, const struct formula *formula, const
 }
 
 /* What the formula gives, as the motion has it; false: it has no formula. */
-static bool derive(struct symbolic_laurent *derived, struct motion *m, enum scallop_quantity quantity, slong power)
+static bool derive(struct series *derived, struct motion *m, enum scallop_quantity quantity, const struct ring *ring)
 {
-  struct symbols *s = &m->symbols;
-  const struct symbolic_phase *p = &m->phase;
-  const bool extension = m->kind == SCALLOP_EXTENSION;
-  const struct symbolic_series *series = NULL,
-                               none = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, SYMBOLIC_TERMS);
+  const struct series *expanded = m->is_steady ? NULL : scallop_phase_quantity(&m->phase, m->kind, quantity);
   symbolic closed = NULL;
-  slong first = 0;
-  switch (quantity) {
-  case SCALLOP_LAG: series = p->switches ? &p->dT : NULL; break;
-  case SCALLOP_FIRST_SWITCH: series = p->switches ? &p->t1 : NULL; break;
-  case SCALLOP_REAR_AT_END: series = extension ? &p->dx1 : &p->dx2; break;
-  case SCALLOP_FRONT_AT_END: series = extension ? &p->dx2 : &p->dx1; break;
-  case SCALLOP_REAR_AT_FIRST: series = p->switches ? &p->at_first : NULL; break;
-  case SCALLOP_REAR_AT_LAST: series = p->switches ? &p->at_last : NULL; break;
-  case SCALLOP_CENTRE_AT_END: series = &p->dxC; break;
-  case SCALLOP_VELOCITY_AT_END:
-  case SCALLOP_VELOCITY_CHANGE: series = &p->v_end; break;
-  case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: series = p->switches ? &none : NULL; break;
-  case SCALLOP_STEADY_VELOCITY: closed = m->steady.v_start, first = -1; break;
-  case SCALLOP_STEADY_V_MID: closed = m->steady.v_mid, first = -1; break;
-  case SCALLOP_STEADY_DISPLACEMENT: closed = m->steady.displacement; break;
-  case SCALLOP_STEADY_MEAN_VELOCITY: closed = m->steady.displacement, first = -1; break;
-  default: return false;
+  SCOPED(series, v0);
+  switch (m->is_steady ? quantity : SCALLOP_QUANTITIES) {
+  case SCALLOP_STEADY_VELOCITY: closed = m->steady.v_start; break;
+  case SCALLOP_STEADY_V_MID: closed = m->steady.v_mid; break;
+  case SCALLOP_STEADY_DISPLACEMENT:
+  case SCALLOP_STEADY_MEAN_VELOCITY: closed = m->steady.displacement; break;
+  default: break;
   }
-  if (closed) {
-    const slong before = quantity == SCALLOP_STEADY_MEAN_VELOCITY ? 0 : first;
-    const struct symbolic_series of_closed = symbolic_series_of(s, closed, before,
-                                                                power < first ? 1 : power - first + 1);
-    *derived = symbolic_laurent_of(s, &of_closed, first);
-  } else if (series)
-    *derived = symbolic_laurent_of(s, series, 0);
-  if (series && quantity == SCALLOP_VELOCITY_CHANGE) {
-    const struct symbolic_laurent v0 = symbolic_laurent_set(s, symbolic_named(s, NAMED_v0), 0);
-    *derived = symbolic_laurent_sub(s, derived, &v0);
+  if (closed)
+    symbolic_in_T(derived, &m->symbols, closed, ring->length);
+  else if (expanded)
+    series_set(derived, expanded);
+  if (quantity == SCALLOP_STEADY_MEAN_VELOCITY)
+    series_shift(derived, derived, -1);
+  if (expanded && quantity == SCALLOP_VELOCITY_CHANGE) {
+    series_set_ratio(&v0, symbolic_named(&m->symbols, NAMED_v0));
+    series_sub(derived, derived, &v0, ring);
   }
-  return closed || series;
+  return closed || expanded;
 }
 
-struct names { /* in a formula; NULL: without a value here */
-  struct symbolic_laurent value[SCALLOP_SYMBOLS];
-  const struct symbolic_laurent *list[SCALLOP_SYMBOLS];
-};
-
-static void set_name(struct names *names, enum scallop_symbol symbol, struct symbolic_laurent value)
-{
-  names->value[symbol] = value;
-  names->list[symbol] = &names->value[symbol];
-}
-
-static void set_symbol(struct names *names, struct symbols *s, enum scallop_symbol symbol, symbolic value)
-{
-  set_name(names, symbol, symbolic_laurent_set(s, value, 0));
-}
-
-static void set_kinematic_length(struct names *names, struct motion *m, symbolic l0, symbolic lT)
-{
-  struct symbols *s = &m->symbols;
-  symbolic difference = symbolic_sub(s, lT, l0), twice = symbolic_number(s, m->kind == SCALLOP_EXTENSION ? 2 : -2, 1);
-  if (!symbolic_is_zero(difference, s))
-    set_symbol(names, s, SCALLOP_SYMBOL_L_kin,
-               symbolic_div(s, symbolic_mul(s, l0, lT), symbolic_mul(s, twice, difference)));
-}
-
-/* The bodies exchanged, and with them the sign of l */
-static void exchange_names(struct names *names, struct symbols *s)
-{
-  const struct names before = *names;
-  const struct symbolic_laurent none = symbolic_laurent_set(s, symbolic_number(s, 0, 1), 0);
-  for (int i = 0, sign; i < SCALLOP_SYMBOLS; i++) {
-    enum scallop_symbol meant = scallop_symbol_exchanged((enum scallop_symbol)i, &sign);
-    const struct symbolic_laurent *value = before.list[meant] ? &before.value[meant] : NULL;
-    if (!value)
-      names->list[i] = NULL;
-    else
-      set_name(names, (enum scallop_symbol)i, sign < 0 ? symbolic_laurent_sub(s, &none, value) : *value);
-  }
-}
-
-static void set_names(struct names *names, struct motion *m)
+/* What the names in the formula stand for */
+static void set_names(struct scallop_symbols *names, struct motion *m, const struct ring *ring)
 {
   static const struct {
     enum scallop_symbol symbol;
@@ -208,28 +158,23 @@ static void set_names(struct names *names, struct motion *m)
                 { SCALLOP_SYMBOL_F2, NAMED_F2 }, { SCALLOP_SYMBOL_M, NAMED_M },        { SCALLOP_SYMBOL_L, NAMED_L },
                 { SCALLOP_SYMBOL_v0, NAMED_v0 }, { SCALLOP_SYMBOL_alpha, NAMED_alpha } };
   struct symbols *s = &m->symbols;
-  symbolic ends[DERIVATIVES], none = symbolic_number(s, 0, 1), L = symbolic_named(s, NAMED_L);
-  bool extension = m->kind == SCALLOP_EXTENSION;
+  struct series *value = names->value;
+  names->names = &s->names;
   for (int i = 0; i < SCALLOP_SYMBOLS; i++)
-    names->list[i] = NULL;
+    series_set_unknown(&value[i]);
   for (size_t i = 0; i < sizeof plain / sizeof *plain; i++)
     if (symbols_place(s, plain[i].meaning, 0, m->kind) >= 0)
-      set_symbol(names, s, plain[i].symbol, symbolic_named(s, plain[i].meaning));
+      series_set_ratio(&value[plain[i].symbol], symbolic_named(s, plain[i].meaning));
   if (m->from_rest)
-    set_symbol(names, s, SCALLOP_SYMBOL_v0, none);
+    series_set_si(&value[SCALLOP_SYMBOL_v0], 0);
   for (int i = 0; i < DERIVATIVES; i++)
-    set_symbol(names, s, derivatives[i].symbol, ends[i] = derivative_value(m, &derivatives[i]));
-  set_kinematic_length(names, m, ends[0], ends[1]);
-  set_symbol(names, s, SCALLOP_SYMBOL_l_start, extension ? none : L);
-  set_symbol(names, s, SCALLOP_SYMBOL_l_end, extension ? L : none);
-  set_name(names, SCALLOP_SYMBOL_T, symbolic_laurent_set(s, symbolic_number(s, 1, 1), 1));
+    series_set_ratio(&value[derivatives[i].symbol], derivative_value(m, &derivatives[i]));
+  scallop_symbols_complete(names, m->kind, ring);
   if (!m->is_steady && m->phase.switches) {
-    set_name(names, SCALLOP_SYMBOL_t1, symbolic_laurent_of(s, &m->phase.t1, 0));
-    set_name(names, SCALLOP_SYMBOL_dT, symbolic_laurent_of(s, &m->phase.dT, 0));
-    set_name(names, SCALLOP_SYMBOL_x_switch, symbolic_laurent_of(s, &m->phase.at_last, 0));
+    series_set(&value[SCALLOP_SYMBOL_t1], &m->phase.t1);
+    series_set(&value[SCALLOP_SYMBOL_dT], &m->phase.dT);
+    series_set(&value[SCALLOP_SYMBOL_x_switch], &m->phase.at_last);
   }
-  if (m->exchanged)
-    exchange_names(names, s);
 }
 
 /* A derivative of l as this gait has it: a number of amplitudes, times a power of pi */
@@ -254,16 +199,16 @@ static void replace(struct replacement replaced[MOST_SYMBOLS], const struct moti
 
 static slong length_of(symbolic a, const struct symbols *s)
 {
-  return fmpz_mpoly_length(a->over, s->ring) + fmpz_mpoly_length(a->under, s->ring);
+  return fmpz_mpoly_length(a->over, s->names.ring) + fmpz_mpoly_length(a->under, s->names.ring);
 }
 
 /* The coefficient of T^power, NULL: it is not known. of_gait: as this gait has the derivatives of l. With M and beta as
  * they stand, if that is shorter */
-static symbolic coefficient_of(struct motion *m, const struct symbolic_laurent *difference, slong power, bool of_gait)
+static symbolic coefficient_of(struct motion *m, const struct series *difference, slong power, bool of_gait)
 {
   struct replacement replaced[MOST_SYMBOLS];
   struct symbols *s = &m->symbols;
-  symbolic term = symbolic_laurent_term(s, difference, power), reduced, other;
+  symbolic term = symbolic_coefficient(s, difference, power), reduced, other;
   if (!term)
     return NULL;
   replacements_init(replaced);
@@ -271,17 +216,15 @@ static symbolic coefficient_of(struct motion *m, const struct symbolic_laurent *
   reduced = symbolic_reduced(s, term, replaced);
   other = symbolic_replaced(s, term, replaced);
   replacements_clear(replaced);
-  return reduced && other && !symbolic_is_zero(reduced, s) && length_of(other, s) < length_of(reduced, s) ? other
-                                                                                                          : reduced;
+  return reduced && other && !ratio_is_zero(reduced) && length_of(other, s) < length_of(reduced, s) ? other : reduced;
 }
 
 /* The first power up to T^most whose coefficient is not 0, or most + 1. False: one is not known. */
-static bool first_power(slong *power, struct motion *m, const struct symbolic_laurent *difference, slong most,
-                        bool of_gait)
+static bool first_power(slong *power, struct motion *m, const struct series *difference, slong most, bool of_gait)
 {
   symbolic found = NULL;
   for (*power = difference->first < most ? difference->first : most; *power <= most; ++*power)
-    if (!(found = coefficient_of(m, difference, *power, of_gait)) || !symbolic_is_zero(found, &m->symbols))
+    if (!(found = coefficient_of(m, difference, *power, of_gait)) || !ratio_is_zero(found))
       break;
   return *power > most || found;
 }
@@ -304,34 +247,31 @@ static void evaluate(fmpq_t coefficient, const struct motion *m, symbolic found,
   _fmpq_vec_clear(values, m->symbols.count);
 }
 
-static const char *find(struct left_out *l, struct motion *m, const struct formula *formula,
-                        enum scallop_quantity quantity, const fmpq_t v0, slong most, char message[FORMULA_MESSAGE])
+static const char *find(struct left_out *l, struct motion *m, const struct scallop_formula *f, const fmpq_t v0,
+                        slong most, char message[FORMULA_MESSAGE])
 {
-  struct symbolic_laurent derived, value;
-  struct names *names = flint_malloc(sizeof *names);
-  const char *why = NULL;
-  set_names(names, m);
-  if (!derive(&derived, m, quantity, most))
-    why = "this quantity is not derived as a formula";
-  else if (!formula_symbolic(&value, formula, names->list, &m->symbols, message)) {
-    const struct symbolic_laurent difference = symbolic_laurent_sub(&m->symbols, &derived, &value);
-    slong of_any_gait;
-    if (!first_power(&l->order, m, &difference, most, true))
-      why = "too few terms are known";
-    else if (l->order <= most) {
-      bool general = first_power(&of_any_gait, m, &difference, most, false) && of_any_gait == l->order;
-      symbolic found = coefficient_of(m, &difference, l->order, !general);
-      l->term = write(m, found, l->order);
-      l->is_number = !needs_pi(m, formula);
-      if (l->is_number)
-        evaluate(l->coefficient, m, found, v0);
-    }
-  } else
-    why = message;
-  flint_free(names);
-  if (why && why != message)
-    snprintf(message, FORMULA_MESSAGE, "%s", why);
-  return why ? message : NULL;
+  const struct ring ring = { SYMBOLIC_ORDERS + 2, 2 };
+  slong of_any_gait;
+  ENDED_BY(scallop_symbols_clear) struct scallop_symbols names;
+  scallop_symbols_init(&names);
+  SCOPED(series, derived, value);
+  set_names(&names, m, &ring);
+  if (!derive(&derived, m, f->quantity, &ring))
+    return "this quantity is not derived as a formula";
+  if (scallop_formula_expand(&value, f, &names, m->kind, &ring, message))
+    return message;
+  series_sub(&value, &derived, &value, &ring);
+  if (!first_power(&l->order, m, &value, most, true))
+    return "too few terms are known";
+  if (l->order <= most) {
+    bool general = first_power(&of_any_gait, m, &value, most, false) && of_any_gait == l->order;
+    symbolic found = coefficient_of(m, &value, l->order, !general);
+    l->term = write(m, found, l->order);
+    l->is_number = m->symbols.names.pi < 0;
+    if (l->is_number)
+      evaluate(l->coefficient, m, found, v0);
+  }
+  return NULL;
 }
 
 void left_out_init(struct left_out *l)
@@ -350,12 +290,14 @@ const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *
                               const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
                               const fmpq_t v0, slong most, char message[FORMULA_MESSAGE])
 {
+  ENDED_BY(motion_end)
   struct motion m = { .crawler = crawler,
                       .kind = kind,
                       .is_steady = f->setting == SCALLOP_STEADY,
-                      .from_rest = f->setting == SCALLOP_AT_REST_START,
-                      .exchanged = scallop_formula_is_exchanged(f, kind) };
+                      .from_rest = f->setting == SCALLOP_AT_REST_START };
   struct formula formula;
+  symbols_init(&m.symbols);
+  scallop_phase_expansion_init(&m.phase);
   /* from rest no body turns where F1 = F2: these modes say so */
   m.equal_forces = m.from_rest;
   for (const char *const *when = f->when; when && *when; when++)
@@ -364,11 +306,9 @@ const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *
   if (scallop_formula_text(&formula, f, NULL, message))
     return message;
   const char *why = most >= SYMBOLIC_ORDERS ? "the order is not below 16" : expand(&m, &formula, v0, most);
-  if (why) {
+  if (!why)
+    why = find(l, &m, f, v0, most, message);
+  if (why && why != message)
     snprintf(message, FORMULA_MESSAGE, "%s", why);
-    return message;
-  }
-  why = find(l, &m, &formula, f->quantity, v0, most, message);
-  symbols_end(&m.symbols);
-  return why;
+  return why ? message : NULL;
 }

@@ -83,17 +83,18 @@ static slong take_out_M(fmpz_mpoly_t polynomial, const struct symbols *s)
 {
   fmpz_mpoly_t M, m2, rest;
   slong times = 0;
-  fmpz_mpoly_init(M, s->ring);
-  fmpz_mpoly_init(m2, s->ring);
-  fmpz_mpoly_init(rest, s->ring);
-  fmpz_mpoly_gen(M, place_of(s, NAMED_m1), s->ring);
-  fmpz_mpoly_gen(m2, place_of(s, NAMED_m2), s->ring);
-  fmpz_mpoly_add(M, M, m2, s->ring);
-  for (; !fmpz_mpoly_is_zero(polynomial, s->ring) && fmpz_mpoly_divides(rest, polynomial, M, s->ring); times++)
-    fmpz_mpoly_swap(polynomial, rest, s->ring);
-  fmpz_mpoly_clear(M, s->ring);
-  fmpz_mpoly_clear(m2, s->ring);
-  fmpz_mpoly_clear(rest, s->ring);
+  fmpz_mpoly_init(M, s->names.ring);
+  fmpz_mpoly_init(m2, s->names.ring);
+  fmpz_mpoly_init(rest, s->names.ring);
+  fmpz_mpoly_gen(M, place_of(s, NAMED_m1), s->names.ring);
+  fmpz_mpoly_gen(m2, place_of(s, NAMED_m2), s->names.ring);
+  fmpz_mpoly_add(M, M, m2, s->names.ring);
+  for (; !fmpz_mpoly_is_zero(polynomial, s->names.ring) && fmpz_mpoly_divides(rest, polynomial, M, s->names.ring);
+       times++)
+    fmpz_mpoly_swap(polynomial, rest, s->names.ring);
+  fmpz_mpoly_clear(M, s->names.ring);
+  fmpz_mpoly_clear(m2, s->names.ring);
+  fmpz_mpoly_clear(rest, s->names.ring);
   return times;
 }
 
@@ -105,28 +106,28 @@ static void make_homogeneous(fmpz_mpoly_t polynomial, const struct symbols *s)
   fmpz_mpoly_t alpha, both, term, power, sum;
   if (beta < 0)
     return;
-  fmpz_mpoly_init(alpha, s->ring);
-  fmpz_mpoly_init(both, s->ring);
-  fmpz_mpoly_init(term, s->ring);
-  fmpz_mpoly_init(power, s->ring);
-  fmpz_mpoly_init(sum, s->ring);
-  fmpz_mpoly_gen(alpha, place, s->ring);
-  fmpz_mpoly_gen(both, beta, s->ring);
-  fmpz_mpoly_add(both, both, alpha, s->ring);
-  fmpz_mpoly_one(power, s->ring);
-  for (ulong k = 0; (slong)k <= fmpz_mpoly_degree_si(polynomial, place, s->ring); k++) {
-    fmpz_mpoly_get_coeff_vars_ui(term, polynomial, &place, &k, 1, s->ring);
-    fmpz_mpoly_mul(term, term, power, s->ring);
-    fmpz_mpoly_mul(sum, sum, both, s->ring);
-    fmpz_mpoly_add(sum, sum, term, s->ring);
-    fmpz_mpoly_mul(power, power, alpha, s->ring);
+  fmpz_mpoly_init(alpha, s->names.ring);
+  fmpz_mpoly_init(both, s->names.ring);
+  fmpz_mpoly_init(term, s->names.ring);
+  fmpz_mpoly_init(power, s->names.ring);
+  fmpz_mpoly_init(sum, s->names.ring);
+  fmpz_mpoly_gen(alpha, place, s->names.ring);
+  fmpz_mpoly_gen(both, beta, s->names.ring);
+  fmpz_mpoly_add(both, both, alpha, s->names.ring);
+  fmpz_mpoly_one(power, s->names.ring);
+  for (ulong k = 0; (slong)k <= fmpz_mpoly_degree_si(polynomial, place, s->names.ring); k++) {
+    fmpz_mpoly_get_coeff_vars_ui(term, polynomial, &place, &k, 1, s->names.ring);
+    fmpz_mpoly_mul(term, term, power, s->names.ring);
+    fmpz_mpoly_mul(sum, sum, both, s->names.ring);
+    fmpz_mpoly_add(sum, sum, term, s->names.ring);
+    fmpz_mpoly_mul(power, power, alpha, s->names.ring);
   }
-  fmpz_mpoly_swap(polynomial, sum, s->ring);
-  fmpz_mpoly_clear(alpha, s->ring);
-  fmpz_mpoly_clear(both, s->ring);
-  fmpz_mpoly_clear(term, s->ring);
-  fmpz_mpoly_clear(power, s->ring);
-  fmpz_mpoly_clear(sum, s->ring);
+  fmpz_mpoly_swap(polynomial, sum, s->names.ring);
+  fmpz_mpoly_clear(alpha, s->names.ring);
+  fmpz_mpoly_clear(both, s->names.ring);
+  fmpz_mpoly_clear(term, s->names.ring);
+  fmpz_mpoly_clear(power, s->names.ring);
+  fmpz_mpoly_clear(sum, s->names.ring);
 }
 
 static symbolic changed_polynomial(struct symbols *s, const fmpz_mpoly_t polynomial, const struct change *change)
@@ -151,7 +152,7 @@ static symbolic changed_polynomial(struct symbols *s, const fmpz_mpoly_t polynom
 static symbolic changed(struct symbols *s, symbolic a, const struct change *change)
 {
   symbolic over = changed_polynomial(s, a->over, change), under = changed_polynomial(s, a->under, change);
-  return symbolic_is_zero(under, s) ? NULL : symbolic_div(s, over, under);
+  return ratio_is_zero(under) ? NULL : symbolic_div(s, over, under);
 }
 
 symbolic symbolic_replaced(struct symbols *s, symbolic a, const struct replacement replaced[MOST_SYMBOLS])

@@ -11,7 +11,8 @@ void symbols_init(struct symbols *s)
   s->count = 0;
   s->made = NULL;
   s->made_count = s->made_room = 0;
-  s->terms = s->most_terms = 0;
+  s->most_terms = 0;
+  names_init(&s->names, 0);
 }
 
 static void name_symbol(struct symbol *symbol, bool second)
@@ -48,17 +49,20 @@ void symbols_add(struct symbols *s, enum symbol_meaning meaning, int derivative,
   name_symbol(symbol, second);
 }
 
-void symbols_begin(struct symbols *s) { fmpz_mpoly_ctx_init(s->ring, s->count, ORD_LEX); }
+void symbols_begin(struct symbols *s)
+{
+  names_init(&s->names, s->count);
+  s->names.pi = symbols_place(s, NAMED_pi, 0, SCALLOP_EXTENSION);
+}
 
 void symbols_end(struct symbols *s)
 {
   for (size_t i = 0; i < s->made_count; i++) {
-    fmpz_mpoly_clear(s->made[i]->over, s->ring);
-    fmpz_mpoly_clear(s->made[i]->under, s->ring);
+    ratio_clear(s->made[i]);
     flint_free(s->made[i]);
   }
   flint_free(s->made);
-  fmpz_mpoly_ctx_clear(s->ring);
+  names_clear(&s->names);
 }
 
 /* sigma L times n! times the coefficient of |l'| in time, sigma = -1 in a contraction */
@@ -102,47 +106,43 @@ void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_
   }
 }
 
-static struct symbolic *new_value(struct symbols *s)
+static struct ratio *new_value(struct symbols *s)
 {
   if (s->made_count == s->made_room) {
     s->made_room = 2 * s->made_room + 64;
     s->made = flint_realloc(s->made, s->made_room * sizeof *s->made);
   }
-  struct symbolic *value = flint_malloc(sizeof *value);
+  struct ratio *value = flint_malloc(sizeof *value);
   s->made[s->made_count++] = value;
-  fmpz_mpoly_init(value->over, s->ring);
-  fmpz_mpoly_init(value->under, s->ring);
-  fmpz_mpoly_one(value->under, s->ring);
-  return value;
-}
-
-symbolic symbolic_number(struct symbols *s, slong over, ulong under)
-{
-  struct symbolic *value = new_value(s);
-  fmpz_mpoly_set_si(value->over, over, s->ring);
-  fmpz_mpoly_set_ui(value->under, under, s->ring);
+  ratio_init(value, &s->names);
   return value;
 }
 
 symbolic symbolic_fraction(struct symbols *s, const fmpq_t x)
 {
-  struct symbolic *value = new_value(s);
-  fmpz_mpoly_set_fmpz(value->over, fmpq_numref(x), s->ring);
-  fmpz_mpoly_set_fmpz(value->under, fmpq_denref(x), s->ring);
+  struct ratio *value = new_value(s);
+  ratio_set_fmpq(value, x);
   return value;
+}
+
+symbolic symbolic_number(struct symbols *s, slong over, ulong under)
+{
+  SCOPED(fmpq, x);
+  fmpq_set_si(x, over, under);
+  return symbolic_fraction(s, x);
 }
 
 symbolic symbolic_polynomial(struct symbols *s, const fmpz_mpoly_t polynomial)
 {
-  struct symbolic *value = new_value(s);
-  fmpz_mpoly_set(value->over, polynomial, s->ring);
+  struct ratio *value = new_value(s);
+  fmpz_mpoly_set(value->over, polynomial, s->names.ring);
   return value;
 }
 
 symbolic symbolic_place(struct symbols *s, int place)
 {
-  struct symbolic *value = new_value(s);
-  fmpz_mpoly_gen(value->over, place, s->ring);
+  struct ratio *value = new_value(s);
+  fmpz_mpoly_gen(value->over, place, s->names.ring);
   return value;
 }
 
@@ -159,108 +159,52 @@ symbolic symbolic_named(struct symbols *s, enum symbol_meaning meaning)
   return symbolic_place(s, place_of(s, meaning));
 }
 
-symbolic symbolic_coefficient(struct symbols *s, symbolic a, bool under, slong power)
+static symbolic combined(struct symbols *s, symbolic a, symbolic b,
+                         void (*combine)(struct ratio *, const struct ratio *, const struct ratio *))
 {
-  struct symbolic *value = new_value(s);
-  const slong place[] = { place_of(s, NAMED_T) };
-  const ulong powers[] = { (ulong)power };
-  fmpz_mpoly_get_coeff_vars_ui(value->over, under ? a->under : a->over, place, powers, 1, s->ring);
+  struct ratio *value = new_value(s);
+  combine(value, a, b);
   return value;
 }
 
-/* Too many terms were made: what is still asked for is 1, so that the work ends soon. */
-static bool is_given_up(const struct symbols *s) { return s->most_terms > 0 && s->terms > s->most_terms; }
+symbolic symbolic_add(struct symbols *s, symbolic a, symbolic b) { return combined(s, a, b, ratio_add); }
+symbolic symbolic_sub(struct symbols *s, symbolic a, symbolic b) { return combined(s, a, b, ratio_sub); }
+symbolic symbolic_mul(struct symbols *s, symbolic a, symbolic b) { return combined(s, a, b, ratio_mul); }
+symbolic symbolic_div(struct symbols *s, symbolic a, symbolic b) { return combined(s, a, b, ratio_div); }
 
-static symbolic counted(struct symbols *s, symbolic value)
+symbolic symbolic_coefficient(struct symbols *s, const struct series *series, slong power)
 {
-  s->terms += fmpz_mpoly_length(value->over, s->ring) + fmpz_mpoly_length(value->under, s->ring);
+  if (power >= series->known)
+    return NULL;
+  struct ratio *value = new_value(s);
+  series_get_ratio(value, series, power);
   return value;
 }
 
-/* Takes the greatest common divisor out of a and b. FLINT finds one unless exponents overflow; without it the value is
- * the same. */
-static void cancel(fmpz_mpoly_t a, fmpz_mpoly_t b, const struct symbols *s)
+/* A polynomial by its powers of T */
+static void set_by_powers(struct series *series, struct symbols *s, const fmpz_mpoly_t polynomial)
 {
-  fmpz_mpoly_t common;
-  fmpz_mpoly_init(common, s->ring);
-  if (fmpz_mpoly_gcd(common, a, b, s->ring) && !fmpz_mpoly_is_one(common, s->ring)) {
-    fmpz_mpoly_divides(a, a, common, s->ring);
-    fmpz_mpoly_divides(b, b, common, s->ring);
+  const slong T = place_of(s, NAMED_T), degree = fmpz_mpoly_degree_si(polynomial, T, s->names.ring);
+  const struct ring all = { degree + 2, 2 };
+  SCOPED(series, term);
+  series_set_si(series, 0);
+  for (ulong k = 0; (slong)k <= degree; k++) {
+    struct ratio *coefficient = new_value(s);
+    fmpz_mpoly_get_coeff_vars_ui(coefficient->over, polynomial, &T, &k, 1, s->names.ring);
+    series_set_ratio(&term, coefficient);
+    series_shift(&term, &term, (slong)k);
+    series_add(series, series, &term, &all);
   }
-  fmpz_mpoly_clear(common, s->ring);
 }
 
-/* a + b or a - b: with under_a = g p and under_b = g q, (over_a q +- over_b p)/(g p q), where only g can have more to
- * cancel */
-static symbolic sum(struct symbols *s, symbolic a, symbolic b, bool sub)
+void symbolic_in_T(struct series *series, struct symbols *s, symbolic value, slong terms)
 {
-  if (is_given_up(s))
-    return symbolic_number(s, 1, 1);
-  struct symbolic *value = new_value(s);
-  fmpz_mpoly_t g, p, q, term;
-  fmpz_mpoly_init(g, s->ring);
-  fmpz_mpoly_init(p, s->ring);
-  fmpz_mpoly_init(q, s->ring);
-  fmpz_mpoly_init(term, s->ring);
-  if (!fmpz_mpoly_gcd(g, a->under, b->under, s->ring))
-    fmpz_mpoly_one(g, s->ring); /* GCOVR_EXCL_LINE: only if exponents overflow */
-  fmpz_mpoly_divides(p, a->under, g, s->ring);
-  fmpz_mpoly_divides(q, b->under, g, s->ring);
-  fmpz_mpoly_mul(value->over, a->over, q, s->ring);
-  fmpz_mpoly_mul(term, b->over, p, s->ring);
-  (sub ? fmpz_mpoly_sub : fmpz_mpoly_add)(value->over, value->over, term, s->ring);
-  cancel(value->over, g, s);
-  fmpz_mpoly_mul(value->under, p, q, s->ring);
-  fmpz_mpoly_mul(value->under, value->under, g, s->ring);
-  fmpz_mpoly_clear(g, s->ring);
-  fmpz_mpoly_clear(p, s->ring);
-  fmpz_mpoly_clear(q, s->ring);
-  fmpz_mpoly_clear(term, s->ring);
-  return counted(s, value);
+  const struct ring ring = { terms, 2 };
+  SCOPED(series, under);
+  set_by_powers(series, s, value->over);
+  set_by_powers(&under, s, value->under);
+  series_div(series, series, &under, &ring);
 }
-
-symbolic symbolic_add(struct symbols *s, symbolic a, symbolic b) { return sum(s, a, b, false); }
-
-symbolic symbolic_sub(struct symbols *s, symbolic a, symbolic b) { return sum(s, a, b, true); }
-
-/* (a/b) (c/d) */
-static symbolic product(struct symbols *s, const fmpz_mpoly_t a, const fmpz_mpoly_t b, const fmpz_mpoly_t c,
-                        const fmpz_mpoly_t d)
-{
-  if (is_given_up(s))
-    return symbolic_number(s, 1, 1);
-  struct symbolic *value = new_value(s);
-  fmpz_mpoly_t over, under;
-  fmpz_mpoly_init(over, s->ring);
-  fmpz_mpoly_init(under, s->ring);
-  fmpz_mpoly_set(value->over, a, s->ring);
-  fmpz_mpoly_set(value->under, b, s->ring);
-  fmpz_mpoly_set(over, c, s->ring);
-  fmpz_mpoly_set(under, d, s->ring);
-  cancel(value->over, under, s);
-  cancel(over, value->under, s);
-  fmpz_mpoly_mul(value->over, value->over, over, s->ring);
-  fmpz_mpoly_mul(value->under, value->under, under, s->ring);
-  if (fmpz_sgn(value->under->coeffs) < 0) {
-    fmpz_mpoly_neg(value->over, value->over, s->ring);
-    fmpz_mpoly_neg(value->under, value->under, s->ring);
-  }
-  fmpz_mpoly_clear(over, s->ring);
-  fmpz_mpoly_clear(under, s->ring);
-  return counted(s, value);
-}
-
-symbolic symbolic_mul(struct symbols *s, symbolic a, symbolic b)
-{
-  return product(s, a->over, a->under, b->over, b->under);
-}
-
-symbolic symbolic_div(struct symbols *s, symbolic a, symbolic b)
-{
-  return product(s, a->over, a->under, b->under, b->over);
-}
-
-bool symbolic_is_zero(symbolic a, const struct symbols *s) { return fmpz_mpoly_is_zero(a->over, s->ring); }
 
 /* The sum of a polynomial's terms */
 static void value_of(fmpq_t value, const fmpz_mpoly_t polynomial, const struct symbols *s, const fmpq *values)
@@ -269,9 +213,9 @@ static void value_of(fmpq_t value, const fmpz_mpoly_t polynomial, const struct s
   SCOPED(fmpq, term, power);
   SCOPED(fmpz, coefficient);
   fmpq_zero(value);
-  for (slong i = 0; i < fmpz_mpoly_length(polynomial, s->ring); i++) {
-    fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, s->ring);
-    fmpz_mpoly_get_term_exp_ui(powers, polynomial, i, s->ring);
+  for (slong i = 0; i < fmpz_mpoly_length(polynomial, s->names.ring); i++) {
+    fmpz_mpoly_get_term_coeff_fmpz(coefficient, polynomial, i, s->names.ring);
+    fmpz_mpoly_get_term_exp_ui(powers, polynomial, i, s->names.ring);
     fmpq_set_fmpz(term, coefficient);
     for (int j = 0; j < s->count; j++) {
       if (powers[j] == 0)

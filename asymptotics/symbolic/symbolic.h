@@ -9,17 +9,9 @@
 #ifndef SCALLOP_ASYMPTOTICS_SYMBOLIC_SYMBOLIC_H
 #define SCALLOP_ASYMPTOTICS_SYMBOLIC_SYMBOLIC_H
 
-#include <flint/fmpz_mpoly.h>
-
 #include "asymptotics/derived/derived.h"
 
-enum {
-  MOST_SYMBOLS = 56,
-  SYMBOL_NAME = 12,
-  SYMBOLIC_ORDERS = 16,
-  SYMBOLIC_LIMIT_ORDERS = 10,
-  SYMBOLIC_TERMS = SYMBOLIC_ORDERS + 2
-};
+enum { MOST_SYMBOLS = 56, SYMBOL_NAME = 12, SYMBOLIC_ORDERS = 16, SYMBOLIC_LIMIT_ORDERS = 10 };
 
 /* What a symbol stands for. */
 enum symbol_meaning {
@@ -46,18 +38,13 @@ struct symbol {
   char name[SYMBOL_NAME];
 };
 
-/* A rational function of the symbols: over/under, without a common divisor, the leading coefficient of under > 0. */
-struct symbolic {
-  fmpz_mpoly_t over, under;
-};
-
 struct symbols {
   int count;
   struct symbol list[MOST_SYMBOLS];
-  fmpz_mpoly_ctx_t ring;
-  struct symbolic **made; /* all values                                                         */
+  struct names names;  /* those of the list, in its order                                            */
+  struct ratio **made; /* all values                                                                 */
   size_t made_count, made_room;
-  slong terms, most_terms; /* of all sums and products; 0: of any number, else more of them give the work up */
+  slong most_terms; /* of symbolic_expand_limit, see struct names; 0: as many as take ten seconds          */
 };
 /* An empty list; symbols_add appends what is not in the list, and symbols_begin makes the ring of what is then in the
  * list. symbols_end ends all three. */
@@ -73,7 +60,8 @@ void symbols_end(struct symbols *s);
 void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler,
                     const fmpq_t v0, const fmpq_t pi_squared);
 
-typedef const struct symbolic *symbolic;
+/* A rational function of the symbols */
+typedef const struct ratio *symbolic;
 
 symbolic symbolic_number(struct symbols *s, slong over, ulong under);
 symbolic symbolic_fraction(struct symbols *s, const fmpq_t x);
@@ -86,49 +74,20 @@ symbolic symbolic_sub(struct symbols *s, symbolic a, symbolic b);
 symbolic symbolic_mul(struct symbols *s, symbolic a, symbolic b);
 /* b must not be 0. */
 symbolic symbolic_div(struct symbols *s, symbolic a, symbolic b);
-/* The coefficient of T^power, T being a symbol of the list, in under or over */
-symbolic symbolic_coefficient(struct symbols *s, symbolic a, bool under, slong power);
-bool symbolic_is_zero(symbolic a, const struct symbols *s);
+/* The coefficient of x^power of a series whose coefficients are rational functions of these symbols, or fractions; NULL:
+ * it is not known. */
+symbolic symbolic_coefficient(struct symbols *s, const struct series *series, slong power);
 /* False: under is 0 there. */
 bool symbolic_value(fmpq_t value, symbolic a, const struct symbols *s, const fmpq *values);
+/* A value as a series in T, which is in the list: that many terms */
+void symbolic_in_T(struct series *series, struct symbols *s, symbolic value, slong terms);
 
-/* Coefficients of 1, T, T^2, ..., T^(length - 1), 1 <= length <= SYMBOLIC_TERMS */
-struct symbolic_series {
-  slong length;
-  symbolic term[SYMBOLIC_TERMS];
-};
-/* value T^power */
-struct symbolic_series symbolic_series_set(struct symbols *s, symbolic value, slong power, slong length);
-/* The first `length` coefficients; what a and b do not tell counts as 0. */
-struct symbolic_series symbolic_series_add(struct symbols *s, const struct symbolic_series *a,
-                                           const struct symbolic_series *b, slong length);
-struct symbolic_series symbolic_series_sub(struct symbols *s, const struct symbolic_series *a,
-                                           const struct symbolic_series *b, slong length);
-struct symbolic_series symbolic_series_mul(struct symbols *s, const struct symbolic_series *a,
-                                           const struct symbolic_series *b, slong length);
-struct symbolic_series symbolic_series_scale(struct symbols *s, const struct symbolic_series *a, symbolic factor,
-                                             slong length);
-/* The coefficient of b at T^0 must not be 0. */
-struct symbolic_series symbolic_series_div(struct symbols *s, const struct symbolic_series *a,
-                                           const struct symbolic_series *b, slong length);
-/* times T^power; for power < 0 what comes before T^0 is dropped */
-struct symbolic_series symbolic_series_shift(struct symbols *s, const struct symbolic_series *a, slong power,
-                                             slong length);
-/* value T^-first as a series in T, where it has no negative power; T must be in the list. */
-struct symbolic_series symbolic_series_of(struct symbols *s, symbolic value, slong first, slong length);
-
-/* One phase, as struct scallop_phase_expansion. */
-struct symbolic_phase {
-  bool switches;
-  struct symbolic_series t1, dT, v_end, dx1, dx2, dxC, at_first, at_last;
-  char modes[SCALLOP_BRANCH_TEXT];
-};
-/* All coefficients below T^order, 1 <= order <= SYMBOLIC_ORDERS, in m1, m2, M, F1, F2, L, v0 and the derivatives of l
- * at the ends that are not 0 for this gait. s: from symbols_init on, made here. v0: its sign counts. Statuses and why
- * as scallop_expand_phase. */
+/* All coefficients of one phase below T^order, 1 <= order <= SYMBOLIC_ORDERS, in m1, m2, M, F1, F2, L, v0 and the
+ * derivatives of l at the ends that are not 0 for this gait. s: from symbols_init on, made here. v0: its sign counts.
+ * Statuses and why as scallop_expand_phase. */
 enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallop_rational_crawler *crawler,
                                           enum scallop_phase_kind kind, const fmpq_t v0, slong order,
-                                          struct symbolic_phase *phase, const char **why);
+                                          struct scallop_phase_expansion *phase, const char **why);
 
 /* The steady state in closed form: rational functions of m1, m2, M, F1, F2, L, alpha, beta and T, where l' is linear at
  * every crossing. */
@@ -157,14 +116,16 @@ enum limit_parameter {
   LIMIT_PARAMETERS
 };
 struct symbolic_limit {
-  int sign;                    /* of U                                                                 */
-  bool mirrors, reversible;    /* of the gait: see model.h                                             */
-  const char *modes;           /* a body turns in both phases, as where the parameter is small         */
-  symbolic small;              /* the parameter                                                        */
-  struct symbolic_series term; /* the expansion's terms, the powers of the parameter included          */
-  slong reached;               /* terms known before there were too many of the symbols' polynomials   */
-  char why[160];               /* where there were: the reason                                         */
+  int sign;                 /* of U                                                                 */
+  bool mirrors, reversible; /* of the gait: see model.h                                             */
+  const char *modes;        /* a body turns in both phases, as where the parameter is small         */
+  symbolic small;           /* the parameter                                                        */
+  struct series term;       /* the expansion's terms, the powers of the parameter included          */
+  slong reached;            /* terms known before there were too many of the symbols' polynomials   */
+  char why[160];            /* where there were: the reason                                         */
 };
+#define SYMBOLIC_LIMIT(of) of(series, &s->term)
+SCOPED_PARTS(symbolic_limit, struct symbolic_limit, SYMBOLIC_LIMIT)
 /* The equation of which U is the root, as text "LEFT = RIGHT": in the language of formula.h for the sinusoidal gait,
  * where share = 2/pi asin(...) with asin = pi/2 beyond 1; else with a sentence that says what share_e and share_c are.
  * NULL: alpha = 1/2 or F1 = F2, and U = 0. */

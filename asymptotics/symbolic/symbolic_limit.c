@@ -4,38 +4,50 @@
 
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/scoped.h"
-#include "asymptotics/symbolic/crossing.h"
+#include "asymptotics/symbolic/named_phase.h"
 
 /* Of all sums and products, each of some hundred bytes while it is made: ten seconds, and half a gigabyte */
 #define MOST_TERMS 10000000
 
-/* The part of a phase in which mu |l'| < M U, as a series in y = M U f/mu, f the fraction of the phase: the inverses of
- * |l'| near both ends, which are the same where the phase is reversible */
-static struct symbolic_series share_of(struct symbols *s, enum scallop_phase_kind kind, bool reversible, slong length)
+/* The part of a phase in which mu |l'| < M U, as a series in y = M U f/mu, f the fraction of the phase: where a level y
+ * crosses |l'| near both ends, which is the same where the phase is reversible */
+static void set_share(struct series *share, struct symbols *s, const struct scallop_rational_crawler *crawler,
+                      enum scallop_phase_kind kind, bool reversible, const struct ring *ring)
 {
-  symbolic one = symbolic_number(s, 1, 1), none = symbolic_number(s, 0, 1);
-  const struct line line = { symbolic_series_set(s, one, 1, length), symbolic_series_set(s, none, 0, length) };
-  struct symbolic_series share = symbolic_series_set(s, none, 0, length);
-  for (int last = 0; last < 2; last++) {
-    struct end end = end_of(s, last && !reversible, one, kind);
-    struct symbolic_series y = solve_crossing(s, &end, &line, length);
-    share = symbolic_series_add(s, &share, &y, length);
-  }
-  return share;
+  ENDED_BY(phase_constants_clear) struct phase_constants constants;
+  phase_constants_init(&constants, crawler, kind);
+  ENDED_BY(branch_clear) struct branch b;
+  branch_init(&b);
+  SCOPED(phase_series, p);
+  SCOPED(lift, lift);
+  SCOPED(series, level, none);
+  branch_from_ends(&b, &constants, 1, 1);
+  b.count = reversible ? 1 : b.count;
+  p.has_laws = true;
+  series_set_si(&p.curve[0], 1);
+  for (int i = 0; i < b.count; i++)
+    named_law(&p.law.at[i], s, b.crossing[i].piece, kind);
+  series_set_x(&level);
+  lift_phase(&lift, &b, &p, &none, &level, &none, NULL, ring);
+  series_add(share, &lift.when.at[0], reversible ? &lift.when.at[0] : &lift.left.at[1], ring);
 }
 
 /* F1/(F1 + F2), F2/(F1 + F2), alpha, beta, and (F1 - F2)(2 alpha - 1)/(F1 + F2), as series in the small parameter */
 struct weights {
-  struct symbolic_series force[2], fraction[2], drive;
+  struct series force[2], fraction[2], drive;
 };
+#define WEIGHTS(of) \
+  of(series, &s->force[0]) of(series, &s->force[1]) of(series, &s->fraction[0]) of(series, &s->fraction[1]) \
+      of(series, &s->drive)
+SCOPED_PARTS(weights, struct weights, WEIGHTS)
 
 /* 1/2 + x/2 and 1/2 - x/2 */
-static void halves(struct symbols *s, struct symbolic_series both[2], slong length)
+static void set_halves(struct series both[2])
 {
+  SCOPED(fmpq_poly, half);
   for (int k = 0; k < 2; k++) {
-    struct symbolic_series x = symbolic_series_set(s, symbolic_number(s, k == 0 ? 1 : -1, 2), 1, length);
-    both[k] = symbolic_series_set(s, symbolic_number(s, 1, 2), 0, length);
-    both[k] = symbolic_series_add(s, &both[k], &x, length);
+    fmpq_poly_set_str(half, k == 0 ? "2  1/2 1/2" : "2  1/2 -1/2");
+    series_set_rational_poly(&both[k], half, SERIES_ALL);
   }
 }
 
@@ -50,75 +62,74 @@ static symbolic time_difference(struct symbols *s)
   return symbolic_sub(s, symbolic_named(s, NAMED_alpha), symbolic_named(s, NAMED_beta));
 }
 
-static struct weights weights_of(struct symbols *s, enum limit_parameter in, slong length)
+static void set_weights(struct weights *w, struct symbols *s, enum limit_parameter in)
 {
   static const enum symbol_meaning forces[] = { NAMED_F1, NAMED_F2 }, fractions[] = { NAMED_alpha, NAMED_beta };
   symbolic both = symbolic_add(s, symbolic_named(s, NAMED_F1), symbolic_named(s, NAMED_F2));
-  struct weights w;
   for (int k = 0; k < 2; k++) {
-    w.force[k] = symbolic_series_set(s, symbolic_div(s, symbolic_named(s, forces[k]), both), 0, length);
-    w.fraction[k] = symbolic_series_set(s, symbolic_named(s, fractions[k]), 0, length);
+    series_set_ratio(&w->force[k], symbolic_div(s, symbolic_named(s, forces[k]), both));
+    series_set_ratio(&w->fraction[k], symbolic_named(s, fractions[k]));
   }
   if (in == LIMIT_IN_ALPHA)
-    halves(s, w.fraction, length);
+    set_halves(w->fraction);
   if (in == LIMIT_IN_FRICTION)
-    halves(s, w.force, length);
-  symbolic drive = in == LIMIT_IN_ALPHA      ? friction_difference(s)
-                   : in == LIMIT_IN_FRICTION ? time_difference(s)
-                                             : symbolic_number(s, 1, 1);
-  w.drive = symbolic_series_set(s, drive, 1, length);
-  return w;
+    set_halves(w->force);
+  series_set_ratio(&w->drive, in == LIMIT_IN_ALPHA      ? friction_difference(s)
+                              : in == LIMIT_IN_FRICTION ? time_difference(s)
+                                                        : symbolic_number(s, 1, 1));
+  series_shift(&w->drive, &w->drive, 1);
 }
 
 /* Adds 2 F f share(M U f/mu) of a phase and its derivative by U; sign: of U, which is |U| here. */
-static void add_phase(struct symbols *s, struct symbolic_series *sum, struct symbolic_series *slope,
-                      const struct weights *w, enum scallop_phase_kind kind, int sign,
-                      const struct symbolic_series *share, const struct symbolic_series *U, slong length)
+static void add_phase(struct series *sum, struct series *slope, struct symbols *s, const struct weights *w,
+                      enum scallop_phase_kind kind, int sign, const struct series *share, const struct series *U,
+                      const struct ring *ring)
 {
-  int rear = kind == SCALLOP_EXTENSION ? 0 : 1,
-      turns = sign > 0 ? rear : 1 - rear; /* which body turns back and forth */
-  symbolic mu = symbolic_named(s, turns == 0 ? NAMED_m2 : NAMED_m1);
-  symbolic per_mu = symbolic_div(s, symbolic_named(s, NAMED_M), mu);
-  struct symbolic_series scale = symbolic_series_scale(s, &w->fraction[kind], per_mu, length);
-  struct symbolic_series y = symbolic_series_mul(s, &scale, U, length), value, rate, weight;
-  value = rate = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, length);
-  for (slong k = share->length - 1; k >= 0; k--) {
-    struct symbolic_series term = symbolic_series_set(s, share->term[k], 0, length);
-    rate = symbolic_series_mul(s, &rate, &y, length);
-    rate = symbolic_series_add(s, &rate, &value, length);
-    value = symbolic_series_mul(s, &value, &y, length);
-    value = symbolic_series_add(s, &value, &term, length);
-  }
-  weight = symbolic_series_mul(s, &w->force[turns], &w->fraction[kind], length);
-  weight = symbolic_series_scale(s, &weight, symbolic_number(s, 2, 1), length);
-  value = symbolic_series_mul(s, &value, &weight, length);
-  rate = symbolic_series_mul(s, &rate, &weight, length);
-  rate = symbolic_series_mul(s, &rate, &scale, length);
-  *sum = symbolic_series_add(s, sum, &value, length);
-  *slope = symbolic_series_add(s, slope, &rate, length);
+  const int rear = kind == SCALLOP_EXTENSION ? 0 : 1,
+            turns = sign > 0 ? rear : 1 - rear; /* which body turns back and forth */
+  SCOPED(series, scale, y, value, rate, weight);
+  series_set_ratio(&scale,
+                   symbolic_div(s, symbolic_named(s, NAMED_M), symbolic_named(s, turns == 0 ? NAMED_m2 : NAMED_m1)));
+  series_mul(&scale, &scale, &w->fraction[kind], ring);
+  series_mul(&y, &scale, U, ring);
+  series_compose(&value, share, &y, ring);
+  series_derivative(&rate, share, ring);
+  series_compose(&rate, &rate, &y, ring);
+  series_mul(&weight, &w->force[turns], &w->fraction[kind], ring);
+  series_scale_si(&weight, &weight, 2, ring);
+  series_mul(&value, &value, &weight, ring);
+  series_add(sum, sum, &value, ring);
+  series_mul(&rate, &rate, &weight, ring);
+  series_mul(&rate, &rate, &scale, ring);
+  series_add(slope, slope, &rate, ring);
 }
 
-/* |U| by Newton's method; limit->reached: how many terms of it took no more than s->most_terms */
-static struct symbolic_series solve(struct symbols *s, const struct weights *w, struct symbolic_limit *limit,
-                                    slong terms)
+/* |U| by Newton's method; limit->reached: how many terms of it took no more than the names' most_terms */
+static void solve(struct series *U, struct symbols *s, const struct scallop_rational_crawler *crawler,
+                  const struct weights *w, struct symbolic_limit *limit, slong terms)
 {
-  struct symbolic_series U = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, 1), sum, slope, share[2], drive;
-  share[0] = share_of(s, SCALLOP_EXTENSION, limit->reversible, terms);
-  share[1] = limit->mirrors ? share[0] : share_of(s, SCALLOP_CONTRACTION, limit->reversible, terms);
-  drive = symbolic_series_scale(s, &w->drive, symbolic_number(s, limit->sign, 1), terms);
+  const struct ring all = { terms, 2 };
   bool last = false;
+  SCOPED(series, sum, slope, extension, contraction, drive);
+  set_share(&extension, s, crawler, SCALLOP_EXTENSION, limit->reversible, &all);
+  if (!limit->mirrors)
+    set_share(&contraction, s, crawler, SCALLOP_CONTRACTION, limit->reversible, &all);
+  const struct series *const share[] = { &extension, limit->mirrors ? &extension : &contraction };
+  series_scale_si(&drive, &w->drive, limit->sign, &all);
+  series_set_si(U, 0);
   for (slong length = 2; !last; length *= 2) {
     last = length >= terms;
-    slong part = last ? terms : length;
-    sum = slope = symbolic_series_set(s, symbolic_number(s, 0, 1), 0, part);
+    const struct ring part = { last ? terms : length, 2 };
+    U->known = SERIES_ALL; /* right up to half of this length */
+    series_set_si(&sum, 0);
+    series_set_si(&slope, 0);
     for (int k = 0; k < 2; k++)
-      add_phase(s, &sum, &slope, w, (enum scallop_phase_kind)k, limit->sign, &share[k], &U, part);
-    sum = symbolic_series_sub(s, &sum, &drive, part);
-    sum = symbolic_series_div(s, &sum, &slope, part);
-    U = symbolic_series_sub(s, &U, &sum, part);
-    limit->reached = s->terms > s->most_terms ? limit->reached : part;
+      add_phase(&sum, &slope, s, w, (enum scallop_phase_kind)k, limit->sign, share[k], U, &part);
+    series_sub(&sum, &sum, &drive, &part);
+    series_div(&sum, &sum, &slope, &part);
+    series_sub(U, U, &sum, &part);
+    limit->reached = names_given_up(&s->names) ? limit->reached : part.length;
   }
-  return U;
 }
 
 static void list_symbols(struct symbols *s, const struct scallop_gait *gait, const struct symbolic_limit *limit,
@@ -209,8 +220,8 @@ static void say_given_up(struct symbolic_limit *limit, const struct symbols *s, 
   if (limit->reached > 0)
     snprintf(lower, sizeof lower, " --order %ld can be printed;", (long)limit->reached);
   snprintf(limit->why, sizeof limit->why,
-           "the limit takes more than %ld terms with --order %ld;%s numbers need no --symbolic", (long)s->most_terms,
-           (long)order, lower);
+           "the limit takes more than %ld terms with --order %ld;%s numbers need no --symbolic",
+           (long)s->names.most_terms, (long)order, lower);
 }
 
 enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallop_rational_crawler *crawler,
@@ -232,21 +243,22 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
   limit->modes = limit->sign > 0 ? "++ -+ ++ | ++ +- ++" : "-- -+ -- | -- +- --";
   slong terms = order < 2 ? 2 : order;
   list_symbols(s, crawler->gait, limit, terms);
-  s->most_terms = s->most_terms > 0 ? s->most_terms : MOST_TERMS;
-  symbolic power = symbolic_number(s, limit->sign, 1);
+  s->names.most_terms = s->most_terms > 0 ? s->most_terms : MOST_TERMS;
   limit->small = in == LIMIT_IN_ALPHA      ? time_difference(s)
                  : in == LIMIT_IN_FRICTION ? friction_difference(s)
                                            : symbolic_mul(s, time_difference(s), friction_difference(s));
-  struct weights w = weights_of(s, in, terms);
-  limit->term = solve(s, &w, limit, terms);
-  if (s->terms > s->most_terms) {
+  SCOPED(weights, w);
+  set_weights(&w, s, in);
+  solve(&limit->term, s, crawler, &w, limit, terms);
+  if (names_given_up(&s->names)) {
     say_given_up(limit, s, order);
     if (why)
       *why = limit->why;
     return SCALLOP_EDOMAIN;
   }
-  limit->term.length = order;
-  for (slong k = 0; k < order; k++, power = symbolic_mul(s, power, limit->small))
-    limit->term.term[k] = symbolic_mul(s, limit->term.term[k], power);
+  const struct ring ring = { terms, 2 };
+  series_truncate(&limit->term, order);
+  series_scale_si(&limit->term, &limit->term, limit->sign, &ring);
+  named_poly_mul_powers(&limit->term.named, limit->small, limit->term.first, 1);
   return SCALLOP_OK;
 }

@@ -1,139 +1,71 @@
-/* The steady state where l' is linear at every crossing, in closed form.
- *
- * With s for the time in units of a phase that takes the fraction f of the period, and Pi = M c T, T the period, the
- * line is f Pi = p + g s, g = f^2 T^2 force, and crosses the curve mu L (a + b y), y the time from the anchor of a
- * piece. All of this is linear in Pi at the start, so the map of the period is Pi -> A Pi + B, and Pi = B/(1 - A) in
- * the steady state. */
-#include <stdio.h>
+/* The steady state where l' is linear at every crossing, in closed form: times and velocities are then linear in the
+ * velocity at the start, so that one step of Newton's method from anywhere ends on them, with T as one more name. */
 #include <string.h>
 
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/scoped.h"
-#include "asymptotics/symbolic/crossing.h"
+#include "asymptotics/symbolic/named_phase.h"
 
-struct affine { /* slope times the unknown, plus constant                                                */
-  symbolic slope, constant;
-};
-
-static struct affine times(struct symbols *s, struct affine a, symbolic factor)
-{
-  return (struct affine){ symbolic_mul(s, a.slope, factor), symbolic_mul(s, a.constant, factor) };
-}
-
-static struct affine plus(struct symbols *s, struct affine a, symbolic constant)
-{
-  return (struct affine){ a.slope, symbolic_add(s, a.constant, constant) };
-}
-
-/* |l'| = (a + b y) L/duration */
-struct linear_law {
-  bool last; /* y is the time to the end of the phase                                               */
-  symbolic a, b;
-};
-
-/* False: the piece is not linear. */
-static bool is_linear(fmpq_poly_t speed, const struct scallop_piece *piece)
+/* L |l'| in the time from the anchor; false: the piece is not linear. */
+static bool linear_law(struct series *law, const struct scallop_piece *piece)
 {
   enum { LENGTH = 4 };
+  SCOPED(fmpq_poly, speed);
   SCOPED(fmpq, at_anchor);
-  return scallop_rational_speed_series(speed, piece, at_anchor, LENGTH, NULL) && fmpq_poly_length(speed) <= 2;
+  const bool linear = scallop_rational_speed_series(speed, piece, at_anchor, LENGTH, NULL)
+                      && fmpq_poly_length(speed) <= 2;
+  series_set_rational_poly(law, speed, SERIES_ALL);
+  return linear;
 }
 
 static bool crossings_are_linear(const struct branch *b)
 {
-  SCOPED(fmpq_poly, speed);
   bool linear = true;
+  SCOPED(series, law);
   for (int i = 0; linear && i < b->count; i++)
-    linear = is_linear(speed, b->crossing[i].piece);
+    linear = linear_law(&law, b->crossing[i].piece);
   return linear;
 }
 
-static struct linear_law law_of(struct symbols *s, const struct scallop_piece *piece)
+/* The crossings are found from the anchors of their pieces. */
+static void set_phase(struct phase_series *to, struct branch *b, struct symbols *s, enum scallop_phase_kind kind)
 {
-  struct linear_law law = { .last = piece->anchor == SCALLOP_FROM_END };
-  SCOPED(fmpq_poly, speed);
-  SCOPED(fmpq, coefficient);
-  is_linear(speed, piece);
-  fmpq_poly_get_coeff_fmpq(coefficient, speed, 0);
-  law.a = symbolic_fraction(s, coefficient);
-  fmpq_poly_get_coeff_fmpq(coefficient, speed, 1);
-  if (law.last)
-    fmpq_neg(coefficient, coefficient);
-  law.b = symbolic_fraction(s, coefficient);
-  return law;
-}
-
-struct walk {             /* through the period                                                                    */
-  struct affine momentum; /* Pi                                                                  */
-  symbolic travel;        /* M times that of the centre of mass, if the slope of Pi is 0                */
-};
-
-/* The integral of p + g s from one time to another */
-static symbolic way(struct symbols *s, symbolic p, symbolic g, symbolic from, symbolic to)
-{
-  symbolic middle = symbolic_mul(s, symbolic_mul(s, g, symbolic_add(s, from, to)), symbolic_number(s, 1, 2));
-  return symbolic_mul(s, symbolic_sub(s, to, from), symbolic_add(s, p, middle));
-}
-
-/* The time of a crossing since the start of the phase: mu L (a + b y) = p + g s */
-static struct affine crossing_time(struct symbols *s, const struct linear_law *law, symbolic mu, struct affine p,
-                                   symbolic g)
-{
-  symbolic scale = symbolic_mul(s, mu, symbolic_named(s, NAMED_L)), minus = symbolic_number(s, -1, 1);
-  symbolic a = symbolic_mul(s, scale, law->a), b = symbolic_mul(s, scale, law->b);
-  struct affine over = plus(s, p, symbolic_mul(s, a, minus));
-  if (!law->last)
-    return times(s, over, symbolic_div(s, symbolic_number(s, 1, 1), symbolic_sub(s, b, g)));
-  over = plus(s, over, g); /* s = 1 - y */
-  return plus(s, times(s, over, symbolic_div(s, minus, symbolic_add(s, b, g))), symbolic_number(s, 1, 1));
-}
-
-static void walk_phase(struct symbols *s, struct walk *walk, const struct branch *b, enum scallop_phase_kind kind)
-{
-  struct bodies bodies = bodies_of(s, kind);
-  symbolic f = symbolic_named(s, kind == SCALLOP_EXTENSION ? NAMED_alpha : NAMED_beta), T = symbolic_named(s, NAMED_T);
-  symbolic duration = symbolic_mul(s, f, T), since = symbolic_number(s, 0, 1), end = symbolic_number(s, 1, 1);
-  symbolic square = symbolic_mul(s, duration, duration), g = symbolic_mul(s, bodies.force[b->first_region], square);
-  bool fixed = symbolic_is_zero(walk->momentum.slope, s);
-  struct affine p = times(s, walk->momentum, f);
+  const struct ring ring = { 2, 2 };
+  named_phase(to, s, kind);
+  series_set_ratio(&to->fraction, symbolic_named(s, kind == SCALLOP_EXTENSION ? NAMED_alpha : NAMED_beta));
   for (int i = 0; i < b->count; i++) {
-    const struct crossing *at = &b->crossing[i];
-    struct linear_law law = law_of(s, at->piece);
-    struct affine time = crossing_time(s, &law, bodies_curve(s, &bodies, at->curve), p, g);
-    symbolic next = symbolic_mul(s, bodies.force[at->to], square), drop = symbolic_sub(s, g, next);
-    if (fixed)
-      walk->travel = symbolic_add(s, walk->travel, way(s, p.constant, g, since, time.constant));
-    time = times(s, time, drop);
-    p = (struct affine){ symbolic_add(s, p.slope, time.slope), symbolic_add(s, p.constant, time.constant) };
-    since = symbolic_div(s, time.constant, drop);
-    g = next;
+    linear_law(&to->law.at[i], b->crossing[i].piece);
+    series_mul(&to->law.at[i], &to->law.at[i], &to->whole, &ring);
+    series_set_si(&b->crossing[i].offset, 0);
   }
-  if (fixed)
-    walk->travel = symbolic_add(s, walk->travel, way(s, p.constant, g, since, end));
-  walk->momentum = times(s, plus(s, p, g), symbolic_div(s, end, f));
 }
 
-static void solve(struct symbols *s, const struct limit *limit, struct symbolic_steady *steady)
+static void solve(struct symbols *s, struct limit *limit, struct symbolic_steady *steady)
 {
-  symbolic one = symbolic_number(s, 1, 1), none = symbolic_number(s, 0, 1), M = symbolic_named(s, NAMED_M);
-  symbolic per_time = symbolic_div(s, one, symbolic_mul(s, M, symbolic_named(s, NAMED_T)));
-  struct walk walk = { { one, none }, none };
-  for (int k = 0; k < 2; k++)
-    walk_phase(s, &walk, &limit->branch[k], (enum scallop_phase_kind)k);
-  symbolic start = symbolic_div(s, walk.momentum.constant, symbolic_sub(s, one, walk.momentum.slope));
-  walk = (struct walk){ { none, start }, none };
-  steady->v_start = symbolic_mul(s, start, per_time);
-  walk_phase(s, &walk, &limit->branch[0], SCALLOP_EXTENSION);
-  steady->v_mid = symbolic_mul(s, walk.momentum.constant, per_time);
-  walk_phase(s, &walk, &limit->branch[1], SCALLOP_CONTRACTION);
-  steady->displacement = symbolic_div(s, walk.travel, M);
+  const struct ring constants = { 1, 2 };
+  symbolic T = symbolic_named(s, NAMED_T), M = symbolic_named(s, NAMED_M);
+  symbolic momentum = symbolic_mul(s, M, T);
+  SCOPED(phase_series, extension, contraction);
+  SCOPED(steady_lift, lifted);
+  SCOPED(series, eps, rest);
+  series_set_ratio(&eps, symbolic_mul(s, T, T));
+  set_phase(&extension, &limit->branch[0], s, SCALLOP_EXTENSION);
+  set_phase(&contraction, &limit->branch[1], s, SCALLOP_CONTRACTION);
+  steady_lift_from(&lifted, &rest, limit->branch, (const struct phase_series *[]){ &extension, &contraction }, &eps,
+                   &constants);
+  steady->v_start = symbolic_div(s, symbolic_coefficient(s, &lifted.w, 0), momentum);
+  steady->v_mid = symbolic_div(s, symbolic_coefficient(s, &lifted.w_mid, 0), momentum);
+  steady->displacement = symbolic_div(s, symbolic_coefficient(s, &lifted.travel, 0), M);
 }
 
-static enum scallop_status refuse(const char **why, const char *reason)
+static const char *obstacle(const struct limit *limit)
 {
-  if (why)
-    *why = reason;
-  return SCALLOP_EDOMAIN;
+  if (series_coefficient_is_zero(&limit->w, 0))
+    return "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any alpha, "
+           "F1 and F2 near these";
+  return crossings_are_linear(&limit->branch[0]) && crossings_are_linear(&limit->branch[1])
+             ? NULL
+             : "l' is not linear where bodies turn, so that the steady state has no closed form: see --source limit";
 }
 
 enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallop_rational_crawler *crawler,
@@ -142,27 +74,24 @@ enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallo
   static const enum symbol_meaning names[] = { NAMED_m1, NAMED_m2,    NAMED_M,    NAMED_F1, NAMED_F2,
                                                NAMED_L,  NAMED_alpha, NAMED_beta, NAMED_T };
   enum { PRECISION = 128 };
-  struct limit limit;
+  const char *unused;
   SCOPED(scallop_steady_expansion, numeric);
   enum scallop_status status = scallop_expand_steady(crawler, 1, PRECISION, &numeric, why);
-  if (status == SCALLOP_OK) {
-    limit_init(&limit, crawler);
-    limit_find(&limit, crawler, PRECISION, why);
-    if (series_coefficient_is_zero(&limit.w, 0))
-      status = refuse(
-          why, "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any "
-               "alpha, F1 and F2 near these");
-    else if (!crossings_are_linear(&limit.branch[0]) || !crossings_are_linear(&limit.branch[1]))
-      status = refuse(
-          why, "l' is not linear where bodies turn, so that the steady state has no closed form: see --source limit");
-    else {
-      for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        symbols_add(s, names[i], 0, SCALLOP_EXTENSION);
-      symbols_begin(s);
-      solve(s, &limit, steady);
-      memcpy(steady->modes, numeric.modes, sizeof steady->modes);
-    }
-    limit_clear(&limit);
+  if (status != SCALLOP_OK)
+    return status;
+  ENDED_BY(limit_clear) struct limit limit;
+  limit_init(&limit, crawler);
+  limit_find(&limit, crawler, PRECISION, &unused);
+  const char *wrong = obstacle(&limit);
+  if (wrong) {
+    if (why)
+      *why = wrong;
+    return SCALLOP_EDOMAIN;
   }
-  return status;
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    symbols_add(s, names[i], 0, SCALLOP_EXTENSION);
+  symbols_begin(s);
+  solve(s, &limit, steady);
+  memcpy(steady->modes, numeric.modes, sizeof steady->modes);
+  return SCALLOP_OK;
 }

@@ -133,20 +133,23 @@ static bool report_numbers(struct report *r, const struct reported_motion *m)
 
 /* A row of terms for a series in formulas */
 static void report_formula(struct report *r, struct reported_sum sum, const char *quantity,
-                           const struct symbolic_series *series)
+                           const struct series *series)
 {
+  symbolic term[SYMBOLIC_ORDERS + 1]; /* velocities of the steady state begin with 1/T */
   sum.quantity = quantity;
-  sum.term = series->term;
-  sum.below = sum.first + series->length;
+  sum.term = term;
+  sum.below = r->options->order.value;
+  for (slong k = sum.first; k < sum.below; k++)
+    term[k - sum.first] = symbolic_coefficient(sum.symbols, series, k);
   report_sum(r, &sum);
 }
 
 static bool report_phase(struct report *r, const struct reported_motion *m)
 {
-  struct symbols s;
-  struct symbolic_phase phase;
   const char *why = NULL;
+  ENDED_BY(symbols_end) struct symbols s;
   symbols_init(&s);
+  SCOPED(scallop_phase_expansion, phase);
   enum scallop_status status = symbolic_expand_phase(&s, r->crawler, m->kind, m->v0, r->options->order.value, &phase,
                                                      &why);
   if (status != SCALLOP_OK)
@@ -158,7 +161,6 @@ static bool report_phase(struct report *r, const struct reported_motion *m)
   report_formula(r, sum, "dx1", &phase.dx1);
   report_formula(r, sum, "dx2", &phase.dx2);
   report_formula(r, sum, "dxC", &phase.dxC);
-  symbols_end(&s);
   return true;
 }
 
@@ -167,25 +169,29 @@ static bool report_steady(struct report *r, const struct reported_motion *m)
 {
   static const char *const names[] = { "v_start", "v_mid", "displacement" };
   bool closed = is_from(r->options, "closed");
-  struct symbols s;
   struct symbolic_steady steady;
   const char *why = NULL;
+  ENDED_BY(symbols_end) struct symbols s;
   symbols_init(&s);
+  SCOPED(series, series);
   enum scallop_status status = symbolic_solve_steady(&s, r->crawler, &steady, &why);
   if (status != SCALLOP_OK)
     return report_failure(r, m, status, why);
   const symbolic values[] = { steady.v_start, steady.v_mid, steady.displacement };
   for (int i = 0; i < 3; i++) {
-    slong first = i < 2 && !closed ? -1 : 0; /* velocities begin with 1/T */
-    struct symbolic_series series = { 1, { values[i] } };
-    if (!closed)
-      series = symbolic_series_of(&s, values[i], first, r->options->order.value - first);
-    const struct reported_sum sum = {
-      .motion = m, .modes = steady.modes, .first = first, .is_closed = closed, .symbols = &s
-    };
-    report_formula(r, sum, names[i], &series);
+    struct reported_sum sum = { .motion = m, .modes = steady.modes, .symbols = &s };
+    if (closed) {
+      sum.quantity = names[i];
+      sum.is_closed = true;
+      sum.term = &values[i];
+      sum.below = 1;
+      report_sum(r, &sum);
+    } else {
+      sum.first = i < 2 ? -1 : 0;
+      symbolic_in_T(&series, &s, values[i], r->options->order.value + 1);
+      report_formula(r, sum, names[i], &series);
+    }
   }
-  symbols_end(&s);
   return true;
 }
 
@@ -195,16 +201,15 @@ static bool report_limit(struct report *r, enum limit_parameter in)
   static const char *const names[] = { "product", "alpha", "friction" };
   static const char *const small[] = { "(F1 - F2)*(2*alpha - 1)/(F1 + F2)", "2*alpha - 1", "(F1 - F2)/(F1 + F2)" };
   const struct reported_motion m = { "period", r->language ? names[in] : small[in], .of = OF_STEADY };
-  struct symbols s;
-  struct symbolic_limit limit;
   const char *why = NULL;
+  ENDED_BY(symbols_end) struct symbols s;
   symbols_init(&s);
+  SCOPED(symbolic_limit, limit);
   enum scallop_status status = symbolic_expand_limit(&s, r->crawler, in, r->options->order.value, &limit, &why);
   if (status != SCALLOP_OK)
     return report_failure(r, &m, status, why);
   const struct reported_sum sum = { .motion = &m, .modes = limit.modes, .small = small[in], .symbols = &s };
   report_formula(r, sum, "U", &limit.term);
-  symbols_end(&s);
   return true;
 }
 

@@ -42,7 +42,7 @@ static inline void bring_in_pi(struct series *s, struct random *r)
   series_set_pi_poly(s, s->rational, random_below(r, 3), random_below(r, 3), SERIES_ALL);
   s->first = first;
   s->known = known;
-  series_set_pi(&pi);
+  series_set_pi(&pi, NULL);
   if (random_below(r, 2))
     series_div(s, s, &pi, &longer);
   else

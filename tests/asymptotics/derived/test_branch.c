@@ -6,9 +6,6 @@
 #include "tests/support/odd_gaits.h"
 #include "tests/support/solved.h"
 
-SCOPED_KIND(lift, struct lift)
-SCOPED_KIND(base, struct base)
-
 enum { PRECISION = 128 };
 
 struct subject {
@@ -109,6 +106,8 @@ TEST(crossings_along_the_curve)
   SUBJECT(s, &trapezoid_gait);
   series_set_si(&one, 1);
   series_set_si(&eps, 0);
+  SCOPED(phase_series, in_series);
+  phase_series_set(&in_series, &s.phase, s.crawler.L);
   for (int along = 0; along < 2; along++) { /* first where c does cross */
     double u = along ? 0.5 : 0.125;
     fmpq_set_si(s.crawler.alpha, along ? 8 : 4, 13); /* a fraction at hand: c = q |l'| at u */
@@ -120,7 +119,7 @@ TEST(crossings_along_the_curve)
     s.branch.crossing[0].curve = 0;
     s.branch.crossing[0].to = 1;
     set_offset(&s, u);
-    assert_int_equal(lift_phase(&lift, &s.branch, &s.phase, &eps, &c, &one, NULL, &ring), !along);
+    assert_int_equal(lift_phase(&lift, &s.branch, &in_series, &eps, &c, &one, NULL, &ring), !along);
     assert_int_equal(base_follow(&base, &s.branch, &s.phase, s.eps, s.c, s.one, false, PRECISION), !along);
     series_coefficient(before, &s.branch.crossing[0].offset, 0, PRECISION);
     CHECK_NEAR(middle(before), u, 1e-30);

@@ -36,7 +36,7 @@ static const char *evaluate_or_say(struct series *value, const char *text)
   series_set_si(&values[3], 1);
   assert_true(series_div(&values[2], &values[3], &values[2], &ring));
   series_set_si(&values[3], 0);
-  wrong = formula_series(value, &formula, values, &ring, message);
+  wrong = formula_series(value, &formula, values, NULL, &ring, message);
   for (int i = 0; i < NAMES; i++)
     series_clear(&values[i]);
   return wrong;
@@ -128,16 +128,12 @@ TEST(refusals_change_nothing)
 /* Roots and functions that are fractions; a ball stands for no fraction. */
 TEST(exact_functions)
 {
-  check_numbers(
-      "sqrt(9/4) = 3/2|8^(1/3) = 2|(8/27)^(-2/three) = 9/4|sqrt(none) = 0|none^half = 0|none^pi = 0|none^65 = 0|"
-      "2^1.0 = 2|exp(none) = 1|log(1) = 0|log10(1) = 0|sin(none) = 0|cos(none) = 1|asin(none) = 0|exp(x - x) = 1|"
-      "abs(-three) = 3|abs(none) = 0|abs(2 - x) + x = 2|min(1, x) - x = 0|max(1, x, half) = 1|min(three, pi) = 3|"
-      "max(-1/x, three - x) + x = 3|sqrt(x^2) - x = 0|sqrt(x^-4)*x^2 = 1|(8*x^3)^(5/3)/x^5 = 32|max(half, 1/2) = 1/2|"
-      "min(x - x, none) = 0|(x^64)^half/x^32 = 1|(x^100 - x^100)^64 = 0");
+  check_numbers("sqrt(9/4) = 3/2|8^(1/3) = 2|(8/27)^(-2/three) = 9/4|sqrt(none) = 0|none^half = 0|none^65 = 0|2^1.0 = "
+                "2|exp(none) = 1|log(1) = 0|sin(none) = 0|cos(none) = 1|exp(x - x) = 1|sqrt(x^2) - x = "
+                "0|sqrt(x^-4)*x^2 = 1|(8*x^3)^(5/3)/x^5 = 32|(x^64)^half/x^32 = 1|(x^100 - x^100)^64 = 0");
   SCOPED(series, value);
   SCOPED(fmpq, c);
-  FOR_CASES (
-      text, "2^half|exp(1)|log(2)|log10(2)|sin(1)|asin(1)|2^65|2^pi|sqrt(2)*x|exp(pi)|sqrt(pi)|sin(pi)|pi^0.5|4^(1/65)")
+  FOR_CASES (text, "2^half|exp(1)|log(2)|sin(1)|2^65|sqrt(2)*x|exp(pi)|sqrt(pi)|sin(pi)|pi^0.5|4^(1/65)")
     assert_true(evaluate(&value, text) && value.kind == SERIES_BALLS && value.known == SERIES_ALL);
   assert_true(evaluate(&value, "sqrt(1 + 2*x + x^2)") && value.kind == SERIES_FRACTIONS && value.known == LENGTH);
   assert_true(series_rational_coefficient(c, &value, 1) && fmpq_is_one(c) && next_nonzero(&value, 2, LENGTH) == LENGTH);
@@ -148,11 +144,9 @@ TEST(exact_functions)
 TEST(functions_at_a_small_x)
 {
   static const char formulas[] =
-      "sqrt(2 + x)|exp(1 - 3*x)|log(2 + x)|log10(3 - x)|sin(1 + x)|cos(half + x)|asin(half - x)|asin(-x)|"
-      "sin(x)|abs(x - 1)|abs(x)|min(x, x^2)|max(x, x^2, -1)|min(x, 1/x)|max(1 + x, 1 - x)|(1 + x)^pi|"
-      "(2 + x)^2.5|(1 + x)^(1/3)|(three - x)^-0.7|sqrt(x^2 + x^3)|sqrt(three/x^2 + 1)|(x^3 + x^4)^(2/3)|"
-      "2^x|(1 + x)^(1/x)|(2 + x)^(1 + x)|(x + 1)^70|(-2 - x)^-67|exp(log(2)*sin(x))|sin(pi*x)/x|"
-      "exp(2*x + 1)|cos(x)/x|(x - 2)^66|asin(1)|asin(-1)|log(1 + x)/x|sqrt(exp(x)*4)";
+      "sqrt(2 + x)|exp(1 - 3*x)|log(2 + x)|sin(1 + x)|cos(half + x)|sin(x)|(2 + x)^2.5|(1 + x)^(1/3)|(three - "
+      "x)^-0.7|sqrt(x^2 + x^3)|sqrt(three/x^2 + 1)|(x^3 + x^4)^(2/3)|(x + 1)^70|(-2 - "
+      "x)^-67|exp(log(2)*sin(x))|sin(pi*x)/x|exp(2*x + 1)|cos(x)/x|(x - 2)^66|log(1 + x)/x|sqrt(exp(x)*4)";
   const double values[NAMES] = { 0x1p-10, 3, 0.5, 0 };
   const struct formula_names known = { .place = place_of };
   char message[FORMULA_MESSAGE];
@@ -176,7 +170,6 @@ TEST(what_a_series_cannot_do)
   static const char *const refusals[][2] = {
     { "1 + sqrt(x)", "character 5: sqrt gives a power of T that is not whole" },
     { "x^half", "character 2: ^ gives a power of T that is not whole" },
-    { "x^pi", "character 2: ^ gives a power of T that is not whole" },
     { "1 + (x^2)^4097", "character 10: ^ gives a power of T beyond 4096" },
     { "(x^65)^64 + 1", "character 7: ^ gives a power of T beyond 4096" },
     { "sqrt(-2)", "character 1: sqrt of what is negative" },
@@ -184,23 +177,20 @@ TEST(what_a_series_cannot_do)
     { "sin(pi)^0.2", "character 8: ^ of what may be 0" },
     { "sqrt(1/x - exp(1)/exp(1)/x)", "character 1: sqrt of what may be 0" },
     { "2 + log(x)", "character 5: log of a power of T: a series has no logarithm of T" },
-    { "log10(1/x)", "character 1: log10 of a power of T: a series has no logarithm of T" },
-    { "x^x", "character 2: ^ of a power of T: a series has no logarithm of T" },
     { "log(x - 1)", "character 1: log of what is negative" },
     { "log(none)", "character 1: log of what may be 0" },
     { "exp(1/x)", "character 1: exp of a negative power of T is not a series" },
-    { "2^(1/x)", "character 2: ^ of a negative power of T is not a series" },
     { "sin(x^-2)", "character 1: sin of a negative power of T is not a series" },
     { "cos(-2/x)", "character 1: cos of a negative power of T is not a series" },
-    { "asin(1/x)", "character 1: asin of a negative power of T is not a series" },
-    { "asin(1 - x)", "character 1: asin of what may be -1, 1 or beyond at T = 0" },
-    { "asin(-2)", "character 1: asin of what may be -1, 1 or beyond at T = 0" },
-    { "asin(sin(pi/2))", "character 1: asin of what may be -1, 1 or beyond at T = 0" },
     { "exp(1e300)", "character 1: exp is too large" },
+    { "2 + asin(x)", "character 5: asin has no series in T" },
+    { "abs(x)", "character 1: abs has no series in T" },
+    { "log10(1 + x)", "character 1: log10 has no series in T" },
+    { "min(x, 1)", "character 1: min has no series in T" },
+    { "max(x, 1, three)", "character 1: max has no series in T" },
+    { "(1 + x)^x", "character 8: ^ has a series for powers that are fractions only" },
+    { "2^pi", "character 2: ^ has a series for powers that are fractions only" },
     { "3^1e300", "character 2: ^ is too large" },
-    { "abs(sin(pi)*x)", "character 1: abs of what may be 0" },
-    { "1 + min(exp(1), exp(1))", "character 5: min of series whose order is not proven" },
-    { "max(x, x*exp(1)/exp(1))", "character 1: max of series whose order is not proven" },
     { "2 + 1/(x - x)", "character 6: / divides by what may be 0" },
     { "three + none^-2", "character 13: ^ divides by what may be 0" },
     { "(((2^64)^64)^63)^5", "character 17: ^ is too large" },
@@ -226,10 +216,9 @@ TEST(pi_is_exact)
   series_coefficient(got, &value, 1, PRECISION);
   arb_mul_ui(got, got, 3, PRECISION);
   arb_const_pi(pi, 2 * PRECISION);
-  assert_true(value.kind == SERIES_IN_PI && arb_contains(got, pi) && arb_rel_accuracy_bits(got) > PRECISION - 8);
-  FOR_CASES (text,
-             "pi*0|pi*x - x*pi|1/pi - 1/(pi + x) - x/(pi*(pi + x))|(pi + x)^7/(pi + x)^6 - pi - x|min(pi, pi) - pi|"
-             "(1/(pi - 22/7) - 1/(pi + x))*(pi - 22/7) - (22/7 + x)/(pi + x)") {
+  assert_true(value.kind == SERIES_NAMED && arb_contains(got, pi) && arb_rel_accuracy_bits(got) > PRECISION - 8);
+  FOR_CASES (text, "pi*0|pi*x - x*pi|1/pi - 1/(pi + x) - x/(pi*(pi + x))|(pi + x)^7/(pi + x)^6 - pi - x|(1/(pi - 22/7) "
+                   "- 1/(pi + x))*(pi - 22/7) - (22/7 + x)/(pi + x)") {
     assert_true(evaluate(&value, text));
     assert_int_equal(next_nonzero(&value, -2, least(value.known, LENGTH)), least(value.known, LENGTH));
   }

@@ -50,7 +50,7 @@ static bool check_limit(struct random *r, const struct scallop_gait *gait, enum 
   SCOPED(fmpq, term, sum, pi_squared);
   SCOPED(arb, U, error, next);
   struct symbols s;
-  struct symbolic_limit limit;
+  SCOPED(symbolic_limit, limit);
   int compared = 0;
   random_exact_crawler(&c, r, gait);
   make_small(&c, in, FAR);
@@ -67,9 +67,9 @@ static bool check_limit(struct random *r, const struct scallop_gait *gait, enum 
   set_pi_squared(pi_squared);
   fmpq *values = _fmpq_vec_init(s.count);
   symbols_values(values, &s, &c, NULL, pi_squared);
-  assert_true(symbolic_is_zero(limit.term.term[0], &s));
+  assert_true(series_coefficient_is_zero(&limit.term, 0));
   for (slong k = 1; k < ORDER; k++) {
-    assert_true(symbolic_value(term, limit.term.term[k], &s, values));
+    assert_true(symbolic_value(term, symbolic_coefficient(&s, &limit.term, k), &s, values));
     arb_set_fmpq(next, sum, PRECISION);
     arb_sub(error, U, next, PRECISION);
     arb_set_fmpq(next, term, PRECISION);
@@ -118,25 +118,26 @@ TEST(first_term_is_27)
   for (int i = 0; i < 20; i++) {
     bool sine = i % 2;
     struct symbols s;
-    struct symbolic_limit limit;
+    SCOPED(symbolic_limit, limit);
     random_exact_crawler(&c, &r, sine ? &scallop_gait_sinusoidal : &scallop_gait_quadratic);
     fmpq_set_si(pi_squared, 8 + i, 3);
     symbols_init(&s);
     assert_int_equal(symbolic_expand_limit(&s, &c, LIMIT_IN_PRODUCT, ORDER, &limit, NULL), SCALLOP_OK);
     fmpq *values = _fmpq_vec_init(MOST_SYMBOLS);
     symbols_values(values, &s, &c, NULL, pi_squared);
-    assert_true(symbolic_value(got, limit.term.term[1], &s, values));
+    assert_true(symbolic_value(got, symbolic_coefficient(&s, &limit.term, 1), &s, values));
     for (slong k = 2; k < ORDER && !sine; k++)
-      assert_true(symbolic_is_zero(limit.term.term[k], &s));
+      assert_true(series_coefficient_is_zero(&limit.term, k));
     symbols_end(&s);
     /* the closed form's first coefficient, of the crawler with U of that sign; L_kin = L or pi^2 L/8 */
     struct symbolic_steady steady;
     symbols_init(&s);
     c.gait = &scallop_gait_quadratic;
     if (symbolic_solve_steady(&s, &c, &steady, NULL) == SCALLOP_OK && strcmp(steady.modes, limit.modes) == 0) {
-      struct symbolic_series series = symbolic_series_of(&s, steady.v_start, -1, 1);
+      SCOPED(series, series);
+      symbolic_in_T(&series, &s, steady.v_start, 1);
       symbols_values(values, &s, &c, NULL, NULL);
-      assert_true(symbolic_value(wanted, series.term[0], &s, values));
+      assert_true(symbolic_value(wanted, symbolic_coefficient(&s, &series, -1), &s, values));
       if (sine) {
         fmpq_mul(wanted, wanted, pi_squared);
         fmpq_div_2exp(wanted, wanted, 3);
@@ -201,7 +202,7 @@ TEST(equation_of_the_sinusoidal_gait_holds)
 static void refuses(const struct scallop_rational_crawler *c, slong order, const char *wanted)
 {
   struct symbols s;
-  struct symbolic_limit limit;
+  SCOPED(symbolic_limit, limit);
   const char *why = "";
   symbols_init(&s);
   assert_int_equal(symbolic_expand_limit(&s, c, LIMIT_IN_ALPHA, order, &limit, &why), SCALLOP_EDOMAIN);
@@ -236,7 +237,7 @@ TEST(too_many_terms_give_the_work_up)
   SCOPED(scallop_rational, c);
   struct random r = { 6 };
   struct symbols s;
-  struct symbolic_limit limit;
+  SCOPED(symbolic_limit, limit);
   const char *why = "";
   random_exact_crawler(&c, &r, &scallop_gait_sinusoidal);
   symbols_init(&s);
@@ -245,7 +246,7 @@ TEST(too_many_terms_give_the_work_up)
   assert_string_equal(why,
                       "the limit takes more than 1000 terms with --order 5; --order 2 can be printed; numbers need no "
                       "--symbolic");
-  assert_true(s.terms < 2000);
+  assert_true(s.names.terms < 2000);
   symbols_end(&s);
   symbols_init(&s);
   s.most_terms = 1000;
