@@ -85,8 +85,8 @@ SCOPED_PARTS(base, struct base, BASE)
 bool base_follow(struct base *base, struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
                  const arb_t c_slope, bool same, slong precision);
 
-/* The same constants as series, and what the motion of a phase is measured in: numbers of a crawler, or names that stand
- * for those of any crawler with its modes. */
+/* The same constants as series, and what the motion of a phase is measured in: numbers of a crawler, or names that
+ * stand for those of any crawler with its modes. */
 struct phase_series {
   enum scallop_phase_kind kind;
   struct series fraction, curve[2], beta[3];

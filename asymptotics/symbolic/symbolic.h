@@ -74,8 +74,8 @@ symbolic symbolic_sub(struct symbols *s, symbolic a, symbolic b);
 symbolic symbolic_mul(struct symbols *s, symbolic a, symbolic b);
 /* b must not be 0. */
 symbolic symbolic_div(struct symbols *s, symbolic a, symbolic b);
-/* The coefficient of x^power of a series whose coefficients are rational functions of these symbols, or fractions; NULL:
- * it is not known. */
+/* The coefficient of x^power of a series whose coefficients are rational functions of these symbols, or fractions.
+ * NULL: it is not known. */
 symbolic symbolic_coefficient(struct symbols *s, const struct series *series, slong power);
 /* False: under is 0 there. */
 bool symbolic_value(fmpq_t value, symbolic a, const struct symbols *s, const fmpq *values);

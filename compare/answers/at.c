@@ -251,7 +251,7 @@ static double froude(struct at *s)
   return check(s, scallop_scale(&s->place.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
 }
 
-static double ratio(const struct point *p, enum ratio which)
+static double ratio(const struct point *p, enum ratio_place which)
 {
   const struct scallop_crawler *c = &p->crawler;
   return p->ratio[which] > 0 ? p->ratio[which] : which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
@@ -278,7 +278,7 @@ static double compute(struct at *s, const struct quantity *q)
   case QUANTITY_NUMBER: return crawler_number(&s->place.point.crawler, q->which);
   case QUANTITY_V0: return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
   case QUANTITY_FROUDE: return froude(s);
-  case QUANTITY_RATIO: return ratio(&s->place.point, (enum ratio)q->which);
+  case QUANTITY_RATIO: return ratio(&s->place.point, (enum ratio_place)q->which);
   case QUANTITY_ONSET: return onset_of_sticking(s);
   case QUANTITY_ANSWER: a = solve_for(s, m, q->which); return a ? a->value[q->which].high : NAN;
   case QUANTITY_ESTIMATE: return estimate(s, q);

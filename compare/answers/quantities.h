@@ -63,7 +63,7 @@ enum quantity_kind {
   QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                */
   QUANTITY_V0,
   QUANTITY_FROUDE,
-  QUANTITY_RATIO, /* which: enum ratio, but for the Froude number                         */
+  QUANTITY_RATIO, /* which: enum ratio_place, but for the Froude number                         */
   QUANTITY_ONSET,
   QUANTITY_ESTIMATE, /* which: the quantity whose error is estimated                                */
   QUANTITY_SAMPLE,   /* which: enum sample_value                                                    */

@@ -136,7 +136,7 @@ static const char *complete(void *options)
 static bool has_rows(const void *options)
 {
   const struct breakdown_options *o = options;
-  return is_page(o) || (o->map[0] && !o->boundaries);
+  return (is_page(o) && o->request.sweep.products == 0) || (o->map[0] && !o->boundaries);
 }
 
 static const char *plan(const void *options, struct rows *rows)

@@ -115,7 +115,7 @@ const char *point_set_number(struct point *p, int place, const char *text)
   return NULL;
 }
 
-static const char *set_ratio(struct point *p, enum ratio which, const char *text)
+static const char *set_ratio(struct point *p, enum ratio_place which, const char *text)
 {
   double x;
   if (!read_number(text, &x) || !(x > 0))
@@ -154,6 +154,6 @@ const char *point_set(struct point *p, const char *name, const char *text)
   case TARGET_PHASE: return set_phase(p, text);
   case TARGET_NUMBER:
   case TARGET_V0: return point_set_number(p, crawler_place(name), text);
-  default: return set_ratio(p, (enum ratio)(parameter->target - TARGET_F1_OVER_F2), text);
+  default: return set_ratio(p, (enum ratio_place)(parameter->target - TARGET_F1_OVER_F2), text);
   }
 }

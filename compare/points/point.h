@@ -24,7 +24,7 @@ enum target {
   TARGET_PHASE,
   TARGET_LABEL /* of a sweep: no parameter, but a text beside the point */
 };
-enum ratio { F1_OVER_F2, M1_OVER_M2, FROUDE, RATIOS }; /* their places behind TARGET_F1_OVER_F2 */
+enum ratio_place { F1_OVER_F2, M1_OVER_M2, FROUDE, RATIOS }; /* their places behind TARGET_F1_OVER_F2 */
 struct parameter {
   const char *name, *sets; /* the parameter that it sets: F1 for F1_over_F2, T for froude, else its own name */
   enum target target;

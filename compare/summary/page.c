@@ -20,6 +20,8 @@ struct page {
 const struct page_quantity page_quantities[PAGE_QUANTITIES] = { { Q_V_START, "derived_8.v_start" },
                                                                 { Q_DISPLACEMENT, "derived_8.displacement" } };
 
+const char *const page_reaches[PAGE_REACHES] = { "reach_0.01.", "reach_0.05." };
+
 int page_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS])
 {
   const struct scallop_formula *f;
@@ -142,10 +144,9 @@ static void write_verdict(const struct page *p, const struct scallop_formula *f)
 static void write_reach(const struct page *p, const char *series)
 {
   enum { FROUDE_DIGITS = 3 };
-  static const char *const reaches[] = { "reach_0.01.", "reach_0.05." };
   double limit = number(p, "error_limit.", series);
   for (int i = 0; i < 2; i++) {
-    double T = number(p, reaches[i], series);
+    double T = number(p, page_reaches[i], series);
     int percent = i == 0 ? 1 : 5;
     fputs(i > 0 ? ", " : "off ", p->file);
     if (isnan(T))

@@ -21,6 +21,9 @@ struct page_quantity {
   const char *derived; /* the name of these terms */
 };
 extern const struct page_quantity page_quantities[PAGE_QUANTITIES];
+/* The errors at which a series' reach is told, as prefixes of quantities */
+enum { PAGE_REACHES = 2 };
+extern const char *const page_reaches[PAGE_REACHES];
 /* The formulas that are listed for them. Returns how many. */
 int page_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS]);
 /* What the rows do at a point */

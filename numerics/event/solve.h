@@ -143,7 +143,7 @@ static void improve(const struct walker *s, struct period *p)
  * itself, in a bracket that is halved whenever two steps did not halve the balance. */
 SOLVE void steady_find(const struct walker *s, real guess, real bound, struct period *p, struct scallop_work *work)
 {
-  real c = guess + 0, low = -bound, high = bound; /* no -0 */
+  real low = -bound, high = bound, c = guess < low ? low : guess > high ? high : guess + 0; /* no -0 */
   real last = HUGE_VAL, before = last;
   for (;;) {
     period_solve(s, c, p);

@@ -40,7 +40,7 @@ static void write_and_read(double x)
 }
 
 /* The quick reader takes nothing that C's does not, and reads the same; what it leaves it does not touch. */
-static void read_text(const char *text)
+static void try_text(const char *text)
 {
   char *end;
   const double untouched = 0x1.23456789abcdep-7;
@@ -56,7 +56,7 @@ static void read_text(const char *text)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
   char *text = fuzz_text(data, size);
-  read_text(text);
+  try_text(text);
   free(text);
   for (double x; size >= sizeof x; data += sizeof x, size -= sizeof x) {
     memcpy(&x, data, sizeof x);

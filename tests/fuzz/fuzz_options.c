@@ -58,11 +58,11 @@ static void judge(const struct arguments *a, const char *text)
     const void *field = a->options.room + o->field;
     const struct given_count *count = field;
     const struct given_number *number = field;
-    if (o->kind == &digits_option && (r->style.digits < 0 || r->style.digits > o->most))
+    if (o->read == read_digits && (r->style.digits < 0 || r->style.digits > o->most))
       fuzz_fail("%ld digits from\n%s", r->style.digits, text);
-    if (o->kind == &count_option && count->given && (count->value < o->least || count->value > o->most))
+    if (o->read == read_whole && count->given && (count->value < o->least || count->value > o->most))
       fuzz_fail("--%s %ld from\n%s", o->name, count->value, text);
-    if (o->kind == &number_option
+    if (o->read == read_real
         && !(isfinite(number->value) && (!number->given || (number->value >= o->least && number->value <= o->most))))
       fuzz_fail("--%s %g from\n%s", o->name, number->value, text);
   }

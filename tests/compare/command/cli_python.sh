@@ -423,8 +423,8 @@ finish "gaits live as long as they are needed, with the names of --gait"
 
 help_of steady >out
 python out <<'END'
-lines = open(sys.argv[1]).read().split("\nGaits")[1].split("\n\n")[0].split("\n")[1:]
-listed = {line.split()[0].split(":")[0].rstrip("["): line[2:].split("  ", 1)[1].strip() for line in lines}
+text = open(sys.argv[1]).read().split("\nGaits")[1].split("\n\n")[0].replace("\n      ", " ") # a long sentence goes on
+listed = {line.split()[0].split(":")[0].rstrip("["): " ".join(line[2:].split("  ", 1)[1].split()) for line in text.strip().split("\n")[1:]}
 if list(listed) != [*scallop.gaits(), "measured"]:
     bad("families:", list(listed), list(scallop.gaits()))
 for name, (numbers, usual, sentence) in scallop.gaits().items():

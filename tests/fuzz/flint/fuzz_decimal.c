@@ -38,7 +38,7 @@ static bool is_plain_number(const char *text, double *value)
          && labs(exponent) <= 100000;
 }
 
-static void read_text(const char *text)
+static void try_text(const char *text)
 {
   double wanted;
   SCOPED(fmpq, x, untouched);
@@ -81,7 +81,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   double x;
   char *text = fuzz_text(data, size);
   if (size <= 300) /* exponents of 10^5 take time */
-    read_text(text);
+    try_text(text);
   free(text);
   if (size < sizeof x)
     return 0;

@@ -108,14 +108,13 @@ TEST(pieces_that_go_on)
 /* Pieces that are not those of the paper's gaits add their own: where c goes on from one to the next it is rounded
  * twice, a unit at most. In directed rounding all these have one sign, and no spread is promised. pieces: 0, or how
  * many there are of a spline. */
-static void judge(const struct stress_case *s, int pieces)
+static void judge(struct stress_case *s, int pieces)
 {
-  struct stress_judgement j;
-  stress_judge(s, &j);
+  stress_judge(s);
   for (int q = 0; q < QUANTITIES; q++) {
-    const struct stress_number *n = &j.number[q];
+    const struct stress_number *n = &s->number[q];
     const char *broken = n->broken;
-    if (pieces > 0 && j.outcome != STRESS_BROKEN)
+    if (pieces > 0 && s->outcome != STRESS_BROKEN)
       broken = !n->judged || n->error <= (STRESS_PROMISE + pieces) * n->unit ? NULL : "error";
     if (!broken)
       continue;

@@ -4,14 +4,13 @@
 #include "tests/support/random_rises.h"
 #include "tests/support/solved.h"
 
-static void judge(const struct stress_case *stressed)
+static void judge(struct stress_case *stressed)
 {
-  struct stress_judgement j;
   char text[STRESS_ARGUMENTS];
-  stress_judge(stressed, &j);
-  assert_true(j.outcome == STRESS_SOLVED || j.outcome == STRESS_REFUSED);
+  stress_judge(stressed);
+  assert_true(stressed->outcome == STRESS_SOLVED || stressed->outcome == STRESS_REFUSED);
   for (int q = 0; q < QUANTITIES; q++) {
-    const struct stress_number *n = &j.number[q];
+    const struct stress_number *n = &stressed->number[q];
     if (!n->judged || n->error <= STRESS_PROMISE * n->unit)
       continue;
     stress_arguments(stressed, text);
