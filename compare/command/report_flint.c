@@ -156,8 +156,7 @@ static struct written term_of(const struct report *r, const struct reported_sum 
 
 static bool is_zero(const struct reported_sum *s, slong power)
 {
-  return s->term ? ratio_is_zero(s->term[power - s->first])
-                 : series_coefficient_is_zero(s->series, power);
+  return s->term ? ratio_is_zero(s->term[power - s->first]) : series_coefficient_is_zero(s->series, power);
 }
 
 /* With all digits that the exact value has */

@@ -132,8 +132,7 @@ static bool report_numbers(struct report *r, const struct reported_motion *m)
 }
 
 /* A row of terms for a series in formulas */
-static void report_formula(struct report *r, struct reported_sum sum, const char *quantity,
-                           const struct series *series)
+static void report_formula(struct report *r, struct reported_sum sum, const char *quantity, const struct series *series)
 {
   symbolic term[SYMBOLIC_ORDERS + 1]; /* velocities of the steady state begin with 1/T */
   sum.quantity = quantity;

@@ -292,11 +292,7 @@ static enum exit_code run_rows(struct run *run)
 
 enum exit_code stress_table(const struct stress_options *o)
 {
-  struct run run = { .options = o,
-                     .effort = o->full    ? &full
-                               : o->check ? &quick
-                                          : &usual,
-                     .most = 1 };
+  struct run run = { .options = o, .effort = o->full ? &full : o->check ? &quick : &usual, .most = 1 };
   enum exit_code code = plan(&run);
   if (code == EXIT_DONE)
     code = run_rows(&run);
