@@ -224,7 +224,7 @@ static struct bend best_bend(const struct run *r, struct trend *t)
  * sum over k of |1_ik - H_ik| e_k, H_ik = 1/n + x_i x_k/sum x^2. */
 static bool explained_by_rounding(const struct run *r, const struct bend *line)
 {
-  bool explained = r->entry[0].moved > 0;
+  bool explained = r->count > 0 && r->entry[0].moved > 0;
   for (int i = 0; i < r->count && explained; i++) {
     double most = 0;
     for (int k = 0; k < r->count; k++)
