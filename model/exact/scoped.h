@@ -4,6 +4,8 @@
 #ifndef SCALLOP_MODEL_EXACT_SCOPED_H
 #define SCALLOP_MODEL_EXACT_SCOPED_H
 
+#include <string.h>
+
 #include "model/exact/ball.h"
 #include "model/exact/flint.h"
 
@@ -39,11 +41,15 @@
 #define SCOPED_FLINT(kind) SCOPED_BY(kind, kind##_t, kind##_init(*x), kind##_clear(*x))
 
 /* A struct of such parts: PARTS(of) names each, of(kind, pointer) with s for the struct, and the struct begins and ends
- * with them. */
+ * with them; what else is in it begins with 0. */
 #define SCOPED_INIT(kind, part) kind##_init(part);
 #define SCOPED_CLEAR(kind, part) kind##_clear(part);
 #define SCOPED_PARTS(kind, type, PARTS) \
-  static inline void kind##_init(type *s) { PARTS(SCOPED_INIT) } \
+  static inline void kind##_init(type *s) \
+  { \
+    memset(s, 0, sizeof *s); \
+    PARTS(SCOPED_INIT) \
+  } \
   static inline void kind##_clear(type *s){ PARTS(SCOPED_CLEAR) } SCOPED_KIND(kind, type)
 
 SCOPED_FLINT(fmpq)
