@@ -73,7 +73,7 @@ static bool holds_up(const struct scallop_order_point *points, int count, int on
 static int find_floor(const struct judged *j)
 {
   int fewest = j->count > LEAST_TREND + 1 ? j->used - 1 : j->used;
-  for (int i = j->used; i < j->count; i++)
+  for (int i = j->used; j->used > 0 && i < j->count; i++)
     fewest = j->p[i].h < j->p[j->used - 1].h ? j->used : fewest;
   for (int count = j->used; count > 0 && count >= fewest; count--) {
     int onset = onset_before(j->p, count);
