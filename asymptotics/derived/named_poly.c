@@ -108,8 +108,6 @@ void named_poly_set_constant(struct named_poly *to, const struct ratio *value)
 
 void named_poly_mul_powers(struct named_poly *p, const struct ratio *value, slong power, slong step)
 {
-  if (p->length == 0)
-    return;
   ENDED_BY(ratio_clear) struct ratio factor;
   ratio_init(&factor, p->names);
   fmpz_mpoly_one(factor.over, p->names->ring);

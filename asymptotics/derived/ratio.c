@@ -74,12 +74,6 @@ void ratio_zero(struct ratio *to)
 
 bool ratio_is_zero(const struct ratio *r) { return fmpz_mpoly_is_zero(r->over, r->names->ring); }
 
-bool ratio_equal(const struct ratio *a, const struct ratio *b)
-{
-  const fmpz_mpoly_ctx_struct *ring = a->names->ring;
-  return fmpz_mpoly_equal(a->over, b->over, ring) && fmpz_mpoly_equal(a->under, b->under, ring);
-}
-
 bool ratio_get_fmpq(fmpq_t value, const struct ratio *r)
 {
   const fmpz_mpoly_ctx_struct *ring = r->names->ring;

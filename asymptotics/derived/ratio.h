@@ -45,7 +45,6 @@ void ratio_set(struct ratio *to, const struct ratio *a);
 void ratio_set_fmpq(struct ratio *to, const fmpq_t value);
 void ratio_zero(struct ratio *to);
 bool ratio_is_zero(const struct ratio *r);
-bool ratio_equal(const struct ratio *a, const struct ratio *b);
 /* False: it depends on a name. */
 bool ratio_get_fmpq(fmpq_t value, const struct ratio *r);
 /* Of names that are pi alone, with `precision` bits; 0 where it is 0 */

@@ -58,6 +58,12 @@ static bool evaluate(struct series *value, const char *const *parts)
 }
 #define EVALUATE(value, ...) evaluate(value, (const char *const[]){ __VA_ARGS__, NULL })
 
+static bool ratio_equal(const struct ratio *a, const struct ratio *b)
+{
+  const fmpz_mpoly_ctx_struct *ring = a->names->ring;
+  return fmpz_mpoly_equal(a->over, b->over, ring) && fmpz_mpoly_equal(a->under, b->under, ring);
+}
+
 static bool are_equal(const struct series *a, const struct series *b)
 {
   if (a->kind != b->kind || a->first != b->first || a->known != b->known || series_terms(a) != series_terms(b))
