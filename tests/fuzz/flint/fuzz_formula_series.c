@@ -60,8 +60,8 @@ static bool evaluate(struct series *value, const char *const *parts)
 
 static bool ratio_equal(const struct ratio *a, const struct ratio *b)
 {
-  const fmpz_mpoly_ctx_struct *ring = a->names->ring;
-  return fmpz_mpoly_equal(a->over, b->over, ring) && fmpz_mpoly_equal(a->under, b->under, ring);
+  const fmpz_mpoly_ctx_struct *of = a->names->ring;
+  return fmpz_mpoly_equal(a->over, b->over, of) && fmpz_mpoly_equal(a->under, b->under, of);
 }
 
 static bool are_equal(const struct series *a, const struct series *b)
