@@ -280,7 +280,7 @@ static bool prove(struct search *s, arb_t proven, slong precision)
     }
     arb_mul_2exp_si(radius, radius, WIDER); /* GCOVR_EXCL_LINE: the first radius has always done */
   }
-  return false;
+  return false; /* GCOVR_EXCL_LINE: likewise */
 }
 
 /* The search begins at 0, where all can be exact: a crawler that friction brings to rest, equal forces. */

@@ -151,7 +151,7 @@ static void show(const struct walk *w, real u, real c)
     .u_end = (double)given_offset(w, u),
     .mode = mode_now(w),
     .c_begin = (double)w->c,
-    .c_end = (double)c,
+    .c_end = (double)c, /* GCOVR_EXCL_LINE: no instruction of its own, and so no count, where real is double */
     .c_slope = w->stuck >= 0 ? 0 : (double)w->slope[w->region],
     .glue = w->stuck < 0 ? 0 : (double)(w->curve[w->stuck] * w->piece->direction),
     .x_begin = (double)(w->out->way[0] + (w->many ? w->carried.way[0].total : 0))

@@ -134,7 +134,7 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
     return status;
   solvers[width]->steady(crawler, plain.period.v_start, &answer);
   if (!period_is_finite(&answer.period) || !isfinite(answer.mean_velocity.high))
-    return SCALLOP_ERANGE;
+    return SCALLOP_ERANGE; /* GCOVR_EXCL_LINE: solve_steady has refused what does not fit a double */
   *result = answer;
   return SCALLOP_OK;
 }
