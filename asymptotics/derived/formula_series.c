@@ -32,16 +32,10 @@ static const char *set_negative(struct series *to, const struct series *a, const
 
 static const char no_series[] = "has no series in T";
 
-static const char *refuse(struct series *to, const struct series *a, const struct ring *ring)
-{
-  (void)to, (void)a, (void)ring;
-  return no_series;
-}
-
-static const char *(*const of_one[])(struct series *, const struct series *, const struct ring *) = {
+/* NULL: see no_series. */
+static const char *(*const of_one[FORMULA_ADD])(struct series *, const struct series *, const struct ring *) = {
   [FORMULA_NEGATE] = set_negative, [FORMULA_SQRT] = series_sqrt, [FORMULA_EXP] = series_exp,
   [FORMULA_LOG] = series_log,      [FORMULA_SIN] = series_sin,   [FORMULA_COS] = series_cos,
-  [FORMULA_ABS] = refuse,          [FORMULA_LOG10] = refuse,     [FORMULA_ASIN] = refuse,
 };
 
 /* a becomes a OPERATION b. NULL, or what a series cannot do */
@@ -76,18 +70,39 @@ static bool is_small(const struct series *s, const struct names *names)
   return small;
 }
 
-/* What a formula in names cannot do before it is tried */
-static const char *no_ratio(const struct formula_step *s, const struct series *top)
+/* Is it a whole number that names can be raised to? */
+static bool is_whole_power(const struct series *s)
 {
   SCOPED(fmpq, power);
-  if (s->operation == FORMULA_POWER
-      && (top->known < SERIES_ALL || series_terms(top) + top->first > 1 || top->first < 0
-          || !series_rational_coefficient(power, top, 0) || !fmpz_is_one(fmpq_denref(power))
-          || fmpz_cmpabs(fmpq_numref(power), (fmpz[]){ SERIES_EXACT_POWER }) > 0))
-    return "is a formula for whole powers from -64 to 64 only";
-  const bool is_function = s->operation > FORMULA_NEGATE && s->operation != FORMULA_POWER
-                           && (s->operation < FORMULA_ADD || s->operation > FORMULA_DIVIDE);
+  return s->known >= SERIES_ALL && s->first >= 0 && s->first + series_terms(s) <= 1
+         && series_rational_coefficient(power, s, 0) && fmpz_is_one(fmpq_denref(power))
+         && fmpz_cmpabs(fmpq_numref(power), (fmpz[]){ SERIES_EXACT_POWER }) <= 0;
+}
+
+/* What the operation would make of names that is no rational function of them; top: behind the last value */
+static const char *no_ratio(enum formula_operation operation, const struct series *top)
+{
+  if (operation == FORMULA_POWER)
+    return is_whole_power(top - 1) ? NULL : "is a formula for whole powers from -64 to 64 only";
+  bool is_function = (operation > FORMULA_NEGATE && operation < FORMULA_ADD) || operation > FORMULA_POWER;
   return is_function ? "is no rational function" : NULL;
+}
+
+/* Takes the values that a step needs from the stack, and puts its own there. NULL, or what a series cannot do */
+static const char *take_step(struct series **top, const struct formula_step *s, const struct series *values,
+                             struct names *names, const struct ring *ring)
+{
+  const enum formula_operation operation = s->operation;
+  const char *wrong = names ? no_ratio(operation, *top) : NULL;
+  if (wrong)
+    return wrong;
+  if (operation < FORMULA_NEGATE)
+    return set_operand((*top)++, s, values, names);
+  struct series *last = *top - 1;
+  if (operation < FORMULA_ADD)
+    return of_one[operation] ? of_one[operation](last, last, ring) : no_series;
+  *top = last;
+  return of_two(last - 1, last, operation, ring);
 }
 
 const char *formula_series(struct series *value, const struct formula *formula, const struct series *values,
@@ -101,18 +116,8 @@ const char *formula_series(struct series *value, const struct formula *formula, 
     if (names) {
       names->terms = 0;
       names->most_terms = MOST_TERMS_OF_A_STEP;
-      wrong = no_ratio(s, top - 1);
     }
-    if (wrong)
-      ;
-    else if (s->operation < FORMULA_NEGATE)
-      wrong = set_operand(top++, s, values, names);
-    else if (s->operation < FORMULA_ADD)
-      wrong = of_one[s->operation](&top[-1], &top[-1], ring);
-    else {
-      top--;
-      wrong = of_two(&top[-1], &top[0], s->operation, ring);
-    }
+    wrong = take_step(&top, s, values, names, ring);
     if (!wrong && names && !is_small(top - 1, names))
       wrong = "grows beyond 200 terms, degree 2000 or 20000 bits";
     if (wrong)

@@ -203,7 +203,7 @@ static bool is_linear(const struct scallop_piece *p)
   return p->law ? p->law->kind != SCALLOP_LAW_SINE && p->law->degree <= 1 : p->linear;
 }
 
-static bool crossings_are_linear(const struct limit *l)
+bool limit_is_linear(const struct limit *l)
 {
   for (int k = 0; k < 2; k++)
     for (int i = 0; i < l->branch[k].count; i++)
@@ -287,7 +287,7 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
     return from_ends(l, l->at_rest ? 0 : difference, why);
   SCOPED(arb, w, eps);
   bool found = approach_limit(l, w, sign, precision);
-  if (found && scallop_gait_is_rational(crawler->gait) && crossings_are_linear(l))
+  if (found && scallop_gait_is_rational(crawler->gait) && limit_is_linear(l))
     found = make_exact(l, w);
   else if (found) {
     found = limit_follow(l, w, eps, precision);

@@ -29,6 +29,9 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
 bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_series *p,
                    const struct series *c, const struct series *eps, const fmpq_t pi_squared, const struct ring *ring);
 
+/* Whether l' is linear at each crossing: then times and velocities are linear in that at the start. */
+bool limit_is_linear(const struct limit *l);
+
 struct steady_lift {
   struct series w, w_mid, travel; /* of eps = eps0 + x                                         */
   struct lift phase[2];

@@ -6,35 +6,17 @@
 #include "asymptotics/derived/scoped.h"
 #include "asymptotics/symbolic/named_phase.h"
 
-/* L |l'| in the time from the anchor; false: the piece is not linear. */
-static bool linear_law(struct series *law, const struct scallop_piece *piece)
-{
-  enum { LENGTH = 4 };
-  SCOPED(fmpq_poly, speed);
-  SCOPED(fmpq, at_anchor);
-  const bool linear = scallop_rational_speed_series(speed, piece, at_anchor, LENGTH, NULL)
-                      && fmpq_poly_length(speed) <= 2;
-  series_set_rational_poly(law, speed, SERIES_ALL);
-  return linear;
-}
-
-static bool crossings_are_linear(const struct branch *b)
-{
-  bool linear = true;
-  SCOPED(series, law);
-  for (int i = 0; linear && i < b->count; i++)
-    linear = linear_law(&law, b->crossing[i].piece);
-  return linear;
-}
-
 /* The crossings are found from the anchors of their pieces. */
 static void set_phase(struct phase_series *to, struct branch *b, struct symbols *s, enum scallop_phase_kind kind)
 {
   const struct ring ring = { 2, 2 };
+  SCOPED(fmpq_poly, speed);
+  SCOPED(fmpq, at_anchor);
   named_phase(to, s, kind);
   series_set_ratio(&to->fraction, symbolic_named(s, kind == SCALLOP_EXTENSION ? NAMED_alpha : NAMED_beta));
   for (int i = 0; i < b->count; i++) {
-    linear_law(&to->law.at[i], b->crossing[i].piece);
+    scallop_rational_speed_series(speed, b->crossing[i].piece, at_anchor, ring.length, NULL);
+    series_set_rational_poly(&to->law.at[i], speed, SERIES_ALL);
     series_mul(&to->law.at[i], &to->law.at[i], &to->whole, &ring);
     series_set_si(&b->crossing[i].offset, 0);
   }
@@ -63,7 +45,7 @@ static const char *obstacle(const struct limit *limit)
   if (series_coefficient_is_zero(&limit->w, 0))
     return "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any alpha, "
            "F1 and F2 near these";
-  return crossings_are_linear(&limit->branch[0]) && crossings_are_linear(&limit->branch[1])
+  return limit_is_linear(limit)
              ? NULL
              : "l' is not linear where bodies turn, so that the steady state has no closed form: see --source limit";
 }

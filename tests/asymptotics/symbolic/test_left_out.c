@@ -271,51 +271,51 @@ struct told { /* of one formula at one crawler */
 
 /* Where names of one thing meet: M and m1 + m2, 1 - alpha and alpha, derivatives of l and numbers of amplitudes, equal
  * forces */
+static const struct told other_words[] = {
+  { "(F1 - F2)/(m1 + m2)*T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
+    "2*F1*T^3*(F1 - F2)/(m2*M*lT)" },
+  { "v0 + (F1 - F2)/(m1 + m2)*T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
+    "2*F1*T^3*(F1 - F2)/(m2*M*lT)" },
+  { "(F1 - F2)/(4*m2*L)*T^3", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_LAG, 5,
+    "-T^5*(F1 - F2)^2/(16*m2^2*L^2)" },
+  { "(F1 - F2)/(4*m2*L)*T^3", "sinusoidal", "1", SCALLOP_AT_REST_START, SCALLOP_LAG, 3,
+    "-T^3*(4*L + lT)*(F1 - F2)/(4*m2*L*lT)" },
+  { "-(m2 - alpha*0)/M*L_kin*0 - m2*L/M", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_REAR_AT_END, 2,
+    "T^2*(F1 - F2)/(2*M)" },
+  { "m1*m2*l0/4*(2*alpha - 1)*(F1 - F2)/(M*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))/T", "quadratic", "1", SCALLOP_STEADY,
+    SCALLOP_STEADY_V_MID, 1,
+    "alpha*(1 - alpha)*T*(F1 - F2)*(m1*F1*alpha + m2*F2*(1 - alpha))/(2*M*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))" },
+  { "L", "quadratic", "1", SCALLOP_STEADY, SCALLOP_STEADY_MEAN_VELOCITY, -1,
+    "m1*m2*L*(2*alpha - 1)*(F1 - F2)/(M*T*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))" },
+  { "T", "quadratic", "4", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1, "-T" },
+  { "T", "quadratic", "1", SCALLOP_STEADY, SCALLOP_STEADY_FRICTION_WORK, 0,
+    "this quantity is not derived as a formula" },
+  { "T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 16, "the order is not below 16" },
+  { "T", "sinusoidal", "1", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, -1,
+    "the closed form of the steady state is for rational gaits" },
+  { "T", "quadratic", "4", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1,
+    "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any alpha, F1 "
+    "and F2 "
+    "near these" },
+  { "pi*T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1, "-T*(pi*M - F1 + F2)/M" },
+  { "(F1 - F2)*T/M - 4*F1*(F1 - F2)/(m2*M*pi^2*L)*T^3", "sinusoidal", "1", SCALLOP_AT_REST_START,
+    SCALLOP_VELOCITY_AT_END, 4, "" },
+  /* right for this crawler, and for no other */
+  { "3*T/2", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3, "-T*(3*M - 2*F1 + 2*F2)/(2*M)" },
+  { "T", "quadratic", "1", SCALLOP_MOVING_EXTENSION, SCALLOP_VELOCITY_AT_END, 1, "v0" },
+  { "(F1 - F2)*T/M + 0*T^-20", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
+    "2*F1*T^3*(F1 - F2)/(m2*M*lT)" },
+  { "(F1 - F2)*T/M + T^-20 - T^-20", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
+    "too few terms are known" },
+  { "sqrt(T^2)", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1,
+    "character 1: sqrt is no rational function" },
+  { "(F1", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3, "character 1: this '(' is not closed" },
+};
+
 TEST(formulas_in_other_words)
 {
-  static const struct told cases[] = {
-    { "(F1 - F2)/(m1 + m2)*T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
-      "2*F1*T^3*(F1 - F2)/(m2*M*lT)" },
-    { "v0 + (F1 - F2)/(m1 + m2)*T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
-      "2*F1*T^3*(F1 - F2)/(m2*M*lT)" },
-    { "(F1 - F2)/(4*m2*L)*T^3", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_LAG, 5,
-      "-T^5*(F1 - F2)^2/(16*m2^2*L^2)" },
-    { "(F1 - F2)/(4*m2*L)*T^3", "sinusoidal", "1", SCALLOP_AT_REST_START, SCALLOP_LAG, 3,
-      "-T^3*(4*L + lT)*(F1 - F2)/(4*m2*L*lT)" },
-    { "-(m2 - alpha*0)/M*L_kin*0 - m2*L/M", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_REAR_AT_END, 2,
-      "T^2*(F1 - F2)/(2*M)" },
-    { "m1*m2*l0/4*(2*alpha - 1)*(F1 - F2)/(M*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))/T", "quadratic", "1",
-      SCALLOP_STEADY, SCALLOP_STEADY_V_MID, 1,
-      "alpha*(1 - alpha)*T*(F1 - F2)*(m1*F1*alpha + m2*F2*(1 - alpha))/(2*M*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))" },
-    { "L", "quadratic", "1", SCALLOP_STEADY, SCALLOP_STEADY_MEAN_VELOCITY, -1,
-      "m1*m2*L*(2*alpha - 1)*(F1 - F2)/(M*T*(m1*F1*alpha^2 + m2*F2*(1 - alpha)^2))" },
-    { "T", "quadratic", "4", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1, "-T" },
-    { "T", "quadratic", "1", SCALLOP_STEADY, SCALLOP_STEADY_FRICTION_WORK, 0,
-      "this quantity is not derived as a formula" },
-    { "T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 16, "the order is not below 16" },
-    { "T", "sinusoidal", "1", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, -1,
-      "the closed form of the steady state is for rational gaits" },
-    { "T", "quadratic", "4", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1,
-      "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any alpha, F1 "
-      "and F2 "
-      "near these" },
-    { "pi*T", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1, "-T*(pi*M - F1 + F2)/M" },
-    { "(F1 - F2)*T/M - 4*F1*(F1 - F2)/(m2*M*pi^2*L)*T^3", "sinusoidal", "1", SCALLOP_AT_REST_START,
-      SCALLOP_VELOCITY_AT_END, 4, "" },
-    /* right for this crawler, and for no other */
-    { "3*T/2", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3, "-T*(3*M - 2*F1 + 2*F2)/(2*M)" },
-    { "T", "quadratic", "1", SCALLOP_MOVING_EXTENSION, SCALLOP_VELOCITY_AT_END, 1, "v0" },
-    { "(F1 - F2)*T/M + 0*T^-20", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
-      "2*F1*T^3*(F1 - F2)/(m2*M*lT)" },
-    { "(F1 - F2)*T/M + T^-20 - T^-20", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
-      "too few terms are known" },
-    { "sqrt(T^2)", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 1,
-      "character 1: sqrt is no rational function" },
-    { "(F1", "quadratic", "1", SCALLOP_AT_REST_START, SCALLOP_VELOCITY_AT_END, 3,
-      "character 1: this '(' is not closed" },
-  };
-  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-    const struct told *t = &cases[i];
+  for (size_t i = 0; i < sizeof other_words / sizeof *other_words; i++) {
+    const struct told *t = &other_words[i];
     const struct scallop_formula f = { .name = "f", .setting = t->setting, .quantity = t->quantity, .text = t->text };
     char message[FORMULA_MESSAGE] = "";
     SCOPED(scallop_rational, c);
