@@ -43,7 +43,7 @@ TEST(every_combination_the_first_slowest)
   assert_null(sweep_set_twice(&product));
   for (int points = 0; points < 6; points++) {
     const struct point base = point_initial(NULL), *point = &place.point;
-    move(&place, &base, &product, (const long[]){ points / 3, points % 3 });
+    move(&place, &base, &product, (const long[SWEEP_GROUPS]){ points / 3, points % 3 });
     assert_string_equal(place.why, "");
     assert_true(point->crawler.F1 == strtod(F1[points / 3], NULL) && point->crawler.F2 == strtod(F2[points / 3], NULL));
     assert_true(point->crawler.T == strtod(T[points % 3], NULL));
@@ -62,7 +62,7 @@ TEST(ratios_are_settled_last)
   const struct point base = point_initial(NULL);
   struct sweep_place place = { .why = "" };
   const struct scallop_crawler *c = &place.point.crawler;
-  move(&place, &base, &product, (const long[]){ 0, 0 });
+  move(&place, &base, &product, (const long[SWEEP_GROUPS]){ 0, 0 });
   assert_string_equal(place.why, "");
   CHECK_RELATIVE(c->F1 / c->F2, 4.5, 1e-15);
   CHECK_RELATIVE((c->m1 + c->m2) * c->L / (c->F1 + c->F2) / (c->T * c->T), 3.25, 1e-14);
@@ -81,11 +81,11 @@ TEST(ranges_are_decimal)
     struct sweep_product product = { .groups = 1, .group = { { 1, { v }, 5 } } };
     const struct point base = point_initial(NULL);
     struct sweep_place place = { .why = "" };
-    move(&place, &base, &product, (const long[]){ 1 });
+    move(&place, &base, &product, (const long[SWEEP_GROUPS]){ 1 });
     assert_string_equal(place.point.written[6], is_log ? "0.000999974999062" : "0.15");
-    move(&place, &base, &product, (const long[]){ 0 });
+    move(&place, &base, &product, (const long[SWEEP_GROUPS]){ 0 });
     assert_true(place.point.crawler.alpha == v.from.number);
-    move(&place, &base, &product, (const long[]){ 4 });
+    move(&place, &base, &product, (const long[SWEEP_GROUPS]){ 4 });
     assert_true(place.point.crawler.alpha == v.to.number && place.ends_group);
   }
 }
@@ -99,7 +99,7 @@ TEST(what_is_not_allowed_is_said)
   struct sweep_place place = { .why = "" };
   assert_null(sweep_wrong(&v, &point, "0.5"));
   assert_non_null(strstr(sweep_wrong(&v, &point, "1.0"), "'1.0' is not allowed"));
-  move(&place, &point, &product, (const long[]){ 1 });
+  move(&place, &point, &product, (const long[SWEEP_GROUPS]){ 1 });
   assert_non_null(strstr(place.why, "alpha: '1.0' is not allowed"));
   assert_true(place.point.crawler.alpha == point.crawler.alpha);
   assert_false(sweep_variable_of_name(&v, "F3"));
