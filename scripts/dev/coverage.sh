@@ -2,7 +2,7 @@
 # Which lines and branches of the library the tests reach: scripts/dev/coverage.sh BUILD. Builds in BUILD/coverage for counting, runs every test and
 # prints a table. Exit code 1 if a test failed, a line was not reached, or fewer than 95 % of the branches were taken.
 # Of the branches only those that are in the source count: without optimization, functions not inlined (once each, not where they
-# are used), no clones for other processors, no threads.
+# are used), no clones for other processors, no threads; counts are atomic all the same, as one lost would stop gcovr.
 set -eu
 build=$1/coverage
 mkdir -p "$build"
