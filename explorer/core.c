@@ -56,7 +56,7 @@ int choose_gait(int i, int count)
 int choose_table(void)
 {
   static struct gait_file files[2];
-  struct gait_file *next = &files[explorer_crawler.gait == &files[0].spline.gait];
+  struct gait_file *next = &files[explorer_crawler.gait == files[0].best.gait];
   char *table = strchr(explorer_text, '\n');
   if (!table)
     return SCALLOP_EDOMAIN;
@@ -68,8 +68,8 @@ int choose_table(void)
     snprintf(explorer_text, EXPLORER_TEXT, "%s", wrong);
     return SCALLOP_EDOMAIN;
   }
-  gait = &next->spline.gait;
-  const double own[] = { next->L, next->T, next->alpha };
+  gait = next->best.gait;
+  const double own[] = { next->best.L, next->best.T, next->best.alpha };
   memcpy(explorer_numbers, own, sizeof own);
   return SCALLOP_OK;
 }

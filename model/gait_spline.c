@@ -18,15 +18,14 @@ int scallop_spline_pieces(const int count[2])
 
 static bool is_rounded(double x) { return x >= 0 && x <= 1 && scallop_knot_round(x) == x; }
 
-/* Between two knots. three: times the way over the time, not rounded down */
-static bool is_monotone(const struct scallop_knot *a, const struct scallop_knot *b)
+bool scallop_knots_are_monotone(const struct scallop_knot *a, const struct scallop_knot *b)
 {
-  double way = b->length - a->length, duration = b->time - a->time, sign = way < 0 ? -1 : 1;
-  double slopes[2] = { sign * a->slope, sign * b->slope };
-  for (int i = 0; i < 2; i++)
-    if (!(slopes[i] >= 0) || !((long double)slopes[i] * duration <= 3 * (long double)fabs(way)))
-      return false;
-  return true;
+  double way = b->length - a->length, sign = way < 0 ? -1 : 1;
+  long double duration = (long double)b->time - a->time, three = 3 * (long double)fabs(way);
+  long double first = sign * a->slope * duration, last = sign * b->slope * duration, middle = three - first - last;
+  if (!(first >= 0 && last >= 0))
+    return false;
+  return (first <= three && last <= three) || (way != 0 && middle * middle <= first * last);
 }
 
 static bool is_phase(const struct scallop_knot *knots, int count, int kind)
@@ -39,7 +38,7 @@ static bool is_phase(const struct scallop_knot *knots, int count, int kind)
     return false;
   for (int i = 0; i < count; i++)
     if (!is_rounded(knots[i].time) || !is_rounded(knots[i].length) || !isfinite(knots[i].slope)
-        || (i > 0 && !(knots[i].time > knots[i - 1].time && is_monotone(&knots[i - 1], &knots[i]))))
+        || (i > 0 && !(knots[i].time > knots[i - 1].time && scallop_knots_are_monotone(&knots[i - 1], &knots[i]))))
       return false;
   return true;
 }

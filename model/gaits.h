@@ -87,11 +87,14 @@ double scallop_knot_round(double x);
 /* At most as many pieces as a spline through count knots in each phase has. */
 int scallop_spline_pieces(const int count[2]);
 
+/* Whether l is monotone between two knots. Its slope is the quadratic with the Bernstein coefficients b0 = a's slope,
+ * b1 = 3 (length gained)/(time passed) - b0 - b2, b2 = b's; it keeps its sign where b0 and b2 have it and, in size,
+ * both are at most three times the mean slope (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980), or b1^2 <= b0 b2. */
+bool scallop_knots_are_monotone(const struct scallop_knot *a, const struct scallop_knot *b);
+
 /* The cubic Hermite spline through count[kind] >= 2 knots of each phase. Between knots of equal length l rests: a piece
  * with direction 0. Domain: times and lengths are multiples of 2^-53, times increase, first and last knots are as above
- * and have slope 0, lengths are within [0, 1], and between two knots l is monotone: both slopes have its sign or are 0,
- * and neither is above three times (length gained)/(time passed), Fritsch & Carlson's condition (SIAM J. Numer. Anal.
- * 17, 1980). */
+ * and have slope 0, lengths are within [0, 1], and between two knots l is monotone. */
 enum scallop_status scallop_make_spline(struct scallop_spline *spline, const char *name,
                                         const struct scallop_knot *const knots[2], const int count[2]);
 

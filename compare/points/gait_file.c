@@ -1,195 +1,201 @@
 #include "compare/points/gait_file.h"
 
-#include <math.h>
+#include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/text/memory.h"
+#include "compare/text/message.h"
 #include "compare/text/tsv.h"
 #include "compare/text/values.h"
 
-enum { MOST_ROWS = 100000, LEAST_ROWS = 4 };
-static const double closes = 1e-9; /* of the range: how far the last l may be from the first */
+enum { MOST_ROWS = 100000 };
 static const char no_memory[] = "out of memory";
+static const char *const kinds[] = { "chosen", "monotone", "cubic", "smooth", "phases", NULL };
 
-static bool is_header(const struct tsv *t)
-{
-  return t->count == 2 && strcmp(t->cell[0], "t") == 0 && strcmp(t->cell[1], "l") == 0;
-}
+/* Columns of t and of what l is: l itself, or x1 and x2 */
+struct columns {
+  int t, l[2];
+};
+struct rows {
+  double *t, *l;
+  int count, left_out;
+};
 
-/* NULL, or what is wrong with the row */
-static const char *read_row(struct gait_file *g, struct tsv *tsv)
+/* "Time [s]" is t: the word before a unit in brackets, without regard to capitals */
+static bool is_called(const char *cell, const char *const *names)
 {
-  struct gait_row row = { .line = tsv->number };
-  const struct gait_row *before = g->last >= 0 ? &g->rows[g->last] : NULL;
-  if (tsv->fault)
-    return tsv_at(tsv, "%s", tsv->fault);
-  if (tsv->count != 2)
-    return tsv_at(tsv, "%d column%s: two are wanted, t and l", tsv->count, tsv->count == 1 ? "" : "s");
-  for (int i = 0; i < 2; i++)
-    if (!read_number(tsv->cell[i], i == 0 ? &row.t : &row.l))
-      return tsv_at(tsv, "%s = '%.80s' is not allowed: a finite number is wanted", i == 0 ? "t" : "l", tsv->cell[i]);
-  if (g->last + 1 == MOST_ROWS)
-    return tsv_at(tsv, "more than %d rows", MOST_ROWS);
-  if (before && !(row.t > before->t))
-    return tsv_at(tsv, "t = %.80s does not come after %g of line %ld: t must increase", tsv->cell[0], before->t,
-                  before->line);
-  struct gait_row *rows = with_room(g->rows, g->last + 1, sizeof *rows);
-  if (!rows)
-    return no_memory;
-  g->rows = rows;
-  rows[++g->last] = row;
-  return NULL;
-}
-
-static const char *read_rows(struct gait_file *g, struct tsv *tsv)
-{
-  const char *wrong = NULL;
-  for (bool first = true; !wrong && tsv_next(tsv); first = false)
-    if (!first || !is_header(tsv))
-      wrong = read_row(g, tsv);
-  return wrong ? wrong : tsv_error(tsv);
-}
-
-/* Of row i, which may be beyond the last: the first rows come again a period later, the last one is the first */
-static double length_of(const struct gait_file *g, long i) { return g->rows[i % g->last].l; }
-static double time_of(const struct gait_file *g, long i)
-{
-  double least = g->rows[g->least].t;
-  return i < g->last ? g->rows[i].t - least : (g->rows[g->last].t - least) + (g->rows[i - g->last].t - g->rows[0].t);
-}
-
-/* Finds the period. NULL, or what is wrong with it */
-static const char *look(struct gait_file *g, struct tsv *tsv)
-{
-  long n = g->last;
-  if (n + 1 < LEAST_ROWS)
-    return tsv_at_line(tsv, n < 0 ? 0 : g->rows[n].line,
-                       "%ld row%s: at least %d are wanted, three points of the period and the first one again a period "
-                       "later; through fewer every curve would be the same",
-                       n + 1, n == 0 ? "" : "s", LEAST_ROWS);
-  const struct gait_row *first = &g->rows[0], *last = &g->rows[n];
-  for (long i = 1; i < n; i++)
-    if (g->rows[i].l < g->rows[g->least].l)
-      g->least = i;
-  g->most = g->least;
-  for (long i = g->least + 1; i < g->least + n; i++)
-    if (length_of(g, i) > length_of(g, g->most))
-      g->most = i;
-  g->L = length_of(g, g->most) - g->rows[g->least].l;
-  g->T = last->t - first->t;
-  g->alpha = time_of(g, g->most) / g->T;
-  if (!(g->L > 0) && last->l == first->l)
-    return tsv_at_line(tsv, last->line, "l is the same throughout: there is no gait in that");
-  if (!(fabs(last->l - first->l) <= closes * g->L))
-    return tsv_at_line(
-        tsv, last->line,
-        "not periodic: l = %.15g in the last row, %.15g in the first one, on line %ld: they must be equal to "
-        "1e-9 of the range",
-        last->l, first->l, first->line);
-  if (!isfinite(g->L) || !isfinite(g->T))
-    return tsv_at_line(tsv, last->line, "the range of t and that of l must not overflow");
-  if (!(g->alpha > 0 && g->alpha < 1))
-    return tsv_at_line(tsv, last->line, "the part of the period in which l grows must be between 0 and 1: it is %.17g",
-                       g->alpha);
-  return NULL;
-}
-
-/* Rows first to last as the knots of a phase. False: two of them are at one time, in units of 2^-53 of the phase: row
- * *bad. */
-static bool set_knots(struct scallop_knot *knots, const struct gait_file *g, long first, long last, long *bad)
-{
-  double begin = time_of(g, first), duration = time_of(g, last) - begin;
-  for (long i = first; i <= last; i++) {
-    struct scallop_knot *k = &knots[i - first];
-    k->time = i == last ? 1 : scallop_knot_round((time_of(g, i) - begin) / duration);
-    k->length = scallop_knot_round((length_of(g, i) - g->rows[g->least].l) / g->L);
-    k->slope = 0;
-    *bad = i;
-    if (i > first && !(k->time > knots[i - first - 1].time))
-      return false;
+  char word[24];
+  size_t length = 0;
+  while (isspace((unsigned char)*cell) || *cell == '"')
+    cell++;
+  while (length + 1 < sizeof word && (isalnum((unsigned char)cell[length]) || cell[length] == '_')) {
+    word[length] = (char)tolower((unsigned char)cell[length]);
+    length++;
   }
+  word[length] = '\0';
+  return word_place(word, names) >= 0;
+}
+
+static int column_called(const struct tsv *tsv, const char *const *names)
+{
+  for (int i = 0, column = 0; i < tsv->count; i++) {
+    if (is_called(tsv->cell[i], names))
+      return column;
+    column += *tsv->cell[i] != '[' && *tsv->cell[i] != '('; /* a unit that stands alone between blanks */
+  }
+  return -1;
+}
+
+/* False: this row is no header. */
+static bool take_header(struct columns *c, const struct tsv *tsv)
+{
+  static const char *const times[] = { "t", "time", NULL },
+                           *const lengths[] = { "l", "length", "distance", "separation", NULL },
+                           *const first[] = { "x1", "x_1", NULL }, *const second[] = { "x2", "x_2", NULL };
+  const struct columns found = { column_called(tsv, times), { column_called(tsv, lengths), -1 } };
+  const int bodies[2] = { column_called(tsv, first), column_called(tsv, second) };
+  if (found.t < 0 || (found.l[0] < 0 && (bodies[0] < 0 || bodies[1] < 0)))
+    return false;
+  *c = found.l[0] >= 0 ? found : (struct columns){ found.t, { bodies[0], bodies[1] } };
   return true;
 }
 
-static double sign(double x) { return x < 0 ? -1 : 1; }
-
-/* Steffen's slopes (Astron. Astrophys. 239, 1990, p. 443). At the ends of a phase, a minimum and a maximum, they are 0,
- * as they are there with the points beyond, too: l turns. So each phase stands alone. */
-static void set_slopes(struct scallop_knot *k, int count)
+/* 1: a number, 0: none is there, -1: something else is. */
+static int cell_number(const struct tsv *tsv, int column, double *x)
 {
-  for (int i = 1; i + 1 < count; i++) {
-    double before = k[i].time - k[i - 1].time, after = k[i + 1].time - k[i].time;
-    double from = (k[i].length - k[i - 1].length) / before, to = (k[i + 1].length - k[i].length) / after;
-    double parabola = (from * after + to * before) / (before + after);
-    k[i].slope = (sign(from) + sign(to)) * fmin(fabs(from), fmin(fabs(to), 0.5 * fabs(parabola)));
+  static const char *const none[] = { "", "nan", "na", "null", "-", NULL };
+  if (column >= tsv->count)
+    return 0;
+  return read_number(tsv->cell[column], x) ? 1 : is_called(tsv->cell[column], none) ? 0 : -1;
+}
+
+static const char *read_row(struct rows *r, struct tsv *tsv, const struct columns *c)
+{
+  const int columns[3] = { c->t, c->l[0], c->l[1] };
+  double x[3] = { 0 };
+  int there = 1;
+  if (tsv->fault)
+    return tsv_at(tsv, "%s", tsv->fault);
+  for (int i = 0; i < (c->l[1] >= 0 ? 3 : 2); i++) {
+    int kind = cell_number(tsv, columns[i], &x[i]);
+    if (kind < 0)
+      return tsv_at(tsv, "column %d, '%.80s', is not allowed: a finite number is wanted", columns[i] + 1,
+                    tsv->cell[columns[i]]);
+    there = there && kind;
   }
+  if (!there) {
+    r->left_out++;
+    return NULL;
+  }
+  if (r->count == MOST_ROWS)
+    return tsv_at(tsv, "more than %d rows", MOST_ROWS);
+  double *t = with_room(r->t, r->count, sizeof *t);
+  r->t = t ? t : r->t;
+  double *l = with_room(r->l, r->count, sizeof *l);
+  r->l = l ? l : r->l;
+  if (!t || !l)
+    return no_memory;
+  t[r->count] = x[0];
+  l[r->count++] = c->l[1] >= 0 ? x[2] - x[1] : x[1];
+  return NULL;
 }
 
-static bool make_memory(struct scallop_spline *s, const int count[2])
+static const char *read_rows(struct rows *r, struct tsv *tsv, struct columns *c)
 {
-  size_t pieces = (size_t)scallop_spline_pieces(count);
-  s->pieces = malloc(pieces * sizeof *s->pieces);
-  s->laws = malloc(pieces * sizeof *s->laws);
-  return s->pieces && s->laws;
-}
-
-static const char *lay_spline(struct gait_file *g, struct tsv *tsv, const char *text)
-{
-  const long first[2] = { g->least, g->most }, last[2] = { g->most, g->least + g->last };
-  const int count[2] = { (int)(last[0] - first[0]) + 1, (int)(last[1] - first[1]) + 1 };
-  size_t all = (size_t)count[0] + (size_t)count[1];
-  struct scallop_knot *knots = calloc(all, sizeof *knots);
-  const struct scallop_knot *const phases[2] = { knots, knots + count[0] };
-  const char *wrong = knots && make_memory(&g->spline, count) ? NULL : no_memory;
-  for (int kind = 0; !wrong && kind < 2; kind++) {
-    long bad;
-    struct scallop_knot *phase = knots + (kind == 0 ? 0 : count[0]);
-    if (set_knots(phase, g, first[kind], last[kind], &bad))
-      set_slopes(phase, count[kind]);
+  const char *wrong = NULL;
+  for (bool first = true; !wrong && tsv_next(tsv); first = false)
+    if (first && take_header(c, tsv))
+      continue;
+    else if (first && tsv->count != 2 && !tsv->fault)
+      wrong = tsv_at(tsv, "%d column%s without a header that names t and l, or t, x1 and x2: two are wanted, t and l",
+                     tsv->count, tsv->count == 1 ? "" : "s");
     else
-      wrong = tsv_at_line(tsv, g->rows[bad <= g->last ? bad : bad - g->last].line,
-                          "too near in time to the row before: 1e-16 of a phase");
+      wrong = read_row(r, tsv, c);
+  return wrong ? wrong : tsv_error(tsv);
+}
+
+static void tell_columns(struct gait_file *g, const struct rows *r, const struct columns *c)
+{
+  size_t size = sizeof g->columns;
+  int used = c->l[1] < 0 ? snprintf(g->columns, size, "t is column %d, l column %d", c->t + 1, c->l[0] + 1)
+                         : snprintf(g->columns, size, "t is column %d, l = x2 - x1 columns %d and %d", c->t + 1,
+                                    c->l[1] + 1, c->l[0] + 1);
+  if (r->left_out > 0)
+    snprintf(g->columns + used, size - (size_t)used, "; %d rows without a number are left out", r->left_out);
+}
+
+/* Of the open table, which is closed. */
+static const char *read_table(struct gait_file *g, struct tsv *tsv, bool open, const struct scallop_measured_options *o,
+                              const char *text)
+{
+  struct rows rows = { .count = 0 };
+  struct columns columns = { 0, { 1, -1 } };
+  *g = (struct gait_file){ .measured = NULL };
+  tsv->style = TSV_ANY;
+  const char *wrong = open ? read_rows(&rows, tsv, &columns) : tsv_error(tsv), *why = NULL;
+  if (!wrong) {
+    tell_columns(g, &rows, &columns);
+    g->measured = scallop_measured_new(rows.t, rows.l, rows.count, o, text, &why);
+    wrong = g->measured ? NULL : tsv_at_line(tsv, 0, "%s", why);
   }
-  if (!wrong && scallop_make_spline(&g->spline, text, phases, count) != SCALLOP_OK)
-    wrong = tsv_at_line(tsv, 0,
-                        "no monotone spline goes through these rows: some differ in l by 1e-16 of the range only");
-  free(knots);
+  if (!wrong)
+    g->best = scallop_measured_gait(g->measured, SCALLOP_MEASURED_BEST);
+  free(rows.t);
+  free(rows.l);
+  tsv_close(tsv);
   return wrong;
+}
+
+/* Takes ":KIND", ":KIND=SIGMA" or ":period=P" off the end of name. False: there is none, or it is part of the name. */
+static bool take_choice(char *name, struct scallop_measured_options *o)
+{
+  char *colon = strrchr(name, ':'), *number = colon ? strchr(colon, '=') : NULL;
+  double x = 0;
+  if (!colon || (number && (!read_number(number + 1, &x) || !(x > 0))))
+    return false;
+  *(number ? number : colon) = '\0';
+  int kind = word_place(colon + 1, kinds);
+  bool is_period = number && strcmp(colon + 1, "period") == 0;
+  if (number)
+    *number = '=';
+  if (!is_period && (kind < 0 || (number && kind < SCALLOP_FIT_SMOOTH))) {
+    *colon = ':';
+    return false;
+  }
+  if (is_period)
+    o->period = x;
+  else
+    *o = (struct scallop_measured_options){ (enum scallop_fit)kind, x, o->period };
+  *colon = '\0';
+  return true;
 }
 
 static struct tsv reader; /* has the message */
 
-/* Of the open table, which is closed. */
-static const char *read_table(struct gait_file *gait, bool open, const char *text)
-{
-  *gait = (struct gait_file){ .last = -1 };
-  reader.style = TSV_WORDS;
-  const char *wrong = open ? read_rows(gait, &reader) : tsv_error(&reader);
-  wrong = wrong ? wrong : look(gait, &reader);
-  wrong = wrong ? wrong : lay_spline(gait, &reader, text);
-  tsv_close(&reader);
-  if (wrong)
-    gait_file_free(gait);
-  return wrong;
-}
-
 const char *gait_file_read(struct gait_file *gait, const char *name, const char *text, bool *unreadable)
 {
-  const char *wrong = read_table(gait, tsv_open(&reader, strcmp(name, "-") == 0 ? "./-" : name, TSV_WORDS), text);
+  struct scallop_measured_options options = { .sigma = 0 };
+  char *file = strdup(name);
+  if (!file)
+    return no_memory;
+  while (take_choice(file, &options))
+    continue;
+  bool open = tsv_open(&reader, strcmp(file, "-") == 0 ? "./-" : file, TSV_ANY);
+  const char *wrong = read_table(gait, &reader, open, &options, text);
   *unreadable = reader.error != 0;
+  free(file);
   return wrong;
 }
 
 const char *gait_file_of_table(struct gait_file *gait, const char *name, const char *table, const char *text)
 {
-  return read_table(gait, tsv_open_text(&reader, name, table), text);
+  return read_table(gait, &reader, tsv_open_text(&reader, name, table), NULL, text);
 }
 
-void gait_file_free(struct gait_file *gait)
+void gait_file_free(struct gait_file *g)
 {
-  free(gait->spline.pieces);
-  free(gait->spline.laws);
-  free(gait->rows);
-  *gait = (struct gait_file){ .last = -1 };
+  scallop_measured_free(g->measured);
+  *g = (struct gait_file){ .measured = NULL };
 }

@@ -1,25 +1,18 @@
-/* A measured gait: the file, and the spline through it. */
+/* A measured gait, and the table that it is read from: rows of t and l, or of t and the positions x1 and x2. */
 #ifndef SCALLOP_COMPARE_POINTS_GAIT_FILE_H
 #define SCALLOP_COMPARE_POINTS_GAIT_FILE_H
 
-#include <stddef.h>
+#include "model/measured/measured.h"
 
-#include "model/gaits.h"
-
-struct gait_row {
-  double t, l;
-  long line;
-};
 struct gait_file {
-  struct scallop_spline spline;
-  double L, T, alpha;    /* of the table itself */
-  struct gait_row *rows; /* 0 to last: the last one is the first one, a period later */
-  long last;
-  long least; /* the first row with the smallest l */
-  long most;  /* the first one after it with the largest, from last on a period later */
+  struct scallop_measured *measured;
+  struct scallop_measured_gait best;
+  char columns[120]; /* which columns were taken for what */
 };
 
-/* Reads a file of t and l, and lays the spline through it. NULL, or what is wrong with it: it lives until the next
+/* Reads FILE, FILE:KIND, FILE:KIND=SIGMA or one of these with :period=P behind it; KIND is monotone, cubic, smooth or
+ * phases, SIGMA the noise of a row. A header names the columns, t and l or x1 and x2, with or without units; without
+ * one they are t and l. Rows without a number are left out. NULL, or what is wrong with it, which lives until the next
  * call; *unreadable: the file could not be read at all. text: the gait's name, which is kept. */
 const char *gait_file_read(struct gait_file *gait, const char *name, const char *text, bool *unreadable);
 /* The same of a table, which is called name in messages. Needs no files. */

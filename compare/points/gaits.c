@@ -1,6 +1,7 @@
 #define _GNU_SOURCE /* tdestroy */
 #include "compare/points/gaits.h"
 
+#include <pthread.h>
 #include <search.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -116,8 +117,10 @@ static const char *make_measured(struct made *m)
   const char *c = m->parameters;
   while ((unsigned char)*c >= ' ')
     c++;
-  m->gait = &m->file.spline.gait;
-  return *c || c == m->parameters ? "" : gait_file_read(&m->file, m->parameters, m->text, &m->is_unreadable);
+  const char *wrong = *c || c == m->parameters ? ""
+                                               : gait_file_read(&m->file, m->parameters, m->text, &m->is_unreadable);
+  m->gait = m->file.best.gait;
+  return wrong;
 }
 
 /* The family of that name, up to one of the characters of ends or the end */
@@ -223,6 +226,19 @@ const struct gait_file *gait_file_of(const struct scallop_gait *gait)
 {
   const struct made *m = made_of(gait);
   return m && is_measured(m) ? &m->file : NULL;
+}
+
+struct scallop_measured_gait gait_other(const struct scallop_gait *gait, int i)
+{
+  static pthread_mutex_t by_one_thread = PTHREAD_MUTEX_INITIALIZER;
+  struct made *m = made_of(gait);
+  struct scallop_measured_gait other = { .gait = NULL };
+  if (!m || !is_measured(m))
+    return other;
+  pthread_mutex_lock(&by_one_thread);
+  other = scallop_measured_gait(m->file.measured, i);
+  pthread_mutex_unlock(&by_one_thread);
+  return other;
 }
 
 int gait_reversals(const struct scallop_gait *gait)

@@ -4,6 +4,7 @@
 #define SCALLOP_COMPARE_POINTS_GAITS_H
 
 #include "model/families.h"
+#include "model/measured/measured.h"
 
 /* The families, measured last: i = 0, 1, ...; NULL after the last. */
 const struct scallop_gait_family *gait_family(int i);
@@ -26,6 +27,9 @@ bool gait_family_begins(const char *text);
 
 /* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. NULL: this is none. */
 const struct gait_file *gait_file_of(const struct scallop_gait *gait);
+/* One of the gaits that the data admit as well, 0 <= i < SCALLOP_MEASURED_OTHERS; its gait is NULL where there is none,
+ * or the gait is not measured. From any thread. */
+struct scallop_measured_gait gait_other(const struct scallop_gait *gait, int i);
 
 /* What a gait was made of, for those who want more digits of its numbers than doubles have. */
 struct gait_source {

@@ -89,11 +89,11 @@ void point_complete(struct point *p)
   const struct gait_file *file = gait_file_of(p->crawler.gait);
   struct scallop_crawler *c = &p->crawler;
   if (!p->written[PLACE_OF_L])
-    c->L = file ? file->L : p->usual.L;
+    c->L = file ? file->best.L : p->usual.L;
   if (!p->written[PLACE_OF_T])
-    c->T = file ? file->T : p->usual.T;
+    c->T = file ? file->best.T : p->usual.T;
   if (!p->written[PLACE_OF_ALPHA])
-    c->alpha = file ? file->alpha : p->usual.alpha;
+    c->alpha = file ? file->best.alpha : p->usual.alpha;
 }
 
 const char *point_set_number(struct point *p, int place, const char *text)

@@ -48,9 +48,13 @@ static void read_file(const uint8_t *data, size_t size)
     fuzz_fail("it cannot be read: %s", wrong);
   if (wrong)
     return;
-  judge(&gait.spline.gait);
-  if (!(gait.T > 0 && gait.L > 0 && gait.alpha > 0 && gait.alpha < 1))
-    fuzz_fail("T = %g, L = %g, alpha = %g", gait.T, gait.L, gait.alpha);
+  for (int i = SCALLOP_MEASURED_BEST; i < SCALLOP_MEASURED_OTHERS; i++) {
+    struct scallop_measured_gait g = scallop_measured_gait(gait.measured, i);
+    if (g.gait)
+      judge(g.gait);
+    if ((i < 0 || g.gait) && !(g.T > 0 && g.L > 0 && g.alpha > 0 && g.alpha < 1))
+      fuzz_fail("T = %g, L = %g, alpha = %g", g.T, g.L, g.alpha);
+  }
   gait_file_free(&gait);
 }
 

@@ -488,18 +488,23 @@ TEST(rest_at_the_end)
 }
 
 static const char path[] = "gait";
+static const char *choice = ":monotone"; /* behind the name of the file */
 static char text[64];
 
 /* The gait measured in a file of these bytes. Each has another name: what was read once is not read again. */
 static struct gait_answer measured(const char *bytes, size_t size)
 {
   static int number;
-  FILE *file = fopen(path, "w");
+  char name[24];
+  snprintf(name, sizeof name, "%s%d", path, number++);
+  FILE *file = fopen(name, "w");
   assert_non_null(file);
   assert_int_equal(fwrite(bytes, 1, size, file), size);
   assert_int_equal(fclose(file), 0);
-  snprintf(text, sizeof text, "measured:%.*s%s", 2 * (number++ % 16), "././././././././././././././././", path);
-  return gait_of_text(text);
+  snprintf(text, sizeof text, "measured:%s%s", name, choice);
+  struct gait_answer answer = gait_of_text(text);
+  assert_int_equal(remove(name), 0);
+  return answer;
 }
 
 static struct gait_answer measured_text(const char *table) { return measured(table, strlen(table)); }
@@ -508,24 +513,21 @@ TEST(bad_files)
 {
   static const struct {
     const char *table, *says;
-  } bad[] = { { "", ": 0 rows" },
-              { "# nothing\n\n", ": 0 rows" },
-              { "t l\n0 0\n", ":2: 1 row:" },
-              { "0 0\n1 1\n2 0\n", ":3: 3 rows" },
-              { "0 0\n1 1\n1 0.5\n3 0\n", ":3: t = 1 does not come after 1 of line 2" },
-              { "0 0\n2 1\n1 0.5\n3 0\n", ":3: t = 1 does not come after 2 of line 2" },
-              { "0 0\n1 1\nnan 0.5\n3 0\n", ":3: t = 'nan' is not allowed" },
-              { "0 0\n1 inf\n2 0.5\n3 0\n", ":2: l = 'inf' is not allowed" },
-              { "0 0\n1 1e999\n2 0.5\n3 0\n", ":2: l = '1e999' is not allowed" },
-              { "0 0\n1 1\n2 x\n3 0\n", ":3: l = 'x' is not allowed" },
-              { "0 0\n1 1 7\n2 0.5\n3 0\n", ":2: 3 columns" },
-              { "0 0\n1\n2 0.5\n3 0\n", ":2: 1 column:" },
-              { "t l\nt l\n0 0\n1 1\n2 0.5\n3 0\n", ":2: t = 't' is not allowed" },
-              { "0 0\n1 1\n2 0.5\n3 0.1\n",
-                ":4: not periodic: l = 0.1 in the last row, 0 in the first one, on line 1" },
-              { "0 1\n1 1\n2 1\n3 1\n", ":4: l is the same throughout" },
-              { "0 0\n1 1\n2 -1e308\n3 1e308\n4 0\n", ":5: the range" },
-              { "0 0\n1 1\n1.0000000000000002 0.9\n9e15 0.5\n1e16 0\n", ":3: too near in time" } };
+  } bad[] = { { "", ": fewer than four rows" },
+              { "# nothing\n\n", ": fewer than four rows" },
+              { "t l\n0 0\n", ": fewer than four rows" },
+              { "0 0\n1 1\n2 0\n", ": fewer than four rows" },
+              { "0 0\n1 1\n2 0\n2 1\n", ": fewer than four rows" },
+              { "0 0\n1 inf\n2 0.5\n3 0\n", ":2: column 2, 'inf', is not allowed" },
+              { "0 0\n1 1e999\n2 0.5\n3 0\n", ":2: column 2, '1e999', is not allowed" },
+              { "0 0\n1 1\n2 x\n3 0\n", ":3: column 2, 'x', is not allowed" },
+              { "t l\n0 0\n1 1\ny 0.5\n3 0\n", ":4: column 1, 'y', is not allowed" },
+              { "0 0 1\n1 1 7\n2 0.5 1\n3 0 1\n", ":1: 3 columns without a header" },
+              { "t x\n0 0\n1 1\n2 0.5\n3 0\n", ":1: column 1, 't', is not allowed" },
+              { "t x1\n0 0\n1 1\n2 0.5\n3 0\n", ":1: column 1, 't', is not allowed" },
+              { "0 0\n1 1\n2 3\n3 4\n4 5\n5 7\n", ": not periodic" },
+              { "0 1\n1 1\n2 1\n3 1\n", ": l is the same throughout" },
+              { "0 0\n1 1\n2 -1e308\n3 1e308\n4 0\n", ": the range" } };
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     struct gait_answer a = measured_text(bad[i].table);
     assert_null(a.gait);
@@ -573,9 +575,9 @@ TEST(a_good_file)
   }
   const struct gait_file *file = gait_file_of(a.gait);
   assert_non_null(file);
-  CHECK_EQUAL(file->L, 4);
-  CHECK_EQUAL(file->T, 10);
-  CHECK_EQUAL(file->alpha, 0.7); /* from t = 5 to t = 2, a period later */
+  CHECK_EQUAL(file->best.L, 4);
+  CHECK_EQUAL(file->best.T, 10);
+  CHECK_EQUAL(file->best.alpha, 0.7); /* from t = 5 to t = 2, a period later */
   scallop_gait_at(a.gait, SCALLOP_EXTENSION, 1. / 7, &l, NULL, NULL);
   CHECK_NEAR(l, 0.25, 1e-15);
   scallop_gait_at(a.gait, SCALLOP_EXTENSION, 6. / 7, &l, NULL, NULL);
@@ -585,6 +587,51 @@ TEST(a_good_file)
   assert_ptr_equal(gait_of_text(text).gait, a.gait);
   assert_string_equal(a.gait->name, text);
   assert_null(gait_file_of(&scallop_gait_quadratic));
+}
+
+/* The same gait however it is written: L, T and alpha are those of the first table. */
+TEST(other_tables)
+{
+  static const char *const tables[] = { "0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n",
+                                        "0 3\n4 1\n1 5\n2 2\n10 3\n5 2\n", /* unsorted */
+                                        "time [s],length (mm)\n0,3\n1,5\n2,2\n4,1\n5,2\n10,3\n",
+                                        "t [s]   x1 [m]   x2 [m]\n0 1 4\n1 0 5\n2 -1 1\n4 0 1\n5 2 4\n10 0 3\n",
+                                        "n,x2,t,x1\n1,4,0,1\n2,5,1,0\n3,1,2,-1\n4,1,4,0\n5,4,5,2\n6,3,10,0\n",
+                                        "t,l\n0,3\n1,5\n1.5,\n2,2\n3,NaN\n4,1\n5,2\n10,3\n", /* without a number */
+                                        "t l\n0 3\n1 4\n1 6\n2 2\n4 1\n5 2\n10 3\n" };       /* twice at 1 */
+  for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
+    struct gait_answer a = measured_text(tables[i]);
+    if (!a.gait)
+      fail_msg("%s: %s", tables[i], a.wrong);
+    const struct gait_file *file = gait_file_of(a.gait);
+    CHECK_EQUAL(file->best.L, 4);
+    CHECK_EQUAL(file->best.T, 10);
+    CHECK_EQUAL(file->best.alpha, 0.7);
+  }
+}
+
+/* A kind and its noise, and the period, are told from the name of a file that has a colon. */
+TEST(choices)
+{
+  static const struct {
+    const char *choice;
+    double T; /* 0: no such file */
+  } all[] = {
+    { "", 4 },          { ":cubic", 4 },     { ":smooth", 4 },    { ":phases=0.01", 4 }, { ":smooth=0.01:period=5", 5 },
+    { ":period=8", 8 }, { ":cubic=0.1", 0 }, { ":smooth=-1", 0 }, { ":spline", 0 },      { ":period=0", 0 }
+  };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    choice = all[i].choice;
+    struct gait_answer a = measured_text(
+        "0 0\n.3 .5\n.7 1\n1 1.3\n1.3 1.7\n1.7 1.9\n2 2\n2.3 1.6\n2.6 1.2\n3 .6\n3.4 .4\n"
+        "3.7 .2\n3.9 .1\n4 0\n");
+    choice = ":monotone";
+    assert_int_equal(!a.gait, all[i].T == 0);
+    if (a.gait)
+      CHECK_EQUAL(gait_file_of(a.gait)->best.T, all[i].T);
+    else
+      assert_int_equal(a.fault, GAIT_UNREADABLE);
+  }
 }
 
 TEST(texts)

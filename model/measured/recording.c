@@ -1,0 +1,202 @@
+#include "model/measured/recording.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { LEAST_ROWS = 4 };
+static const double closes = 1e-9; /* of the range of l, and of the period: what is nearer than this is the same */
+
+struct recorded {
+  struct sample *at;
+  int count;
+  double low, high; /* of l */
+};
+
+static int by_time(const void *a, const void *b)
+{
+  double s = ((const struct sample *)a)->t, t = ((const struct sample *)b)->t;
+  return (s > t) - (s < t);
+}
+
+/* Sorts by t, and puts the mean in the place of samples at one time. */
+static void tidy(struct sample *at, int *count, double least_step)
+{
+  int used = 0;
+  qsort(at, (size_t)*count, sizeof *at, by_time);
+  for (int i = 0; i < *count;) {
+    double sum = 0;
+    int same = 0;
+    for (; i + same < *count && at[i + same].t <= at[i].t + least_step; same++)
+      sum += at[i + same].l;
+    at[used++] = (struct sample){ at[i].t, sum / same };
+    i += same;
+  }
+  *count = used;
+}
+
+static double linear_at(const struct recorded *r, double t)
+{
+  int low = 0, high = r->count - 1;
+  while (high - low > 1) {
+    int middle = (low + high) / 2;
+    *(r->at[middle].t <= t ? &low : &high) = middle;
+  }
+  const struct sample *a = &r->at[low], *b = &r->at[high];
+  return a->l + (b->l - a->l) * (t - a->t) / (b->t - a->t);
+}
+
+/* The mean square of l(t) - l(t - lag), over the variance of l; infinite where less than a quarter of lag overlaps */
+static double unlike(const struct recorded *r, double lag)
+{
+  double squares = 0, variance = 0, mean = 0;
+  int count = 0;
+  for (int i = 0; i < r->count; i++)
+    mean += r->at[i].l / r->count;
+  for (int i = 0; i < r->count; i++) {
+    variance += (r->at[i].l - mean) * (r->at[i].l - mean) / r->count;
+    if (r->at[i].t - lag < r->at[0].t)
+      continue;
+    double change = r->at[i].l - linear_at(r, r->at[i].t - lag);
+    squares += change * change;
+    count++;
+  }
+  return count * 5 > r->count ? squares / count / variance : INFINITY;
+}
+
+/* The shortest lag after which the recording repeats itself, or 0: the first low valley of unlike(). */
+static double repeats_after(const struct recorded *r)
+{
+  enum { STEPS = 600 };
+  const double like = 0.06;
+  double span = r->at[r->count - 1].t - r->at[0].t, step = span / STEPS, lags[3] = { 0 }, values[3] = { 0 };
+  bool rose = false;
+  for (int i = 1; i < STEPS; i++) {
+    lags[2] = i * step;
+    values[2] = unlike(r, lags[2]);
+    rose = rose || values[2] > 0.5;
+    if (rose && values[1] < like && values[1] <= values[0] && values[1] <= values[2])
+      return lags[1];
+    for (int j = 0; j < 2; j++) {
+      lags[j] = lags[j + 1];
+      values[j] = values[j + 1];
+    }
+  }
+  return 0;
+}
+
+/* In units of the period, and of the range of l */
+static struct samples folded(const struct recorded *r, double period)
+{
+  struct samples s = { .at = malloc((size_t)r->count * sizeof *s.at), .count = r->count, .period = 1 };
+  for (int i = 0; s.at && i < r->count; i++)
+    s.at[i] = (struct sample){ fmod(r->at[i].t - r->at[0].t, period) / period,
+                               (r->at[i].l - r->low) / (r->high - r->low) };
+  if (s.at)
+    tidy(s.at, &s.count, closes);
+  return s;
+}
+
+/* What a smooth curve leaves of the recording, folded with that period */
+static double leaves_of_period(const struct recorded *r, double period, struct fit *fit)
+{
+  struct samples s = folded(r, period);
+  struct curve curve = { NULL };
+  double left = s.at && curve_through(&curve, fit, &s) ? 0 : INFINITY;
+  for (int i = 0; left < INFINITY && i < s.count; i++)
+    left += pow(s.at[i].l - curve_at(&curve, s.at[i].t), 2);
+  free(curve.knots);
+  free(s.at);
+  return left;
+}
+
+/* Golden section about a first guess */
+static double refined(const struct recorded *r, double period)
+{
+  const double golden = 0.6180339887498949;
+  struct fit fit = { .kind = SCALLOP_FIT_SMOOTH };
+  double span = r->at[r->count - 1].t - r->at[0].t, a = period - span / 600, b = period + span / 600;
+  leaves_of_period(r, period, &fit); /* chooses the stiffness */
+  for (int i = 0; i < 24; i++) {
+    double p = b - golden * (b - a), q = a + golden * (b - a);
+    bool left = leaves_of_period(r, p, &fit) < leaves_of_period(r, q, &fit);
+    *(left ? &b : &a) = left ? q : p;
+  }
+  return (a + b) / 2;
+}
+
+/* One period that is not repeated: how long it is, where the last row is not the first one again but one step before.
+ * False: a step would not bring l back. */
+static bool close_gap(struct recorded *r, double *period, bool *gap)
+{
+  struct sample first = r->at[0], last = r->at[r->count - 1];
+  double span = last.t - first.t, steepest = 0, step = span / (r->count - 1);
+  *gap = !(fabs(last.l - first.l) <= closes * (r->high - r->low));
+  *period = *gap ? span + step : span;
+  for (int i = 1; i < r->count; i++)
+    steepest = fmax(steepest, fabs((r->at[i].l - r->at[i - 1].l) / (r->at[i].t - r->at[i - 1].t)));
+  r->count -= !*gap;
+  return !*gap || fabs(first.l - last.l) / step <= 1.5 * steepest;
+}
+
+/* NULL, or what is wrong */
+static const char *check(struct recorded *r)
+{
+  if (r->count < LEAST_ROWS)
+    return "fewer than four rows with numbers at different times: through so few every curve would be the same";
+  r->low = r->high = r->at[0].l;
+  for (int i = 1; i < r->count; i++) {
+    r->low = fmin(r->low, r->at[i].l);
+    r->high = fmax(r->high, r->at[i].l);
+  }
+  if (!isfinite(r->high - r->low) || !isfinite(r->at[r->count - 1].t - r->at[0].t))
+    return "the range of t and that of l must not overflow";
+  return r->high > r->low ? NULL : "l is the same throughout: there is no gait in that";
+}
+
+static void tell(struct recording *g, int rows, double span, bool gap)
+{
+  int used = snprintf(g->understood, sizeof g->understood, "%d rows", rows);
+  char *end = g->understood + used;
+  size_t left = sizeof g->understood - (size_t)used;
+  if (g->folded)
+    snprintf(end, left, ", %.4g periods of %.10g, folded into one", span / g->period, g->period);
+  else if (gap)
+    snprintf(end, left, ", closed over a gap of one step after the last, period %.10g", g->period);
+  else
+    snprintf(end, left, ", one period of %.10g", g->period);
+}
+
+static const char *find_period(struct recording *g, struct recorded *r, double period)
+{
+  bool gap = false;
+  int rows = r->count;
+  double span = r->at[rows - 1].t - r->at[0].t, repeats = period > 0 || rows < FIT_LEAST ? 0 : repeats_after(r);
+  if (repeats > 0)
+    period = refined(r, repeats);
+  if (!(period > 0) && !close_gap(r, &period, &gap))
+    return "not periodic: l at the end is further from l at the start than a step between rows can bring it";
+  g->start = r->at[0].t;
+  g->low = r->low;
+  g->range = r->high - r->low;
+  g->period = period;
+  g->folded = span > period * (1 + closes);
+  g->samples = folded(r, period);
+  tell(g, rows, span, gap);
+  return g->samples.at ? NULL : "out of memory";
+}
+
+const char *recording_of(struct recording *g, const double *t, const double *l, int count, double period)
+{
+  struct recorded r = { .at = malloc(((size_t)count + 1) * sizeof *r.at), .count = count };
+  *g = (struct recording){ .folded = false };
+  if (!r.at)
+    return "out of memory";
+  for (int i = 0; i < count; i++)
+    r.at[i] = (struct sample){ t[i], l[i] };
+  tidy(r.at, &r.count, 0);
+  const char *wrong = check(&r);
+  wrong = wrong ? wrong : find_period(g, &r, period);
+  free(r.at);
+  return wrong;
+}

@@ -1,0 +1,11 @@
+/* Least-squares splines with a penalty on the third differences of their coefficients (fit.h). */
+#ifndef SCALLOP_MODEL_MEASURED_SPLINE_FIT_H
+#define SCALLOP_MODEL_MEASURED_SPLINE_FIT_H
+
+#include "model/measured/fit.h"
+
+/* Writes the knots of the spline of kind SCALLOP_FIT_SMOOTH or SCALLOP_FIT_PHASES, at most FIT_SEGMENTS + 8, and sets
+ * what fit has not chosen yet. Returns how many knots, 0: none could be found. */
+int spline_fit(struct scallop_knot *knots, struct fit *fit, const struct samples *samples);
+
+#endif

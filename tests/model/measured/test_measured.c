@@ -1,0 +1,342 @@
+/* Measured gaits: that curves through exact samples come near the gait, that a recording is understood however it is
+ * given, and that the truth lies within the stated interval as often as docs/gaits.md says. RECORDINGS=400
+ * build/test_measured prints the table of that page. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "model/families.h"
+#include "model/measured/measured.h"
+#include "numerics/numerics.h"
+#include "tests/support/check.h"
+#include "tests/support/random_crawler.h"
+
+enum { MOST = 2600, GAITS = 8, NOISES = 3 };
+
+struct rows {
+  double t[MOST], l[MOST];
+  int count;
+};
+
+static double length_at(const struct scallop_crawler *c, double t)
+{
+  double s = t / c->T - floor(t / c->T), l;
+  if (s < c->alpha)
+    scallop_gait_at(c->gait, SCALLOP_EXTENSION, s / c->alpha, &l, NULL, NULL);
+  else
+    scallop_gait_at(c->gait, SCALLOP_CONTRACTION, fmin((s - c->alpha) / (1 - c->alpha), 1), &l, NULL, NULL);
+  return c->L * l;
+}
+
+static double normal(struct random *r)
+{
+  double u = random_between(r, 0x1p-50, 1), v = random_between(r, 0, 1);
+  return sqrt(-2 * log(u)) * cos(6.283185307179586 * v);
+}
+
+/* count rows of so many periods, from a start in the period on; all in units of T and L */
+struct recording {
+  int count;
+  double periods, start, jitter, noise, drift;
+};
+
+static void record(struct rows *rows, const struct scallop_crawler *c, const struct recording *how, struct random *r)
+{
+  rows->count = how->count;
+  for (int i = 0; i < how->count; i++) {
+    double part = (i + how->jitter * random_between(r, -0.5, 0.5)) / how->count, t = part * how->periods;
+    rows->t[i] = t * c->T;
+    rows->l[i] = length_at(c, (t + how->start) * c->T) + c->L * (how->noise * normal(r) + how->drift * (part - 0.5));
+  }
+}
+
+static struct scallop_crawler with_gait(struct scallop_crawler c, struct scallop_measured_gait g)
+{
+  c.gait = g.gait;
+  c.L = g.L;
+  c.T = g.T;
+  c.alpha = g.alpha;
+  return c;
+}
+
+static double displacement(const struct scallop_crawler *c)
+{
+  struct scallop_steady_result s;
+  return c->gait && scallop_steady(c, &s) >= 0 ? s.period.displacement : NAN;
+}
+
+/* The displacement with the measured gait; *error: what is said of it */
+static double answer(const struct scallop_crawler *true_one, const struct rows *rows, double *error)
+{
+  const char *why;
+  double others[SCALLOP_MEASURED_OTHERS];
+  struct scallop_measured *m = scallop_measured_new(rows->t, rows->l, rows->count, NULL, "x", &why);
+  if (!m) {
+    fail_msg("%s", why);
+    return NAN;
+  }
+  struct scallop_crawler c = with_gait(*true_one, scallop_measured_gait(m, SCALLOP_MEASURED_BEST));
+  double value = displacement(&c);
+  for (int i = 0; i < SCALLOP_MEASURED_OTHERS; i++) {
+    c = with_gait(*true_one, scallop_measured_gait(m, i));
+    others[i] = displacement(&c);
+  }
+  *error = scallop_measured_error(value, others);
+  scallop_measured_free(m);
+  return value;
+}
+
+static const struct scallop_gait *some_gait(union scallop_made_gait *made, int which)
+{
+  static const struct {
+    const char *family;
+    double x[7];
+    int count;
+  } gaits[GAITS] = { { "quadratic", { 0 }, 0 },
+                     { "sinusoidal", { 0 }, 0 },
+                     { "polynomial", { 0, 0, 10, -15, 6 }, 5 },
+                     { "trapezoidal", { 0.25, 0.25 }, 2 },
+                     { "skewed", { 0.3 }, 1 },
+                     { "constant", { 0.1 }, 1 },
+                     { "trapezoidal", { 0.1, 0.4 }, 2 },
+                     { "polynomial", { 0, 0, 0, 35, -84, 70, -20 }, 7 } };
+  const struct scallop_gait *fixed = scallop_gait_named(gaits[which].family);
+  const struct scallop_gait_family *family = NULL;
+  const char *why = NULL;
+  for (int i = 0; !fixed && (family = scallop_gait_family(i)); i++)
+    if (strcmp(family->name, gaits[which].family) == 0)
+      break;
+  if (!fixed)
+    assert_int_equal(scallop_make_gait(made, family, "x", gaits[which].x, gaits[which].count, &why), SCALLOP_OK);
+  return fixed ? fixed : &made->gait;
+}
+
+struct tally {
+  int inside[NOISES][GAITS], all[NOISES][GAITS];
+  double width[NOISES], error[NOISES]; /* sums of logarithms, in units of L */
+};
+
+static void one_recording(struct tally *tally, struct random *r)
+{
+  static struct rows rows;
+  union scallop_made_gait made;
+  int which = random_below(r, GAITS), loud = random_below(r, NOISES);
+  const double low[NOISES] = { 0, 1e-4, 3e-3 }, high[NOISES] = { 0, 3e-3, 2e-2 };
+  struct scallop_crawler c = { random_between(r, 0.5, 1.5),  random_between(r, 0.5, 1.5), random_between(r, 0.5, 4.5),
+                               random_between(r, 0.5, 4.5),  random_between(r, 1, 10),    random_decades(r, 0.2, 3),
+                               random_between(r, 0.3, 0.75), some_gait(&made, which) };
+  struct recording how = { .count = (int)random_decades(r, 20, 2000), .periods = 1, .start = random_between(r, 0, 1) };
+  how.noise = loud > 0 ? random_decades(r, low[loud], high[loud]) : 0;
+  how.jitter = random_below(r, 2) ? random_between(r, 0, 0.4) : 0;
+  how.drift = random_below(r, 3) == 0 ? how.noise * random_between(r, 0, 1) : 0;
+  record(&rows, &c, &how, r);
+  double error = NAN, value = answer(&c, &rows, &error), off = fabs(value - displacement(&c));
+  bool inside = off <= error;
+  tally->inside[loud][which] += inside;
+  tally->all[loud][which]++;
+  tally->width[loud] += log(error / c.L);
+  tally->error[loud] += log(off / c.L + 1e-14);
+}
+
+static void print_tally(const struct tally *tally)
+{
+  const char *const noises[NOISES] = { "none", "0.01 to 0.3 %", "0.3 to 2 %" };
+  for (int i = 0; i < NOISES; i++) {
+    int inside = 0, all = 0;
+    for (int k = 0; k < GAITS; k++) {
+      inside += tally->inside[i][k];
+      all += tally->all[i][k];
+    }
+    printf("| %s | %d | %.1f %% | %.1e | %.1e |\n", noises[i], all, 100. * inside / all, exp(tally->error[i] / all),
+           exp(tally->width[i] / all));
+  }
+  for (int k = 0; k < GAITS; k++) {
+    int inside = 0, all = 0;
+    for (int i = 0; i < NOISES; i++) {
+      inside += tally->inside[i][k];
+      all += tally->all[i][k];
+    }
+    printf("gait %d: %d of %d\n", k, inside, all);
+  }
+}
+
+TEST(the_truth_lies_inside)
+{
+  struct random r = { 3 };
+  struct tally tally = { .width = { 0 } };
+  const char *wanted = getenv("RECORDINGS");
+  int inside = 0, many = wanted ? atoi(wanted) : (int)check_cases(40);
+  for (int i = 0; i < many; i++)
+    one_recording(&tally, &r);
+  for (int i = 0; i < NOISES * GAITS; i++)
+    inside += tally.inside[i / GAITS][i % GAITS];
+  if (wanted)
+    print_tally(&tally);
+  CHECK_AT_MOST(0.9 * many, inside);
+}
+
+static struct scallop_crawler issue_crawler(union scallop_made_gait *made)
+{
+  return (struct scallop_crawler){ 0.8, 1.7, 2.2, 0.9, 3, 0.5, 0.6, some_gait(made, 2) };
+}
+
+static struct scallop_measured *measured_with(const struct rows *rows, enum scallop_fit fit)
+{
+  const struct scallop_measured_options options = { .fit = fit };
+  const char *why = NULL;
+  struct scallop_measured *m = scallop_measured_new(rows->t, rows->l, rows->count, &options, "x", &why);
+  if (!m)
+    fail_msg("%s", why);
+  return m;
+}
+
+/* Minimum jerk, whose l'' is 0 at the turns: what monotone slopes get wrong by a fifth. */
+TEST(exact_samples)
+{
+  static struct rows rows;
+  union scallop_made_gait made;
+  struct scallop_crawler c = issue_crawler(&made);
+  struct random r = { 1 };
+  const struct recording how = { .count = 50, .periods = 1 };
+  double error, value, wanted = displacement(&c);
+  record(&rows, &c, &how, &r);
+  value = answer(&c, &rows, &error);
+  CHECK_RELATIVE(value, wanted, 0.02);
+  CHECK_NEAR(value, wanted, error);
+  struct scallop_measured *monotone = measured_with(&rows, SCALLOP_FIT_MONOTONE),
+                          *cubic = measured_with(&rows, SCALLOP_FIT_CUBIC);
+  for (int i = 0; i < rows.count; i++) {
+    CHECK_NEAR(scallop_measured_length(monotone, rows.t[i]), rows.l[i], 1e-14 * c.L);
+    CHECK_NEAR(scallop_measured_length(cubic, rows.t[i]), rows.l[i], 1e-14 * c.L);
+  }
+  struct scallop_crawler d = with_gait(c, scallop_measured_gait(cubic, SCALLOP_MEASURED_BEST));
+  CHECK_RELATIVE(displacement(&d), wanted, 2e-3);
+  scallop_measured_free(monotone);
+  scallop_measured_free(cubic);
+}
+
+/* Four times as many samples: the cubic through them is off by less than a tenth of what it was. */
+TEST(more_samples)
+{
+  static struct rows rows;
+  struct random r = { 1 };
+  struct scallop_crawler c = scallop_crawler_default();
+  c.gait = &scallop_gait_sinusoidal;
+  c.alpha = 0.5; /* l'' is continuous */
+  double last = 0;
+  for (int n = 25; n <= 400; n *= 4) {
+    const struct recording how = { .count = n, .periods = 1, .start = 0.123 };
+    record(&rows, &c, &how, &r);
+    struct scallop_measured *m = measured_with(&rows, SCALLOP_FIT_CUBIC);
+    double worst = 0;
+    for (int i = 0; i < 1000; i++)
+      worst = fmax(worst, fabs(scallop_measured_length(m, i * c.T / 1000) - length_at(&c, (i / 1000. + 0.123) * c.T)));
+    if (last > 0)
+      CHECK_AT_MOST(worst, 0.02 * last);
+    last = worst;
+    scallop_measured_free(m);
+  }
+}
+
+/* Several periods, with and without noise, from anywhere in the period on */
+TEST(periods_are_folded)
+{
+  static struct rows rows;
+  union scallop_made_gait made;
+  struct random r = { 5 };
+  for (int i = 0; i < 12; i++) {
+    struct scallop_crawler c = issue_crawler(&made);
+    const struct recording how = {
+      .count = 400 + 50 * i, .periods = 1.7 + 0.6 * i, .start = random_between(&r, 0, 1), .noise = i % 2 ? 0.005 : 0
+    };
+    c.gait = some_gait(&made, i % GAITS);
+    record(&rows, &c, &how, &r);
+    struct scallop_measured *m = measured_with(&rows, SCALLOP_FIT_CHOSEN);
+    struct scallop_measured_gait g = scallop_measured_gait(m, SCALLOP_MEASURED_BEST);
+    char text[400];
+    scallop_measured_text(m, text, sizeof text);
+    CHECK_RELATIVE(g.T, c.T, how.noise > 0 ? 3e-3 : 3e-4);
+    CHECK_RELATIVE(g.L, c.L, 0.02);
+    assert_non_null(strstr(text, "folded into one"));
+    scallop_measured_free(m);
+  }
+}
+
+/* Units do not matter, however large or small they are, nor does the order of the rows. */
+TEST(units)
+{
+  static struct rows rows, other;
+  union scallop_made_gait made;
+  struct random r = { 6 };
+  struct scallop_crawler c = issue_crawler(&made);
+  const struct recording how = { .count = 97, .periods = 1, .start = 0.3, .jitter = 0.2, .noise = 1e-3 };
+  record(&rows, &c, &how, &r);
+  struct scallop_measured *m = measured_with(&rows, SCALLOP_FIT_CHOSEN);
+  struct scallop_measured_gait g = scallop_measured_gait(m, SCALLOP_MEASURED_BEST), h;
+  const double scales[] = { 0x1p-600, 0x1p-3, 0x1p20, 0x1p900 };
+  for (size_t k = 0; k < sizeof scales / sizeof *scales; k++) {
+    other.count = rows.count;
+    for (int i = 0; i < rows.count; i++) {
+      other.t[i] = rows.t[rows.count - 1 - i] / scales[k];
+      other.l[i] = rows.l[rows.count - 1 - i] * scales[k];
+    }
+    struct scallop_measured *n = measured_with(&other, SCALLOP_FIT_CHOSEN);
+    h = scallop_measured_gait(n, SCALLOP_MEASURED_BEST);
+    CHECK_EQUAL(h.L, g.L * scales[k]);
+    CHECK_EQUAL(h.T, g.T / scales[k]);
+    CHECK_EQUAL(h.alpha, g.alpha);
+    scallop_measured_free(n);
+  }
+  scallop_measured_free(m);
+}
+
+/* The residuals are what sigma says; without it, the noise is found. */
+TEST(noise)
+{
+  static struct rows rows;
+  struct random r = { 7 };
+  struct scallop_crawler c = scallop_crawler_default();
+  const struct recording how = { .count = 1500, .periods = 1, .start = 0.3, .noise = 0.01 };
+  record(&rows, &c, &how, &r);
+  for (double sigma = 0; sigma < 0.03 * c.L; sigma += 0.0125 * c.L) {
+    const struct scallop_measured_options options = { .fit = SCALLOP_FIT_PHASES, .sigma = sigma };
+    const char *why;
+    double squares = 0;
+    struct scallop_measured *m = scallop_measured_new(rows.t, rows.l, rows.count, &options, "x", &why);
+    for (int i = 0; i < rows.count; i++)
+      squares += pow(rows.l[i] - scallop_measured_length(m, rows.t[i]), 2) / rows.count;
+    CHECK_RELATIVE(sqrt(squares), sigma > 0 ? sigma : 0.01 * c.L, sigma > 0 ? 1e-3 : 0.05);
+    scallop_measured_free(m);
+  }
+}
+
+TEST(what_is_no_recording)
+{
+  const double t[] = { 0, 1, 2, 3, 4, 5 }, rest[6] = { 1, 1, 1, 1, 1, 1 }, away[] = { 0, 1, 2, 3, 4, 5 },
+               huge[] = { -1e308, 1e308, 0, 0, 0, 0 };
+  const char *why = NULL;
+  assert_null(scallop_measured_new(t, away, 3, NULL, "x", &why));
+  assert_non_null(strstr(why, "fewer than four"));
+  assert_null(scallop_measured_new(rest, away, 6, NULL, "x", &why));
+  assert_non_null(strstr(why, "fewer than four"));
+  assert_null(scallop_measured_new(t, rest, 6, NULL, "x", &why));
+  assert_non_null(strstr(why, "the same throughout"));
+  assert_null(scallop_measured_new(t, away, 6, NULL, "x", &why));
+  assert_non_null(strstr(why, "not periodic"));
+  assert_null(scallop_measured_new(t, huge, 6, NULL, "x", &why));
+  assert_non_null(strstr(why, "overflow"));
+}
+
+TEST(an_interval)
+{
+  double others[SCALLOP_MEASURED_OTHERS];
+  for (int i = 0; i < SCALLOP_MEASURED_OTHERS; i++)
+    others[i] = NAN;
+  CHECK_EQUAL(scallop_measured_error(1, others), NAN);
+  others[1] = 1.25;
+  others[4] = 0.5;
+  CHECK_EQUAL(scallop_measured_error(1, others), 0.5);
+  others[SCALLOP_MEASURED_MODELS] = 2;
+  others[SCALLOP_MEASURED_OTHERS - 1] = 0;
+  CHECK_NEAR(scallop_measured_error(1, others), sqrt(4.25), 1e-15);
+}
