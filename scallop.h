@@ -10,7 +10,8 @@
  *
  * Each header begins with what it is for. In libscallop-core, which needs C's library only, and in libscallop:
  *     model/model.h                    crawlers, gaits, phases; scallop_status, which every call that can fail returns
- *     model/gaits.h                    gaits made to measure, and splines through data
+ *     model/gaits.h                    gaits made to measure, and splines through given points
+ *     model/measured/measured.h        gaits from recordings, and how far an answer from one may be off
  *     model/families.h                 the families of gaits, by name
  *     numerics/numerics.h              exact phases, periods, steady states, one or many, and trajectories
  *     numerics/wide/wide.h             the same in wider arithmetic: an estimate of the error of each number
@@ -21,8 +22,8 @@
  *     asymptotics/derived/expansion.h  the derived series, term by term, and formulas in balls (FLINT)
  *     numerics/rivals/rival.h          general-purpose methods to compare with, on GSL and SUNDIALS
  *
- * No function prints, exits or holds state. Only the rivals, the functions that need FLINT, and scallop_formula_read
- * allocate memory. All functions can be called from several threads at once. */
+ * No function prints, exits or holds state. Only the rivals, the functions that need FLINT, scallop_formula_read and
+ * scallop_measured_new allocate memory. All functions can be called from several threads at once. */
 #ifndef SCALLOP_H
 #define SCALLOP_H
 
@@ -36,6 +37,7 @@ extern "C" {
 #include "asymptotics/observed/order.h"
 #include "model/families.h"
 #include "model/gaits.h"
+#include "model/measured/measured.h"
 #include "model/model.h"
 #include "model/version.h"
 #include "numerics/numerics.h"

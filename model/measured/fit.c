@@ -123,10 +123,11 @@ static void choose_kind(struct curve *curve, struct fit *fit, const struct sampl
   smooth.kind = SCALLOP_FIT_SMOOTH;
   phases.kind = SCALLOP_FIT_PHASES;
   fit->kind = SCALLOP_FIT_CUBIC;
+  fit->score = cubic_leaves(s);
   if (s->count < FIT_LEAST || spline_fit(curve->knots, &smooth, s) == 0 || spline_fit(curve->knots, &phases, s) == 0)
     return;
   const struct fit *better = phases.score < smooth.score ? &phases : &smooth;
-  if (fit->sigma > 0 || cubic_leaves(s) > better->score)
+  if (fit->sigma > 0 || fit->score > better->score)
     *fit = *better;
 }
 

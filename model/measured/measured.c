@@ -78,10 +78,11 @@ void scallop_measured_text(const struct scallop_measured *m, char *text, size_t 
     snprintf(text + used, size - (size_t)used, ", noise %.2g of L", m->fit.noise / m->best.L);
 }
 
-static void add_other(struct curve_gait *other, struct fit fit, const struct samples *s, const char *name)
+/* Unless it tells samples that it has not seen worse than most allows, or there is none */
+static void add_other(struct curve_gait *other, struct fit fit, const struct samples *s, double most, const char *name)
 {
   struct curve curve = { NULL };
-  if (!s->at || lay(other, &curve, &fit, s, name))
+  if (!s->at || lay(other, &curve, &fit, s, name) || fit.score > most)
     curve_gait_free(other);
   free(curve.knots);
 }
@@ -99,19 +100,22 @@ static double normal(uint64_t *state)
   return sqrt(-2 * log(uniform[0])) * cos(6.283185307179586 * uniform[1]);
 }
 
-/* A cubic through rows with noise is no alternative to a curve that smooths, but a smooth one is to a cubic. */
+/* A cubic through rows with noise is no alternative to a curve that smooths. */
 static void add_models(struct scallop_measured *m)
 {
   const struct samples *s = &m->recording.samples;
+  const double comparable = 10;
   bool is_clean = interpolates(&m->fit);
+  double most = m->fit.score > 0 ? comparable * m->fit.score : INFINITY;
   struct curve_gait *next = m->others;
   for (enum scallop_fit kind = SCALLOP_FIT_CUBIC; kind <= SCALLOP_FIT_PHASES; kind++, next += next->L > 0)
     if (kind != m->fit.kind && (kind == SCALLOP_FIT_CUBIC ? is_clean : s->count >= FIT_LEAST))
-      add_other(next, (struct fit){ .kind = kind, .sigma = m->fit.sigma }, s, m->name);
+      add_other(next, (struct fit){ .kind = kind, .sigma = m->fit.sigma }, s, most, m->name);
   for (int i = 0; i < 2 && s->count >= 8; i++) {
     struct samples half = samples_every_other(s, i);
     enum scallop_fit kind = half.count < FIT_LEAST ? SCALLOP_FIT_CUBIC : m->fit.kind;
-    add_other(&m->others[MODELS - 1 - i], (struct fit){ .kind = kind, .sigma = m->fit.sigma }, &half, m->name);
+    add_other(&m->others[MODELS - 1 - i], (struct fit){ .kind = kind, .sigma = m->fit.sigma }, &half, INFINITY,
+              m->name);
     free(half.at);
   }
 }
@@ -129,7 +133,7 @@ static void add_resampled(struct scallop_measured *m)
       double t = s->at[noisy.count].t;
       noisy.at[noisy.count] = (struct sample){ t, curve_at(&m->curve, t) + noise * normal(&state) };
     }
-    add_other(&m->others[i], again, &noisy, m->name);
+    add_other(&m->others[i], again, &noisy, INFINITY, m->name);
     free(noisy.at);
   }
 }

@@ -40,8 +40,8 @@ from scallop_exact import Ball, Series, Terms
 from scallop_library import load
 
 __all__ = ["Ball", "Formula", "Gait", "Intervals", "Order", "Phase", "Series", "Steady", "Terms", "Trajectory",
-           "constant", "formula", "formulas", "gait_of", "gaits", "intervals", "load", "minimum_jerk", "order",
-           "phase", "polynomial", "published", "series", "skewed", "steady", "trapezoidal", "trajectory"]
+           "Estimate", "Measured", "constant", "formula", "formulas", "gait_of", "gaits", "intervals", "load",
+           "measured", "minimum_jerk", "order", "phase", "polynomial", "published", "series", "skewed", "steady", "trapezoidal", "trajectory"]
 
 
 class Gait:
@@ -56,6 +56,110 @@ class Gait:
 
     def __repr__(self):
         return f"<Gait {self.name}>"
+
+
+    def _address(self):
+        return ctypes.addressof(self._memory)
+
+
+class _Other(Gait):
+    """One of the gaits of a Measured, which it keeps alive."""
+
+    __slots__ = ("L", "T", "alpha", "_pointer", "_of")
+
+    def __init__(self, view, of=None):
+        self.name, self._of, self._pointer = "measured", of, view.gait
+        self.L, self.T, self.alpha = view.L, view.T, view.alpha
+
+    def _address(self):
+        return self._pointer
+
+
+class Measured(_Other):
+    """A gait through a recording, made by measured(): a value for the parameter gait. L, T and alpha are its own; text says
+    how the recording was understood and what was laid through it; at(t) is l of the curve."""
+
+    __slots__ = ("text", "_others", "_handle", "_library", "__weakref__")
+
+    def __init__(self, handle, library):
+        self._handle, self._library, self._others = handle, library, None
+        weakref.finalize(self, library.scallop_measured_free, handle)
+        super().__init__(library.scallop_measured_gait(handle, -1))
+        text = ctypes.create_string_buffer(400)
+        library.scallop_measured_text(handle, text, len(text))
+        self.text = text.value.decode()
+
+    def at(self, t):
+        """l of the curve at t, a number or an array, in the units and from the origin of the recording."""
+        times = _column("t", t)
+        values = [self._library.scallop_measured_length(self._handle, x) for x in times.ravel().tolist()]
+        return numpy.array(values).reshape(times.shape)[()]
+
+    @property
+    def others(self):
+        """The other gaits that the recording admits as well, at most 17, and None where there is none."""
+        if self._others is None:
+            views = [self._library.scallop_measured_gait(self._handle, i) for i in range(c.OTHERS)]
+            self._others = [_Other(view, self) if view.gait else None for view in views]
+        return self._others
+
+    def steady(self, **parameters):
+        """steady() with this gait and its L, T and alpha, where they are not given, as an Estimate."""
+        return self._estimate(steady, c.STEADY_NUMBERS, parameters)
+
+    def phase(self, kind, **parameters):
+        """phase() likewise."""
+        return self._estimate(functools.partial(phase, kind), c.PHASE_NUMBERS, parameters)
+
+    def _estimate(self, solve, names, parameters):
+        def solved(gait):
+            return solve(gait=gait, **{"L": gait.L, "T": gait.T, "alpha": gait.alpha, **parameters})
+
+        value, others = solved(self), [solved(gait) if gait else None for gait in self.others]
+        low, high = {}, {}
+        for name in names:
+            best = numpy.asarray(getattr(value, name))
+            spread = numpy.array([best * math.nan if other is None else getattr(other, name) for other in others])
+            rows = zip(best.ravel().tolist(), spread.reshape(c.OTHERS, -1).T)
+            error = [self._library.scallop_measured_error(x, (ctypes.c_double * c.OTHERS)(*row)) for x, row in rows]
+            error = numpy.array(error).reshape(best.shape)
+            low[name], high[name] = (best - error)[()], (best + error)[()]
+        return Estimate(value, low, high)
+
+
+class Estimate(collections.namedtuple("Estimate", "value low high")):
+    """What a measured gait answers: value, a Steady or a Phase, and {name: number or array} low and high, between which the
+    truth lies for some 96 of 100 recordings, as far as noise and gaps between samples are concerned."""
+
+    __slots__ = ()
+
+
+def measured(t, l, fit="chosen", sigma=0, period=0):
+    """A Measured gait from a recording of times t and lengths l, arrays in any order, of one period or of several; rows with
+    nan are left out. fit: 'monotone' or 'cubic' pass through every sample, 'smooth' and 'phases' are least-squares splines,
+    in 'phases' with jumps of l'' where l turns; 'chosen' is the one of the last three whose error at unseen samples is
+    estimated to be least. sigma > 0: the noise of a sample; else it is estimated. period > 0: else it is found.
+
+        gait = scallop.measured(t, l)
+        answer = gait.steady(m1=0.8, m2=1.7, F1=2.2, F2=0.9)
+        answer.value.displacement, answer.low["displacement"], answer.high["displacement"]
+    """
+    times, lengths = _column("t", t), _column("l", l)
+    if times.ndim != 1 or times.shape != lengths.shape:
+        raise ValueError(f"t and l: two arrays of one length are wanted, not shapes {times.shape} and {lengths.shape}")
+    if fit not in c.FITS:
+        raise ValueError(f"fit = {fit!r}: one of {', '.join(c.FITS)}")
+    for name, value in (("sigma", sigma), ("period", period)):
+        if not (_column(name, value).shape == () and 0 <= value < math.inf):
+            raise ValueError(f"{name} = {value!r}: a number, 0 where it is not known")
+    there = numpy.isfinite(times) & numpy.isfinite(lengths)
+    times, lengths = numpy.ascontiguousarray(times[there]), numpy.ascontiguousarray(lengths[there])
+    options, why, library = c.MeasuredOptions(c.FITS.index(fit), sigma, period), ctypes.c_char_p(), c.library()
+    handle = library.scallop_measured_new(times.ctypes.data, lengths.ctypes.data, times.size, ctypes.byref(options),
+                                          b"measured", ctypes.byref(why))
+    if not handle:
+        raise ValueError(f"t and l: {why.value.decode()}")
+    return Measured(handle, library)
 
 
 def _families():
@@ -152,7 +256,7 @@ def _made(gait):
 
 
 def _address(made):
-    return ctypes.addressof(made._memory) if isinstance(made, Gait) else made
+    return made._address() if isinstance(made, Gait) else made
 
 
 def _no_gait(gait):

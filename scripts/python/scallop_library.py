@@ -38,6 +38,11 @@ Complaint = _structure("scallop_complaint", (_text, "name"), (_double, "given"),
 MOST_NUMBERS = 16  # SCALLOP_GAIT_NUMBERS
 Family = _structure("scallop_gait_family", (_text, "name numbers usual allowed sentence sample"), (_int, "each"),
                     (_pointer, "fixed make"))
+# model/measured/measured.h
+FITS = ("chosen", "monotone", "cubic", "smooth", "phases")  # enum scallop_fit
+OTHERS = 17  # SCALLOP_MEASURED_OTHERS
+MeasuredOptions = _structure("scallop_measured_options", (_int, "fit"), (_double, "sigma period"))
+MeasuredGait = _structure("scallop_measured_gait", (_pointer, "gait"), (_double, "L T alpha"))
 # numerics/numerics.h
 MODES_KEPT = 24
 Modes = _structure("scallop_modes", (_int, "count"), (ctypes.c_byte * 2 * MODES_KEPT, "kept"))
@@ -76,6 +81,12 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_crawler_check": (_int, ctypes.POINTER(Crawler), ctypes.POINTER(Complaint)),
     "scallop_gait_family": (ctypes.POINTER(Family), _int),
     "scallop_make_gait": (_int, _pointer, ctypes.POINTER(Family), _text, ctypes.POINTER(_double), _int, ctypes.POINTER(_text)),
+    "scallop_measured_new": (_pointer, _pointer, _pointer, _int, ctypes.POINTER(MeasuredOptions), _text, ctypes.POINTER(_text)),
+    "scallop_measured_free": (None, _pointer),
+    "scallop_measured_gait": (MeasuredGait, _pointer, _int),
+    "scallop_measured_length": (_double, _pointer, _double),
+    "scallop_measured_text": (None, _pointer, _text, ctypes.c_size_t),
+    "scallop_measured_error": (_double, _double, ctypes.POINTER(_double)),
     "scallop_steady_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), ctypes.POINTER(SteadyStates), _int),
     "scallop_phase_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), _int, _pointer, ctypes.POINTER(Phases), _int),
     "scallop_phase_intervals": (_int, ctypes.POINTER(Crawler), _int, _double, Visitor, _pointer),

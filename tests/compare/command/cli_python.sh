@@ -46,13 +46,15 @@ END
 # ---- the same as the command ----
 cat >layout.py <<'END'
 import ctypes, scallop_library as scallop
-print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "asymptotics/observed/order.h"\n#include "model/families.h"\n#include "numerics/numerics.h"')
+print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "asymptotics/observed/order.h"\n#include "model/families.h"\n#include "model/measured/measured.h"\n#include "numerics/numerics.h"')
 if scallop.os.environ["WITH_FLINT"] != "0":
     print('#include "model/exact/ball.h"')
 else:
     del scallop.RationalCrawler
 def fact(text, value):
     print('_Static_assert(%s == %d, "");' % (text, value))
+fact("SCALLOP_MEASURED_OTHERS", scallop.OTHERS)
+fact("SCALLOP_FIT_PHASES", scallop.FITS.index("phases"))
 fact("SCALLOP_MODES_TEXT", 3 * scallop.MODES_KEPT + 8)
 for name in ("SYMBOLS", "QUANTITIES", "FORMULA_MESSAGE"):
     fact("SCALLOP_" + name, getattr(scallop, name.replace("FORMULA_", "")))
@@ -505,6 +507,57 @@ for call, wanted in {
             bad("got:", error, "wanted:", wanted)
 END
 finish "bad input is a ValueError that says where, what and what is allowed"
+
+python <<'END'
+t = numpy.linspace(0, 2, 61)[:-1]
+l = 3 - 2 * numpy.cos(numpy.pi * t)
+numpy.savetxt("recording.csv", numpy.column_stack([t, l]), delimiter=",", header="t [s],l [m]", comments="")
+END
+run 0 steady --F1 3 --gait measured:recording.csv
+cp out measured.tsv
+python <<'END'
+import gc
+table = numpy.loadtxt("recording.csv", delimiter=",", skiprows=1)
+gait = scallop.measured(*table.T)
+rows = read("measured.tsv")
+answer = gait.steady(F1=[3.0])
+compare(answer.value, rows, "v_start", "displacement", "multiplier")
+if not (gait.L == float(rows[0]["L"]) and gait.T == float(rows[0]["T"]) and gait.alpha == float(rows[0]["alpha"])):
+    bad("L, T, alpha", gait.L, gait.T, gait.alpha)
+if gait.text != "60 rows, closed over a gap of one step after the last, period 2; a smooth least-squares spline, 42 segments, noise 8.8e-08 of L":
+    bad(gait.text)
+true = scallop.steady(F1=3, L=4, T=2, alpha=0.5, gait="sinusoidal").displacement
+if not (answer.low["displacement"][0] < true < answer.high["displacement"][0] and abs(answer.value.displacement[0] / true - 1) < 1e-2):
+    bad(answer, true)
+if abs(gait.at(table[:, 0]) - table[:, 1]).max() > 1e-12 or gait.at(0.5).shape:
+    bad("at")
+moving = gait.phase("extension", v0=0.1)
+if not moving.low["dxC"] < moving.value.dxC < moving.high["dxC"]:
+    bad(moving)
+kept = next(other for other in gait.others if other)
+wanted = scallop.steady(gait=kept, L=kept.L, T=kept.T, alpha=kept.alpha).v_start
+del gait, answer, moving
+gc.collect()
+if scallop.steady(gait=kept, L=kept.L, T=kept.T, alpha=kept.alpha).v_start != wanted:
+    bad("a gait that is gone")
+shuffled = numpy.random.default_rng(1).permutation(numpy.vstack([table, [[numpy.nan, 1], [1, numpy.nan]]]))
+if scallop.measured(shuffled[::-1, 0], shuffled[::-1, 1], fit="monotone").T != 2:
+    bad("order of rows")
+for arguments, wanted in (
+    (([1, 2], [1]), "t and l: two arrays of one length are wanted, not shapes (2,) and (1,)"),
+    (([0, 1, 2, 3], [1, 1, 1, 1]), "t and l: l is the same throughout: there is no gait in that"),
+    (([0, 1, 2, 3, 4], [0, 1, 2, 3, 4]), "t and l: not periodic: l at the end is further from l at the start than a step between rows can bring it"),
+    (("a", [0, 1]), "t: real numbers are wanted, not 'a'"),
+    ((*table.T, "spline"), "fit = 'spline': one of chosen, monotone, cubic, smooth, phases"),
+    ((*table.T, "smooth", -1), "sigma = -1: a number, 0 where it is not known"),
+):
+    try:
+        bad("no error:", wanted, scallop.measured(*arguments))
+    except ValueError as error:
+        if str(error) != wanted:
+            bad("got:", error, "wanted:", wanted)
+END
+finish "measured: a recording gives the gait of --gait measured, and intervals"
 
 if [ "${WITH_FLINT:-1}" != 0 ]; then
   python <<'END'
