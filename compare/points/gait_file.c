@@ -174,14 +174,21 @@ static bool take_choice(char *name, struct scallop_measured_options *o)
 
 static struct tsv reader; /* has the message */
 
+/* The name without the choices behind it, to be freed */
+static char *without_choices(const char *name, struct scallop_measured_options *options)
+{
+  char *file = strdup(name);
+  while (file && take_choice(file, options))
+    continue;
+  return file;
+}
+
 const char *gait_file_read(struct gait_file *gait, const char *name, const char *text, bool *unreadable)
 {
   struct scallop_measured_options options = { .sigma = 0 };
-  char *file = strdup(name);
+  char *file = without_choices(name, &options);
   if (!file)
     return no_memory;
-  while (take_choice(file, &options))
-    continue;
   bool open = tsv_open(&reader, strcmp(file, "-") == 0 ? "./-" : file, TSV_ANY);
   const char *wrong = read_table(gait, &reader, open, &options, text);
   *unreadable = reader.error != 0;
@@ -191,7 +198,12 @@ const char *gait_file_read(struct gait_file *gait, const char *name, const char 
 
 const char *gait_file_of_table(struct gait_file *gait, const char *name, const char *table, const char *text)
 {
-  return read_table(gait, &reader, tsv_open_text(&reader, name, table), NULL, text);
+  struct scallop_measured_options options = { .sigma = 0 };
+  char *file = without_choices(name, &options);
+  bool open = file && tsv_open_text(&reader, file, table);
+  const char *wrong = file ? read_table(gait, &reader, open, &options, text) : no_memory;
+  free(file);
+  return wrong;
 }
 
 void gait_file_free(struct gait_file *g)

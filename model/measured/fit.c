@@ -108,7 +108,7 @@ static double cubic_leaves(const struct samples *s)
 {
   struct samples half = samples_every_other(s, 0), others = samples_every_other(s, 1);
   struct fit fit = { .kind = SCALLOP_FIT_CUBIC };
-  struct curve curve = { NULL };
+  struct curve curve = { .knots = NULL };
   double left = half.at && others.at && curve_through(&curve, &fit, &half) ? residual(&curve, &others) : INFINITY;
   free(curve.knots);
   free(half.at);

@@ -81,7 +81,7 @@ void scallop_measured_text(const struct scallop_measured *m, char *text, size_t 
 /* Unless it tells samples that it has not seen worse than most allows, or there is none */
 static void add_other(struct curve_gait *other, struct fit fit, const struct samples *s, double most, const char *name)
 {
-  struct curve curve = { NULL };
+  struct curve curve = { .knots = NULL };
   if (!s->at || lay(other, &curve, &fit, s, name) || fit.score > most)
     curve_gait_free(other);
   free(curve.knots);

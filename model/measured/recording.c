@@ -101,7 +101,7 @@ static struct samples folded(const struct recorded *r, double period)
 static double leaves_of_period(const struct recorded *r, double period, struct fit *fit)
 {
   struct samples s = folded(r, period);
-  struct curve curve = { NULL };
+  struct curve curve = { .knots = NULL };
   double left = s.at && curve_through(&curve, fit, &s) ? 0 : INFINITY;
   for (int i = 0; left < INFINITY && i < s.count; i++)
     left += pow(s.at[i].l - curve_at(&curve, s.at[i].t), 2);
