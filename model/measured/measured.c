@@ -64,6 +64,16 @@ double scallop_measured_length(const struct scallop_measured *m, double t)
   return r->low + r->range * curve_at(&m->curve, (t - r->start) / r->period);
 }
 
+int scallop_measured_samples(const struct scallop_measured *m, double *t, double *l)
+{
+  const struct recording *r = &m->recording;
+  for (int i = 0; t && l && i < r->samples.count; i++) {
+    t[i] = r->start + r->period * r->samples.at[i].t;
+    l[i] = r->low + r->range * r->samples.at[i].l;
+  }
+  return r->samples.count;
+}
+
 static bool interpolates(const struct fit *fit)
 {
   return fit->kind == SCALLOP_FIT_CUBIC || fit->kind == SCALLOP_FIT_MONOTONE;

@@ -56,6 +56,9 @@ void scallop_measured_free(struct scallop_measured *measured);
 struct scallop_measured_gait scallop_measured_gait(struct scallop_measured *measured, int i);
 /* l of the curve at t, from the first sample's t on */
 double scallop_measured_length(const struct scallop_measured *measured, double t);
+/* The samples that the curve was laid through, in that order and those units, within one period. Returns how many;
+ * arrays may be NULL. */
+int scallop_measured_samples(const struct scallop_measured *measured, double *t, double *l);
 /* "51 rows, one period of 2; a cubic spline through every row", and the like */
 void scallop_measured_text(const struct scallop_measured *measured, char *text, size_t size);
 

@@ -96,6 +96,14 @@ class Measured(_Other):
         return numpy.array(values).reshape(times.shape)[()]
 
     @property
+    def samples(self):
+        """t and l of the samples within one period that the curve was laid through."""
+        count = self._library.scallop_measured_samples(self._handle, None, None)
+        table = numpy.empty((2, count))
+        self._library.scallop_measured_samples(self._handle, table[0].ctypes.data, table[1].ctypes.data)
+        return table[0], table[1]
+
+    @property
     def others(self):
         """The other gaits that the recording admits as well, at most 17, and None where there is none."""
         if self._others is None:

@@ -85,6 +85,7 @@ PROTOTYPES = {  # function: result, arguments
     "scallop_measured_free": (None, _pointer),
     "scallop_measured_gait": (MeasuredGait, _pointer, _int),
     "scallop_measured_length": (_double, _pointer, _double),
+    "scallop_measured_samples": (_int, _pointer, _pointer, _pointer),
     "scallop_measured_text": (None, _pointer, _text, ctypes.c_size_t),
     "scallop_measured_error": (_double, _double, ctypes.POINTER(_double)),
     "scallop_steady_batch": (ctypes.c_long, ctypes.POINTER(Crawlers), ctypes.POINTER(SteadyStates), _int),

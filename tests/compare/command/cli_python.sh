@@ -531,6 +531,8 @@ if not (answer.low["displacement"][0] < true < answer.high["displacement"][0] an
     bad(answer, true)
 if abs(gait.at(table[:, 0]) - table[:, 1]).max() > 1e-12 or gait.at(0.5).shape:
     bad("at")
+if abs(numpy.array(gait.samples) - table.T).max() > 1e-14:
+    bad("samples")
 moving = gait.phase("extension", v0=0.1)
 if not moving.low["dxC"] < moving.value.dxC < moving.high["dxC"]:
     bad(moving)

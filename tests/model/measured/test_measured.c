@@ -172,7 +172,7 @@ TEST(the_truth_lies_inside)
     inside += tally.inside[i / GAITS][i % GAITS];
   if (wanted)
     print_tally(&tally);
-  CHECK_AT_MOST(0.9 * many, inside);
+  CHECK_AT_MOST(0.9 * many - 1, inside); /* one more where they are few */
 }
 
 static struct scallop_crawler issue_crawler(union scallop_made_gait *made)
@@ -208,6 +208,13 @@ TEST(exact_samples)
   for (int i = 0; i < rows.count; i++) {
     CHECK_NEAR(scallop_measured_length(monotone, rows.t[i]), rows.l[i], 1e-14 * c.L);
     CHECK_NEAR(scallop_measured_length(cubic, rows.t[i]), rows.l[i], 1e-14 * c.L);
+  }
+  static double t[MOST], l[MOST];
+  assert_int_equal(scallop_measured_samples(cubic, NULL, NULL), rows.count);
+  assert_int_equal(scallop_measured_samples(cubic, t, l), rows.count);
+  for (int i = 0; i < rows.count; i++) {
+    CHECK_NEAR(t[i], rows.t[i], 1e-15 * c.T);
+    CHECK_NEAR(l[i], rows.l[i], 1e-15 * c.L);
   }
   struct scallop_crawler d = with_gait(c, scallop_measured_gait(cubic, SCALLOP_MEASURED_BEST));
   CHECK_RELATIVE(displacement(&d), wanted, 2e-3);
