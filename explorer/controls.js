@@ -85,7 +85,7 @@ export class Controls {
     file.addEventListener("change", () => file.files[0] && this.read(file.files[0]));
     this.fields.gait = { text: field, wrong, select, families, file, sentence };
     return element("fieldset", {}, element("legend", { textContent: "Gait" }), select, field, wrong, sentence,
-      element("label", { className: "file", textContent: "Measured: a table of t and l " }, file));
+      element("label", { className: "file", textContent: "Measured: a recording, t and l " }, file));
   }
 
   /** A file that was chosen or dropped: the gait is then that. */
@@ -133,7 +133,7 @@ export class Controls {
     if (document.activeElement !== text) text.value = numbers ?? family?.usual ?? "";
     text.title = family?.allowed ?? "";
     sentence.textContent = name === "measured"
-      ? (state.table_name ? `${state.table_name}: a spline through its rows; L, T and alpha are its own` : "a spline through a table of t and l")
+      ? (state.table_name ? `${state.table_name}: a curve through its rows; L, T and alpha are its own` : "a curve through a table of t and l, or of t, x1 and x2")
       : (family?.sentence ?? "") + (family?.numbers ? `. Numbers: ${family.numbers}` : "");
     this.tell(text, note, wrong);
   }

@@ -11,6 +11,7 @@ double explorer_numbers[EXPLORER_NUMBERS], explorer_rows[EXPLORER_ROWS][EXPLORER
 char explorer_text[EXPLORER_TEXT];
 
 static const struct scallop_gait *gait = &scallop_gait_quadratic;
+static const struct gait_file *recorded; /* that gait, where it is measured */
 
 double *numbers(void) { return explorer_numbers; }
 double *row(int i) { return explorer_rows[i]; }
@@ -39,6 +40,7 @@ int choose_gait(int i, int count)
   static union scallop_made_gait made[2];
   const struct scallop_gait_family *family = scallop_gait_family(i);
   const char *why = NULL;
+  recorded = NULL;
   if (family->fixed) {
     gait = family->fixed;
     return SCALLOP_OK;
@@ -69,9 +71,30 @@ int choose_table(void)
     return SCALLOP_EDOMAIN;
   }
   gait = next->best.gait;
+  recorded = next;
   const double own[] = { next->best.L, next->best.T, next->best.alpha };
   memcpy(explorer_numbers, own, sizeof own);
   return SCALLOP_OK;
+}
+
+int recording(int places)
+{
+  if (!recorded)
+    return 0;
+  const struct scallop_measured *m = recorded->measured;
+  const double T = recorded->best.T, step = 1e-5 * T;
+  int samples = scallop_measured_samples(m, NULL, NULL);
+  if (samples > EXPLORER_MOST)
+    return 0;
+  scallop_measured_samples(m, explorer_rows[0], explorer_rows[1]);
+  for (int i = 0; i < places; i++) {
+    double t = explorer_rows[0][0] + T * i / (places - 1);
+    explorer_rows[2][i] = t;
+    explorer_rows[3][i] = scallop_measured_length(m, t);
+    explorer_rows[4][i] = (scallop_measured_length(m, t + step) - scallop_measured_length(m, t - step)) / (2 * step);
+  }
+  scallop_measured_text(m, explorer_text, EXPLORER_TEXT);
+  return samples;
 }
 
 int choose_crawler(void)

@@ -37,6 +37,9 @@ int EXPORTED(choose_gait)(int i, int count);
 /* The measured gait of the table in text(); name: what to call it in messages, the first line of that text. numbers():
  * its L, T and alpha. */
 int EXPORTED(choose_table)(void);
+/* Of a measured gait: t and l of its samples in row(0) and row(1), t, l and l' of the curve at so many places of a
+ * period in row(2) to row(4); text(): what was understood. Returns how many samples; 0: the gait is not measured. */
+int EXPORTED(recording)(int places);
 /* The crawler m1, m2, F1, F2, L, T, alpha of numbers(). */
 int EXPORTED(choose_crawler)(void);
 /* numbers(): froude, v_start, v_mid, displacement, mean_velocity, multiplier, v_low, v_high, regime, friction_work.

@@ -94,6 +94,14 @@ export class Core {
     return { L, T, alpha };
   }
 
+  /** Of a measured gait { samples: [t, l], curve: [t, l, l'], text }, at so many places; null: it is none. */
+  recording(places) {
+    const count = this.calls.recording(places);
+    if (!count) return null;
+    const copy = (i, length) => this.row(i, length).slice();
+    return { samples: [0, 1].map((i) => copy(i, count)), curve: [2, 3, 4].map((i) => copy(i, places)), text: this.text() };
+  }
+
   /** Chooses the crawler { m1, m2, F1, F2, L, T, alpha }; throws an Error that says what is allowed. */
   chooseCrawler(crawler) {
     this.numbers().set(PARAMETERS.map((name) => crawler[name]));

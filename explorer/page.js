@@ -10,6 +10,7 @@ import { CrawlerMap, SHOWN } from "./map.js";
 import { Motion } from "./motion.js";
 import { Plane } from "./plane.js";
 import { PRESETS } from "./presets.js";
+import { Recording } from "./recording.js";
 import { commandOf, pictureOf, pngOf, save, sceneOf, tsvOf } from "./share.js";
 import { History, LONGEST_TABLE, USUAL, crawlerOf, fragmentOf, stateOf } from "./state.js";
 import { REGIME_WORDS, modesInWords, shown } from "./words.js";
@@ -20,6 +21,7 @@ const core = new Core(bytes);
 const drawing = new Drawing(find("crawler"));
 const controls = new Controls(find("controls"), core.families, change);
 const plane = new Plane(find("plane"));
+const recording = new Recording(core, find("recording-section"), [find("recording-length"), find("recording-velocity")], find("recording-note"));
 const PICTURES = ["map", "curve", "errors"];
 const work = new Work([...PICTURES, "table", "finer"], showWork, (error) => say(error.message));
 const map = new CrawlerMap(core, work, find("map"), find("legend"), movedTo);
@@ -111,6 +113,7 @@ function picture(state, crawler) {
   motion = new Motion(core, crawler, { start: state.start, v0: numberOf(state.v0), periods: Number(state.periods) });
   showAnswers();
   showTime();
+  recording.show(state.gait === "measured" ? `${state.table_name} ${state.table}` : "");
   if (work.has("table")) say("The table was not saved, as the crawler changed before it was computed");
   work.drop("table");
   const gait = state.gait === "measured" ? `measured ${state.table.length}` : state.gait; // what times depend on

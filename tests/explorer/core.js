@@ -126,6 +126,20 @@ test("a motion with more modes than there is room for shows whole periods", () =
   assert.equal(motion.samples.count, 240 * motion.periods + 1);
 });
 
+test("a recording: its samples, and the curve near them", () => {
+  const t = Array.from({ length: 40 }, (_, i) => i / 20), l = (x) => 3 - 2 * Math.cos(Math.PI * x);
+  core.chooseGait("measured", { name: "x.csv", text: `t [s],l [m]\n${t.map((x) => `${x},${l(x)}`).join("\n")}\n` });
+  const { samples, curve, text } = core.recording(101);
+  assert.match(text, /^40 rows, closed over a gap of one step after the last, period 2; a .* spline/);
+  assert.deepEqual([...samples[0]].map((x) => x.toPrecision(12)), t.map((x) => x.toPrecision(12)));
+  curve[0].forEach((x, i) => {
+    assert.ok(Math.abs(curve[1][i] - l(x)) < 1e-3);
+    assert.ok(Math.abs(curve[2][i] - 2 * Math.PI * Math.sin(Math.PI * x)) < 0.1);
+  });
+  core.chooseGait("quadratic");
+  assert.equal(core.recording(101), null);
+});
+
 test("figures 4 and 5 of data/, exact numbers and formulas", () => {
   const near = (got, wanted, where) => assert.ok(Math.abs(got - wanted) <= 1e-11 * Math.max(1, Math.abs(wanted)), `${where}: ${got}, not ${wanted}`);
   const usual = { m1: 1, m2: 1, F1: 1, F2: 1, L: 10, T: 1, alpha: 0.5 }, formula = (name) => core.formulas.find((one) => one.name === name);
