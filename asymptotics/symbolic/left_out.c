@@ -18,13 +18,13 @@ struct motion {
   bool is_steady, from_rest;
   bool equal_forces; /* of all crawlers that the formula is about                                */
   struct symbols symbols;
-  struct scallop_phase_expansion phase;
+  struct scallop_expansion phase;
   struct symbolic_steady steady;
 };
 
 static void motion_end(struct motion *m)
 {
-  scallop_phase_expansion_clear(&m->phase);
+  scallop_expansion_clear(&m->phase);
   symbols_end(&m->symbols);
 }
 
@@ -125,26 +125,19 @@ static const char *expand(struct motion *m, const struct formula *formula, const
 /* What the formula gives, as the motion has it; false: it has no formula. */
 static bool derive(struct series *derived, struct motion *m, enum scallop_quantity quantity, const struct ring *ring)
 {
-  const struct series *expanded = m->is_steady ? NULL : scallop_phase_quantity(&m->phase, m->kind, quantity);
-  symbolic closed = NULL;
-  SCOPED(series, v0);
-  switch (m->is_steady ? quantity : SCALLOP_QUANTITIES) {
-  case SCALLOP_STEADY_VELOCITY: closed = m->steady.v_start; break;
-  case SCALLOP_STEADY_V_MID: closed = m->steady.v_mid; break;
-  case SCALLOP_STEADY_DISPLACEMENT:
-  case SCALLOP_STEADY_MEAN_VELOCITY: closed = m->steady.displacement; break;
-  default: break;
-  }
+  const struct series *expanded = scallop_expansion_of(&m->phase, quantity);
+  const symbolic closed = !m->is_steady                         ? NULL
+                          : quantity == SCALLOP_STEADY_VELOCITY ? m->steady.v_start
+                          : quantity == SCALLOP_STEADY_V_MID    ? m->steady.v_mid
+                          : quantity == SCALLOP_STEADY_DISPLACEMENT || quantity == SCALLOP_STEADY_MEAN_VELOCITY
+                              ? m->steady.displacement
+                              : NULL;
   if (closed)
     symbolic_in_T(derived, &m->symbols, closed, ring->length);
   else if (expanded)
     series_set(derived, expanded);
   if (quantity == SCALLOP_STEADY_MEAN_VELOCITY)
     series_shift(derived, derived, -1);
-  if (expanded && quantity == SCALLOP_VELOCITY_CHANGE) {
-    series_set_ratio(&v0, symbolic_named(&m->symbols, NAMED_v0));
-    series_sub(derived, derived, &v0, ring);
-  }
   return closed || expanded;
 }
 
@@ -173,7 +166,7 @@ static void set_names(struct scallop_symbols *names, struct motion *m, const str
   if (!m->is_steady && m->phase.switches) {
     series_set(&value[SCALLOP_SYMBOL_t1], &m->phase.t1);
     series_set(&value[SCALLOP_SYMBOL_dT], &m->phase.dT);
-    series_set(&value[SCALLOP_SYMBOL_x_switch], &m->phase.at_last);
+    series_set(&value[SCALLOP_SYMBOL_x_switch], &m->phase.rear_at_last);
   }
 }
 
@@ -297,7 +290,7 @@ const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *
                       .from_rest = f->setting == SCALLOP_AT_REST_START };
   struct formula formula;
   symbols_init(&m.symbols);
-  scallop_phase_expansion_init(&m.phase);
+  scallop_expansion_init(&m.phase);
   /* from rest no body turns where F1 = F2: these modes say so */
   m.equal_forces = m.from_rest;
   for (const char *const *when = f->when; when && *when; when++)

@@ -82,18 +82,24 @@ bool symbolic_value(fmpq_t value, symbolic a, const struct symbols *s, const fmp
 /* A value as a series in T, which is in the list: that many terms */
 void symbolic_in_T(struct series *series, struct symbols *s, symbolic value, slong terms);
 
+/* Adds the derivatives of l at the end of a phase where its first or last piece has its anchor: f^(n), 2 <= n < order,
+ * that are not 0, and n = 2 in any case. */
+void add_derivatives(struct symbols *s, const struct scallop_piece *piece, enum scallop_phase_kind kind, slong order);
+/* |f'| near that end, a polynomial in the derivatives of the list. */
+void named_law(struct series *law, struct symbols *s, const struct scallop_piece *piece, enum scallop_phase_kind kind);
+
 /* All coefficients of one phase below T^order, 1 <= order <= SYMBOLIC_ORDERS, in m1, m2, M, F1, F2, L, v0 and the
  * derivatives of l at the ends that are not 0 for this gait. s: from symbols_init on, made here. v0: its sign counts.
  * Statuses and why as scallop_expand_phase. */
 enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallop_rational_crawler *crawler,
                                           enum scallop_phase_kind kind, const fmpq_t v0, slong order,
-                                          struct scallop_phase_expansion *phase, const char **why);
+                                          struct scallop_expansion *phase, const char **why);
 
 /* The steady state in closed form: rational functions of m1, m2, M, F1, F2, L, alpha, beta and T, where l' is linear at
  * every crossing. */
 struct symbolic_steady {
   symbolic v_start, v_mid, displacement;
-  char modes[2 * SCALLOP_BRANCH_TEXT];
+  char modes[sizeof((struct scallop_expansion *)0)->modes];
 };
 /* s: as above. For 0 < T up to where the steady state leaves the modes that the crawler has for T -> 0. Statuses as
  * scallop_expand_steady; SCALLOP_EDOMAIN also where a crossing is in a piece of l' that is not linear, and for alpha =

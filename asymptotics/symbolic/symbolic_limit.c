@@ -4,7 +4,7 @@
 
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/scoped.h"
-#include "asymptotics/symbolic/named_phase.h"
+#include "asymptotics/symbolic/symbolic.h"
 
 /* Of all sums and products, each of some hundred bytes while it is made: ten seconds, and half a gigabyte */
 #define MOST_TERMS 10000000
@@ -14,13 +14,12 @@
 static void set_share(struct series *share, struct symbols *s, const struct scallop_rational_crawler *crawler,
                       enum scallop_phase_kind kind, bool reversible, const struct ring *ring)
 {
-  ENDED_BY(phase_constants_clear) struct phase_constants constants;
-  phase_constants_init(&constants, crawler, kind);
-  ENDED_BY(branch_clear) struct branch b;
-  branch_init(&b);
+  SCOPED(phase_constants, constants);
+  SCOPED(branch, b);
   SCOPED(phase_series, p);
   SCOPED(lift, lift);
   SCOPED(series, level, none);
+  phase_constants_set(&constants, crawler, kind);
   branch_from_ends(&b, &constants, 1, 1);
   b.count = reversible ? 1 : b.count;
   p.has_laws = true;
@@ -28,7 +27,7 @@ static void set_share(struct series *share, struct symbols *s, const struct scal
   for (int i = 0; i < b.count; i++)
     named_law(&p.law.at[i], s, b.crossing[i].piece, kind);
   series_set_x(&level);
-  lift_phase(&lift, &b, &p, &none, &level, &none, NULL, ring);
+  lift_phase(&lift, &b, &p, &none, &level, &none, CROSSINGS_KNOWN, ring);
   series_add(share, &lift.when.at[0], reversible ? &lift.when.at[0] : &lift.left.at[1], ring);
 }
 
@@ -188,30 +187,19 @@ const char *symbolic_limit_equation(const struct scallop_rational_crawler *crawl
   return (is_sine(crawler->gait) ? of_sine : of_any)[sign_of(crawler) + 1];
 }
 
-/* Whether |l'| rises from 0 at both ends of both phases, and at once */
-static bool has_ends(const struct scallop_rational_crawler *crawler)
-{
-  bool rises = true;
-  for (int kind = 0; kind < 2; kind++) {
-    ENDED_BY(phase_constants_clear) struct phase_constants p;
-    phase_constants_init(&p, crawler, (enum scallop_phase_kind)kind);
-    ENDED_BY(branch_clear) struct branch b;
-    branch_init(&b);
-    rises = rises && branch_from_ends(&b, &p, 1, 1) && b.count == 2;
-  }
-  return rises;
-}
-
+/* NULL, or why there is no series: |l'| must rise from 0 at both ends of both phases, and at once. */
 static const char *obstacle(const struct scallop_rational_crawler *crawler, slong order)
 {
-  if (order < 1 || order > SYMBOLIC_LIMIT_ORDERS)
-    return "the order of a limit is outside of 1 to 10";
-  if (!scallop_rational_is_valid(crawler))
-    return "a parameter is outside its domain";
-  if (!scallop_gait_is_exact(crawler->gait) || !branch_is_possible(crawler->gait))
-    return branch_impossible;
-  return has_ends(crawler) ? NULL
-                           : "l'' = 0 or l' jumps at an end of a phase: the limit is no series in what makes it small";
+  const char *none = order < 1 || order > SYMBOLIC_LIMIT_ORDERS ? "the order of a limit is outside of 1 to 10"
+                                                                : not_expandable(crawler, order, 64);
+  for (int kind = 0; kind < 2 && !none; kind++) {
+    SCOPED(phase_constants, p);
+    SCOPED(branch, b);
+    phase_constants_set(&p, crawler, (enum scallop_phase_kind)kind);
+    if (branch_from_ends(&b, &p, 1, 1) || b.count < 2)
+      none = "l'' = 0 or l' jumps at an end of a phase: the limit is no series in what makes it small";
+  }
+  return none ? none : sign_of(crawler) == 0 ? "alpha = 1/2 or F1 = F2: U = 0" : NULL;
 }
 
 static void say_given_up(struct symbolic_limit *limit, const struct symbols *s, slong order)
@@ -228,14 +216,9 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
                                           enum limit_parameter in, slong order, struct symbolic_limit *limit,
                                           const char **why)
 {
-  const char *reason = obstacle(crawler, order);
-  if (!reason && sign_of(crawler) == 0)
-    reason = "alpha = 1/2 or F1 = F2: U = 0";
-  if (reason) {
-    if (why)
-      *why = reason;
-    return SCALLOP_EDOMAIN;
-  }
+  const char *none = obstacle(crawler, order);
+  if (none)
+    return refused(SCALLOP_EDOMAIN, none, why);
   limit->sign = sign_of(crawler);
   limit->mirrors = scallop_gait_mirrors(crawler->gait);
   limit->reversible = scallop_gait_is_reversible(crawler->gait);
@@ -252,9 +235,7 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
   solve(&limit->term, s, crawler, &w, limit, terms);
   if (names_given_up(&s->names)) {
     say_given_up(limit, s, order);
-    if (why)
-      *why = limit->why;
-    return SCALLOP_EDOMAIN;
+    return refused(SCALLOP_EDOMAIN, limit->why, why);
   }
   const struct ring ring = { terms, 2 };
   series_truncate(&limit->term, order);

@@ -46,7 +46,7 @@ static bool check_limit(struct random *r, const struct scallop_gait *gait, enum 
 {
   enum { FAR = 24 };
   SCOPED(scallop_rational, c);
-  SCOPED(scallop_steady_expansion, numeric);
+  SCOPED(scallop_expansion, numeric);
   SCOPED(fmpq, term, sum, pi_squared);
   SCOPED(arb, U, error, next);
   struct symbols s;
@@ -173,7 +173,7 @@ static double side(const char *text, const double *values)
 TEST(equation_of_the_sinusoidal_gait_holds)
 {
   SCOPED(scallop_rational, c);
-  SCOPED(scallop_steady_expansion, numeric);
+  SCOPED(scallop_expansion, numeric);
   SCOPED(arb, U);
   struct random r = { 26 };
   int checked = 0;
