@@ -18,6 +18,16 @@
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/singularity.h"
 
+/* Complex balls that end with their block: SCOPED_BALLS(v, n) makes an acb_ptr v. */
+struct complex_balls {
+  acb_ptr at;
+  slong count;
+};
+static inline void complex_balls_end(struct complex_balls *b) { _acb_vec_clear(b->at, b->count); }
+#define SCOPED_BALLS(name, n) \
+  ENDED_BY(complex_balls_end) struct complex_balls name##_scoped = { _acb_vec_init(n), n }; \
+  acb_ptr name = name##_scoped.at
+
 struct continued_crossing {
   bool sine, joined; /* joined: with the crossing before, as above                                 */
   arb_t q, base;     /* the time that the polynomial is around                                     */

@@ -63,11 +63,10 @@ static void remove_sector(struct search *s, int i)
 /* v at r in the direction t on the branch in the box: from a place near it */
 static bool point_within(acb_ptr v, acb_srcptr near, acb_srcptr box, const struct search *s, double r, double t)
 {
-  acb_ptr around = _acb_vec_init(s->n + 1);
+  SCOPED_BALLS(around, s->n + 1);
   _acb_vec_set(v, near, s->n);
   polar(v + s->n, r, r, t, t);
   bool found = continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS) && is_within(box, v, s->n);
-  _acb_vec_clear(around, s->n + 1);
   return found;
 }
 
@@ -75,7 +74,7 @@ static bool point_within(acb_ptr v, acb_srcptr near, acb_srcptr box, const struc
 static bool find_disc(struct search *s)
 {
   enum { TRIES = 60 };
-  acb_ptr v = _acb_vec_init(s->n + 1);
+  SCOPED_BALLS(v, s->n + 1);
   bool found = false;
   s->disc = 1;
   for (int i = 0; i < TRIES && !found; i++) {
@@ -87,7 +86,6 @@ static bool find_disc(struct search *s)
     found = continuation_enclose(v, s->start, equations_at(s, v), s->n, CELL_BITS)
             && is_within(s->start, s->apart->start, s->n);
   }
-  _acb_vec_clear(v, s->n + 1);
   return found;
 }
 
@@ -102,7 +100,8 @@ static bool start_sector(struct search *s, double from, double to)
 static bool advance(struct search *s, struct sector *sector)
 {
   double to = fmin(sector->r + sector->step, s->reach), middle = (sector->from + sector->to) / 2;
-  acb_ptr v = _acb_vec_init(s->n + 1), around = _acb_vec_init(s->n + 1);
+  SCOPED_BALLS(v, s->n + 1);
+  SCOPED_BALLS(around, s->n + 1);
   _acb_vec_set(v, sector->at, s->n);
   polar(v + s->n, sector->r, to, sector->from, sector->to);
   bool done = continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS)
@@ -113,8 +112,6 @@ static bool advance(struct search *s, struct sector *sector)
     sector->r = to;
   }
   sector->step *= done ? 1.25 : 0.5;
-  _acb_vec_clear(v, s->n + 1);
-  _acb_vec_clear(around, s->n + 1);
   return done;
 }
 

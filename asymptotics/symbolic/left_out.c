@@ -170,24 +170,19 @@ static void set_names(struct scallop_symbols *names, struct motion *m, const str
   }
 }
 
-/* A derivative of l as this gait has it: a number of amplitudes, times a power of pi */
-static void replace_derivative(struct replacement *replaced, const struct motion *m, int place)
-{
-  const struct symbol *symbol = &m->symbols.list[place];
-  in_amplitudes(replaced->times, symbol, m->crawler);
-  replaced->by = symbols_place(&m->symbols, NAMED_L, 0, m->kind);
-  replaced->pi_power = scallop_gait_is_rational(m->crawler->gait) ? 0 : symbol->derivative;
-}
-
-/* F2 is F1 where the forces of all these crawlers are equal. */
-static void replace(struct replacement replaced[MOST_SYMBOLS], const struct motion *m, bool of_gait)
+/* F2 is F1 where the forces of all these crawlers are equal. of_gait: a derivative of l is as this gait has it, a number
+ * of amplitudes, times a power of pi. */
+static void set_replacements(struct replacements *r, const struct motion *m, bool of_gait)
 {
   const struct symbols *s = &m->symbols;
   if (m->equal_forces)
-    replaced[symbols_place(s, NAMED_F2, 0, m->kind)].by = symbols_place(s, NAMED_F1, 0, m->kind);
+    r->of[symbols_place(s, NAMED_F2, 0, m->kind)].by = symbols_place(s, NAMED_F1, 0, m->kind);
   for (int i = 0; of_gait && i < s->count; i++)
-    if (s->list[i].derivative > 0)
-      replace_derivative(&replaced[i], m, i);
+    if (s->list[i].derivative > 0) {
+      in_amplitudes(r->of[i].times, &s->list[i], m->crawler);
+      r->of[i].by = symbols_place(s, NAMED_L, 0, m->kind);
+      r->of[i].pi_power = scallop_gait_is_rational(m->crawler->gait) ? 0 : s->list[i].derivative;
+    }
 }
 
 static slong length_of(symbolic a, const struct symbols *s)
@@ -199,16 +194,14 @@ static slong length_of(symbolic a, const struct symbols *s)
  * they stand, if that is shorter */
 static symbolic coefficient_of(struct motion *m, const struct series *difference, slong power, bool of_gait)
 {
-  struct replacement replaced[MOST_SYMBOLS];
   struct symbols *s = &m->symbols;
-  symbolic term = symbolic_coefficient(s, difference, power), reduced, other;
+  symbolic term = symbolic_coefficient(s, difference, power);
   if (!term)
     return NULL;
-  replacements_init(replaced);
-  replace(replaced, m, of_gait);
-  reduced = symbolic_reduced(s, term, replaced);
-  other = symbolic_replaced(s, term, replaced);
-  replacements_clear(replaced);
+  SCOPED(replacements, replacements);
+  set_replacements(&replacements, m, of_gait);
+  symbolic reduced = symbolic_replaced(s, term, &replacements, true),
+           other = symbolic_replaced(s, term, &replacements, false);
   return reduced && other && !ratio_is_zero(reduced) && length_of(other, s) < length_of(reduced, s) ? other : reduced;
 }
 
