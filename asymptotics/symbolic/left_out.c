@@ -43,13 +43,10 @@ enum { DERIVATIVES = sizeof derivatives / sizeof *derivatives };
 /* Of a gait that is not rational pi is 1 in it. */
 static void in_amplitudes(fmpq_t value, const struct symbol *symbol, const struct scallop_rational_crawler *crawler)
 {
-  const struct symbols one = { .count = 1, .list = { *symbol } };
-  fmpq *values = _fmpq_vec_init(1), *unit = _fmpq_vec_init(1);
-  fmpq_one(unit);
-  symbols_values(values, &one, crawler, NULL, unit);
-  fmpq_div(value, values, crawler->L);
-  _fmpq_vec_clear(values, 1);
-  _fmpq_vec_clear(unit, 1);
+  SCOPED(fmpq, one);
+  fmpq_one(one);
+  symbol_value(value, symbol, crawler, NULL, one);
+  fmpq_div(value, value, crawler->L);
 }
 
 static symbolic derivative_value(struct motion *m, const struct derivative *d)
@@ -58,10 +55,9 @@ static symbolic derivative_value(struct motion *m, const struct derivative *d)
   struct symbols *s = &m->symbols;
   SCOPED(fmpq, value);
   in_amplitudes(value, &symbol, m->crawler);
-  int place = symbols_place(s, d->meaning, d->derivative, m->kind);
-  symbolic in_L = place >= 0 ? symbolic_place(s, place)
-                             : symbolic_mul(s, symbolic_fraction(s, value), symbolic_named(s, NAMED_L));
-  return in_L;
+  const int place = symbols_place(s, d->meaning, d->derivative, m->kind);
+  return place >= 0 ? symbolic_place(s, place)
+                    : symbolic_mul(s, symbolic_fraction(s, value), symbolic_named(s, NAMED_L));
 }
 
 /* Is pi in the formula, or in the law of the gait? */

@@ -55,6 +55,9 @@ int symbols_place(const struct symbols *s, enum symbol_meaning meaning, int deri
 void symbols_begin(struct symbols *s);
 void symbols_end(struct symbols *s);
 
+/* What a symbol is for a crawler, as below */
+void symbol_value(fmpq_t value, const struct symbol *symbol, const struct scallop_rational_crawler *crawler,
+                  const fmpq_t v0, const fmpq_t pi_squared);
 /* What the symbols are for a crawler: values, _fmpq_vec_init(s->count). v0 may be NULL where it is no symbol;
  * pi_squared as in scallop_expand_phase. */
 void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler,
