@@ -1,7 +1,7 @@
 /* The branch points nearest to T = 0: searched for along the branch, then proven to be the nearest. */
 #include "asymptotics/derived/singularity.h"
 
-#include "asymptotics/derived/cover.h"
+#include "asymptotics/derived/continuation.h"
 #include "asymptotics/derived/scoped.h"
 
 void scallop_singularity_init(struct scallop_singularity *s)

@@ -1,7 +1,6 @@
 /* The singularities of the branch that the series expand: beside the growth of the coefficients, a closed form, and the
  * poles of rational functions. */
 #include "asymptotics/derived/continuation.h"
-#include "asymptotics/derived/cover.h"
 #include "asymptotics/derived/derived.h"
 #include "tests/support/odd_gaits.h"
 #include "tests/support/exact.h"
