@@ -59,8 +59,8 @@ static bool lift_period(struct steady_lift *s, struct limit *l, const struct pha
   return true;
 }
 
-static bool lift_from(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
-                      const struct series *eps, const struct ring *ring)
+bool steady_lift_start(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
+                       const struct series *eps, const struct ring *ring)
 {
   bool last = false;
   SCOPED(series, balance, slope);
@@ -77,7 +77,7 @@ static bool lift_from(struct steady_lift *s, struct limit *l, const struct phase
       return false;
     series_sub(&s->w, &s->w, &balance, &part);
   }
-  return lift_period(s, l, phases, eps, CROSSINGS_KNOWN, &balance, &slope, ring); /* for what depends on w */
+  return true;
 }
 
 struct two_phases {
@@ -98,9 +98,12 @@ bool steady_lift(struct steady_lift *s, struct limit *l, const struct phase_seri
                  const struct series *eps, const struct ring *ring)
 {
   SCOPED(two_phases, own);
+  SCOPED(series, balance, slope);
+  const struct phase_series *const used[] = { phases ? phases[0] : &own.phase[0], phases ? phases[1] : &own.phase[1] };
   if (!phases)
     set_phases(&own, l);
-  return lift_from(s, l, phases ? phases : (const struct phase_series *[]){ &own.phase[0], &own.phase[1] }, eps, ring);
+  return steady_lift_start(s, l, used, eps, ring)
+         && lift_period(s, l, used, eps, CROSSINGS_KNOWN, &balance, &slope, ring); /* for what depends on w */
 }
 
 /* The balance and its derivative by w, with the crossings enclosed anew */

@@ -43,6 +43,10 @@ SCOPED_PARTS(steady_lift, struct steady_lift, STEADY_LIFT)
 bool steady_lift(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
                  const struct series *eps, const struct ring *ring);
 
+/* Makes s->w alone. */
+bool steady_lift_start(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
+                       const struct series *eps, const struct ring *ring);
+
 /* The energy that friction takes in a period, in units of (F1 + F2) L. s: what steady_lift made of l, unless
  * l->at_rest. */
 void steady_friction_work(struct series *work, const struct limit *l, const struct steady_lift *s,

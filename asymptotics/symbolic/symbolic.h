@@ -44,7 +44,7 @@ struct symbols {
   struct names names;  /* those of the list, in its order                                            */
   struct ratio **made; /* all values                                                                 */
   size_t made_count, made_room;
-  slong most_terms; /* of symbolic_expand_limit, see struct names; 0: as many as take ten seconds          */
+  slong most_terms; /* of symbolic_expand_limit, see struct names; 0: as many as take half a minute         */
 };
 /* An empty list; symbols_add appends what is not in the list, and symbols_begin makes the ring of what is then in the
  * list. symbols_end ends all three. */
@@ -91,6 +91,9 @@ void add_derivatives(struct symbols *s, const struct scallop_piece *piece, enum 
 /* |f'| near that end, a polynomial in the derivatives of the list. */
 void named_law(struct series *law, struct symbols *s, const struct scallop_piece *piece, enum scallop_phase_kind kind);
 
+/* A phase in names but for its laws and its fraction, in the units of symbolic_motion.c */
+void named_phase(struct phase_series *to, struct symbols *s, enum scallop_phase_kind kind);
+
 /* All coefficients of one phase below T^order, 1 <= order <= SYMBOLIC_ORDERS, in m1, m2, M, F1, F2, L, v0 and the
  * derivatives of l at the ends that are not 0 for this gait. s: from symbols_init on, made here. v0: its sign counts.
  * Statuses and why as scallop_expand_phase. */
@@ -130,7 +133,6 @@ struct symbolic_limit {
   const char *modes;        /* a body turns in both phases, as where the parameter is small         */
   symbolic small;           /* the parameter                                                        */
   struct series term;       /* the expansion's terms, the powers of the parameter included          */
-  slong reached;            /* terms known before there were too many of the symbols' polynomials   */
   char why[160];            /* where there were: the reason                                         */
 };
 #define SYMBOLIC_LIMIT(of) of(series, &s->term)

@@ -41,8 +41,7 @@ void named_law(struct series *law, struct symbols *s, const struct scallop_piece
   }
 }
 
-/* Everything but the laws and the fraction */
-static void set_phase(struct phase_series *to, struct symbols *s, enum scallop_phase_kind kind)
+void named_phase(struct phase_series *to, struct symbols *s, enum scallop_phase_kind kind)
 {
   const bool extension = kind == SCALLOP_EXTENSION;
   symbolic F1 = symbolic_named(s, NAMED_F1), F2 = symbolic_named(s, NAMED_F2), both = symbolic_add(s, F1, F2);
@@ -65,7 +64,7 @@ static void expand(struct scallop_expansion *phase, struct symbols *s, struct br
   const struct ring ring = { order, 2 };
   SCOPED(phase_series, p);
   SCOPED(series, v0, start, eps);
-  set_phase(&p, s, kind);
+  named_phase(&p, s, kind);
   for (int i = 0; i < b->count; i++)
     named_law(&p.law.at[i], s, b->crossing[i].piece, kind);
   if (!from_rest) {
@@ -117,7 +116,7 @@ static void set_steady_phase(struct phase_series *to, struct branch *b, struct s
   const struct ring linear = { 2, 2 };
   SCOPED(fmpq_poly, speed);
   SCOPED(fmpq, at_anchor);
-  set_phase(to, s, kind);
+  named_phase(to, s, kind);
   series_set_ratio(&to->fraction, symbolic_named(s, kind == SCALLOP_EXTENSION ? NAMED_alpha : NAMED_beta));
   for (int i = 0; i < b->count; i++) {
     scallop_rational_speed_series(speed, b->crossing[i].piece, at_anchor, linear.length, NULL);
