@@ -3,43 +3,7 @@
  * proven interval by interval; the steady state is unique (docs/theory.md), so it is this one. */
 #include "asymptotics/derived/derived.h"
 
-#include <stddef.h>
-
-#include "asymptotics/derived/holds.h"
 #include "asymptotics/derived/scoped.h"
-
-enum { LEAST_PRECISION = 32 };
-
-void scallop_bound_init(struct scallop_bound *b)
-{
-  arb_init(b->C);
-  arb_init(b->T0);
-  arb_init(b->T_end);
-  b->power = 0;
-  b->ends = NULL;
-}
-
-void scallop_bound_clear(struct scallop_bound *b)
-{
-  arb_clear(b->C);
-  arb_clear(b->T0);
-  arb_clear(b->T_end);
-}
-
-static void copy_branches(struct limit *to, const struct limit *from)
-{
-  for (int k = 0; k < 2; k++) {
-    to->branch[k].count = from->branch[k].count;
-    to->branch[k].first_region = from->branch[k].first_region;
-    for (int i = 0; i < from->branch[k].count; i++) {
-      to->branch[k].crossing[i].piece = from->branch[k].crossing[i].piece;
-      to->branch[k].crossing[i].curve = from->branch[k].crossing[i].curve;
-      to->branch[k].crossing[i].to = from->branch[k].crossing[i].to;
-      series_set(&to->branch[k].crossing[i].offset, &from->branch[k].crossing[i].offset);
-    }
-  }
-  series_set(&to->w, &from->w);
-}
 
 enum { MORE = 8 }; /* further terms, by which a coefficient is carried from the middle of a ball to all of it */
 
@@ -59,19 +23,10 @@ static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps
   series_set_ball(&eps_series, eps);
   series_add(&eps_series, &eps_series, &x, &ring);
   series_coefficient(w, &l->w, 0, precision);
-  bool found = limit_follow(l, w, eps, precision);
-  if (found)
-    series_set_ball(&l->w, w);
-  found = found && steady_lift(lifted, l, &eps_series, &ring);
-  return found;
-}
-
-/* First the middle, which is near where l is; l ends enclosing all of it. */
-static bool lift_around(struct around *a, struct limit *l, const arb_t eps, slong terms, slong precision)
-{
-  SCOPED(arb, middle);
-  arb_get_mid_arb(middle, eps);
-  return lift_at(&a->middle, l, middle, terms, precision) && lift_at(&a->all, l, eps, terms, precision);
+  if (!limit_follow(l, w, eps, precision))
+    return false;
+  series_set_ball(&l->w, w);
+  return steady_lift(lifted, l, NULL, &eps_series, &ring);
 }
 
 /* The coefficient c_n at eps + h, |h| <= r: sum over k < MORE of binomial(n + k, n) c_(n+k) h^k, from the middle, and
@@ -112,48 +67,59 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
   SCOPED(arb, u, w, w_mid);
   series_coefficient(w, &a->all.w, 0, precision);
   series_coefficient(w_mid, &a->all.w_mid, 0, precision);
-  bool meet = narrow(w, &a->middle.w, &a->all.w, r, precision);
-  meet = meet && narrow(w_mid, &a->middle.w_mid, &a->all.w_mid, r, precision);
+  if (!narrow(w, &a->middle.w, &a->all.w, r, precision)
+      || !narrow(w_mid, &a->middle.w_mid, &a->all.w_mid, r, precision))
+    return not_smooth;
   for (int k = 0; k < 2; k++)
     for (int i = 0; i < l->branch[k].count; i++) {
       struct crossing *at = &l->branch[k].crossing[i];
-      bool forward = at->piece->anchor == SCALLOP_FROM_START;
       const struct lift *middle = &a->middle.phase[k], *all = &a->all.phase[k];
+      const bool forward = at->piece->anchor == SCALLOP_FROM_START;
+      const struct of_crossings *of_middle = forward ? &middle->when : &middle->left,
+                                *of_all = forward ? &all->when : &all->left;
       series_coefficient(u, &at->offset, 0, precision);
-      meet = meet
-             && narrow(u, forward ? &middle->when.at[i] : &middle->left.at[i],
-                       forward ? &all->when.at[i] : &all->left.at[i], r, precision);
+      if (!narrow(u, &of_middle->at[i], &of_all->at[i], r, precision))
+        return not_smooth;
       series_set_ball(&at->offset, u);
     }
-  return meet ? limit_holds(l, w, w_mid, eps, precision) : not_smooth;
+  return limit_holds(l, w, w_mid, eps, precision);
+}
+
+/* Follows `here` to every eps in the ball, first to its middle, which is near. NULL; or why the motion is not shown to
+ * be the steady state there, and `here` is as before. */
+static const char *move_to(struct around *a, struct limit *here, const arb_t eps, slong terms, slong precision)
+{
+  SCOPED(arb, middle);
+  SCOPED(limit, trial);
+  limit_set(&trial, here);
+  arb_get_mid_arb(middle, eps);
+  if (!lift_at(&a->middle, &trial, middle, terms, precision) || !lift_at(&a->all, &trial, eps, terms, precision))
+    return not_smooth;
+  const char *why = modes_around(a, &trial, eps, precision);
+  if (!why)
+    limit_set(here, &trial);
+  return why;
 }
 
 /* The largest eps up to which the modes are shown to be those of the branch, by steps down to 2^FINEST of it and
  * MOST_FINE attempts with finer ones, which come no nearer than their number; *ends: what happens there. */
-static void find_end(arf_t end, const char **ends, const struct limit *from,
-                     const struct scallop_rational_crawler *crawler, slong precision)
+static void find_end(arf_t end, const char **ends, const struct limit *from, slong precision)
 {
   enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4, MOST_FINE = 64 };
   int failures = 0, fine = 0;
   SCOPED(around, around);
-  ENDED_BY(limit_clear) struct limit here;
-  limit_init(&here, crawler);
-  ENDED_BY(limit_clear) struct limit trial;
-  limit_init(&trial, crawler);
+  SCOPED(limit, here);
   SCOPED(arf, step, next);
   SCOPED(arb, eps);
-  copy_branches(&here, from);
+  limit_set(&here, from);
+  *ends = not_smooth;
   arf_zero(end);
   arf_one(step);
-  for (int i = 0; i < STEPS; i++) {
+  for (int i = 0; i < STEPS && arf_cmpabs_2exp_si(step, SMALLEST) > 0; i++) {
     arf_add(next, end, step, precision, ARF_RND_NEAR);
     arb_set_interval_arf(eps, end, next, precision);
-    copy_branches(&trial, &here);
-    const char *why = lift_around(&around, &trial, eps, MORE + 1, precision)
-                          ? modes_around(&around, &trial, eps, precision)
-                          : not_smooth;
+    const char *why = move_to(&around, &here, eps, MORE + 1, precision);
     if (!why) {
-      copy_branches(&here, &trial);
       arf_set(end, next);
       arf_mul_2exp_si(step, step, 1);
       failures = 0;
@@ -162,8 +128,6 @@ static void find_end(arf_t end, const char **ends, const struct limit *from,
     failures++;
     *ends = why;
     arf_mul_2exp_si(step, step, -1);
-    if (arf_cmpabs_2exp_si(step, SMALLEST) < 0)
-      break; /* GCOVR_EXCL_LINE: no limit that is found is known to hold nowhere */
     arf_mul_2exp_si(next, end, FINEST);
     fine += arf_cmp(step, next) < 0;
     if (arf_cmp(step, next) < 0 && (failures >= FAILURES || fine > MOST_FINE))
@@ -171,128 +135,87 @@ static void find_end(arf_t end, const char **ends, const struct limit *from,
   }
 }
 
-struct cover {
-  struct limit here, trial; /* followed to where we are; where the next attempt goes           */
-  const slong *power;
-  slong precision;
-  arb_t most[2]; /* the largest |coefficient of x^power[i]| so far, of w and of the displacement over L */
+/* The coefficients of x^power[i], of w and of the displacement over L, for all eps so far */
+struct largest {
+  struct limit here; /* followed to where we are */
+  slong power[2], precision;
+  arb_t value[2], most[2]; /* absolute values here, and the largest so far */
 };
+#define LARGEST(of) \
+  of(limit, &s->here) of(arb, s->value[0]) of(arb, s->value[1]) of(arb, s->most[0]) of(arb, s->most[1])
+SCOPED_PARTS(largest, struct largest, LARGEST)
 
-/* The absolute values of the coefficients for every eps in the ball; false if the branch could not be followed there,
- * or is not shown to be the steady state, and cover is then as before. */
-static bool coefficients(struct cover *cover, arb_t value[2], const arb_t eps)
+/* The values for every eps in the ball. False: the motion is not shown to be the steady state there. */
+static bool take(struct largest *l, const arb_t eps)
 {
-  slong most = cover->power[0] > cover->power[1] ? cover->power[0] : cover->power[1];
+  const slong terms = FLINT_MAX(l->power[0], l->power[1]) + MORE + 1;
   SCOPED(around, a);
-  copy_branches(&cover->trial, &cover->here);
-  bool found = lift_around(&a, &cover->trial, eps, most + MORE + 1, cover->precision)
-               && !modes_around(&a, &cover->trial, eps, cover->precision);
-  for (int i = 0; found && i < 2; i++) {
-    carry(value[i], i == 0 ? &a.middle.w : &a.middle.travel, i == 0 ? &a.all.w : &a.all.travel, cover->power[i],
-          arb_radref(eps), cover->precision);
-    arb_abs(value[i], value[i]);
-    found = arb_is_finite(value[i]);
-  }
-  if (found)
-    copy_branches(&cover->here, &cover->trial);
-  return found;
+  if (move_to(&a, &l->here, eps, terms, l->precision))
+    return false;
+  carry(l->value[0], &a.middle.w, &a.all.w, l->power[0], arb_radref(eps), l->precision);
+  carry(l->value[1], &a.middle.travel, &a.all.travel, l->power[1], arb_radref(eps), l->precision);
+  for (int i = 0; i < 2; i++)
+    arb_abs(l->value[i], l->value[i]);
+  return arb_is_finite(l->value[0]) && arb_is_finite(l->value[1]);
+}
+
+static void count(struct largest *l)
+{
+  for (int i = 0; i < 2; i++)
+    arb_max(l->most[i], l->most[i], l->value[i], l->precision);
 }
 
 /* The values at a few points: less than the largest, and of its size. */
-static void take_points(struct cover *cover, arb_t value[2], const arf_t end)
+static void take_points(struct largest *l, const arf_t end)
 {
   enum { POINTS = 16 };
   SCOPED(arb, eps);
   for (ulong i = 1; i <= POINTS; i++) {
-    arf_mul_ui(arb_midref(eps), end, i, cover->precision, ARF_RND_DOWN);
+    arf_mul_ui(arb_midref(eps), end, i, l->precision, ARF_RND_DOWN);
     arf_mul_2exp_si(arb_midref(eps), arb_midref(eps), -4);
-    if (coefficients(cover, value, eps))
-      for (int k = 0; k < 2; k++)
-        arb_max(cover->most[k], cover->most[k], value[k], cover->precision);
+    if (take(l, eps))
+      count(l);
   }
 }
 
 /* value <= 2 most, or it is nothing beside a function of size 1 on [0, end]: some coefficients vanish identically */
-static bool is_tight(const arb_t value, const arb_t most, const arf_t end, slong n, slong precision)
+static bool is_tight(const struct largest *l, int i, const arf_t end)
 {
   SCOPED(arb, room, size);
-  arb_mul_2exp_si(room, most, 1);
-  arb_sub(room, room, value, precision);
+  arb_mul_2exp_si(room, l->most[i], 1);
+  arb_sub(room, room, l->value[i], l->precision);
   arb_set_arf(size, end);
-  arb_pow_ui(size, size, (ulong)n, precision);
-  arb_mul(size, size, value, precision);
-  bool nothing = mag_cmp_2exp_si(arb_radref(size), -precision / 2) < 0
-                 && arf_cmpabs_2exp_si(arb_midref(size), -precision / 2) < 0;
+  arb_pow_ui(size, size, (ulong)l->power[i], l->precision);
+  arb_mul(size, size, l->value[i], l->precision);
+  bool nothing = mag_cmp_2exp_si(arb_radref(size), -l->precision / 2) < 0
+                 && arf_cmpabs_2exp_si(arb_midref(size), -l->precision / 2) < 0;
   return arb_is_nonnegative(room) || nothing;
 }
 
 /* Covers [0, end] by intervals, which are halved while they are wide or their balls are: more than twice the value at
  * points. */
-static bool take_intervals(struct cover *cover, arb_t value[2], const arf_t end)
+static bool take_intervals(struct largest *l, const arf_t end)
 {
   enum { MOST = 6000, NARROW = -11 };
-  bool found = true;
   SCOPED(arf, lo, hi, step, narrow);
   SCOPED(arb, eps);
   arf_mul_2exp_si(step, end, -4);
   arf_mul_2exp_si(narrow, end, NARROW);
-  for (int i = 0; found && arf_cmp(lo, end) < 0; i++) {
-    arf_add(hi, lo, step, cover->precision, ARF_RND_UP);
-    if (arf_cmp(hi, end) > 0)
-      arf_set(hi, end);
-    arb_set_interval_arf(eps, lo, hi, cover->precision);
-    bool followed = coefficients(cover, value, eps), tight = followed;
-    for (int k = 0; k < 2; k++)
-      tight = tight && is_tight(value[k], cover->most[k], end, cover->power[k], cover->precision);
-    found = i < MOST;
+  for (int i = 0; i <= MOST; i++) {
+    if (arf_cmp(lo, end) >= 0)
+      return true;
+    arf_add(hi, lo, step, l->precision, ARF_RND_UP);
+    arf_min(hi, hi, end);
+    arb_set_interval_arf(eps, lo, hi, l->precision);
+    bool followed = take(l, eps), tight = followed && is_tight(l, 0, end) && is_tight(l, 1, end);
     if (tight || (followed && arf_cmp(step, narrow) < 0)) {
-      for (int k = 0; k < 2; k++)
-        arb_max(cover->most[k], cover->most[k], value[k], cover->precision);
+      count(l);
       arf_set(lo, hi);
       arf_mul_2exp_si(step, step, 1);
     } else
       arf_mul_2exp_si(step, step, -1);
   }
-  return found;
-}
-
-/* The largest |coefficient of x^power[i]| of w and of the displacement over L, for all eps in [0, end]: an upper
- * bound. */
-static bool largest_coefficients(arb_t most[2], const slong power[2], const arf_t end, const struct limit *from,
-                                 const struct scallop_rational_crawler *crawler, slong precision)
-{
-  struct cover cover = { .power = power, .precision = precision };
-  arb_t value[2];
-  limit_init(&cover.here, crawler);
-  limit_init(&cover.trial, crawler);
-  for (int k = 0; k < 2; k++) {
-    arb_init(value[k]);
-    arb_init(cover.most[k]);
-  }
-  copy_branches(&cover.here, from);
-  take_points(&cover, value, end);
-  copy_branches(&cover.here, from);
-  bool found = take_intervals(&cover, value, end);
-  for (int k = 0; k < 2; k++) {
-    arb_get_ubound_arf(arb_midref(most[k]), cover.most[k], precision);
-    mag_zero(arb_radref(most[k]));
-    arb_clear(value[k]);
-    arb_clear(cover.most[k]);
-  }
-  limit_clear(&cover.here);
-  limit_clear(&cover.trial);
-  return found;
-}
-
-/* (F1 + F2)/(M L): eps / T^2 */
-static void eps_over_T2(arb_t kappa, const struct scallop_rational_crawler *c, slong precision)
-{
-  SCOPED(fmpq, q, M);
-  fmpq_add(M, c->m1, c->m2);
-  fmpq_add(q, c->F1, c->F2);
-  fmpq_div(q, q, M);
-  fmpq_div(q, q, c->L);
-  arb_set_fmpq(kappa, q, precision);
+  return false;
 }
 
 static void time_of(arb_t T, const arf_t eps, const arb_t kappa, slong precision)
@@ -302,96 +225,86 @@ static void time_of(arb_t T, const arf_t eps, const arb_t kappa, slong precision
   arb_sqrt(T, T, precision);
 }
 
-static enum scallop_status bounds_from(const struct limit *l, const struct scallop_rational_crawler *crawler,
-                                       slong order, slong precision, struct scallop_bound bounds[2], const char **why)
+/* eps/T^2, and the eps up to which the modes of the limit are shown to hold */
+static void follow_to_end(arb_t kappa, arf_t end, const char **ends, const struct limit *l,
+                          const struct scallop_rational_crawler *crawler, slong precision)
 {
-  slong of_displacement = (order + 1) / 2;
-  if (l->even)
-    of_displacement += of_displacement % 2;
-  const slong power[2] = { order / 2 + 1, of_displacement };
-  const char *ends = not_smooth;
-  arb_t kappa, most[2];
-  SCOPED(arf, end, eps0);
-  arb_init(kappa);
-  arb_init(most[0]);
-  arb_init(most[1]);
-  eps_over_T2(kappa, crawler, precision);
-  find_end(end, &ends, l, crawler, precision);
-  arf_mul_ui(eps0, end, 13, precision, ARF_RND_DOWN); /* T0 is 0.9 of T_end */
-  arf_mul_2exp_si(eps0, eps0, -4);
-  bool found = !arf_is_zero(end) && largest_coefficients(most, power, eps0, l, crawler, precision);
-  for (int i = 0; found && i < 2; i++) {
-    struct scallop_bound *b = &bounds[i];
-    b->power = (int)(2 * power[i] - (i == 0));
-    b->ends = ends;
-    arb_pow_ui(b->C, kappa, (ulong)power[i], precision);
-    arb_mul(b->C, b->C, most[i], precision);
-    ball_times(b->C, b->C, crawler->L, precision);
-    time_of(b->T0, eps0, kappa, precision);
-    time_of(b->T_end, end, kappa, precision);
-  }
-  /* GCOVR_EXCL_START: as above, no limit is known to */
-  if (!found && why)
-    *why = "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary";
-  /* GCOVR_EXCL_STOP */
-  arb_clear(kappa);
-  arb_clear(most[0]);
-  arb_clear(most[1]);
-  return found ? SCALLOP_OK : SCALLOP_EUNDECIDED;
-}
-
-/* NULL, or which of the arguments is outside its domain. */
-static const char *outside(const struct scallop_rational_crawler *crawler, slong order, slong precision)
-{
-  return !scallop_rational_is_valid(crawler)       ? "a parameter is outside its domain"
-         : order < 1 || order > SCALLOP_MOST_TERMS ? "the order is outside of 1 to 1000"
-         : precision < LEAST_PRECISION             ? "fewer than 32 bits"
-                                                   : NULL;
+  SCOPED(fmpq, exact);
+  set_kappa(exact, crawler);
+  arb_set_fmpq(kappa, exact, precision);
+  find_end(end, ends, l, precision);
 }
 
 enum scallop_status scallop_steady_modes_hold(const struct scallop_rational_crawler *crawler, slong precision, arb_t T,
                                               const char **ends, const char **why)
 {
-  const char *reason = outside(crawler, 1, precision);
-  if (reason) {
-    if (why)
-      *why = reason;
-    return SCALLOP_EDOMAIN;
-  }
-  ENDED_BY(limit_clear) struct limit l;
-  limit_init(&l, crawler);
-  enum scallop_status status = limit_find(&l, crawler, precision, &reason);
+  SCOPED(limit, l);
+  SCOPED(arf, end);
+  SCOPED(arb, kappa);
+  enum scallop_status status = limit_find(&l, crawler, precision, why);
   if (status == SCALLOP_OK) {
-    SCOPED(arf, end);
-    SCOPED(arb, kappa);
-    *ends = not_smooth;
-    eps_over_T2(kappa, crawler, precision);
-    find_end(end, ends, &l, crawler, precision);
+    follow_to_end(kappa, end, ends, &l, crawler, precision);
     time_of(T, end, kappa, precision);
-  } else if (why)
-    *why = reason;
+  }
   return status;
+}
+
+/* |coefficient of x^power| of all eps up to eps0, as a bound of the series in T */
+static void set_bound(struct scallop_bound *b, const struct largest *l, int i, const arb_t kappa,
+                      const struct scallop_rational_crawler *crawler, const arf_t eps0, const arf_t end)
+{
+  SCOPED(arb, most);
+  arb_get_ubound_arf(arb_midref(most), l->most[i], l->precision);
+  b->power = (int)(2 * l->power[i] - (i == 0));
+  arb_pow_ui(b->C, kappa, (ulong)l->power[i], l->precision);
+  arb_mul(b->C, b->C, most, l->precision);
+  ball_times(b->C, b->C, crawler->L, l->precision);
+  time_of(b->T0, eps0, kappa, l->precision);
+  time_of(b->T_end, end, kappa, l->precision);
+}
+
+/* Of all eps up to eps0: of the first powers that the expansion below T^order leaves out and that do not vanish */
+static bool find_largest(struct largest *largest, const struct limit *l, slong order, const arf_t eps0, slong precision)
+{
+  largest->precision = precision;
+  largest->power[0] = order / 2 + 1;
+  largest->power[1] = (order + 1) / 2;
+  if (l->even)
+    largest->power[1] += largest->power[1] % 2;
+  limit_set(&largest->here, l);
+  take_points(largest, eps0);
+  limit_set(&largest->here, l);
+  return take_intervals(largest, eps0);
 }
 
 enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler *crawler, slong order, slong precision,
                                           struct scallop_bound bounds[2], const char **why)
 {
-  const char *reason = outside(crawler, order, precision);
-  if (reason) {
-    if (why)
-      *why = reason;
-    return SCALLOP_EDOMAIN;
+  const char *ends, *none = not_expandable(crawler, order, precision);
+  if (none)
+    return refused(SCALLOP_EDOMAIN, none, why);
+  SCOPED(limit, l);
+  SCOPED(largest, largest);
+  SCOPED(arf, end, eps0);
+  SCOPED(arb, kappa);
+  enum scallop_status status = limit_find(&l, crawler, precision, why);
+  if (status != SCALLOP_OK)
+    return status;
+  if (series_coefficient_is_zero(&l.w, 0))
+    return refused(
+        SCALLOP_EDOMAIN,
+        "the start velocity is 0 in the limit (F1 = F2, or alpha = 1/2): this bound is for those where it is not", why);
+  follow_to_end(kappa, end, &ends, &l, crawler, precision);
+  arf_mul_ui(eps0, end, 13, precision, ARF_RND_DOWN); /* T0 is 0.9 of T_end */
+  arf_mul_2exp_si(eps0, eps0, -4);
+  if (arf_is_zero(end)
+      || !find_largest(&largest, &l, order, eps0, precision)) /* GCOVR_EXCL_START: no limit is known to */
+    return refused(SCALLOP_EUNDECIDED,
+                   "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary", why);
+  /* GCOVR_EXCL_STOP */
+  for (int i = 0; i < 2; i++) {
+    set_bound(&bounds[i], &largest, i, kappa, crawler, eps0, end);
+    bounds[i].ends = ends;
   }
-  ENDED_BY(limit_clear) struct limit l;
-  limit_init(&l, crawler);
-  enum scallop_status status = limit_find(&l, crawler, precision, &reason);
-  if (status == SCALLOP_OK && series_coefficient_is_zero(&l.w, 0)) {
-    reason = "the start velocity is 0 in the limit (F1 = F2, or alpha = 1/2): this bound is for those where it is not";
-    status = SCALLOP_EDOMAIN;
-  }
-  if (status == SCALLOP_OK)
-    status = bounds_from(&l, crawler, order, precision, bounds, &reason);
-  if (status != SCALLOP_OK && why)
-    *why = reason;
-  return status;
+  return SCALLOP_OK;
 }

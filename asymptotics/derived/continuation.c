@@ -183,7 +183,7 @@ static void law_at(acb_ptr jet, const struct continuation *c, slong i, acb_srcpt
 
 void continued_residual(acb_mat_t f, const struct continuation *c, acb_srcptr v, slong precision)
 {
-  acb_ptr jet = _acb_vec_init(JET);
+  SCOPED_BALLS(jet, JET);
   SCOPED(acb, eps, term);
   continued_eps(eps, c, v + c->n, 0, precision);
   for (slong i = 0; i < c->n; i++) {
@@ -197,12 +197,11 @@ void continued_residual(acb_mat_t f, const struct continuation *c, acb_srcptr v,
       acb_add(value, value, jet + JET_VALUE, precision);
     }
   }
-  _acb_vec_clear(jet, JET);
 }
 
 void continued_jacobian(acb_mat_t to, const struct continuation *c, acb_srcptr v, slong precision)
 {
-  acb_ptr jet = _acb_vec_init(JET);
+  SCOPED_BALLS(jet, JET);
   SCOPED(acb, eps, rate, term);
   continued_eps(eps, c, v + c->n, 0, precision);
   continued_eps(rate, c, v + c->n, 1, precision);
@@ -220,13 +219,12 @@ void continued_jacobian(acb_mat_t to, const struct continuation *c, acb_srcptr v
       acb_add(acb_mat_entry(to, i, i + 1), acb_mat_entry(to, i, i + 1), jet + JET_B, precision);
     }
   }
-  _acb_vec_clear(jet, JET);
 }
 
 /* -(law_aa u_a^2 + 2 law_ab u_a u_b + law_bb u_b^2) + 2 eps' u_z per_eps u + eps'' u_z^2 per_eps (v, 1) */
 void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, acb_srcptr u, slong precision)
 {
-  acb_ptr jet = _acb_vec_init(JET);
+  SCOPED_BALLS(jet, JET);
   acb_srcptr z = v + c->n, dz = u + c->n;
   SCOPED(acb, rate, change, term);
   continued_eps(rate, c, z, 1, precision);
@@ -251,7 +249,6 @@ void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, 
     acb_addmul(term, jet + JET_AB, u + i + 1, precision);
     acb_submul(to, term, u + i, precision);
   }
-  _acb_vec_clear(jet, JET);
 }
 
 /* With the direction u, the drops d_i of the slope over eps at the crossings and f_i the fraction of the phase of

@@ -18,6 +18,16 @@
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/singularity.h"
 
+/* Complex balls that end with their block: SCOPED_BALLS(v, n) makes an acb_ptr v. */
+struct complex_balls {
+  acb_ptr at;
+  slong count;
+};
+static inline void complex_balls_end(struct complex_balls *b) { _acb_vec_clear(b->at, b->count); }
+#define SCOPED_BALLS(name, n) \
+  ENDED_BY(complex_balls_end) struct complex_balls name##_scoped = { _acb_vec_init(n), n }; \
+  acb_ptr name = name##_scoped.at
+
 struct continued_crossing {
   bool sine, joined; /* joined: with the crossing before, as above                                 */
   arb_t q, base;     /* the time that the polynomial is around                                     */
@@ -81,5 +91,36 @@ void fold_clear(struct fold *f);
 bool fold_find(struct fold *f, acb_srcptr v, double far, slong precision);
 /* v, balls that hold a solution, is in the neighbourhood. */
 bool fold_holds(const struct fold *f, acb_srcptr v);
+
+/* Part of the proof: for |z| up to r, in the directions from `from` pi to `to` pi, the branch is an analytic function
+ * of z. */
+struct sector {
+  double r, step, from, to;
+  double looked;      /* the step at which a branch point was last looked for                         */
+  acb_ptr at, around; /* v at r in the middle direction, and a box in which it is the only solution for all of them */
+};
+
+enum { MOST_SECTORS = 4096, MOST_FOLDS = 8, MOST_PLACES = 64, MOST_WORK = 2500000, CELL_BITS = 64 };
+struct search {
+  const struct continuation *apart, *joined; /* without and with joined crossings                     */
+  slong n, precision;
+  double last;   /* direction over pi: the others mirror those from 0 to here                          */
+  double disc;   /* proven around z = 0                                                               */
+  acb_ptr start; /* and the box there                                                                 */
+  struct sector sector[MOST_SECTORS];
+  int sectors;
+  struct fold fold[MOST_FOLDS]; /* those that the branch meets                                        */
+  int folds;
+  acb_ptr place; /* z of all that were found                                                          */
+  int places;
+  double reach; /* |z| of the nearest, rounded up                                                     */
+};
+
+/* both: the equations without and with joined crossings; last: the direction over pi that the others mirror */
+struct search *search_new(const struct continuation both[2], double last, slong precision);
+void search_free(struct search *s);
+/* Carries that sector on which has come least far, until all reach the nearest fold. Returns |z| up to where the proof
+ * has come. */
+double search_cover(struct search *s);
 
 #endif

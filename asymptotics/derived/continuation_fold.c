@@ -55,21 +55,23 @@ static double size_of(const acb_t z)
 static bool approach(struct fold *f, acb_t second, double far, slong precision)
 {
   enum { STEPS = 40 };
-  bool sound = true, close = false;
   SCOPED(acb, step, began);
   acb_get_mid(began, f->v + f->c->n);
-  for (int i = 0; i < STEPS && sound && !close; i++) {
+  for (int i = 0; i < STEPS; i++) {
     acb_get_mid(f->v + f->p, f->v + f->p);
-    sound = enclose(f, second, precision);
+    if (!enclose(f, second, precision))
+      return false;
     acb_sub(step, f->v + f->c->n, began, precision);
-    sound = sound && size_of(step) < far;
+    if (!(size_of(step) < far))
+      return false;
     acb_div(step, f->first + f->c->n, second, precision);
-    sound = sound && acb_is_finite(step);
-    close = sound && size_of(step) < ldexp(1, -(int)precision / 2);
-    if (sound && !close)
-      acb_sub(f->v + f->p, f->v + f->p, step, precision);
+    if (!acb_is_finite(step))
+      return false;
+    if (size_of(step) < ldexp(1, -(int)precision / 2))
+      return true;
+    acb_sub(f->v + f->p, f->v + f->p, step, precision);
   }
-  return close;
+  return false;
 }
 
 /* Newton's interval operator for z' in a ball of t: t - z'(t)/z''(ball) lies inside it, and holds the only zero of
@@ -82,13 +84,14 @@ static bool prove(struct fold *f, acb_t second, slong precision)
   acb_set(rate, f->first + f->c->n);
   mag_set_ui_2exp_si(size, 1, -precision / 3);
   acb_add_error_mag(f->v + f->p, size);
-  bool proven = enclose(f, second, precision);
+  if (!enclose(f, second, precision))
+    return false;
   acb_div(rate, rate, second, precision);
   acb_sub(zero, zero, rate, precision);
-  proven = proven && acb_is_finite(zero) && acb_contains_interior(f->v + f->p, zero);
+  if (!acb_is_finite(zero) || !acb_contains_interior(f->v + f->p, zero))
+    return false;
   acb_set(f->v + f->p, zero);
-  proven = proven && enclose(f, second, precision);
-  return proven;
+  return enclose(f, second, precision);
 }
 
 /* min |z''|/2 over the square |Re t|, |Im t| <= size around the branch point, times size^2; 0: not shown to be
@@ -96,7 +99,8 @@ static bool prove(struct fold *f, acb_t second, slong precision)
 static double clearance(acb_ptr around, const struct fold *f, double size)
 {
   slong n = f->c->n;
-  acb_ptr v = _acb_vec_init(n + 1), first = _acb_vec_init(n + 1);
+  SCOPED_BALLS(v, n + 1);
+  SCOPED_BALLS(first, n + 1);
   SCOPED(acb, second);
   SCOPED(arf, least);
   SCOPED(mag, half);
@@ -106,18 +110,15 @@ static double clearance(acb_ptr around, const struct fold *f, double size)
   if (continuation_enclose(v, around, f->c, f->p, NEIGHBOURHOOD_BITS)
       && continuation_derivatives(first, second, f->c, v, f->p, NEIGHBOURHOOD_BITS))
     acb_get_abs_lbound_arf(least, second, NEIGHBOURHOOD_BITS);
-  double clear = arf_get_d(least, ARF_RND_DOWN) * size * size / 2
-                 * (1 - 0x1p-20); /* t* is known to far less than that */
-  _acb_vec_clear(v, n + 1);
-  _acb_vec_clear(first, n + 1);
-  return clear > 0 ? clear : 0;
+  return fmax(0,
+              arf_get_d(least, ARF_RND_DOWN) * size * size / 2 * (1 - 0x1p-20)); /* t* is known to far less than that */
 }
 
 /* The size with the largest clearance, of 2, 1, 1/2, ... */
 static bool set_neighbourhood(struct fold *f)
 {
   enum { LARGEST = 1, SMALLEST = -20 };
-  acb_ptr around = _acb_vec_init(f->c->n + 1);
+  SCOPED_BALLS(around, f->c->n + 1);
   f->clear = 0;
   for (int i = LARGEST; i >= SMALLEST; i--) {
     double size = ldexp(1, i), clear = clearance(around, f, size);
@@ -129,7 +130,6 @@ static bool set_neighbourhood(struct fold *f)
       _acb_vec_swap(f->around, around, f->c->n + 1);
     }
   }
-  _acb_vec_clear(around, f->c->n + 1);
   return f->clear > 0;
 }
 
@@ -137,18 +137,18 @@ bool fold_find(struct fold *f, acb_srcptr v, double far, slong precision)
 {
   SCOPED(acb, second);
   _acb_vec_set(f->v, v, f->c->n + 1);
-  bool found = continuation_derivatives(f->first, second, f->c, f->v, f->c->n, precision);
+  if (!continuation_derivatives(f->first, second, f->c, f->v, f->c->n, precision))
+    return false;
   f->p = steepest(f->first, f->c->n);
-  found = found && approach(f, second, far, precision) && prove(f, second, precision) && set_neighbourhood(f);
-  return found;
+  return approach(f, second, far, precision) && prove(f, second, precision) && set_neighbourhood(f);
 }
 
 bool fold_holds(const struct fold *f, acb_srcptr v)
 {
   SCOPED(acb, way);
   acb_sub(way, v + f->p, f->v + f->p, NEIGHBOURHOOD_BITS);
-  bool holds = size_of(way) < f->size;
   for (slong j = 0; j <= f->c->n; j++)
-    holds = holds && (j == f->p || acb_contains(f->around + j, v + j));
-  return holds;
+    if (j != f->p && !acb_contains(f->around + j, v + j))
+      return false;
+  return size_of(way) < f->size;
 }

@@ -2,78 +2,41 @@
 #include "asymptotics/derived/continuation.h"
 #include "asymptotics/derived/scoped.h"
 
-/* As many terms of the sum over k of y^k/(2k + 1)! as leave out less than 2^-precision of it and of its first two
- * derivatives. *rest: what they leave out, at most twice k^2 max(1, |y|)^k/(2k)! of the first term, for |y| < 400,
- * where k^2 terms fall by half and more from k = 16 on. */
-static slong terms_needed(mag_t rest, const acb_t y, slong precision)
+/* S(h) = sin(pi h)/(pi h) = g(y), y = -(pi h)^2/4, and S' = -(pi^2/2) h g', S'' = -(pi^2/2) (g' + 2 y g''): g is the
+ * entire function 0F1(; 3/2; y), whose derivatives are (2/3) 0F1(; 5/2; y) and (4/15) 0F1(; 7/2; y). acb_poly_sinc_series
+ * is not for balls that hold 0. */
+static void sine_quotient(acb_ptr S, const acb_t h, const arb_t pi_squared, slong precision)
 {
-  enum { LEAST = 8, BOUND = 400, ENOUGH = 16 };
-  slong k = LEAST;
-  SCOPED(mag, size, factorial);
-  acb_get_mag(size, y);
-  if (mag_cmp_2exp_si(size, 0) < 0)
-    mag_one(size);
-  for (;; k += LEAST) {
-    mag_pow_ui(rest, size, (ulong)k);
-    mag_mul_ui(rest, rest, (ulong)(2 * k * k));
-    mag_fac_ui(factorial, (ulong)(2 * k));
-    mag_div(rest, rest, factorial);
-    if (k >= ENOUGH && (mag_cmp_2exp_si(rest, -precision) < 0 || k > precision))
-      break;
-  }
-  mag_set_ui(factorial, BOUND);
-  if (mag_cmp(size, factorial) > 0)
-    mag_inf(rest);
-  return k;
-}
-
-/* g[k]: the k-th derivative of g(y) = sum of y^k/(2k + 1)!, k = 0, 1, 2; sin(x)/x = g(-x^2) */
-static void sine_quotient(acb_ptr g, const acb_t y, slong precision)
-{
-  SCOPED(mag, rest);
-  slong terms = terms_needed(rest, y, precision);
-  _acb_vec_zero(g, 3);
-  acb_one(g);
-  for (slong k = terms; k >= 1; k--) { /* g = 1 + y g/(2k (2k + 1)), and the derivatives of that */
-    for (slong j = 2; j >= 0; j--) {
-      acb_mul(g + j, g + j, y, precision);
-      if (j > 0)
-        acb_addmul_ui(g + j, g + j - 1, (ulong)j, precision);
-      acb_div_ui(g + j, g + j, (ulong)(2 * k * (2 * k + 1)), precision);
-    }
-    acb_add_ui(g, g, 1, precision);
-  }
-  for (slong j = 0; j < 3; j++)
-    acb_add_error_mag(g + j, rest);
-}
-
-/* S(h) = sin(pi h)/(pi h) = g(y), y = -pi^2 h^2, and S' = -2 pi^2 h g', S'' = -2 pi^2 (g' + 2 y g'') */
-static void sine_quotient_jet(acb_ptr S, const acb_t h, const arb_t pi_squared, slong precision)
-{
-  acb_ptr g = _acb_vec_init(3);
-  SCOPED(acb, y);
+  static const int factors[][2] = { { 1, 1 }, { 2, 3 }, { 4, 15 } };
+  SCOPED(acb, y, a);
   acb_mul(y, h, h, precision);
   acb_mul_arb(y, y, pi_squared, precision);
+  acb_mul_2exp_si(y, y, -2);
   acb_neg(y, y);
-  sine_quotient(g, y, precision);
-  acb_set(S, g);
-  acb_mul(S + 1, h, g + 1, precision);
-  acb_mul_2exp_si(g + 2, g + 2, 1);
-  acb_mul(S + 2, y, g + 2, precision);
-  acb_add(S + 2, S + 2, g + 1, precision);
+  for (int k = 0; k < 3; k++) {
+    acb_set_d(a, k + 1.5);
+    acb_hypgeom_0f1_direct(S + k, a, y, 0, precision);
+    acb_mul_si(S + k, S + k, factors[k][0], precision);
+    acb_div_si(S + k, S + k, factors[k][1], precision);
+  }
+  acb_mul_2exp_si(y, y, 1);
+  acb_mul(S + 2, S + 2, y, precision);
+  acb_add(S + 2, S + 2, S + 1, precision);
+  acb_mul(S + 1, S + 1, h, precision);
   for (int k = 1; k < 3; k++) {
     acb_mul_arb(S + k, S + k, pi_squared, precision);
-    acb_mul_si(S + k, S + k, -2, precision);
+    acb_mul_2exp_si(S + k, S + k, -1);
+    acb_neg(S + k, S + k);
   }
-  _acb_vec_clear(g, 3);
 }
 
-/* D = (sin(pi b) - sin(pi a))/(b - a) = pi cos(pi m) S(h), m = (a + b)/2, h = (b - a)/2: D_a = (D_m - D_h)/2, D_b =
- * (D_m + D_h)/2, D_aa = (D_mm - 2 D_mh + D_hh)/4, D_ab = (D_mm - D_hh)/4, D_bb = (D_mm + 2 D_mh + D_hh)/4 */
+/* D = (sin(pi b) - sin(pi a))/(b - a) = C(m) S(h), C = pi cos(pi m), m = (a + b)/2, h = (b - a)/2: D_a = (D_m - D_h)/2,
+ * D_b = (D_m + D_h)/2, D_aa = (D_mm - 2 D_mh + D_hh)/4, D_ab = (D_mm - D_hh)/4, D_bb = (D_mm + 2 D_mh + D_hh)/4 */
 static void joined_sine(acb_ptr jet, const acb_t a, const acb_t b, slong precision)
 {
-  acb_ptr S = _acb_vec_init(3), t = _acb_vec_init(7);
-  acb_ptr m = t, h = t + 1, sine = t + 2, cosine = t + 3, by_m = t + 4, by_mm = t + 5, by_mh = t + 6;
+  SCOPED_BALLS(S, 3);
+  SCOPED_BALLS(C, 3);
+  SCOPED(acb, m, h, even, mixed);
   SCOPED(arb, pi, square);
   arb_const_pi(pi, precision);
   arb_mul(square, pi, pi, precision);
@@ -81,29 +44,28 @@ static void joined_sine(acb_ptr jet, const acb_t a, const acb_t b, slong precisi
   acb_sub(h, b, a, precision);
   acb_mul_2exp_si(m, m, -1);
   acb_mul_2exp_si(h, h, -1);
-  sine_quotient_jet(S, h, square, precision);
-  acb_sin_cos_pi(sine, cosine, m, precision);
-  acb_mul_arb(cosine, cosine, pi, precision);
-  acb_mul_arb(sine, sine, square, precision);
-  acb_neg(sine, sine);
-  acb_mul(jet + JET_VALUE, cosine, S, precision);
-  acb_mul(by_m, sine, S, precision);
-  acb_mul(by_mh, sine, S + 1, precision);
-  acb_mul(S + 1, cosine, S + 1, precision); /* D_h */
-  acb_mul(S + 2, cosine, S + 2, precision); /* D_hh */
-  acb_mul_arb(by_mm, jet + JET_VALUE, square, precision);
-  acb_neg(by_mm, by_mm);
-  acb_sub(jet + JET_A, by_m, S + 1, precision);
-  acb_add(jet + JET_B, by_m, S + 1, precision);
-  acb_sub(jet + JET_AB, by_mm, S + 2, precision);
-  acb_add(by_mm, by_mm, S + 2, precision);
-  acb_mul_2exp_si(by_mh, by_mh, 1);
-  acb_sub(jet + JET_AA, by_mm, by_mh, precision);
-  acb_add(jet + JET_BB, by_mm, by_mh, precision);
+  sine_quotient(S, h, square, precision);
+  acb_sin_cos_pi(C + 1, C, m, precision);
+  acb_mul_arb(C, C, pi, precision);
+  acb_mul_arb(C + 1, C + 1, square, precision);
+  acb_neg(C + 1, C + 1);
+  acb_mul_arb(C + 2, C, square, precision);
+  acb_neg(C + 2, C + 2);
+  acb_mul(jet + JET_VALUE, C, S, precision);
+  acb_mul(m, C + 1, S, precision); /* D_m, D_h and, in the places of jets, D_mm and D_hh */
+  acb_mul(h, C, S + 1, precision);
+  acb_mul(jet + JET_AA, C + 2, S, precision);
+  acb_mul(jet + JET_BB, C, S + 2, precision);
+  acb_sub(jet + JET_A, m, h, precision);
+  acb_add(jet + JET_B, m, h, precision);
+  acb_add(even, jet + JET_AA, jet + JET_BB, precision);
+  acb_sub(jet + JET_AB, jet + JET_AA, jet + JET_BB, precision);
+  acb_mul(mixed, C + 1, S + 1, precision);
+  acb_mul_2exp_si(mixed, mixed, 1);
+  acb_sub(jet + JET_AA, even, mixed, precision);
+  acb_add(jet + JET_BB, even, mixed, precision);
   for (int k = JET_A; k < JET; k++)
     acb_mul_2exp_si(jet + k, jet + k, k < JET_AA ? -1 : -2);
-  _acb_vec_clear(S, 3);
-  _acb_vec_clear(t, 7);
 }
 
 static void lone_sine(acb_ptr jet, const acb_t b, slong precision)
@@ -117,24 +79,27 @@ static void lone_sine(acb_ptr jet, const acb_t b, slong precision)
   acb_neg(jet + JET_BB, jet + JET_BB);
 }
 
+/* d becomes a d + f. */
+static void step(acb_t d, const acb_t f, const acb_t a, slong precision)
+{
+  acb_mul(d, d, a, precision);
+  acb_add(d, d, f, precision);
+}
+
 /* Horner's rule for the law at b, f = c + b f, and for its divided difference, d = f + a d, with their derivatives */
 static void polynomial(acb_ptr jet, const struct continued_crossing *at, const acb_t a, const acb_t b, slong precision)
 {
-  acb_ptr f = _acb_vec_init(3), d = jet;
+  acb_ptr d = jet;
+  SCOPED_BALLS(f, 3);
   for (slong k = arb_poly_degree(at->law); k >= 0; k--) {
-    if (at->joined) {
+    if (at->joined) { /* d = f + a d, by decreasing derivatives */
       acb_mul(d + JET_AA, d + JET_AA, a, precision);
       acb_addmul_ui(d + JET_AA, d + JET_A, 2, precision);
-      acb_mul(d + JET_AB, d + JET_AB, a, precision);
-      acb_add(d + JET_AB, d + JET_AB, d + JET_B, precision);
-      acb_mul(d + JET_BB, d + JET_BB, a, precision);
-      acb_add(d + JET_BB, d + JET_BB, f + 2, precision);
-      acb_mul(d + JET_A, d + JET_A, a, precision);
-      acb_add(d + JET_A, d + JET_A, d + JET_VALUE, precision);
-      acb_mul(d + JET_B, d + JET_B, a, precision);
-      acb_add(d + JET_B, d + JET_B, f + 1, precision);
-      acb_mul(d + JET_VALUE, d + JET_VALUE, a, precision);
-      acb_add(d + JET_VALUE, d + JET_VALUE, f, precision);
+      step(d + JET_AB, d + JET_B, a, precision);
+      step(d + JET_BB, f + 2, a, precision);
+      step(d + JET_A, d + JET_VALUE, a, precision);
+      step(d + JET_B, f + 1, a, precision);
+      step(d + JET_VALUE, f, a, precision);
     }
     for (slong j = 2; j >= 0; j--) {
       acb_mul(f + j, f + j, b, precision);
@@ -148,7 +113,6 @@ static void polynomial(acb_ptr jet, const struct continued_crossing *at, const a
     acb_swap(jet + JET_B, f + 1);
     acb_swap(jet + JET_BB, f + 2);
   }
-  _acb_vec_clear(f, 3);
 }
 
 void continued_law(acb_ptr jet, const struct continued_crossing *at, const acb_t a, const acb_t b, slong precision)

@@ -8,41 +8,30 @@
 #include "asymptotics/derived/continuation.h"
 #include "asymptotics/derived/scoped.h"
 
+/* Its matrices, by name and columns, n rows each */
+#define KRAWCZYK_MATRICES(of) \
+  of(jacobian, n + 1) of(middle, n + 1)            /* anywhere; at the middle             */ \
+      of(others, n) of(inverse, n)                 /* of the middle the columns but p; C */ \
+      of(near, n + 1) of(gain, n + 2) of(drive, 1) /* C J(m) - 1, C per_eps, C dF/dv_p   */ \
+      of(residual, 1) of(step, 1)
+#define KRAWCZYK_MEMBER(name, columns) acb_mat_t name;
+#define KRAWCZYK_INIT(name, columns) acb_mat_init(k->name, n, columns);
+#define KRAWCZYK_CLEAR(name, columns) acb_mat_clear(k->name);
+
 struct krawczyk {
   const struct continuation *c;
   slong n, p, precision;
-  acb_mat_t jacobian, middle;  /* anywhere; at the middle                                              */
-  acb_mat_t others, inverse;   /* of the middle the columns but p; C                                   */
-  acb_mat_t near, gain, drive; /* C J(m) - 1, C per_eps, C dF/dv_p: n columns and two more, and one         */
-  acb_mat_t residual, step;
+  KRAWCZYK_MATRICES(KRAWCZYK_MEMBER)
 };
 
 static void krawczyk_init(struct krawczyk *k, const struct continuation *c, slong p, slong precision)
 {
-  *k = (struct krawczyk){ .c = c, .n = c->n, .p = p, .precision = precision };
-  acb_mat_init(k->jacobian, k->n, k->n + 1);
-  acb_mat_init(k->middle, k->n, k->n + 1);
-  acb_mat_init(k->others, k->n, k->n);
-  acb_mat_init(k->inverse, k->n, k->n);
-  acb_mat_init(k->near, k->n, k->n + 1);
-  acb_mat_init(k->gain, k->n, k->n + 2);
-  acb_mat_init(k->drive, k->n, 1);
-  acb_mat_init(k->residual, k->n, 1);
-  acb_mat_init(k->step, k->n, 1);
+  const slong n = c->n;
+  *k = (struct krawczyk){ .c = c, .n = n, .p = p, .precision = precision };
+  KRAWCZYK_MATRICES(KRAWCZYK_INIT)
 }
 
-static void krawczyk_clear(struct krawczyk *k)
-{
-  acb_mat_clear(k->jacobian);
-  acb_mat_clear(k->middle);
-  acb_mat_clear(k->others);
-  acb_mat_clear(k->inverse);
-  acb_mat_clear(k->near);
-  acb_mat_clear(k->gain);
-  acb_mat_clear(k->drive);
-  acb_mat_clear(k->residual);
-  acb_mat_clear(k->step);
-}
+static void krawczyk_clear(struct krawczyk *k) { KRAWCZYK_MATRICES(KRAWCZYK_CLEAR) }
 
 /* The coordinate that column j of the others is of */
 static slong other(const struct krawczyk *k, slong j) { return j + (j >= k->p); }
@@ -97,7 +86,7 @@ static bool find_middle(struct krawczyk *k, acb_ptr v)
 /* What of K does not depend on V */
 static void prepare(struct krawczyk *k, acb_srcptr middle, const acb_t whole)
 {
-  acb_ptr v = _acb_vec_init(k->n + 1);
+  SCOPED_BALLS(v, k->n + 1);
   _acb_vec_set(v, middle, k->n + 1);
   continued_residual(k->residual, k->c, v, k->precision);
   acb_mat_mul(k->residual, k->inverse, k->residual, k->precision);
@@ -110,11 +99,10 @@ static void prepare(struct krawczyk *k, acb_srcptr middle, const acb_t whole)
   continued_jacobian(k->jacobian, k->c, v, k->precision);
   drop_column(k->others, k->drive, k, k->jacobian);
   acb_mat_mul(k->drive, k->inverse, k->drive, k->precision);
-  _acb_vec_clear(v, k->n + 1);
 }
 
 /* next = m - C F(m) - C dF/dv_p (v_p - m_p) */
-static void first_guess(acb_ptr next, struct krawczyk *k, acb_srcptr middle, const acb_t whole)
+static void first_guess(acb_ptr next, const struct krawczyk *k, acb_srcptr middle, const acb_t whole)
 {
   SCOPED(acb, way);
   acb_sub(way, whole, middle + k->p, k->precision);
@@ -126,29 +114,41 @@ static void first_guess(acb_ptr next, struct krawczyk *k, acb_srcptr middle, con
   acb_set(next + k->p, whole);
 }
 
-/* to -= C (J(V) - J(m)) (V - m), row by row: of the curves C_il (their change), of eps the change times C per_eps */
-static void subtract_change(acb_ptr to, struct krawczyk *k, acb_srcptr middle, acb_srcptr around, acb_srcptr way)
+/* to -= what the change of eps from the middle adds to C (J(V) - J(m)) (V - m): that change times C per_eps */
+static void subtract_change_of_eps(acb_ptr to, const struct krawczyk *k, acb_srcptr middle, acb_srcptr around,
+                                   acb_srcptr way)
 {
   const struct continuation *c = k->c;
-  slong n = k->n, precision = k->precision;
-  acb_ptr here = _acb_vec_init(JET), there = _acb_vec_init(JET), t = _acb_vec_init(4), eps = t, rate = t + 1,
-          sum = t + 2, other_sum = t + 3;
-  continued_eps(eps, c, around + n, 0, precision);
+  const slong n = k->n, precision = k->precision;
+  SCOPED(acb, change, rate, rate_at_middle, sum, at_middle);
+  continued_eps(change, c, around + n, 0, precision);
   continued_eps(sum, c, middle + n, 0, precision);
-  acb_sub(eps, eps, sum, precision);
-  for (slong i = 0; i < n; i++) { /* eps */
+  acb_sub(change, change, sum, precision);
+  continued_eps(rate, c, around + n, 1, precision);
+  continued_eps(rate_at_middle, c, middle + n, 1, precision);
+  for (slong i = 0; i < n; i++) {
+    acb_ptr here = to + other(k, i);
     continued_row(sum, k->gain, i, way, 0, precision);
-    acb_addmul(to + other(k, i), sum, eps, precision);
+    acb_addmul(here, sum, change, precision);
     if (k->p == n)
       continue;
-    continued_eps(rate, c, around + n, 1, precision);
     continued_row(sum, k->gain, i, around, 1, precision);
     acb_mul(sum, sum, rate, precision);
-    continued_eps(rate, c, middle + n, 1, precision);
-    continued_row(other_sum, k->gain, i, middle, 1, precision);
-    acb_submul(sum, other_sum, rate, precision);
-    acb_addmul(to + other(k, i), sum, way + n, precision);
+    continued_row(at_middle, k->gain, i, middle, 1, precision);
+    acb_submul(sum, at_middle, rate_at_middle, precision);
+    acb_addmul(here, sum, way + n, precision);
   }
+}
+
+/* Likewise of the curves: C times the change of each one's derivatives */
+static void subtract_change_of_curves(acb_ptr to, const struct krawczyk *k, acb_srcptr middle, acb_srcptr around,
+                                      acb_srcptr way)
+{
+  const struct continuation *c = k->c;
+  const slong precision = k->precision;
+  SCOPED_BALLS(here, JET);
+  SCOPED_BALLS(there, JET);
+  SCOPED(acb, sum);
   for (slong l = 0; l < c->m; l++) {
     continued_law(here, &c->crossing[l], around + l, around + l + 1, precision);
     if (c->crossing[l].joined) {
@@ -162,27 +162,22 @@ static void subtract_change(acb_ptr to, struct krawczyk *k, acb_srcptr middle, a
     }
     acb_mul(sum, here + JET_A, way + l, precision);
     acb_addmul(sum, here + JET_B, way + l + 1, precision);
-    for (slong i = 0; i < n; i++)
+    for (slong i = 0; i < k->n; i++)
       acb_submul(to + other(k, i), acb_mat_entry(k->inverse, i, l), sum, precision);
   }
-  _acb_vec_clear(here, JET);
-  _acb_vec_clear(there, JET);
-  _acb_vec_clear(t, 4);
 }
 
-static void map(acb_ptr next, struct krawczyk *k, acb_srcptr middle, acb_srcptr around)
+static void map(acb_ptr next, const struct krawczyk *k, acb_srcptr middle, acb_srcptr around)
 {
-  acb_ptr way = _acb_vec_init(k->n + 1);
+  SCOPED_BALLS(way, k->n + 1);
   first_guess(next, k, middle, around + k->p);
   _acb_vec_sub(way, around, middle, k->n + 1, k->precision);
   acb_zero(way + k->p);
-  for (slong i = 0; i < k->n; i++) {
-    acb_ptr to = next + other(k, i);
+  for (slong i = 0; i < k->n; i++)
     for (slong j = 0; j <= k->n; j++)
-      acb_submul(to, acb_mat_entry(k->near, i, j), way + j, k->precision);
-  }
-  subtract_change(next, k, middle, around, way);
-  _acb_vec_clear(way, k->n + 1);
+      acb_submul(next + other(k, i), acb_mat_entry(k->near, i, j), way + j, k->precision);
+  subtract_change_of_eps(next, k, middle, around, way);
+  subtract_change_of_curves(next, k, middle, around, way);
 }
 
 /* A box around middle, a little more than what next needs */
@@ -214,26 +209,25 @@ static bool lies_inside(const struct krawczyk *k, acb_srcptr around, acb_srcptr 
 bool continuation_enclose(acb_ptr v, acb_ptr around, const struct continuation *c, slong p, slong precision)
 {
   enum { TRIES = 4 };
-  acb_ptr middle = _acb_vec_init(c->n + 1), next = _acb_vec_init(c->n + 1);
+  SCOPED_BALLS(middle, c->n + 1);
+  SCOPED_BALLS(next, c->n + 1);
   ENDED_BY(krawczyk_clear) struct krawczyk k;
   krawczyk_init(&k, c, p, precision);
   _acb_vec_set(middle, v, c->n + 1);
-  bool sound = find_middle(&k, middle), inside = false;
-  if (sound) {
-    prepare(&k, middle, v + p);
-    first_guess(next, &k, middle, v + p);
-    acb_set(around + p, v + p);
-  }
-  for (int i = 0; i < TRIES && sound && !inside; i++) {
+  if (!find_middle(&k, middle))
+    return false;
+  prepare(&k, middle, v + p);
+  first_guess(next, &k, middle, v + p);
+  acb_set(around + p, v + p);
+  for (int i = 0; i < TRIES; i++) {
     widen(around, &k, middle, next);
     map(next, &k, middle, around);
-    inside = lies_inside(&k, around, next);
+    if (lies_inside(&k, around, next)) {
+      _acb_vec_set(v, next, c->n + 1);
+      return true;
+    }
   }
-  if (inside)
-    _acb_vec_set(v, next, c->n + 1);
-  _acb_vec_clear(middle, c->n + 1);
-  _acb_vec_clear(next, c->n + 1);
-  return inside;
+  return false;
 }
 
 bool continuation_derivatives(acb_ptr first, acb_t second, const struct continuation *c, acb_srcptr v, slong p,
@@ -244,15 +238,16 @@ bool continuation_derivatives(acb_ptr first, acb_t second, const struct continua
   continued_jacobian(k.jacobian, c, v, precision);
   drop_column(k.others, k.drive, &k, k.jacobian);
   acb_mat_neg(k.drive, k.drive);
-  bool solved = acb_mat_solve_precond(k.step, k.others, k.drive, precision);
+  if (!acb_mat_solve_precond(k.step, k.others, k.drive, precision))
+    return false;
   acb_one(first + p);
   for (slong j = 0; j < c->n; j++)
     acb_set(first + other(&k, j), acb_mat_entry(k.step, j, 0));
   continued_bend(k.residual, c, v, first, precision);
-  solved = solved && acb_mat_solve_precond(k.step, k.others, k.residual, precision);
-  if (p == c->n)
-    acb_zero(second);
-  else
+  if (!acb_mat_solve_precond(k.step, k.others, k.residual, precision))
+    return false;
+  acb_zero(second);
+  if (p < c->n)
     acb_set(second, acb_mat_entry(k.step, c->n - 1, 0));
-  return solved;
+  return true;
 }

@@ -1,6 +1,6 @@
 /* A disk of complex z covered with boxes, in each of which the branch is proven to be analytic or is divided
  * further. */
-#include "asymptotics/derived/cover.h"
+#include "asymptotics/derived/continuation.h"
 
 #include <math.h>
 
@@ -33,17 +33,15 @@ static bool is_within(acb_srcptr around, acb_srcptr v, slong count)
  * stay smaller. */
 static const struct continuation *equations_at(const struct search *s, acb_srcptr v)
 {
-  const struct continuation *use = s->apart;
   SCOPED(acb, way);
   SCOPED(mag, size);
-  for (slong i = 1; i < s->joined->m; i++)
-    if (s->joined->crossing[i].joined) {
-      acb_sub(way, v + i + 1, v + i, CELL_BITS);
-      acb_get_mag(size, way);
-      if (mag_cmp_2exp_si(size, -2) < 0)
-        use = s->joined;
-    }
-  return use;
+  for (slong i = 1; i < s->joined->m; i++) {
+    acb_sub(way, v + i + 1, v + i, CELL_BITS);
+    acb_get_mag(size, way);
+    if (s->joined->crossing[i].joined && mag_cmp_2exp_si(size, -2) < 0)
+      return s->joined;
+  }
+  return s->apart;
 }
 
 static struct sector *add_sector(struct search *s, double r, double step, double from, double to)
@@ -63,32 +61,29 @@ static void remove_sector(struct search *s, int i)
 /* v at r in the direction t on the branch in the box: from a place near it */
 static bool point_within(acb_ptr v, acb_srcptr near, acb_srcptr box, const struct search *s, double r, double t)
 {
-  acb_ptr around = _acb_vec_init(s->n + 1);
+  SCOPED_BALLS(around, s->n + 1);
   _acb_vec_set(v, near, s->n);
   polar(v + s->n, r, r, t, t);
-  bool found = continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS) && is_within(box, v, s->n);
-  _acb_vec_clear(around, s->n + 1);
-  return found;
+  return continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS) && is_within(box, v, s->n);
 }
 
 /* The largest disc around z = 0, of 1/2, 1/4, ... */
 static bool find_disc(struct search *s)
 {
   enum { TRIES = 60 };
-  acb_ptr v = _acb_vec_init(s->n + 1);
-  bool found = false;
+  SCOPED_BALLS(v, s->n + 1);
   s->disc = 1;
-  for (int i = 0; i < TRIES && !found; i++) {
+  for (int i = 0; i < TRIES; i++) {
     s->disc /= 2;
     _acb_vec_set(v, s->apart->start, s->n);
     acb_zero(v + s->n);
     mag_set_d(arb_radref(acb_realref(v + s->n)), s->disc);
     mag_set_d(arb_radref(acb_imagref(v + s->n)), s->disc);
-    found = continuation_enclose(v, s->start, equations_at(s, v), s->n, CELL_BITS)
-            && is_within(s->start, s->apart->start, s->n);
+    if (continuation_enclose(v, s->start, equations_at(s, v), s->n, CELL_BITS)
+        && is_within(s->start, s->apart->start, s->n))
+      return true;
   }
-  _acb_vec_clear(v, s->n + 1);
-  return found;
+  return false;
 }
 
 /* A sector that begins at the disc */
@@ -101,20 +96,20 @@ static bool start_sector(struct search *s, double from, double to)
 
 static bool advance(struct search *s, struct sector *sector)
 {
-  double to = fmin(sector->r + sector->step, s->reach), middle = (sector->from + sector->to) / 2;
-  acb_ptr v = _acb_vec_init(s->n + 1), around = _acb_vec_init(s->n + 1);
+  const double to = fmin(sector->r + sector->step, s->reach);
+  SCOPED_BALLS(v, s->n + 1);
+  SCOPED_BALLS(around, s->n + 1);
   _acb_vec_set(v, sector->at, s->n);
   polar(v + s->n, sector->r, to, sector->from, sector->to);
-  bool done = continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS)
-              && is_within(around, sector->at, s->n) && point_within(v, v, around, s, to, middle);
+  const bool done = continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS)
+                    && is_within(around, sector->at, s->n)
+                    && point_within(v, v, around, s, to, (sector->from + sector->to) / 2);
+  sector->step *= done ? 1.25 : 0.5;
   if (done) {
     _acb_vec_swap(sector->at, v, s->n + 1);
     _acb_vec_swap(sector->around, around, s->n + 1);
     sector->r = to;
   }
-  sector->step *= done ? 1.25 : 0.5;
-  _acb_vec_clear(v, s->n + 1);
-  _acb_vec_clear(around, s->n + 1);
   return done;
 }
 
@@ -202,15 +197,14 @@ static void look_for_fold(struct search *s, struct sector *sector)
 /* What is left of the sector up to reach is where nothing but the fold is singular. */
 static bool ends_in_fold(const struct search *s, const struct sector *sector)
 {
-  bool ends = false;
   SCOPED(acb, way);
-  for (int i = 0; i < s->folds && !ends; i++) {
-    const struct fold *f = &s->fold[i];
+  for (const struct fold *f = s->fold; f < s->fold + s->folds; f++) {
     polar(way, sector->r, s->reach, sector->from, sector->to);
     acb_sub(way, way, f->v + s->n, CELL_BITS);
-    ends = upper_size(way) < f->clear && fold_holds(f, sector->at);
+    if (upper_size(way) < f->clear && fold_holds(f, sector->at))
+      return true;
   }
-  return ends;
+  return false;
 }
 
 static int nearest_sector(const struct search *s)

@@ -2,34 +2,61 @@
 #include "asymptotics/derived/derived.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "asymptotics/derived/evaluate.h"
-#include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/scoped.h"
 
-static void modes_text(char *text, size_t size, const struct branch *b, enum scallop_phase_kind kind)
+enum { EXPANDED = sizeof((struct scallop_expansion *)0)->of / sizeof(struct series) };
+
+static void forget(struct scallop_expansion *e)
+{
+  e->switches = false;
+  for (int q = 0; q < EXPANDED; q++)
+    series_set_unknown(&e->of[q]);
+}
+
+void scallop_expansion_init(struct scallop_expansion *e)
+{
+  for (int q = 0; q < EXPANDED; q++)
+    series_init(&e->of[q]);
+  forget(e);
+  e->modes[0] = '\0';
+}
+
+void scallop_expansion_clear(struct scallop_expansion *e)
+{
+  for (int q = 0; q < EXPANDED; q++)
+    series_clear(&e->of[q]);
+}
+
+const struct series *scallop_expansion_of(const struct scallop_expansion *e, enum scallop_quantity quantity)
+{
+  return series_is_unknown(&e->of[quantity]) ? NULL : &e->of[quantity];
+}
+
+/* Writes the modes of a phase, and returns where they end. */
+static char *put_modes(char *to, const char *end, const struct branch *b, enum scallop_phase_kind kind)
 {
   static const char *const names[2][3] = { { "++", "-+", "--" }, { "++", "+-", "--" } };
   static const char *const held[2][2] = { { "0+", "-0" }, { "+0", "0-" } };
-  size_t at = 0;
-  for (int i = 0; i <= b->count && at < size; i++) {
+  for (int i = 0; i <= b->count; i++) {
     const struct crossing *next = i < b->count ? &b->crossing[i] : NULL;
     const char *mode = next && next->tangent ? held[kind][next->curve] : names[kind][branch_region(b, i)];
-    at += (size_t)snprintf(text + at, size - at, "%s%s", i ? " " : "", mode);
+    to += snprintf(to, (size_t)(end - to), "%s%s", i ? " " : "", mode);
   }
+  return to;
 }
 
 /* |way| of the separation from the start of the phase to a crossing at offset 0 of its piece: the integral of |l'| */
 static void way_to(struct series *way, const struct lift *l, int i, const struct branch *b,
-                   const struct phase_series *p, const fmpq_t pi_squared, const struct ring *ring)
+                   const struct phase_series *p, const struct ring *ring)
 {
   const struct scallop_piece *piece = b->crossing[i].piece;
   SCOPED(series, speed);
   if (p->has_laws)
     series_set(&speed, &p->law.at[i]);
   else
-    scallop_speed_series(&speed, piece, pi_squared, ring);
+    scallop_speed_series(&speed, piece, p->pi_squared, ring);
   series_integral(&speed, &speed, ring);
   if (piece->anchor == SCALLOP_FROM_END) { /* times are measured from the end: minus what is left */
     series_neg(way, &l->left.at[i]);
@@ -51,221 +78,141 @@ static void position(struct series *to, const struct series *travel, const struc
 
 /* The rear body's, and that of its counterpart in a contraction */
 static void rear_position(struct series *to, const struct lift *l, int i, const struct branch *b,
-                          const struct phase_series *p, const fmpq_t pi_squared, const struct ring *ring)
+                          const struct phase_series *p, const struct ring *ring)
 {
   SCOPED(series, way);
-  way_to(&way, l, i, b, p, pi_squared, ring);
+  way_to(&way, l, i, b, p, ring);
   position(to, &l->travel_to.at[i], &p->curve[0], &way, p, ring);
 }
 
-static void displacements(struct scallop_phase_expansion *e, const struct lift *l, const struct phase_series *p,
+static void displacements(struct scallop_expansion *e, const struct lift *l, const struct phase_series *p,
                           const struct ring *ring)
 {
-  bool extension = p->kind == SCALLOP_EXTENSION;
   SCOPED(series, centre);
   SCOPED(fmpq, half);
   fmpq_set_si(half, 1, 2);
   series_add(&centre, &p->curve[0], &p->curve[1], ring);
   series_scale(&centre, &centre, half, ring);
-  position(extension ? &e->dx1 : &e->dx2, &l->travel, &p->curve[0], &p->whole, p, ring);
-  position(extension ? &e->dx2 : &e->dx1, &l->travel, &p->curve[1], &p->whole, p, ring);
+  position(&e->rear_at_end, &l->travel, &p->curve[0], &p->whole, p, ring);
+  position(&e->front_at_end, &l->travel, &p->curve[1], &p->whole, p, ring);
   position(&e->dxC, &l->travel, &centre, &p->whole, p, ring);
+  const bool extension = p->kind == SCALLOP_EXTENSION;
+  series_set(&e->dx1, extension ? &e->rear_at_end : &e->front_at_end);
+  series_set(&e->dx2, extension ? &e->front_at_end : &e->rear_at_end);
 }
 
-/* c at the start is v0 T/L and eps is T^2 (F1 + F2)/(M L), both in units of the phase. */
-static void start_series(struct series *c, struct series *eps, const struct scallop_rational_crawler *crawler,
-                         const fmpq_t v0, const struct ring *ring)
+bool expand_branch(struct scallop_expansion *e, struct branch *b, const struct phase_series *p, const struct series *c,
+                   const struct series *eps, const struct series *v0, const struct ring *ring)
 {
-  SCOPED(fmpq, q, M);
-  series_set_x(c);
-  fmpq_div(q, v0, crawler->L);
-  series_scale(c, c, q, ring);
-  series_set_x(eps);
-  series_shift(eps, eps, 1);
-  fmpq_add(M, crawler->m1, crawler->m2);
-  fmpq_add(q, crawler->F1, crawler->F2);
-  fmpq_div(q, q, M);
-  fmpq_div(q, q, crawler->L);
-  series_scale(eps, eps, q, ring);
-}
-
-bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_series *p,
-                   const struct series *c, const struct series *eps, const fmpq_t pi_squared, const struct ring *ring)
-{
+  const int last = b->count - 1;
   SCOPED(lift, l);
   SCOPED(series, none);
-  bool lifted = lift_phase(&l, b, p, eps, c, &none, pi_squared, ring);
-  if (lifted) {
-    int last = b->count - 1;
-    e->switches = b->count > 0;
-    displacements(e, &l, p, ring);
-    series_mul(&e->v_end, &l.c_end, &p->unit, ring);
-    series_shift(&e->v_end, &e->v_end, -1);
-    if (e->switches) {
-      series_shift(&e->t1, &l.when.at[0], 1);
-      series_shift(&e->dT, &l.left.at[last], 1);
-      rear_position(&e->at_first, &l, 0, b, p, pi_squared, ring);
-      rear_position(&e->at_last, &l, last, b, p, pi_squared, ring);
-    }
-    modes_text(e->modes, sizeof e->modes, b, p->kind);
+  if (!lift_phase(&l, b, p, eps, c, &none, CROSSINGS_KNOWN, ring))
+    return false;
+  forget(e);
+  displacements(e, &l, p, ring);
+  series_mul(&e->v_end, &l.c_end, &p->unit, ring);
+  series_shift(&e->v_end, &e->v_end, -1);
+  series_sub(&e->v_change, &e->v_end, v0, ring);
+  series_set_zero(&e->v_change, 0);
+  e->switches = last >= 0;
+  if (e->switches) {
+    series_shift(&e->t1, &l.when.at[0], 1);
+    series_shift(&e->dT, &l.left.at[last], 1);
+    rear_position(&e->rear_at_first, &l, 0, b, p, ring);
+    rear_position(&e->rear_at_last, &l, last, b, p, ring);
+    series_set_si(&e->v_at_first, 0);
+    series_set_si(&e->v_at_last, 0);
   }
-  return lifted;
+  put_modes(e->modes, e->modes + sizeof e->modes, b, p->kind);
+  return true;
 }
 
-static enum scallop_status refuse(const char **why, const char *reason)
+/* kappa x^power: eps in units of the phase or the period, x being T or T^2 */
+static void set_eps(struct series *eps, const struct scallop_rational_crawler *crawler, slong power)
 {
-  if (why)
-    *why = reason;
-  return SCALLOP_EDOMAIN;
-}
-
-static enum scallop_status check(const struct scallop_rational_crawler *crawler, slong order, slong precision,
-                                 const char **why)
-{
-  if (!scallop_rational_is_valid(crawler))
-    return refuse(why, "a parameter is outside its domain");
-  if (order < 1 || order > SCALLOP_MOST_TERMS)
-    return refuse(why, "the order is outside of 1 to 1000");
-  if (precision < 16)
-    return refuse(why, "fewer than 16 bits");
-  if (!scallop_gait_is_exact(crawler->gait))
-    return refuse(why, "the gait has no exact law");
-  return branch_is_possible(crawler->gait) ? SCALLOP_OK : refuse(why, branch_impossible);
+  SCOPED(fmpq, kappa);
+  set_kappa(kappa, crawler);
+  series_set_rational(eps, kappa);
+  series_shift(eps, eps, power);
 }
 
 enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,
                                          const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
-                                         struct scallop_phase_expansion *expansion, const char **why)
+                                         struct scallop_expansion *expansion, const char **why)
 {
-  enum scallop_status status = check(crawler, order, precision, why);
-  if (status != SCALLOP_OK)
-    return status;
   const struct ring ring = { order + 2, precision }; /* formulas may divide by times, which begin with T or T^3 */
-  ENDED_BY(phase_constants_clear) struct phase_constants p;
-  phase_constants_init(&p, crawler, kind);
+  SCOPED(phase_constants, p);
   SCOPED(phase_series, in_series);
+  SCOPED(branch, b);
+  SCOPED(fmpq, start);
+  SCOPED(series, c, eps, velocity);
+  const char *none = branch_of_phase(&b, &p, crawler, kind, v0, order, precision);
+  if (none)
+    return refused(SCALLOP_EDOMAIN, none, why);
   phase_series_set(&in_series, &p, crawler->L);
-  ENDED_BY(branch_clear) struct branch b;
-  branch_init(&b);
-  SCOPED(series, c, eps);
-  start_series(&c, &eps, crawler, v0, &ring);
-  int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
-  if (!branch_from_ends(&b, &p, at_start, at_end)
-      || !expand_branch(expansion, &b, &in_series, &c, &eps, pi_squared, &ring))
-    status = refuse(why, branch_without_ends);
-  return status;
+  in_series.pi_squared = pi_squared;
+  fmpq_div(start, v0, crawler->L); /* c at the start is v0 T/L */
+  series_set_rational(&c, start);
+  series_shift(&c, &c, 1);
+  set_eps(&eps, crawler, 2);
+  series_set_rational(&velocity, v0);
+  return expand_branch(expansion, &b, &in_series, &c, &eps, &velocity, &ring)
+             ? SCALLOP_OK
+             : refused(SCALLOP_EDOMAIN, branch_without_ends, why);
 }
 
-/* From a series in T^2 and units of L to one in T, times T^power */
-static void in_period(struct series *to, const struct series *from, const fmpq_t L, slong power,
+/* From a series in T^2 and units of `unit` to one in T, times T^power */
+static void in_period(struct series *to, const struct series *from, const fmpq_t unit, slong power,
                       const struct ring *ring)
 {
   const struct ring longer = { 2 * ring->length, ring->precision };
   series_inflate(to, from, 2);
-  series_scale(to, to, L, &longer);
+  series_scale(to, to, unit, &longer);
   series_shift(to, to, power);
 }
 
-/* What the symmetries say of the displacement (docs/theory.md): balls around 0 become 0. */
-static void use_symmetries(struct series *travel, const struct limit *l, slong terms)
+/* What the symmetries say (docs/theory.md): balls around 0 become 0. */
+static void use_symmetries(struct series *travel, struct series *work, const struct limit *l, slong terms)
 {
-  for (slong k = 0; k < terms; k++)
+  for (slong k = 0; k < terms; k++) {
     if (l->returns || (l->even && k % 2 == 1))
       series_set_zero(travel, k);
-}
-
-static void set_eps(struct series *eps, const struct scallop_rational_crawler *crawler, const struct ring *ring)
-{
-  SCOPED(fmpq, zero);
-  SCOPED(series, unused);
-  start_series(&unused, eps, crawler, zero, ring); /* kappa T^2 */
-  series_shift(eps, eps, -1);                      /* the variable is T^2 here */
+    if (l->even && k % 2 == 1)
+      series_set_zero(work, k);
+  }
 }
 
 enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler *crawler, slong order, slong precision,
-                                          struct scallop_steady_expansion *e, const char **why)
+                                          struct scallop_expansion *e, const char **why)
 {
-  const char *reason = NULL;
-  enum scallop_status status = check(crawler, order, precision, why);
-  if (status != SCALLOP_OK)
-    return status;
+  const char *none = not_expandable(crawler, order, precision);
+  if (none)
+    return refused(SCALLOP_EDOMAIN, none, why);
   const struct ring ring = { order / 2 + 2, precision };
   SCOPED(fmpq, energy);
-  ENDED_BY(limit_clear) struct limit l;
-  limit_init(&l, crawler);
+  SCOPED(limit, l);
   SCOPED(steady_lift, s);
-  SCOPED(series, eps);
-  set_eps(&eps, crawler, &ring);
-  status = limit_find(&l, crawler, precision, &reason);
-  if (status == SCALLOP_OK && !l.at_rest && !steady_lift(&s, &l, &eps, &ring)) {
-    status = SCALLOP_EUNDECIDED;              /* GCOVR_EXCL_LINE: only if rounding undoes what limit_find has shown */
-    reason = "a crossing is not transversal"; /* GCOVR_EXCL_LINE */
-  }
-  if (status == SCALLOP_OK) {
-    char modes[2][SCALLOP_BRANCH_TEXT - 2];
-    use_symmetries(&s.travel, &l, ring.length);
-    in_period(&e->v_start, &s.w, crawler->L, -1, &ring);
-    in_period(&e->v_mid, &s.w_mid, crawler->L, -1, &ring);
-    in_period(&e->displacement, &s.travel, crawler->L, 0, &ring);
-    series_shift(&e->mean_velocity, &e->displacement, -1);
-    fmpq_add(energy, crawler->F1, crawler->F2);
-    fmpq_mul(energy, energy, crawler->L);
-    steady_friction_work(&e->friction_work, &l, &s, &eps, &ring);
-    for (slong k = 1; l.even && k < ring.length; k += 2)
-      series_set_zero(&e->friction_work, k);
-    in_period(&e->friction_work, &e->friction_work, energy, 0, &ring);
-    for (int k = 0; k < 2; k++)
-      modes_text(modes[k], sizeof modes[k], &l.branch[k], (enum scallop_phase_kind)k);
-    snprintf(e->modes, sizeof e->modes, "%s | %s", modes[0], modes[1]);
-  } else if (why)
-    *why = reason;
-  return status;
-}
-
-/* Does the quantity belong to a change of mode? */
-static bool is_of_switch(enum scallop_quantity quantity)
-{
-  switch (quantity) {
-  case SCALLOP_LAG:
-  case SCALLOP_FIRST_SWITCH:
-  case SCALLOP_REAR_AT_FIRST:
-  case SCALLOP_REAR_AT_LAST:
-  case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: return true;
-  default: return false;
-  }
-}
-
-const struct series *scallop_phase_quantity(const struct scallop_phase_expansion *e, enum scallop_phase_kind kind,
-                                            enum scallop_quantity quantity)
-{
-  bool extension = kind == SCALLOP_EXTENSION;
-  if (!e->switches && is_of_switch(quantity))
-    return NULL;
-  switch (quantity) {
-  case SCALLOP_LAG: return &e->dT;
-  case SCALLOP_FIRST_SWITCH: return &e->t1;
-  case SCALLOP_REAR_AT_FIRST: return &e->at_first;
-  case SCALLOP_REAR_AT_LAST: return &e->at_last;
-  case SCALLOP_REAR_AT_END: return extension ? &e->dx1 : &e->dx2;
-  case SCALLOP_FRONT_AT_END: return extension ? &e->dx2 : &e->dx1;
-  case SCALLOP_CENTRE_AT_END: return &e->dxC;
-  case SCALLOP_VELOCITY_AT_END:
-  case SCALLOP_VELOCITY_CHANGE: return &e->v_end;
-  case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: return &e->turning_velocity;
-  default: return NULL;
-  }
-}
-
-const struct series *scallop_steady_quantity(const struct scallop_steady_expansion *e, enum scallop_quantity quantity)
-{
-  switch (quantity) {
-  case SCALLOP_STEADY_VELOCITY: return &e->v_start;
-  case SCALLOP_STEADY_V_MID: return &e->v_mid;
-  case SCALLOP_STEADY_DISPLACEMENT: return &e->displacement;
-  case SCALLOP_STEADY_MEAN_VELOCITY: return &e->mean_velocity;
-  case SCALLOP_STEADY_FRICTION_WORK: return &e->friction_work;
-  default: return NULL;
-  }
+  SCOPED(series, eps, work);
+  set_eps(&eps, crawler, 1); /* the variable is T^2 here */
+  enum scallop_status status = limit_find(&l, crawler, precision, why);
+  if (status != SCALLOP_OK)
+    return status;
+  if (!l.at_rest && !steady_lift(&s, &l, NULL, &eps, &ring)) /* GCOVR_EXCL_LINE: if rounding undoes what was shown */
+    return refused(SCALLOP_EUNDECIDED, "a crossing is not transversal", why); /* GCOVR_EXCL_LINE */
+  forget(e);
+  steady_friction_work(&work, &l, &s, &eps, &ring);
+  use_symmetries(&s.travel, &work, &l, ring.length);
+  fmpq_add(energy, crawler->F1, crawler->F2);
+  fmpq_mul(energy, energy, crawler->L);
+  in_period(&e->friction_work, &work, energy, 0, &ring);
+  in_period(&e->v_start, &s.w, crawler->L, -1, &ring);
+  in_period(&e->v_mid, &s.w_mid, crawler->L, -1, &ring);
+  in_period(&e->displacement, &s.travel, crawler->L, 0, &ring);
+  series_shift(&e->mean_velocity, &e->displacement, -1);
+  const char *end = e->modes + sizeof e->modes;
+  char *at = put_modes(e->modes, end, &l.branch[0], SCALLOP_EXTENSION);
+  at += snprintf(at, (size_t)(end - at), " | ");
+  put_modes(at, end, &l.branch[1], SCALLOP_CONTRACTION);
+  return SCALLOP_OK;
 }

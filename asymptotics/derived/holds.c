@@ -1,18 +1,29 @@
 /* c on each segment of a motion, and the proof that it stays between the curves that bound its region. */
-#include "asymptotics/derived/holds.h"
+#include "asymptotics/derived/limit.h"
 
 #include <math.h>
-#include <stddef.h>
 
 #include "asymptotics/derived/scoped.h"
 #include "model/law.h"
 
+/* One end of a segment: a crossing, or an end of the phase (curve -1) */
+struct edge {
+  int curve;
+  int piece;    /* its index                                                                    */
+  arb_t offset; /* in that piece                                                                */
+};
+#define EDGE(of) of(arb, s->offset)
+SCOPED_PARTS(edge, struct edge, EDGE)
+
 struct segment { /* c = a + b s in one region of one phase                                    */
   const struct phase_constants *p;
   int region;
-  arb_t a, b;
+  arb_t a, b, eps;
+  struct edge from, to;
   slong precision;
 };
+#define SEGMENT(of) of(arb, s->a) of(arb, s->b) of(arb, s->eps) of(edge, &s->from) of(edge, &s->to)
+SCOPED_PARTS(segment, struct segment, SEGMENT)
 
 /* How far c is inside the region from curve j at offset u, and the derivative of that by u */
 static void room(arb_t gap, arb_t slope, const struct segment *g, const struct scallop_piece *piece, int j,
@@ -55,87 +66,88 @@ static bool keeps_off(const struct segment *g, const struct scallop_piece *piece
          && keeps_off(g, piece, j, middle, hi, false, touches_hi, depth - 1);
 }
 
-/* One end of a segment: a crossing, or an end of the phase (curve -1) */
-struct edge {
-  int curve;
-  int piece;    /* its index                                                                    */
-  arb_t offset; /* in that piece                                                                */
-};
-
-static void edge_at_end(struct edge *e, int piece, double offset)
+/* Whether the piece after that of this index, or with -1 before it, goes on with the same function */
+static bool goes_on(const struct scallop_shape *shape, int piece, int to, bool *turned)
 {
-  e->curve = -1;
-  e->piece = piece;
-  arb_set_d(e->offset, offset);
+  const int first = to > 0 ? piece : piece - 1;
+  return first >= 0 && first + 1 < shape->count
+         && scallop_piece_goes_on(&shape->pieces[first], &shape->pieces[first + 1], turned);
 }
 
-/* Where a crossing is by now: a crossing may have moved on into the next piece, or back, if l' has no corner there. */
-static void edge_at_crossing(struct edge *e, const struct crossing *at, const struct phase_constants *p,
+/* Where a crossing is by now: it may have moved on into the next piece, or back, if l' has no corner there. */
+static void edge_at_crossing(struct edge *e, const struct crossing *at, const struct scallop_shape *shape,
                              slong precision)
 {
-  const struct scallop_shape *shape = p->shape;
+  bool turned = false;
   e->curve = at->curve;
   e->piece = (int)(at->piece - shape->pieces);
   series_coefficient(e->offset, &at->offset, 0, precision);
-  for (int moved = 1; moved != 0;) {
+  for (;;) {
     const struct scallop_piece *piece = &shape->pieces[e->piece];
-    double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR), sense = law_sense(piece);
-    bool goes_on = false, turns = false;
-    moved = sense * (u - piece->end) > 0 ? 1 : sense * (piece->begin - u) > 0 ? -1 : 0;
-    if (moved > 0 && e->piece + 1 < shape->count)
-      goes_on = scallop_piece_goes_on(piece, piece + 1, &turns);
-    else if (moved < 0 && e->piece > 0)
-      goes_on = scallop_piece_goes_on(piece - 1, piece, &turns);
-    if (!goes_on)
+    const double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR), sense = law_sense(piece);
+    const int moved = sense * (u - piece->end) > 0 ? 1 : sense * (piece->begin - u) > 0 ? -1 : 0;
+    if (moved == 0 || !goes_on(shape, e->piece, moved, &turned))
       return;
     e->piece += moved;
-    if (turns) { /* measured from the other end */
+    if (turned) { /* measured from the other end */
       arb_sub_si(e->offset, e->offset, 1, precision);
       arb_neg(e->offset, e->offset);
     }
   }
 }
 
-/* Whether the ball of a crossing reaches over the end of its piece in time, or over the beginning */
-static bool spills(const struct edge *e, const struct phase_constants *p, bool over_end, slong precision)
+/* How far, in time, an edge is before the end of its piece, or behind its beginning */
+static void way_to_border(arb_t way, const struct edge *e, const struct scallop_shape *shape, bool to_end,
+                          slong precision)
 {
-  const struct scallop_piece *piece = &p->shape->pieces[e->piece];
-  bool forward = piece->anchor == SCALLOP_FROM_START;
-  SCOPED(arb, border);
-  (over_end ? scallop_ball_end : scallop_ball_begin)(border, piece, precision);
-  bool inside = forward == over_end ? arb_lt(e->offset, border) : arb_gt(e->offset, border);
-  return e->curve >= 0 && !inside;
+  const struct scallop_piece *piece = &shape->pieces[e->piece];
+  (to_end ? scallop_ball_end : scallop_ball_begin)(way, piece, precision);
+  arb_sub(way, way, e->offset, precision);
+  if ((piece->anchor == SCALLOP_FROM_START) != to_end)
+    arb_neg(way, way);
 }
 
-/* The segment between two edges keeps off the curves of its region. */
-static bool segment_is_clear(const struct segment *g, const struct edge *from, const struct edge *to)
+/* Whether the ball of a crossing reaches over that border: it may then be in either piece. */
+static bool spills(const struct edge *e, const struct segment *g, bool over_end)
+{
+  SCOPED(arb, way);
+  way_to_border(way, e, g->p->shape, over_end, g->precision);
+  return e->curve >= 0 && !arb_is_positive(way);
+}
+
+/* The part of piece i that the segment covers, outward where balls end it. False: none of it */
+static bool part_of_piece(arf_t early, arf_t late, const struct segment *g, int i)
+{
+  const struct scallop_piece *piece = &g->p->shape->pieces[i];
+  const bool forward = piece->anchor == SCALLOP_FROM_START;
+  SCOPED(arb, begin, end);
+  scallop_ball_begin(begin, piece, g->precision);
+  scallop_ball_end(end, piece, g->precision);
+  (forward ? arb_get_lbound_arf : arb_get_ubound_arf)(early, i == g->from.piece ? g->from.offset : begin, g->precision);
+  (forward ? arb_get_ubound_arf : arb_get_lbound_arf)(late, i == g->to.piece ? g->to.offset : end, g->precision);
+  return forward ? arf_cmp(early, late) <= 0 : arf_cmp(early, late) >= 0;
+}
+
+/* The segment keeps off the curves of its region. */
+static bool is_clear(const struct segment *g)
 {
   enum { DEPTH = 30 };
-  bool clear = from->piece <= to->piece;
-  /* a crossing on the border of two pieces may be in either */
-  int touches_until = from->piece + (spills(from, g->p, true, g->precision) ? 1 : 0),
-      touches_from = to->piece - (spills(to, g->p, false, g->precision) ? 1 : 0);
+  const struct edge *from = &g->from, *to = &g->to;
+  const int touches_until = from->piece + spills(from, g, true), touches_from = to->piece - spills(to, g, false);
   SCOPED(arf, early, late);
-  SCOPED(arb, border);
-  for (int i = from->piece; clear && i <= to->piece; i++) {
+  for (int i = from->piece; i <= to->piece; i++) {
     const struct scallop_piece *piece = &g->p->shape->pieces[i];
-    bool forward = piece->anchor == SCALLOP_FROM_START;
-    scallop_ball_begin(border, piece, g->precision); /* outward, where it is no number that a ball holds exactly */
-    (forward ? arb_get_lbound_arf : arb_get_ubound_arf)(early, border, g->precision);
-    scallop_ball_end(border, piece, g->precision);
-    (forward ? arb_get_ubound_arf : arb_get_lbound_arf)(late, border, g->precision);
-    if (i == from->piece)
-      (forward ? arb_get_lbound_arf : arb_get_ubound_arf)(early, from->offset, g->precision);
-    if (i == to->piece)
-      (forward ? arb_get_ubound_arf : arb_get_lbound_arf)(late, to->offset, g->precision);
-    clear = forward ? arf_cmp(early, late) <= 0 : arf_cmp(early, late) >= 0;
-    for (int j = g->region == 2 ? 1 : 0; clear && j <= (g->region == 0 ? 0 : 1); j++) {
-      bool at_early = i <= touches_until && from->curve == j, at_late = i >= touches_from && to->curve == j;
-      clear = keeps_off(g, piece, j, forward ? early : late, forward ? late : early, forward ? at_early : at_late,
-                        forward ? at_late : at_early, DEPTH);
+    const bool forward = piece->anchor == SCALLOP_FROM_START;
+    if (!part_of_piece(early, late, g, i))
+      return false;
+    for (int j = g->region == 2 ? 1 : 0; j <= (g->region == 0 ? 0 : 1); j++) {
+      const bool at_early = i <= touches_until && from->curve == j, at_late = i >= touches_from && to->curve == j;
+      if (!keeps_off(g, piece, j, forward ? early : late, forward ? late : early, forward ? at_early : at_late,
+                     forward ? at_late : at_early, DEPTH))
+        return false;
     }
   }
-  return clear;
+  return from->piece <= to->piece;
 }
 
 static const char *const sticks[2][2] = {
@@ -149,139 +161,125 @@ static const char *const starts[2] = { "the velocity at the start of the extensi
 static const char *const leaves[2] = { "a switching time of the extension reaches a corner of l'",
                                        "a switching time of the contraction reaches a corner of l'" };
 
-/* The curve is crossed, not followed: its slope lies beyond those of c on both of its sides. And it happens in its
- * piece. */
-static const char *crossing_holds(const struct edge *at, const struct phase_constants *p, int from, int into,
-                                  const arb_t eps, slong precision)
+/* What a crossing of the curve from a region into another may run into: its slope is that of c behind it, or before, so
+ * that the curve is followed; or it leaves its piece. Behind the last piece the other phase starts. */
+enum risk { STICKS_BEHIND, REACHES_END, REACHES_BEGIN, STICKS_BEFORE, RISKS };
+
+/* How far it is from that, 0 to 1, and what would happen; NULL: nothing, l' goes on there. */
+static const char *margin_of(arb_t margin, enum risk risk, const struct edge *e, const struct segment *g, int from,
+                             int into)
 {
-  const struct scallop_piece *piece = &p->shape->pieces[at->piece];
+  const struct phase_constants *p = g->p;
+  const bool at_end = risk == REACHES_END, outermost = e->piece == (at_end ? p->shape->count - 1 : 0);
+  bool turned;
+  if (risk == REACHES_END || risk == REACHES_BEGIN) {
+    way_to_border(margin, e, p->shape, at_end, g->precision);
+    return outermost                                               ? starts[at_end ? 1 - p->kind : p->kind]
+           : goes_on(p->shape, e->piece, at_end ? 1 : -1, &turned) ? NULL
+                                                                   : leaves[p->kind];
+  }
+  SCOPED(arb, along, size);
+  scallop_ball_rate(along, &p->shape->pieces[e->piece], e->offset, g->precision);
+  ball_times(along, along, p->curve[e->curve], g->precision);
+  arb_abs(size, along);
+  arb_add(size, size, g->eps, g->precision);
+  ball_times(margin, g->eps, p->beta[risk == STICKS_BEHIND ? into : from], g->precision);
+  arb_sub(margin, along, margin, g->precision);
+  if (from > into)
+    arb_neg(margin, margin);
+  arb_div(margin, margin, size, g->precision);
+  return sticks[p->kind][e->curve];
+}
+
+/* NULL, or what keeps the crossing at the end of the segment from being shown to be one, in its piece */
+static const char *crossing_holds(const struct segment *g, int into)
+{
   const char *why = NULL;
-  SCOPED(arb, along, limit);
-  scallop_ball_rate(along, piece, at->offset, precision);
-  ball_times(along, along, p->curve[at->curve], precision);
-  arb_set_fmpq(limit, p->beta[into], precision);
-  arb_mul(limit, limit, eps, precision);
-  arb_sub(along, along, limit, precision);
-  if (!(from < into ? arb_is_positive(along) : arb_is_negative(along)))
-    why = sticks[p->kind][at->curve];
-  bool forward = piece->anchor == SCALLOP_FROM_START, goes_on = false, turned;
-  if (at->piece + 1 < p->shape->count)
-    goes_on = scallop_piece_goes_on(piece, piece + 1, &turned);
-  scallop_ball_end(limit, piece, precision);
-  arb_sub(limit, limit, at->offset, precision);
-  if (!goes_on && !(forward ? arb_is_nonnegative(limit) : arb_is_nonpositive(limit)))
-    why = at->piece + 1 < p->shape->count ? leaves[p->kind] : starts[1 - p->kind]; /* where the other phase starts */
-  goes_on = at->piece > 0 && scallop_piece_goes_on(piece - 1, piece, &turned);
-  scallop_ball_begin(limit, piece, precision);
-  arb_sub(limit, at->offset, limit, precision);
-  if (!goes_on && !(forward ? arb_is_nonnegative(limit) : arb_is_nonpositive(limit)))
-    why = at->piece > 0 ? leaves[p->kind] : starts[p->kind];
+  SCOPED(arb, margin);
+  for (enum risk risk = 0; risk <= REACHES_BEGIN; risk++) {
+    const char *event = margin_of(margin, risk, &g->to, g, g->region, into);
+    if (event && !(risk == STICKS_BEHIND ? arb_is_positive(margin) : arb_is_nonnegative(margin)))
+      why = event;
+  }
   return why;
 }
 
-/* What is nearest to happening at a crossing, and how near, from 0 to 1: only for the name of what cannot be shown. */
-static double nearest_event(const struct edge *e, const struct phase_constants *p, int from, int into, const arb_t eps,
-                            const char **what)
+/* Why c is not shown to keep off the curves: a crossing is about to end, or a body begins or ceases to turn */
+static const char *likely_event(const struct branch *b, const struct segment *g)
 {
-  const struct scallop_shape *shape = p->shape;
-  const struct scallop_piece *piece = &shape->pieces[e->piece];
-  double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR), near = 1;
-  bool first = e->piece == 0, last = e->piece + 1 == shape->count, turned;
-  if (fabs(u - piece->begin) < near && (first || !scallop_piece_goes_on(piece - 1, piece, &turned))) {
-    near = fabs(u - piece->begin);
-    *what = first ? starts[p->kind] : leaves[p->kind];
+  const char *what = grazes[g->p->kind];
+  double near = 0.04;
+  SCOPED(edge, at);
+  SCOPED(arb, margin);
+  for (int i = 0; i < b->count; i++) {
+    edge_at_crossing(&at, &b->crossing[i], g->p->shape, g->precision);
+    for (enum risk risk = 0; risk < RISKS; risk++) {
+      const char *event = margin_of(margin, risk, &at, g, branch_region(b, i), b->crossing[i].to);
+      const double here = fabs(arf_get_d(arb_midref(margin), ARF_RND_NEAR));
+      if (event && here < near) {
+        near = here;
+        what = event;
+      }
+    }
   }
-  if (fabs(u - piece->end) < near && (last || !scallop_piece_goes_on(piece, piece + 1, &turned))) {
-    near = fabs(u - piece->end);
-    *what = last ? starts[1 - p->kind] : leaves[p->kind];
-  }
-  SCOPED(arb, rate);
-  scallop_ball_rate(rate, piece, e->offset, 64);
-  double along = arf_get_d(arb_midref(rate), ARF_RND_NEAR) * fmpq_get_d(p->curve[e->curve]);
-  double drive = arf_get_d(arb_midref(eps), ARF_RND_NEAR);
-  double margin = fmin(fabs(along - drive * fmpq_get_d(p->beta[into])),
-                       fabs(along - drive * fmpq_get_d(p->beta[from])));
-  if (margin / (fabs(along) + drive) < near) {
-    near = margin / (fabs(along) + drive);
-    *what = sticks[p->kind][e->curve];
-  }
-  return near;
+  return what;
+}
+
+static void enter(struct segment *g, int region)
+{
+  g->region = region;
+  arb_set_fmpq(g->b, g->p->beta[region], g->precision);
+  arb_mul(g->b, g->b, g->eps, g->precision);
 }
 
 /* The line after a crossing goes through it: a = q |l'| - b s there. */
-static void bend(struct segment *g, const struct crossing *at, const arb_t eps)
+static void bend(struct segment *g, const struct crossing *at)
 {
-  slong precision = g->precision;
-  const fmpq *q = g->p->curve[at->curve];
   SCOPED(arb, s);
-  series_coefficient(s, &at->offset, 0, precision);
-  scallop_ball_speed(g->a, at->piece, s, precision);
-  ball_times(g->a, g->a, q, precision);
-  time_of_offset(s, at->piece, s, precision);
-  arb_set_fmpq(g->b, g->p->beta[at->to], precision);
-  arb_mul(g->b, g->b, eps, precision);
-  arb_submul(g->a, g->b, s, precision);
-  g->region = at->to;
+  enter(g, at->to);
+  series_coefficient(s, &at->offset, 0, g->precision);
+  scallop_ball_speed(g->a, at->piece, s, g->precision);
+  ball_times(g->a, g->a, g->p->curve[at->curve], g->precision);
+  time_of_offset(s, at->piece, s, g->precision);
+  arb_submul(g->a, g->b, s, g->precision);
+  g->from.curve = g->to.curve;
+  g->from.piece = g->to.piece;
+  arb_set(g->from.offset, g->to.offset);
 }
 
-/* Why c is not shown to keep off the curves: a crossing is about to end, or a body begins or ceases to turn */
-static const char *likely_event(const struct branch *b, const struct phase_constants *p, const arb_t eps,
-                                slong precision)
+static void edge_at_end(struct edge *e, int piece, double offset)
 {
-  static const double NEAR = 0.04;
-  const char *what = grazes[p->kind], *candidate = what;
-  double nearest = NEAR;
-  struct edge at;
-  arb_init(at.offset);
-  for (int i = 0; i < b->count; i++) {
-    edge_at_crossing(&at, &b->crossing[i], p, precision);
-    double near = nearest_event(&at, p, branch_region(b, i), b->crossing[i].to, eps, &candidate);
-    if (near < nearest) {
-      nearest = near;
-      what = candidate;
-    }
-  }
-  arb_clear(at.offset);
-  return what;
+  e->curve = -1;
+  e->piece = piece;
+  arb_set_d(e->offset, offset);
 }
 
 /* NULL, or why the modes of the phase are not shown to be those of the branch. c: at its start. */
 static const char *phase_holds(const struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
                                slong precision)
 {
-  const struct scallop_shape *shape = p->shape;
-  struct segment g = { .p = p, .region = b->first_region, .precision = precision };
-  struct edge from, to;
-  const char *why = NULL;
-  arb_init(g.a);
-  arb_init(g.b);
-  arb_init(from.offset);
-  arb_init(to.offset);
+  const int last = p->shape->count - 1;
+  SCOPED(segment, g);
+  g.p = p;
+  g.precision = precision;
   arb_set(g.a, c);
-  arb_set_fmpq(g.b, p->beta[g.region], precision);
-  arb_mul(g.b, g.b, eps, precision);
+  arb_set(g.eps, eps);
+  enter(&g, b->first_region);
   if (g.region != 1 && !(g.region == 0 ? arb_is_positive(c) : arb_is_negative(c)))
-    why = starts[p->kind];
-  edge_at_end(&from, 0, shape->pieces[0].begin);
-  for (int i = 0; !why && i < b->count; i++) {
+    return starts[p->kind];
+  edge_at_end(&g.from, 0, p->shape->pieces[0].begin);
+  for (int i = 0; i < b->count; i++) {
     const struct crossing *at = &b->crossing[i];
-    edge_at_crossing(&to, at, p, precision);
-    why = crossing_holds(&to, p, g.region, at->to, eps, precision);
-    if (!why && !segment_is_clear(&g, &from, &to))
-      why = likely_event(b, p, eps, precision);
-    bend(&g, at, eps);
-    from.curve = to.curve;
-    from.piece = to.piece;
-    arb_set(from.offset, to.offset);
+    edge_at_crossing(&g.to, at, p->shape, precision);
+    const char *why = crossing_holds(&g, at->to);
+    if (why)
+      return why;
+    if (!is_clear(&g))
+      return likely_event(b, &g);
+    bend(&g, at);
   }
-  edge_at_end(&to, shape->count - 1, shape->pieces[shape->count - 1].end);
-  if (!why && !segment_is_clear(&g, &from, &to))
-    why = likely_event(b, p, eps, precision);
-  arb_clear(g.a);
-  arb_clear(g.b);
-  arb_clear(from.offset);
-  arb_clear(to.offset);
-  return why;
+  edge_at_end(&g.to, last, p->shape->pieces[last].end);
+  return is_clear(&g) ? NULL : likely_event(b, &g);
 }
 
 const char *limit_holds(const struct limit *l, const arb_t w, const arb_t w_mid, const arb_t eps, slong precision)

@@ -20,6 +20,7 @@ void phase_series_set(struct phase_series *to, const struct phase_constants *fro
 {
   to->kind = from->kind;
   to->has_laws = false;
+  to->pi_squared = NULL;
   series_set_rational(&to->fraction, from->fraction);
   for (int i = 0; i < 2; i++)
     series_set_rational(&to->curve[i], from->curve[i]);
@@ -47,7 +48,7 @@ struct curve {
 SCOPED_PARTS(curve, struct curve, CURVE)
 
 static void curve_at(struct curve *curve, const struct branch *b, int i, const struct phase_series *p,
-                     const fmpq_t pi_squared, const struct ring *ring)
+                     const struct ring *ring)
 {
   const struct crossing *at = &b->crossing[i];
   const struct ring longer = { ring->length + 1, ring->precision }; /* one more, for the derivative */
@@ -58,7 +59,7 @@ static void curve_at(struct curve *curve, const struct branch *b, int i, const s
     series_set(&curve->value, &p->law.at[i]);
   curve->exact = p->has_laws
                  || (series_rational_coefficient(u, &at->offset, 0)
-                     && scallop_exact_speed_series(&curve->value, at->piece, u, pi_squared, &longer));
+                     && scallop_exact_speed_series(&curve->value, at->piece, u, p->pi_squared, &longer));
   if (curve->exact) {
     series_mul(&curve->value, &curve->value, curve->q, &longer);
     series_derivative(&curve->rate, &curve->value, ring);
@@ -83,6 +84,39 @@ static void curve_along(struct series *value, struct series *rate, const struct 
   series_set_ball_poly(rate, slope, value->known);
   series_mul(value, value, curve->q, ring);
   series_mul(rate, rate, curve->q, ring);
+}
+
+struct meeting { /* of a curve and a line within balls                                                 */
+  const struct scallop_piece *piece;
+  fmpq_t q;
+  arb_t a, b;
+};
+#define MEETING(of) of(fmpq, s->q) of(arb, s->a) of(arb, s->b)
+SCOPED_PARTS(meeting, struct meeting, MEETING)
+
+static bool gap_of(arb_t gap, arb_t slope, const arb_t u, void *meeting, slong precision)
+{
+  const struct meeting *m = meeting;
+  gap_at(gap, slope, m->piece, m->q, m->a, m->b, u, precision);
+  return true;
+}
+
+/* The offset, a place near, becomes a ball that holds the crossing for every line within the balls of `line`. */
+static bool enclose(struct crossing *at, const struct series *curve, const struct line *line, bool same,
+                    slong precision)
+{
+  SCOPED(meeting, m);
+  SCOPED(arb, given, u);
+  m.piece = at->piece;
+  series_rational_coefficient(m.q, curve, 0);
+  series_coefficient(m.a, &line->a, 0, precision);
+  series_coefficient(m.b, &line->b, 0, precision);
+  series_coefficient(given, &at->offset, 0, precision);
+  arb_set(u, given);
+  bool found = enclose_root(u, gap_of, &m, same ? given : NULL, precision);
+  if (found)
+    series_set_ball(&at->offset, u);
+  return found;
 }
 
 /* The time of the base point since the start of the phase */
@@ -209,13 +243,12 @@ static void finish(struct lift *l, const struct line *line, const struct phase_s
   series_add(&l->balance, &l->balance, &p->beta[region], ring);
 }
 
-bool lift_phase(struct lift *l, const struct branch *b, const struct phase_series *p, const struct series *eps,
-                const struct series *c, const struct series *c_slope, const fmpq_t pi_squared, const struct ring *ring)
+bool lift_phase(struct lift *l, struct branch *b, const struct phase_series *p, const struct series *eps,
+                const struct series *c, const struct series *c_slope, enum crossings crossings, const struct ring *ring)
 {
   /* times enter c multiplied by eps, and the displacements by c: where both begin later, one term fewer of them does,
    * and the last one is the largest where it is in names */
   const struct ring of_times = { ring->length - (p->has_laws && eps->first > 1 && ring->length > 1), ring->precision };
-  bool transversal = true;
   SCOPED(curve, curve);
   SCOPED(line, line);
   SCOPED(series, x, closing, base, since);
@@ -226,19 +259,21 @@ bool lift_phase(struct lift *l, const struct branch *b, const struct phase_serie
   series_set_si(&l->balance, 0);
   series_set_si(&l->balance_slope, 0);
   series_set_si(&l->travel, 0);
-  for (int i = 0; transversal && i < b->count; i++) {
-    const struct crossing *at = &b->crossing[i];
+  for (int i = 0; i < b->count; i++) {
+    struct crossing *at = &b->crossing[i];
     const struct ring *of_crossing = at->tangent ? ring : &of_times; /* a tangent is where c itself begins anew */
-    curve_at(&curve, b, i, p, pi_squared, of_crossing);
+    if (crossings != CROSSINGS_KNOWN
+        && !enclose(at, &p->curve[at->curve], &line, crossings == CROSSINGS_THE_SAME, ring->precision))
+      return false;
+    curve_at(&curve, b, i, p, of_crossing);
     base_time(&base, at, ring);
     if (at->tangent) {
-      transversal = leave_curve(&x, &line, &l->travel_to.at[i], &curve, of_crossing);
+      if (!leave_curve(&x, &line, &l->travel_to.at[i], &curve, of_crossing))
+        return false;
       series_set_si(&closing, 0);
-    } else
-      transversal = solve_crossing(&x, &closing, &curve, &line, &base, of_crossing)
-                    && series_div(&closing, &line.a_slope, &closing, ring); /* d(time)/d(unknown) */
-    if (!transversal)
-      break;
+    } else if (!solve_crossing(&x, &closing, &curve, &line, &base, of_crossing)
+               || !series_div(&closing, &line.a_slope, &closing, ring)) /* d(time)/d(unknown) */
+      return false;
     set_time(l, i, &base, &x, ring);
     if (!at->tangent)
       travel_between(&l->travel_to.at[i], &line, &since, &l->when.at[i], ring);
@@ -247,7 +282,6 @@ bool lift_phase(struct lift *l, const struct branch *b, const struct phase_serie
     series_set(&since, &l->when.at[i]);
     change_region(l, &line, p, branch_region(b, i), at->to, eps, &since, &closing, ring);
   }
-  if (transversal)
-    finish(l, &line, p, branch_region(b, b->count), &since, ring);
-  return transversal;
+  finish(l, &line, p, branch_region(b, b->count), &since, ring);
+  return true;
 }

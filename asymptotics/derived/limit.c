@@ -1,154 +1,167 @@
-/* The limit T -> 0 as a root in w, and Newton's method in truncated series around it. */
+/* The limit T -> 0 as a root in w, the steady state as a series around it by Newton's method, and in balls. */
 #include "asymptotics/derived/limit.h"
 
-#include "asymptotics/derived/holds.h"
 #include "asymptotics/derived/scoped.h"
 
-#include <stddef.h>
+static void constants_set(struct phase_constants *to, const struct phase_constants *from)
+{
+  to->kind = from->kind;
+  to->shape = from->shape;
+  fmpq_set(to->fraction, from->fraction);
+  for (int i = 0; i < 2; i++)
+    fmpq_set(to->curve[i], from->curve[i]);
+  for (int i = 0; i < 3; i++)
+    fmpq_set(to->beta[i], from->beta[i]);
+}
 
-void limit_init(struct limit *l, const struct scallop_rational_crawler *crawler)
+void limit_set(struct limit *to, const struct limit *from)
 {
   for (int k = 0; k < 2; k++) {
-    phase_constants_init(&l->phase[k], crawler, (enum scallop_phase_kind)k);
-    branch_init(&l->branch[k]);
+    constants_set(&to->phase[k], &from->phase[k]);
+    branch_set(&to->branch[k], &from->branch[k]);
   }
-  series_init(&l->w);
-  l->at_rest = fmpq_is_zero(l->phase[0].beta[1]);
-  bool halves = fmpq_equal(l->phase[0].fraction,
-                           l->phase[1].fraction); /* then w is of the order of eps, and the branches for -eps others */
-  l->even = !halves && scallop_gait_is_reversible(crawler->gait);
-  l->returns = l->at_rest || (halves && scallop_gait_mirrors(crawler->gait));
+  series_set(&to->w, &from->w);
+  to->at_rest = from->at_rest;
+  to->returns = from->returns;
+  to->even = from->even;
 }
 
-void limit_clear(struct limit *l)
+/* Both phases from start velocity s->w; balance and slope of the period, the derivative of the balance by w */
+static bool lift_period(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
+                        const struct series *eps, enum crossings crossings, struct series *balance,
+                        struct series *slope, const struct ring *ring)
 {
-  for (int k = 0; k < 2; k++) {
-    phase_constants_clear(&l->phase[k]);
-    branch_clear(&l->branch[k]);
+  SCOPED(series, c, c_slope, here);
+  series_set(&c, &s->w);
+  series_set_si(&c_slope, 1);
+  series_set_si(balance, 0);
+  series_set_si(slope, 0);
+  series_set_si(&s->travel, 0);
+  for (int k = 0; k < 2; k++) { /* c and c_slope in units of L and the period between the phases */
+    const struct series *fraction = &phases[k]->fraction;
+    struct lift *phase = &s->phase[k];
+    series_mul(&here, eps, fraction, ring);
+    series_mul(&here, &here, fraction, ring);
+    series_mul(&c, &c, fraction, ring);
+    series_mul(&c_slope, &c_slope, fraction, ring);
+    if (!lift_phase(phase, &l->branch[k], phases[k], &here, &c, &c_slope, crossings, ring))
+      return false;
+    series_div(&c, &phase->c_end, fraction, ring);
+    series_div(&c_slope, &phase->c_end_slope, fraction, ring);
+    if (k == SCALLOP_EXTENSION)
+      series_set(&s->w_mid, &c);
+    series_mul(&here, &phase->balance, fraction, ring);
+    series_add(balance, balance, &here, ring);
+    series_mul(&here, &phase->balance_slope, fraction, ring);
+    series_add(slope, slope, &here, ring);
+    series_add(&s->travel, &s->travel, &phase->travel, ring);
   }
-  series_clear(&l->w);
+  return true;
 }
 
-/* The balance and its derivative by w, with the branches as they are. same: as for base_follow */
-static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, const arb_t eps, bool same,
-                   slong precision)
+bool steady_lift_start(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
+                       const struct series *eps, const struct ring *ring)
 {
-  bool followed = true;
-  SCOPED(base, base);
-  SCOPED(arb, c, c_slope, here);
-  arb_set(c, w);
-  arb_one(c_slope);
-  arb_zero(balance);
-  arb_zero(slope);
-  for (int k = 0; followed && k < 2; k++) { /* c and c_slope in units of L and the period between the phases */
-    struct phase_constants *p = &l->phase[k];
-    SCOPED(arb, fraction);
-    arb_set_fmpq(fraction, p->fraction, precision);
-    arb_mul(here, eps, fraction, precision);
-    arb_mul(here, here, fraction, precision);
-    arb_mul(c, c, fraction, precision);
-    arb_mul(c_slope, c_slope, fraction, precision);
-    followed = base_follow(&base, &l->branch[k], p, here, c, c_slope, same, precision);
-    arb_div(c, base.c_end, fraction, precision);
-    arb_div(c_slope, base.c_end_slope, fraction, precision);
-    arb_addmul(balance, base.balance, fraction, precision);
-    arb_addmul(slope, base.balance_slope, fraction, precision);
+  bool last = false;
+  SCOPED(series, balance, slope);
+  series_set(&s->w, &l->w);
+  for (slong length = ring->length > 1 ? 2 : 1; !last; length *= 2) {
+    last = length >= ring->length;
+    const struct ring part = { last ? ring->length : length, ring->precision };
+    s->w.known = SERIES_ALL;
+    if (!lift_period(s, l, phases, eps, CROSSINGS_KNOWN, &balance, &slope, &part))
+      return false;
+    for (slong k = 0; balance.kind == SERIES_BALLS && k < (length + 1) / 2; k++)
+      series_set_zero(&balance, k); /* w is right so far, whatever its balls */
+    if (!series_div(&balance, &balance, &slope, &part))
+      return false;
+    series_sub(&s->w, &s->w, &balance, &part);
   }
-  return followed;
+  return true;
 }
 
-/* The offsets of all crossings, kept for a second attempt */
-struct offsets {
-  arb_t u[2][MOST_CROSSINGS];
+struct two_phases {
+  struct phase_series phase[2];
 };
+#define TWO_PHASES(of) of(phase_series, &s->phase[0]) of(phase_series, &s->phase[1])
+SCOPED_PARTS(two_phases, struct two_phases, TWO_PHASES)
 
-static void offsets_init(struct offsets *o)
+static void set_phases(struct two_phases *to, const struct limit *l)
 {
+  SCOPED(fmpq, one);
+  fmpq_one(one);
   for (int k = 0; k < 2; k++)
-    for (int i = 0; i < MOST_CROSSINGS; i++)
-      arb_init(o->u[k][i]);
+    phase_series_set(&to->phase[k], &l->phase[k], one);
 }
 
-static void offsets_clear(struct offsets *o)
+bool steady_lift(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
+                 const struct series *eps, const struct ring *ring)
 {
-  for (int k = 0; k < 2; k++)
-    for (int i = 0; i < MOST_CROSSINGS; i++)
-      arb_clear(o->u[k][i]);
+  SCOPED(two_phases, own);
+  SCOPED(series, balance, slope);
+  const struct phase_series *const used[] = { phases ? phases[0] : &own.phase[0], phases ? phases[1] : &own.phase[1] };
+  if (!phases)
+    set_phases(&own, l);
+  return steady_lift_start(s, l, used, eps, ring)
+         && lift_period(s, l, used, eps, CROSSINGS_KNOWN, &balance, &slope, ring); /* for what depends on w */
 }
 
-static void keep_offsets(struct offsets *o, const struct limit *l, slong precision)
+/* The balance and its derivative by w, with the crossings enclosed anew */
+static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, const arb_t eps,
+                   enum crossings crossings, slong precision)
 {
-  for (int k = 0; k < 2; k++)
-    for (int i = 0; i < l->branch[k].count; i++)
-      series_coefficient(o->u[k][i], &l->branch[k].crossing[i].offset, 0, precision);
+  const struct ring ring = { 1, precision };
+  SCOPED(steady_lift, s);
+  SCOPED(two_phases, phases);
+  SCOPED(series, at, sum, sum_slope);
+  set_phases(&phases, l);
+  series_set_ball(&s.w, w);
+  series_set_ball(&at, eps);
+  if (!lift_period(&s, l, (const struct phase_series *[]){ &phases.phase[0], &phases.phase[1] }, &at, crossings, &sum,
+                   &sum_slope, &ring))
+    return false;
+  series_coefficient(balance, &sum, 0, precision);
+  series_coefficient(slope, &sum_slope, 0, precision);
+  return true;
 }
 
-static void put_offsets(struct limit *l, const struct offsets *o)
-{
-  for (int k = 0; k < 2; k++)
-    for (int i = 0; i < l->branch[k].count; i++)
-      series_set_ball(&l->branch[k].crossing[i].offset, o->u[k][i]);
-}
+struct following { /* the branch at eps: at places w, and at all of a ball                             */
+  struct limit middle, around;
+  arb_t eps;
+};
+#define FOLLOWING(of) of(limit, &s->middle) of(limit, &s->around) of(arb, s->eps)
+SCOPED_PARTS(following, struct following, FOLLOWING)
 
-/* The root for the middle of w, by Newton's method; balance is that at the w it ends with. */
-static bool middle_of_branch(struct limit *l, arb_t w, arb_t balance, arb_t slope, const arb_t eps, slong precision)
+static bool balance_at(arb_t balance, arb_t slope, const arb_t w, void *following, slong precision)
 {
-  enum { STEPS = 60 };
-  bool sound = true, settled = false;
-  SCOPED(arb, step);
-  for (int i = 0; sound && !settled && i < STEPS; i++) {
-    mag_zero(arb_radref(w));
-    sound = follow(l, balance, slope, w, eps, false, precision);
-    arb_div(step, balance, slope, precision);
-    sound = sound && arb_is_finite(step);
-    settled = sound && arf_cmpabs_mag(arb_midref(step), arb_radref(step)) <= 0;
-    if (sound && !settled)
-      arf_sub(arb_midref(w), arb_midref(w), arb_midref(step), precision, ARF_RND_NEAR);
-  }
-  return settled;
+  struct following *f = following;
+  if (arb_is_exact(w))
+    return follow(&f->middle, balance, slope, w, f->eps, CROSSINGS_ANEW, precision);
+  limit_set(&f->around, &f->middle); /* the crossings for all of w must be those of its middle */
+  return follow(&f->around, balance, slope, w, f->eps, CROSSINGS_THE_SAME, precision);
 }
 
 bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision)
 {
-  enum { TRIES = 40 };
-  bool inside = false;
-  ENDED_BY(offsets_clear) struct offsets before;
-  offsets_init(&before);
-  ENDED_BY(offsets_clear) struct offsets middle;
-  offsets_init(&middle);
-  SCOPED(arb, balance, slope, wide, next);
-  keep_offsets(&before, l, precision);
-  bool sound = middle_of_branch(l, w, balance, slope, eps, precision);
-  keep_offsets(&middle, l, precision);
-  arb_div(next, balance, slope, precision);
-  arb_set(wide, w);
-  arb_get_mag(arb_radref(wide), next);
-  for (int i = 0; sound && !inside && i < TRIES; i++) {
-    mag_mul_2exp_si(arb_radref(wide), arb_radref(wide), 1);
-    put_offsets(l, &middle); /* the crossings for all of wide must be those of its middle */
-    sound = follow(l, next, slope, wide, eps, true, precision) && !arb_contains_zero(slope);
-    arb_div(next, balance, slope, precision);
-    arb_sub(next, w, next, precision);
-    inside = sound && arb_contains(wide, next);
-  }
-  if (inside)
-    arb_set(w, next); /* the offsets are those for wide, which holds it */
-  else
-    put_offsets(l, &before);
-  return inside;
+  SCOPED(following, f);
+  limit_set(&f.middle, l);
+  arb_set(f.eps, eps);
+  bool found = enclose_root(w, balance_at, &f, NULL, precision);
+  if (found)
+    limit_set(l, &f.around); /* for a ball that holds w */
+  return found;
 }
 
 /* The branches of the level w, and its balance and slope there. */
 static bool balance_of_level(struct limit *l, arb_t balance, arb_t slope, const arb_t w, slong precision)
 {
-  bool found = true;
   SCOPED(arb, c, eps);
-  for (int k = 0; found && k < 2; k++) {
+  for (int k = 0; k < 2; k++) {
     ball_times(c, w, l->phase[k].fraction, precision);
-    found = branch_of_level(&l->branch[k], &l->phase[k], c, precision);
+    if (!branch_of_level(&l->branch[k], &l->phase[k], c, precision))
+      return false;
   }
-  found = found && follow(l, balance, slope, w, eps, false, precision);
-  return found;
+  return follow(l, balance, slope, w, eps, CROSSINGS_ANEW, precision);
 }
 
 /* A level above every curve on the side of sign: twice the highest */
@@ -194,8 +207,7 @@ static bool approach_limit(struct limit *l, arb_t w, int sign, slong precision)
     }
   }
   arb_mul_si(w, w, sign, precision);
-  close = close && balance_of_level(l, balance, slope, w, precision);
-  return close;
+  return close && balance_of_level(l, balance, slope, w, precision);
 }
 
 static bool is_linear(const struct scallop_piece *p)
@@ -248,57 +260,64 @@ static bool make_exact(struct limit *l, const arb_t near)
   arf_set_round(few, arb_midref(near), 30, ARF_RND_NEAR);
   arf_get_fmpq(w, few);
   exact_offsets(l, w);
-  bool exact = steady_lift(&lifted, l, &zero, &ring) && series_rational_coefficient(w, &lifted.w, 0);
+  bool exact = steady_lift(&lifted, l, NULL, &zero, &ring) && series_rational_coefficient(w, &lifted.w, 0);
   if (exact)
     exact_offsets(l, w);
   return exact;
 }
 
-static enum scallop_status from_ends(struct limit *l, int sign, const char **why)
+/* w = 0: from there c is of the order of eps, and at 0 throughout if F1 = F2. NULL, or why there is no series */
+static const char *limit_from_ends(struct limit *l, int sign)
 {
   series_set_si(&l->w, 0);
   for (int k = 0; k < 2; k++)
-    if (l->phase[k].shape->pieces[0].jump) {
-      *why = "l' jumps where a phase begins: the steady states may fill an interval";
-      return SCALLOP_EDOMAIN;
-    }
-  if (branch_from_ends(&l->branch[0], &l->phase[0], -sign, sign)
-      && branch_from_ends(&l->branch[1], &l->phase[1], sign, -sign))
-    return SCALLOP_OK;
-  *why = branch_without_ends;
-  return SCALLOP_EDOMAIN;
+    if (l->phase[k].shape->pieces[0].jump)
+      return "l' jumps where a phase begins: the steady states may fill an interval";
+  const char *why = branch_from_ends(&l->branch[0], &l->phase[0], -sign, sign);
+  return why ? why : branch_from_ends(&l->branch[1], &l->phase[1], sign, -sign);
+}
+
+/* The level w of this sign at which the balance is 0, and that it crosses the curves as its branches say */
+static bool limit_from_level(struct limit *l, const struct scallop_gait *gait, int sign, slong precision)
+{
+  SCOPED(arb, w, eps);
+  if (!approach_limit(l, w, sign, precision))
+    return false;
+  if (scallop_gait_is_rational(gait) && limit_is_linear(l)) {
+    if (!make_exact(l, w))
+      return false;
+  } else if (limit_follow(l, w, eps, precision))
+    series_set_ball(&l->w, w);
+  else
+    return false;
+  series_coefficient(w, &l->w, 0, precision);
+  return !limit_holds(l, w, w, eps, precision);
+}
+
+static void set_constants(struct limit *l, const struct scallop_rational_crawler *crawler)
+{
+  for (int k = 0; k < 2; k++)
+    phase_constants_set(&l->phase[k], crawler, (enum scallop_phase_kind)k);
+  l->at_rest = fmpq_is_zero(l->phase[0].beta[1]);
+  const bool halves = fmpq_cmp(l->phase[0].fraction, l->phase[1].fraction) == 0;
+  /* with halves w is of the order of eps, and the branches for -eps are others */
+  l->even = !halves && scallop_gait_is_reversible(crawler->gait);
+  l->returns = l->at_rest || (halves && scallop_gait_mirrors(crawler->gait));
 }
 
 enum scallop_status limit_find(struct limit *l, const struct scallop_rational_crawler *crawler, slong precision,
                                const char **why)
 {
-  SCOPED(fmpq, driven);
-  fmpq_sub(driven, l->phase[0].fraction, l->phase[1].fraction);
-  int difference = fmpq_sgn(l->phase[0].beta[1]), sign = difference * fmpq_sgn(driven);
-  if (!scallop_gait_is_exact(crawler->gait)) {
-    *why = "the gait has no exact law";
-    return SCALLOP_EDOMAIN;
-  }
-  if (!branch_is_possible(crawler->gait)) {
-    *why = branch_impossible;
-    return SCALLOP_EDOMAIN;
-  }
-  if (sign == 0) /* w = 0: from there c is of the order of eps, and at 0 throughout if F1 = F2 */
-    return from_ends(l, l->at_rest ? 0 : difference, why);
-  SCOPED(arb, w, eps);
-  bool found = approach_limit(l, w, sign, precision);
-  if (found && scallop_gait_is_rational(crawler->gait) && limit_is_linear(l))
-    found = make_exact(l, w);
-  else if (found) {
-    found = limit_follow(l, w, eps, precision);
-    series_set_ball(&l->w, w);
-  }
-  if (found) { /* the level that it ends at crosses what the one it began with did */
-    series_coefficient(w, &l->w, 0, precision);
-    found = !limit_holds(l, w, w, eps, precision);
-  }
-  if (found)
-    return SCALLOP_OK;
-  *why = "in the limit T -> 0 a body touches v = 0 without turning, or too nearly to tell";
-  return SCALLOP_EUNDECIDED;
+  const char *none = not_expandable(crawler, 1, precision);
+  if (none)
+    return refused(SCALLOP_EDOMAIN, none, why);
+  set_constants(l, crawler);
+  const int difference = fmpq_sgn(l->phase[0].beta[1]),
+            sign = difference * fmpq_cmp(l->phase[0].fraction, l->phase[1].fraction);
+  if (sign == 0)
+    none = limit_from_ends(l, difference);
+  else if (!limit_from_level(l, crawler->gait, sign > 0 ? 1 : -1, precision))
+    return refused(SCALLOP_EUNDECIDED,
+                   "in the limit T -> 0 a body touches v = 0 without turning, or too nearly to tell", why);
+  return none ? refused(SCALLOP_EDOMAIN, none, why) : SCALLOP_OK;
 }

@@ -8,7 +8,6 @@
 #define SCALLOP_ASYMPTOTICS_DERIVED_LIMIT_H
 
 #include "asymptotics/derived/branch.h"
-#include "asymptotics/derived/derived.h"
 
 struct limit {
   struct phase_constants phase[2];
@@ -18,16 +17,16 @@ struct limit {
   bool returns;    /* the displacement is 0 at every eps: F1 = F2, or phases that mirror each other */
   bool even;       /* the displacement is an even function of eps (docs/theory.md)          */
 };
-void limit_init(struct limit *l, const struct scallop_rational_crawler *crawler);
-void limit_clear(struct limit *l);
+#define LIMIT_PARTS(of) \
+  of(phase_constants, &s->phase[0]) of(phase_constants, &s->phase[1]) of(branch, &s->branch[0]) \
+      of(branch, &s->branch[1]) of(series, &s->w)
+SCOPED_PARTS(limit, struct limit, LIMIT_PARTS)
+void limit_set(struct limit *to, const struct limit *from);
 
-/* SCALLOP_OK; SCALLOP_EDOMAIN where no power series exists; SCALLOP_EUNDECIDED where c touches a curve. why says it. */
+/* SCALLOP_OK; SCALLOP_EDOMAIN where not_expandable, or where no power series exists; SCALLOP_EUNDECIDED where c touches
+ * a curve. *why says it, unless why is NULL. */
 enum scallop_status limit_find(struct limit *l, const struct scallop_rational_crawler *crawler, slong precision,
                                const char **why);
-
-/* What a phase does, from what its limit has: as scallop_expand_phase. c, at the start, and eps as for lift_phase */
-bool expand_branch(struct scallop_phase_expansion *e, const struct branch *b, const struct phase_series *p,
-                   const struct series *c, const struct series *eps, const fmpq_t pi_squared, const struct ring *ring);
 
 /* Whether l' is linear at each crossing: then times and velocities are linear in that at the start. */
 bool limit_is_linear(const struct limit *l);
@@ -39,11 +38,14 @@ struct steady_lift {
 #define STEADY_LIFT(of) \
   of(series, &s->w) of(series, &s->w_mid) of(series, &s->travel) of(lift, &s->phase[0]) of(lift, &s->phase[1])
 SCOPED_PARTS(steady_lift, struct steady_lift, STEADY_LIFT)
-/* eps: the series eps0 + x, or any other in x. Starts from l->w and the branches' offsets at the base point. */
-bool steady_lift(struct steady_lift *s, const struct limit *l, const struct series *eps, const struct ring *ring);
-/* The same from what the limit has, in these units; w too is that of the base point. */
-bool steady_lift_from(struct steady_lift *s, const struct series *w, const struct branch branch[2],
-                      const struct phase_series *const phases[2], const struct series *eps, const struct ring *ring);
+/* eps: the series eps0 + x, or any other in x. Starts from l->w and the branches' offsets at the base point. phases:
+ * NULL, or what stands for l->phase; l->w is then in their units. */
+bool steady_lift(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
+                 const struct series *eps, const struct ring *ring);
+
+/* Makes s->w alone. */
+bool steady_lift_start(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
+                       const struct series *eps, const struct ring *ring);
 
 /* The energy that friction takes in a period, in units of (F1 + F2) L. s: what steady_lift made of l, unless
  * l->at_rest. */
@@ -53,5 +55,11 @@ void steady_friction_work(struct series *work, const struct limit *l, const stru
 /* The same in balls, at eps: encloses the w of every eps in the ball, and the crossings with it. w: comes in as a place
  * near it. False: not found, and the branches are as before. */
 bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision);
+
+/* Whether a motion has the modes of the branches, for every eps and the start velocities w and w_mid of the two phases
+ * within the balls, the branches' offsets enclosing the crossings for them: between its crossings c keeps off the
+ * curves, and at each it goes through. NULL, or what keeps it from being shown (static text): just before the end of a
+ * branch, what happens there. */
+const char *limit_holds(const struct limit *l, const arb_t w, const arb_t w_mid, const arb_t eps, slong precision);
 
 #endif

@@ -3,8 +3,6 @@
 
 #include <stdlib.h>
 
-static slong least(slong a, slong b) { return a < b ? a : b; }
-
 void named_poly_init(struct named_poly *p) { *p = (struct named_poly){ .names = NULL }; }
 
 void named_poly_clear(struct named_poly *p)
@@ -183,7 +181,7 @@ static void convolve(struct ratio *sum, const struct named_poly *a, const struct
 
 void named_poly_mullow(struct named_poly *to, const struct named_poly *a, const struct named_poly *b, slong length)
 {
-  length = a->length && b->length ? least(length, a->length + b->length - 1) : 0;
+  length = a->length && b->length ? FLINT_MIN(length, a->length + b->length - 1) : 0;
   ENDED_BY(named_poly_clear) struct named_poly product;
   begin(&product, a->names, length);
   for (slong k = 0; k < length; k++)
@@ -217,7 +215,7 @@ void named_poly_compose_series(struct named_poly *to, const struct named_poly *o
 {
   ENDED_BY(named_poly_clear) struct named_poly value;
   begin(&value, outer->names, 1);
-  for (slong k = least(outer->length, length) - 1; k >= 0; k--) { /* Horner */
+  for (slong k = FLINT_MIN(outer->length, length) - 1; k >= 0; k--) { /* Horner */
     named_poly_mullow(&value, &value, inner, length - k);
     make_room(&value, 1);
     ratio_add(&value.coeffs[0], &value.coeffs[0], &outer->coeffs[k]);

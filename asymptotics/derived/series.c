@@ -9,8 +9,6 @@
 #define BY_KIND(kind, fractions, named, balls) \
   ((kind) == SERIES_FRACTIONS ? (fractions) : (kind) == SERIES_NAMED ? (named) : (balls))
 
-static slong least(slong a, slong b) { return a < b ? a : b; }
-
 /* known, when the series is multiplied by x^power: what is known to all orders stays so. */
 static slong moved(slong known, slong power) { return known >= SERIES_ALL ? SERIES_ALL : known + power; }
 
@@ -155,14 +153,14 @@ void series_tidy(struct series *s, const struct ring *ring)
   shift(s, -zeros);
   s->first += zeros;
   if (series_terms(s) > ring->length)
-    s->known = least(s->known, s->first + ring->length);
+    s->known = FLINT_MIN(s->known, s->first + ring->length);
   series_truncate(s, s->known);
 }
 
 void series_truncate(struct series *s, slong known)
 {
-  s->known = least(s->known, known);
-  s->first = least(s->first, s->known);
+  s->known = FLINT_MIN(s->known, known);
+  s->first = FLINT_MIN(s->first, s->known);
   slong keep = s->known - s->first;
   if (series_terms(s) <= keep)
     return;
@@ -230,7 +228,7 @@ static void add_or_sub(struct series *to, const struct series *all_of_a, const s
 {
   SCOPED(series, p, q);
   const struct series *a = within(&p, all_of_a, all_of_b, ring), *b = within(&q, all_of_b, all_of_a, ring);
-  const slong first = least(a->first, b->first), known = least(a->known, b->known);
+  const slong first = FLINT_MIN(a->first, b->first), known = FLINT_MIN(a->known, b->known);
   const struct form form = common(a, b, ring);
   set_from(&p, a, first, form);
   set_from(&q, b, first, form);
@@ -254,13 +252,13 @@ void series_sub(struct series *difference, const struct series *a, const struct 
 /* Of a product or quotient: what is beyond its last known power need not be made. */
 static slong terms_that_count(slong first, slong known, const struct ring *ring)
 {
-  return known > first ? least(ring->length, known - first) : 1;
+  return known > first ? FLINT_MIN(ring->length, known - first) : 1;
 }
 
 void series_mul(struct series *product, const struct series *a, const struct series *b, const struct ring *ring)
 {
   const struct form form = common(a, b, ring);
-  const slong first = a->first + b->first, known = least(moved(a->known, b->first), moved(b->known, a->first));
+  const slong first = a->first + b->first, known = FLINT_MIN(moved(a->known, b->first), moved(b->known, a->first));
   const slong length = terms_that_count(first, known, ring);
   SCOPED(series, spare_a, spare_b);
   const struct series *p = in_form(&spare_a, a, form), *q = in_form(&spare_b, b, form);
@@ -268,7 +266,7 @@ void series_mul(struct series *product, const struct series *a, const struct ser
   BY_KIND(form.kind, fmpq_poly_mullow(product->rational, p->rational, q->rational, length),
           named_poly_mullow(&product->named, &p->named, &q->named, length),
           arb_poly_mullow(product->ball, p->ball, q->ball, length, ring->precision));
-  begin(product, form.kind, first, cut ? least(known, first + length) : known);
+  begin(product, form.kind, first, cut ? FLINT_MIN(known, first + length) : known);
   series_tidy(product, ring);
 }
 
@@ -305,10 +303,10 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
   const slong first = a->first - divisor.first;
   const struct series *p = in_form(&spare_a, a, form);
   const struct series *q = in_form(&spare_b, &divisor, form);
-  slong known = least(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
+  slong known = FLINT_MIN(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
   const slong length = terms_that_count(first, known, ring);
   if (series_terms(&divisor) > 1 || series_terms(a) > length) /* before a may be overwritten */
-    known = least(known, first + length);
+    known = FLINT_MIN(known, first + length);
   BY_KIND(form.kind, fmpq_poly_div_series(quotient->rational, p->rational, q->rational, length),
           named_poly_div_series(&quotient->named, &p->named, &q->named, length),
           arb_poly_div_series(quotient->ball, p->ball, q->ball, length, ring->precision));
@@ -326,30 +324,17 @@ void series_shift(struct series *to, const struct series *a, slong power)
 
 void series_inflate(struct series *to, const struct series *a, slong power)
 {
+  SCOPED(fmpq_poly, spread);
+  SCOPED(arb_poly, spread_balls);
+  fmpq_poly_set_coeff_si(spread, power, 1);
+  arb_poly_set_coeff_si(spread_balls, power, 1);
   series_set(to, a);
   to->first *= power;
   if (to->known < SERIES_ALL)
     to->known *= power;
-  if (to->kind == SERIES_NAMED)
-    named_poly_inflate(&to->named, &to->named, power);
-  else if (to->kind == SERIES_FRACTIONS) {
-    fmpq_poly_t spread;
-    SCOPED(fmpq, c);
-    fmpq_poly_init(spread);
-    for (slong k = 0; k < fmpq_poly_length(to->rational); k++) {
-      fmpq_poly_get_coeff_fmpq(c, to->rational, k);
-      fmpq_poly_set_coeff_fmpq(spread, k * power, c);
-    }
-    fmpq_poly_swap(to->rational, spread);
-    fmpq_poly_clear(spread);
-  } else {
-    arb_poly_t spread;
-    arb_poly_init(spread);
-    for (slong k = 0; k < arb_poly_length(to->ball); k++)
-      arb_poly_set_coeff_arb(spread, k * power, arb_poly_get_coeff_ptr(to->ball, k));
-    arb_poly_swap(to->ball, spread);
-    arb_poly_clear(spread);
-  }
+  BY_KIND(to->kind, fmpq_poly_compose(to->rational, to->rational, spread),
+          named_poly_inflate(&to->named, &to->named, power),
+          arb_poly_compose(to->ball, to->ball, spread_balls, ARF_PREC_EXACT));
 }
 
 void series_compose(struct series *to, const struct series *outer, const struct series *inner, const struct ring *ring)
@@ -361,7 +346,7 @@ void series_compose(struct series *to, const struct series *outer, const struct 
   slong bends = 1; /* outer is c + d x^bends + ...: what is not known of inner comes in times inner^(bends - 1) */
   while (bends < series_terms(&f) && series_coefficient_is_zero(&f, bends))
     bends++;
-  slong known = least(least(f.known, moved(g.known, (bends - 1) * inner->first)), ring->length);
+  slong known = FLINT_MIN(FLINT_MIN(f.known, moved(g.known, (bends - 1) * inner->first)), ring->length);
   BY_KIND(form.kind, fmpq_poly_compose_series(to->rational, f.rational, g.rational, known),
           named_poly_compose_series(&to->named, &f.named, &g.named, known),
           arb_poly_compose_series(to->ball, f.ball, g.ball, known, ring->precision));

@@ -7,19 +7,10 @@
 static const char MAY_VANISH[] = "of what may be 0", IS_NEGATIVE[] = "of what is negative", IS_LARGE[] = "is too large",
                   IS_FAR[] = "gives a power of T beyond 4096";
 
-static slong least(slong a, slong b) { return a < b ? a : b; }
-
 /* Tidy series only, here and below */
 static bool is_constant(const struct series *a)
 {
   return a->known >= SERIES_ALL && (series_terms(a) == 0 || (series_terms(a) == 1 && a->first == 0));
-}
-
-static void copy_tidy(struct series *to, const struct series *a, const struct ring *ring)
-{
-  series_init(to);
-  series_set(to, a);
-  series_tidy(to, ring);
 }
 
 /* The sign for small x: what is wrong with it, or NULL where it is proven to be positive */
@@ -61,19 +52,12 @@ static const struct function LOG = { not_for_log, fmpq_poly_log_series, 1, arb_p
 static const struct function SIN = { not_entire, fmpq_poly_sin_series, 0, arb_poly_sin_series, true };
 static const struct function COS = { not_entire, fmpq_poly_cos_series, 0, arb_poly_cos_series, false };
 
-static bool are_finite(const arb_poly_t poly)
-{
-  bool finite = true;
-  for (slong k = 0; k < arb_poly_length(poly); k++)
-    finite = finite && arb_is_finite(arb_poly_get_coeff_ptr(poly, k));
-  return finite;
-}
-
 /* to becomes the polynomial, known below x^known, unless it is not finite. */
 static const char *set_finite(struct series *to, const arb_poly_t poly, slong known)
 {
-  if (!are_finite(poly))
-    return IS_LARGE;
+  for (slong k = 0; k < arb_poly_length(poly); k++)
+    if (!arb_is_finite(arb_poly_get_coeff_ptr(poly, k)))
+      return IS_LARGE;
   series_set_ball_poly(to, poly, known);
   return NULL;
 }
@@ -82,51 +66,38 @@ static const char *set_finite(struct series *to, const arb_poly_t poly, slong kn
 static const char *set_terms(struct series *to, const struct series *a, const struct function *f, slong terms,
                              const struct ring *ring)
 {
-  const char *wrong = NULL;
-  slong known = is_constant(a) ? SERIES_ALL : least(a->known, terms);
+  const slong known = is_constant(a) ? SERIES_ALL : FLINT_MIN(a->known, terms);
   SCOPED(fmpq, constant);
+  SCOPED(fmpq_poly, exact);
+  SCOPED(arb_poly, balls);
   if (a->kind == SERIES_FRACTIONS && series_rational_coefficient(constant, a, 0)
       && fmpq_equal_si(constant, f->exact_at)) {
-    fmpq_poly_t poly;
-    fmpq_poly_init(poly);
-    fmpq_poly_shift_left(poly, a->rational, a->first);
-    f->exact(poly, poly, terms);
-    series_set_rational_poly(to, poly, known);
-    fmpq_poly_clear(poly);
-  } else {
-    arb_poly_t poly;
-    arb_poly_init(poly);
-    series_get_ball_poly(poly, a, terms, ring->precision);
-    f->balls(poly, poly, terms, ring->precision);
-    wrong = set_finite(to, poly, known);
-    arb_poly_clear(poly);
+    fmpq_poly_shift_left(exact, a->rational, a->first);
+    f->exact(exact, exact, terms);
+    series_set_rational_poly(to, exact, known);
+    return NULL;
   }
-  return wrong;
-}
-
-static const char *apply_to_tidy(struct series *to, struct series *a, const struct function *f, const struct ring *ring)
-{
-  const char *wrong = f->refused(a, ring->precision);
-  if (wrong)
-    return wrong;
-  if (series_terms(a) == 0)
-    a->first = 0;
-  if (f->is_odd && (series_terms(a) == 0 || 2 * a->first >= ring->length)) {
-    series_set(to, a);
-    series_truncate(to, series_terms(a) == 0 ? SERIES_ALL : a->first + ring->length);
-  } else
-    wrong = set_terms(to, a, f, ring->length + (f->is_odd ? a->first : 0), ring);
-  if (!wrong)
-    series_tidy(to, ring);
-  return wrong;
+  series_get_ball_poly(balls, a, terms, ring->precision);
+  f->balls(balls, balls, terms, ring->precision);
+  return set_finite(to, balls, known);
 }
 
 static const char *apply(struct series *to, const struct series *of, const struct function *f, const struct ring *ring)
 {
-  struct series a;
-  copy_tidy(&a, of, ring);
-  const char *wrong = apply_to_tidy(to, &a, f, ring);
-  series_clear(&a);
+  SCOPED(series, a);
+  series_set(&a, of);
+  series_tidy(&a, ring);
+  const char *wrong = f->refused(&a, ring->precision);
+  const bool nothing = series_terms(&a) == 0;
+  if (nothing)
+    a.first = 0;
+  if (!wrong && f->is_odd && (nothing || 2 * a.first >= ring->length)) {
+    series_set(to, &a);
+    series_truncate(to, nothing ? SERIES_ALL : a.first + ring->length);
+  } else if (!wrong)
+    wrong = set_terms(to, &a, f, ring->length + (f->is_odd ? a.first : 0), ring);
+  if (!wrong)
+    series_tidy(to, ring);
   return wrong;
 }
 
@@ -165,88 +136,69 @@ static bool get_root(fmpq_t root, const fmpq_t value, const fmpz_t q)
 /* a^(p/q) = (a0^(1/q))^p exp((p/q) log(a/a0)). False: not all of that is in fractions. */
 static bool set_exact_power(struct series *to, const struct series *a, const fmpq_t power, slong known, slong terms)
 {
-  if (a->kind != SERIES_FRACTIONS || !is_small(power))
-    return false;
   SCOPED(fmpq, constant, root);
   SCOPED(fmpq_poly, poly);
+  if (a->kind != SERIES_FRACTIONS || !is_small(power))
+    return false;
   series_rational_coefficient(constant, a, 0);
-  bool possible = get_root(root, constant, fmpq_denref(power));
-  if (possible) {
-    fmpq_poly_scalar_div_fmpq(poly, a->rational, constant);
-    fmpq_poly_log_series(poly, poly, terms);
-    fmpq_poly_scalar_mul_fmpq(poly, poly, power);
-    fmpq_poly_exp_series(poly, poly, terms);
-    fmpq_pow_si(root, root, fmpz_get_si(fmpq_numref(power)));
-    fmpq_poly_scalar_mul_fmpq(poly, poly, root);
-    series_set_rational_poly(to, poly, known);
-  }
-  return possible;
+  if (!get_root(root, constant, fmpq_denref(power)))
+    return false;
+  fmpq_poly_scalar_div_fmpq(poly, a->rational, constant);
+  fmpq_poly_log_series(poly, poly, terms);
+  fmpq_poly_scalar_mul_fmpq(poly, poly, power);
+  fmpq_poly_exp_series(poly, poly, terms);
+  fmpq_pow_si(root, root, fmpz_get_si(fmpq_numref(power)));
+  fmpq_poly_scalar_mul_fmpq(poly, poly, root);
+  series_set_rational_poly(to, poly, known);
+  return true;
 }
 
-/* to becomes a^exponent, a constant, for a > 0 at x = 0. */
-static const char *set_real_power(struct series *to, const struct series *a, const struct series *exponent,
+/* to becomes a^power for a > 0 at x = 0. */
+static const char *set_real_power(struct series *to, const struct series *a, const fmpq_t power,
                                   const struct ring *ring)
 {
-  slong known = is_constant(a) ? SERIES_ALL : least(a->known, ring->length);
-  const char *wrong = NULL;
-  SCOPED(fmpq, power);
-  series_rational_coefficient(power, exponent, 0);
-  if (!set_exact_power(to, a, power, known, ring->length)) {
-    SCOPED(arb, ball);
-    SCOPED(arb_poly, poly);
-    series_coefficient(ball, exponent, 0, ring->precision);
-    series_get_ball_poly(poly, a, ring->length, ring->precision);
-    arb_poly_pow_arb_series(poly, poly, ball, ring->length, ring->precision);
-    wrong = set_finite(to, poly, known);
-  }
-  return wrong;
+  const slong known = is_constant(a) ? SERIES_ALL : FLINT_MIN(a->known, ring->length);
+  SCOPED(arb, ball);
+  SCOPED(arb_poly, poly);
+  if (set_exact_power(to, a, power, known, ring->length))
+    return NULL;
+  arb_set_fmpq(ball, power, ring->precision);
+  series_get_ball_poly(poly, a, ring->length, ring->precision);
+  arb_poly_pow_arb_series(poly, poly, ball, ring->length, ring->precision);
+  return set_finite(to, poly, known);
 }
 
-/* The power of x that (x^first)^exponent is */
-static const char *get_first(slong *power, slong first, const struct series *exponent)
+/* The power of x that (x^first)^power is */
+static const char *get_first(slong *to, slong first, const fmpq_t power)
 {
   SCOPED(fmpq, product);
-  series_rational_coefficient(product, exponent, 0);
-  fmpq_mul_si(product, product, first);
-  bool whole = fmpz_is_one(fmpq_denref(product));
-  bool near = is_within(fmpq_numref(product), SERIES_FARTHEST);
-  *power = whole && near ? fmpz_get_si(fmpq_numref(product)) : 0;
+  fmpq_mul_si(product, power, first);
+  const bool whole = fmpz_is_one(fmpq_denref(product)), near = is_within(fmpq_numref(product), SERIES_FARTHEST);
+  *to = whole && near ? fmpz_get_si(fmpq_numref(product)) : 0;
   return !whole ? "gives a power of T that is not whole" : near ? NULL : IS_FAR;
 }
 
-/* Is it a whole number? odd: an odd one? */
-static bool is_whole(const struct series *constant, bool *odd)
-{
-  SCOPED(fmpq, value);
-  bool whole = series_rational_coefficient(value, constant, 0) && fmpz_is_one(fmpq_denref(value));
-  *odd = whole && fmpz_is_odd(fmpq_numref(value));
-  return whole;
-}
-
-/* base^exponent, of a tidy base and a constant: (c x^k (1 + u))^y = (c (1 + u))^y x^(k y) */
-static const char *set_constant_power(struct series *to, struct series *base, const struct series *exponent,
-                                      const struct ring *ring)
+/* base^power of a tidy base: (c x^k (1 + u))^y = (c (1 + u))^y x^(k y) */
+static const char *set_any_power(struct series *to, struct series *base, const fmpq_t power, const struct ring *ring)
 {
   const char *wrong = not_positive(base, ring->precision);
+  const bool negate = wrong == IS_NEGATIVE && fmpz_is_one(fmpq_denref(power));
   slong first = 0;
-  bool odd, negate = is_whole(exponent, &odd) && wrong == IS_NEGATIVE;
-  if (is_constant(base) && series_terms(base) == 0 && !not_positive(exponent, ring->precision)) {
+  if (is_constant(base) && series_terms(base) == 0 && fmpq_sgn(power) > 0) {
     series_set_si(to, 0);
     return NULL;
   }
-  if (negate) {
+  if (negate)
     series_neg(base, base);
-    wrong = NULL;
-  }
-  if (!wrong)
-    wrong = get_first(&first, base->first, exponent);
+  if (!wrong || negate)
+    wrong = get_first(&first, base->first, power);
   series_shift(base, base, -base->first);
   if (!wrong)
-    wrong = set_real_power(to, base, exponent, ring);
+    wrong = set_real_power(to, base, power, ring);
   if (wrong)
     return wrong;
   series_shift(to, to, first);
-  if (negate && odd)
+  if (negate && fmpz_is_odd(fmpq_numref(power)))
     series_neg(to, to);
   series_tidy(to, ring);
   return NULL;
@@ -262,36 +214,28 @@ static const char *set_small_power(struct series *to, const struct series *base,
   series_set_si(&product, 1);
   for (slong i = 0; i < labs(power); i++)
     series_mul(&product, &product, base, ring);
-  bool raised = power >= 0 || series_div(&product, &one, &product, ring);
-  if (raised)
-    series_set(to, &product);
-  return raised ? NULL : "divides by what may be 0";
-}
-
-static const char *set_power(struct series *to, struct series *base, const struct series *exponent,
-                             const struct ring *ring)
-{
-  SCOPED(fmpq, value);
-  if (!is_constant(exponent) || !series_rational_coefficient(value, exponent, 0))
-    return "has a series for powers that are fractions only";
-  bool small = is_small(value);
-  bool by_products = small && fmpz_is_one(fmpq_denref(value));
-  slong power = small ? fmpz_get_si(fmpq_numref(value)) : 0, root = small ? fmpz_get_si(fmpq_denref(value)) : 1;
-  if (series_bits(base) * labs(power) / root > SERIES_BITS)
-    return IS_LARGE;
-  return by_products ? set_small_power(to, base, power, ring) : set_constant_power(to, base, exponent, ring);
+  if (power < 0 && !series_div(&product, &one, &product, ring))
+    return "divides by what may be 0";
+  series_set(to, &product);
+  return NULL;
 }
 
 const char *series_power(struct series *to, const struct series *base, const struct series *exponent,
                          const struct ring *ring)
 {
-  struct series a, y;
-  copy_tidy(&a, base, ring);
-  copy_tidy(&y, exponent, ring);
-  const char *wrong = set_power(to, &a, &y, ring);
-  series_clear(&a);
-  series_clear(&y);
-  return wrong;
+  SCOPED(series, a, y);
+  SCOPED(fmpq, value);
+  series_set(&a, base);
+  series_set(&y, exponent);
+  series_tidy(&a, ring);
+  series_tidy(&y, ring);
+  if (!is_constant(&y) || !series_rational_coefficient(value, &y, 0))
+    return "has a series for powers that are fractions only";
+  const bool small = is_small(value);
+  const slong power = small ? fmpz_get_si(fmpq_numref(value)) : 0, root = small ? fmpz_get_si(fmpq_denref(value)) : 1;
+  if (series_bits(&a) * labs(power) / root > SERIES_BITS)
+    return IS_LARGE;
+  return small && root == 1 ? set_small_power(to, &a, power, ring) : set_any_power(to, &a, value, ring);
 }
 
 const char *series_sqrt(struct series *to, const struct series *a, const struct ring *ring)

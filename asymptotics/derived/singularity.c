@@ -1,7 +1,7 @@
 /* The branch points nearest to T = 0: searched for along the branch, then proven to be the nearest. */
 #include "asymptotics/derived/singularity.h"
 
-#include "asymptotics/derived/cover.h"
+#include "asymptotics/derived/continuation.h"
 #include "asymptotics/derived/scoped.h"
 
 void scallop_singularity_init(struct scallop_singularity *s)
@@ -88,37 +88,30 @@ static void find(struct scallop_singularity *to, const struct continuation both[
   search_free(s);
 }
 
-/* eps/T^2 = (F1 + F2)/(M L) */
-static void set_kappa(fmpq_t kappa, const struct scallop_rational_crawler *c)
+static enum scallop_status find_with(struct scallop_singularity *s, struct continuation both[2], bool even,
+                                     slong precision)
 {
-  SCOPED(fmpq, M);
-  fmpq_add(M, c->m1, c->m2);
-  fmpq_add(kappa, c->F1, c->F2);
-  fmpq_div(kappa, kappa, M);
-  fmpq_div(kappa, kappa, c->L);
+  find(s, both, even, precision);
+  for (int join = 0; join < 2; join++)
+    continuation_clear(&both[join]);
+  return SCALLOP_OK;
 }
 
 enum scallop_status scallop_steady_singularity(struct scallop_singularity *s,
                                                const struct scallop_rational_crawler *crawler, slong precision,
                                                const char **why)
 {
-  const char *reason = NULL;
-  ENDED_BY(limit_clear) struct limit l;
-  limit_init(&l, crawler);
-  enum scallop_status status = limit_find(&l, crawler, precision, &reason);
+  struct continuation both[2];
+  SCOPED(limit, l);
+  SCOPED(fmpq, kappa);
+  enum scallop_status status = limit_find(&l, crawler, precision, why);
   nothing_found(s, 2, l.even);
-  if (status == SCALLOP_OK && !l.at_rest) {
-    struct continuation both[2];
-    SCOPED(fmpq, kappa);
-    set_kappa(kappa, crawler);
-    for (int join = 0; join < 2; join++)
-      continue_steady(&both[join], &l, kappa, join, precision);
-    find(s, both, l.even, precision);
-    for (int join = 0; join < 2; join++)
-      continuation_clear(&both[join]);
-  } else if (status != SCALLOP_OK && why)
-    *why = reason;
-  return status;
+  if (status != SCALLOP_OK || l.at_rest)
+    return status;
+  set_kappa(kappa, crawler);
+  for (int join = 0; join < 2; join++)
+    continue_steady(&both[join], &l, kappa, join, precision);
+  return find_with(s, both, l.even, precision);
 }
 
 enum scallop_status scallop_phase_singularity(struct scallop_singularity *s,
@@ -126,25 +119,19 @@ enum scallop_status scallop_phase_singularity(struct scallop_singularity *s,
                                               enum scallop_phase_kind kind, const fmpq_t v0, int crossings,
                                               slong precision, const char **why)
 {
-  ENDED_BY(phase_constants_clear) struct phase_constants p;
-  phase_constants_init(&p, crawler, kind);
-  ENDED_BY(branch_clear) struct branch b;
-  branch_init(&b);
-  int at_start = fmpq_sgn(v0), at_end = at_start != 0 ? at_start : fmpq_sgn(p.beta[1]);
-  bool possible = branch_is_possible(crawler->gait), has_ends = possible && branch_from_ends(&b, &p, at_start, at_end);
+  struct continuation both[2];
+  SCOPED(phase_constants, p);
+  SCOPED(branch, b);
+  SCOPED(fmpq, kappa, velocity);
+  const char *none = branch_of_phase(&b, &p, crawler, kind, v0, 1, precision);
   nothing_found(s, 1, false);
-  if (!has_ends && why)
-    *why = possible ? branch_without_ends : branch_impossible;
-  if (has_ends && b.count > 0) {
-    struct continuation both[2];
-    SCOPED(fmpq, kappa, velocity);
-    set_kappa(kappa, crawler);
-    fmpq_div(velocity, v0, crawler->L);
-    for (int join = 0; join < 2; join++)
-      continue_phase(&both[join], &b, &p, crossings < b.count ? crossings : b.count, velocity, kappa, join, precision);
-    find(s, both, false, precision);
-    for (int join = 0; join < 2; join++)
-      continuation_clear(&both[join]);
-  }
-  return has_ends ? SCALLOP_OK : SCALLOP_EDOMAIN;
+  if (none)
+    return refused(SCALLOP_EDOMAIN, none, why);
+  if (b.count == 0)
+    return SCALLOP_OK;
+  set_kappa(kappa, crawler);
+  fmpq_div(velocity, v0, crawler->L);
+  for (int join = 0; join < 2; join++)
+    continue_phase(&both[join], &b, &p, crossings < b.count ? crossings : b.count, velocity, kappa, join, precision);
+  return find_with(s, both, false, precision);
 }

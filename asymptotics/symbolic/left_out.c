@@ -18,13 +18,13 @@ struct motion {
   bool is_steady, from_rest;
   bool equal_forces; /* of all crawlers that the formula is about                                */
   struct symbols symbols;
-  struct scallop_phase_expansion phase;
+  struct scallop_expansion phase;
   struct symbolic_steady steady;
 };
 
 static void motion_end(struct motion *m)
 {
-  scallop_phase_expansion_clear(&m->phase);
+  scallop_expansion_clear(&m->phase);
   symbols_end(&m->symbols);
 }
 
@@ -43,13 +43,10 @@ enum { DERIVATIVES = sizeof derivatives / sizeof *derivatives };
 /* Of a gait that is not rational pi is 1 in it. */
 static void in_amplitudes(fmpq_t value, const struct symbol *symbol, const struct scallop_rational_crawler *crawler)
 {
-  const struct symbols one = { .count = 1, .list = { *symbol } };
-  fmpq *values = _fmpq_vec_init(1), *unit = _fmpq_vec_init(1);
-  fmpq_one(unit);
-  symbols_values(values, &one, crawler, NULL, unit);
-  fmpq_div(value, values, crawler->L);
-  _fmpq_vec_clear(values, 1);
-  _fmpq_vec_clear(unit, 1);
+  SCOPED(fmpq, one);
+  fmpq_one(one);
+  symbol_value(value, symbol, crawler, NULL, one);
+  fmpq_div(value, value, crawler->L);
 }
 
 static symbolic derivative_value(struct motion *m, const struct derivative *d)
@@ -58,10 +55,9 @@ static symbolic derivative_value(struct motion *m, const struct derivative *d)
   struct symbols *s = &m->symbols;
   SCOPED(fmpq, value);
   in_amplitudes(value, &symbol, m->crawler);
-  int place = symbols_place(s, d->meaning, d->derivative, m->kind);
-  symbolic in_L = place >= 0 ? symbolic_place(s, place)
-                             : symbolic_mul(s, symbolic_fraction(s, value), symbolic_named(s, NAMED_L));
-  return in_L;
+  const int place = symbols_place(s, d->meaning, d->derivative, m->kind);
+  return place >= 0 ? symbolic_place(s, place)
+                    : symbolic_mul(s, symbolic_fraction(s, value), symbolic_named(s, NAMED_L));
 }
 
 /* Is pi in the formula, or in the law of the gait? */
@@ -125,26 +121,19 @@ static const char *expand(struct motion *m, const struct formula *formula, const
 /* What the formula gives, as the motion has it; false: it has no formula. */
 static bool derive(struct series *derived, struct motion *m, enum scallop_quantity quantity, const struct ring *ring)
 {
-  const struct series *expanded = m->is_steady ? NULL : scallop_phase_quantity(&m->phase, m->kind, quantity);
-  symbolic closed = NULL;
-  SCOPED(series, v0);
-  switch (m->is_steady ? quantity : SCALLOP_QUANTITIES) {
-  case SCALLOP_STEADY_VELOCITY: closed = m->steady.v_start; break;
-  case SCALLOP_STEADY_V_MID: closed = m->steady.v_mid; break;
-  case SCALLOP_STEADY_DISPLACEMENT:
-  case SCALLOP_STEADY_MEAN_VELOCITY: closed = m->steady.displacement; break;
-  default: break;
-  }
+  const struct series *expanded = scallop_expansion_of(&m->phase, quantity);
+  const symbolic closed = !m->is_steady                         ? NULL
+                          : quantity == SCALLOP_STEADY_VELOCITY ? m->steady.v_start
+                          : quantity == SCALLOP_STEADY_V_MID    ? m->steady.v_mid
+                          : quantity == SCALLOP_STEADY_DISPLACEMENT || quantity == SCALLOP_STEADY_MEAN_VELOCITY
+                              ? m->steady.displacement
+                              : NULL;
   if (closed)
     symbolic_in_T(derived, &m->symbols, closed, ring->length);
   else if (expanded)
     series_set(derived, expanded);
   if (quantity == SCALLOP_STEADY_MEAN_VELOCITY)
     series_shift(derived, derived, -1);
-  if (expanded && quantity == SCALLOP_VELOCITY_CHANGE) {
-    series_set_ratio(&v0, symbolic_named(&m->symbols, NAMED_v0));
-    series_sub(derived, derived, &v0, ring);
-  }
   return closed || expanded;
 }
 
@@ -173,28 +162,23 @@ static void set_names(struct scallop_symbols *names, struct motion *m, const str
   if (!m->is_steady && m->phase.switches) {
     series_set(&value[SCALLOP_SYMBOL_t1], &m->phase.t1);
     series_set(&value[SCALLOP_SYMBOL_dT], &m->phase.dT);
-    series_set(&value[SCALLOP_SYMBOL_x_switch], &m->phase.at_last);
+    series_set(&value[SCALLOP_SYMBOL_x_switch], &m->phase.rear_at_last);
   }
 }
 
-/* A derivative of l as this gait has it: a number of amplitudes, times a power of pi */
-static void replace_derivative(struct replacement *replaced, const struct motion *m, int place)
-{
-  const struct symbol *symbol = &m->symbols.list[place];
-  in_amplitudes(replaced->times, symbol, m->crawler);
-  replaced->by = symbols_place(&m->symbols, NAMED_L, 0, m->kind);
-  replaced->pi_power = scallop_gait_is_rational(m->crawler->gait) ? 0 : symbol->derivative;
-}
-
-/* F2 is F1 where the forces of all these crawlers are equal. */
-static void replace(struct replacement replaced[MOST_SYMBOLS], const struct motion *m, bool of_gait)
+/* F2 is F1 where the forces of all these crawlers are equal. of_gait: a derivative of l is as this gait has it, a number
+ * of amplitudes, times a power of pi. */
+static void set_replacements(struct replacements *r, const struct motion *m, bool of_gait)
 {
   const struct symbols *s = &m->symbols;
   if (m->equal_forces)
-    replaced[symbols_place(s, NAMED_F2, 0, m->kind)].by = symbols_place(s, NAMED_F1, 0, m->kind);
+    r->of[symbols_place(s, NAMED_F2, 0, m->kind)].by = symbols_place(s, NAMED_F1, 0, m->kind);
   for (int i = 0; of_gait && i < s->count; i++)
-    if (s->list[i].derivative > 0)
-      replace_derivative(&replaced[i], m, i);
+    if (s->list[i].derivative > 0) {
+      in_amplitudes(r->of[i].times, &s->list[i], m->crawler);
+      r->of[i].by = symbols_place(s, NAMED_L, 0, m->kind);
+      r->of[i].pi_power = scallop_gait_is_rational(m->crawler->gait) ? 0 : s->list[i].derivative;
+    }
 }
 
 static slong length_of(symbolic a, const struct symbols *s)
@@ -206,16 +190,14 @@ static slong length_of(symbolic a, const struct symbols *s)
  * they stand, if that is shorter */
 static symbolic coefficient_of(struct motion *m, const struct series *difference, slong power, bool of_gait)
 {
-  struct replacement replaced[MOST_SYMBOLS];
   struct symbols *s = &m->symbols;
-  symbolic term = symbolic_coefficient(s, difference, power), reduced, other;
+  symbolic term = symbolic_coefficient(s, difference, power);
   if (!term)
     return NULL;
-  replacements_init(replaced);
-  replace(replaced, m, of_gait);
-  reduced = symbolic_reduced(s, term, replaced);
-  other = symbolic_replaced(s, term, replaced);
-  replacements_clear(replaced);
+  SCOPED(replacements, replacements);
+  set_replacements(&replacements, m, of_gait);
+  symbolic reduced = symbolic_replaced(s, term, &replacements, true),
+           other = symbolic_replaced(s, term, &replacements, false);
   return reduced && other && !ratio_is_zero(reduced) && length_of(other, s) < length_of(reduced, s) ? other : reduced;
 }
 
@@ -297,7 +279,7 @@ const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *
                       .from_rest = f->setting == SCALLOP_AT_REST_START };
   struct formula formula;
   symbols_init(&m.symbols);
-  scallop_phase_expansion_init(&m.phase);
+  scallop_expansion_init(&m.phase);
   /* from rest no body turns where F1 = F2: these modes say so */
   m.equal_forces = m.from_rest;
   for (const char *const *when = f->when; when && *when; when++)

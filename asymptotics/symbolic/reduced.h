@@ -9,13 +9,16 @@ struct replacement {
   int by, pi_power;
   fmpq_t times;
 };
-void replacements_init(struct replacement replaced[MOST_SYMBOLS]);
-void replacements_clear(struct replacement replaced[MOST_SYMBOLS]);
+struct replacements {
+  struct replacement of[MOST_SYMBOLS];
+};
+void replacements_init(struct replacements *r);
+void replacements_clear(struct replacements *r);
+SCOPED_KIND(replacements, struct replacements)
 
-/* The same function with these replacements, and M and beta as they stand. NULL: it then divides by 0. */
-symbolic symbolic_replaced(struct symbols *s, symbolic a, const struct replacement replaced[MOST_SYMBOLS]);
-/* Likewise with M = m1 + m2 and beta = 1 - alpha: it is 0 if the function is, M is a factor or not in it, and where
- * beta is in the list over and under are homogeneous in alpha and beta. */
-symbolic symbolic_reduced(struct symbols *s, symbolic a, const struct replacement replaced[MOST_SYMBOLS]);
+/* The same function with these replacements. NULL: it then divides by 0. independent: also with M = m1 + m2 and beta =
+ * 1 - alpha: it is 0 if the function is, M is a factor or not in it, and where beta is in the list over and under are
+ * homogeneous in alpha and beta; else M and beta stay as they stand. */
+symbolic symbolic_replaced(struct symbols *s, symbolic a, const struct replacements *replacements, bool independent);
 
 #endif

@@ -83,27 +83,31 @@ static void derivative_value(fmpq_t value, const struct symbol *symbol, const st
     fmpq_neg(value, value);
 }
 
+void symbol_value(fmpq_t value, const struct symbol *symbol, const struct scallop_rational_crawler *crawler,
+                  const fmpq_t v0, const fmpq_t pi_squared)
+{
+  switch (symbol->meaning) {
+  case NAMED_m1: fmpq_set(value, crawler->m1); break;
+  case NAMED_m2: fmpq_set(value, crawler->m2); break;
+  case NAMED_M: fmpq_add(value, crawler->m1, crawler->m2); break;
+  case NAMED_F1: fmpq_set(value, crawler->F1); break;
+  case NAMED_F2: fmpq_set(value, crawler->F2); break;
+  case NAMED_L: fmpq_set(value, crawler->L); break;
+  case NAMED_v0: fmpq_set(value, v0); break;
+  case NAMED_alpha: fmpq_set(value, crawler->alpha); break;
+  case NAMED_beta: scallop_rational_fraction(value, crawler, SCALLOP_CONTRACTION); break;
+  case NAMED_T: fmpq_set(value, crawler->T); break;
+  case NAMED_pi: fmpq_one(value); break; /* what depends on it has no value here */
+  case NAMED_AT_START:
+  case NAMED_AT_END: derivative_value(value, symbol, crawler, pi_squared); break;
+  }
+}
+
 void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler,
                     const fmpq_t v0, const fmpq_t pi_squared)
 {
-  for (int i = 0; i < s->count; i++) {
-    fmpq *value = values + i;
-    switch (s->list[i].meaning) {
-    case NAMED_m1: fmpq_set(value, crawler->m1); break;
-    case NAMED_m2: fmpq_set(value, crawler->m2); break;
-    case NAMED_M: fmpq_add(value, crawler->m1, crawler->m2); break;
-    case NAMED_F1: fmpq_set(value, crawler->F1); break;
-    case NAMED_F2: fmpq_set(value, crawler->F2); break;
-    case NAMED_L: fmpq_set(value, crawler->L); break;
-    case NAMED_v0: fmpq_set(value, v0); break;
-    case NAMED_alpha: fmpq_set(value, crawler->alpha); break;
-    case NAMED_beta: scallop_rational_fraction(value, crawler, SCALLOP_CONTRACTION); break;
-    case NAMED_T: fmpq_set(value, crawler->T); break;
-    case NAMED_pi: fmpq_one(value); break; /* what depends on it has no value here */
-    case NAMED_AT_START:
-    case NAMED_AT_END: derivative_value(value, &s->list[i], crawler, pi_squared); break;
-    }
-  }
+  for (int i = 0; i < s->count; i++)
+    symbol_value(values + i, &s->list[i], crawler, v0, pi_squared);
 }
 
 static struct ratio *new_value(struct symbols *s)

@@ -44,7 +44,7 @@ struct symbols {
   struct names names;  /* those of the list, in its order                                            */
   struct ratio **made; /* all values                                                                 */
   size_t made_count, made_room;
-  slong most_terms; /* of symbolic_expand_limit, see struct names; 0: as many as take ten seconds          */
+  slong most_terms; /* of symbolic_expand_limit, see struct names; 0: as many as take half a minute         */
 };
 /* An empty list; symbols_add appends what is not in the list, and symbols_begin makes the ring of what is then in the
  * list. symbols_end ends all three. */
@@ -55,6 +55,9 @@ int symbols_place(const struct symbols *s, enum symbol_meaning meaning, int deri
 void symbols_begin(struct symbols *s);
 void symbols_end(struct symbols *s);
 
+/* What a symbol is for a crawler, as below */
+void symbol_value(fmpq_t value, const struct symbol *symbol, const struct scallop_rational_crawler *crawler,
+                  const fmpq_t v0, const fmpq_t pi_squared);
 /* What the symbols are for a crawler: values, _fmpq_vec_init(s->count). v0 may be NULL where it is no symbol;
  * pi_squared as in scallop_expand_phase. */
 void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_rational_crawler *crawler,
@@ -82,18 +85,27 @@ bool symbolic_value(fmpq_t value, symbolic a, const struct symbols *s, const fmp
 /* A value as a series in T, which is in the list: that many terms */
 void symbolic_in_T(struct series *series, struct symbols *s, symbolic value, slong terms);
 
+/* Adds the derivatives of l at the end of a phase where its first or last piece has its anchor: f^(n), 2 <= n < order,
+ * that are not 0, and n = 2 in any case. */
+void add_derivatives(struct symbols *s, const struct scallop_piece *piece, enum scallop_phase_kind kind, slong order);
+/* |f'| near that end, a polynomial in the derivatives of the list. */
+void named_law(struct series *law, struct symbols *s, const struct scallop_piece *piece, enum scallop_phase_kind kind);
+
+/* A phase in names but for its laws and its fraction, in the units of symbolic_motion.c */
+void named_phase(struct phase_series *to, struct symbols *s, enum scallop_phase_kind kind);
+
 /* All coefficients of one phase below T^order, 1 <= order <= SYMBOLIC_ORDERS, in m1, m2, M, F1, F2, L, v0 and the
  * derivatives of l at the ends that are not 0 for this gait. s: from symbols_init on, made here. v0: its sign counts.
  * Statuses and why as scallop_expand_phase. */
 enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallop_rational_crawler *crawler,
                                           enum scallop_phase_kind kind, const fmpq_t v0, slong order,
-                                          struct scallop_phase_expansion *phase, const char **why);
+                                          struct scallop_expansion *phase, const char **why);
 
 /* The steady state in closed form: rational functions of m1, m2, M, F1, F2, L, alpha, beta and T, where l' is linear at
  * every crossing. */
 struct symbolic_steady {
   symbolic v_start, v_mid, displacement;
-  char modes[2 * SCALLOP_BRANCH_TEXT];
+  char modes[sizeof((struct scallop_expansion *)0)->modes];
 };
 /* s: as above. For 0 < T up to where the steady state leaves the modes that the crawler has for T -> 0. Statuses as
  * scallop_expand_steady; SCALLOP_EDOMAIN also where a crossing is in a piece of l' that is not linear, and for alpha =
@@ -121,7 +133,6 @@ struct symbolic_limit {
   const char *modes;        /* a body turns in both phases, as where the parameter is small         */
   symbolic small;           /* the parameter                                                        */
   struct series term;       /* the expansion's terms, the powers of the parameter included          */
-  slong reached;            /* terms known before there were too many of the symbols' polynomials   */
   char why[160];            /* where there were: the reason                                         */
 };
 #define SYMBOLIC_LIMIT(of) of(series, &s->term)

@@ -44,10 +44,10 @@ static const struct {
   [Q_DX1] = { OF_PHASE, false, BOTH(phase.dx1) },
   [Q_DX2] = { OF_PHASE, false, BOTH(phase.dx2) },
   [Q_DXC] = { OF_PHASE, false, BOTH(phase.dxC) },
-  [Q_AT_FIRST] = { OF_PHASE, true, BOTH(phase.at_first) },
-  [Q_AT_LAST] = { OF_PHASE, true, BOTH(phase.at_last) },
+  [Q_AT_FIRST] = { OF_PHASE, true, BALL(phase.at_first), offsetof(struct series_answer, phase.rear_at_first) },
+  [Q_AT_LAST] = { OF_PHASE, true, BALL(phase.at_last), offsetof(struct series_answer, phase.rear_at_last) },
   [Q_CHANGE] = { OF_PHASE, false, BALL(change), 0 },
-  [Q_TURNING] = { OF_PHASE, true, BALL(turning), offsetof(struct series_answer, phase.turning_velocity) },
+  [Q_TURNING] = { OF_PHASE, true, BALL(turning), offsetof(struct series_answer, phase.v_at_last) },
 };
 
 /* The value at this place of an answer, or NULL: a motion of this kind, with or without changes of mode, has none. */

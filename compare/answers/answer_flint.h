@@ -39,12 +39,11 @@ struct series_answer {
   /* in powers of T, the period or the duration of the phase; NULL where there is none */
   const struct series *value[ALL_QUANTITIES];
   const char *modes; /* for T -> 0 */
-  struct scallop_steady_expansion steady;
-  struct scallop_phase_expansion phase;
+  struct scallop_expansion steady;
+  struct scallop_expansion phase;
   struct series cost;
 };
-#define SERIES_PARTS(of) \
-  of(scallop_steady_expansion, &s->steady) of(scallop_phase_expansion, &s->phase) of(series, &s->cost)
+#define SERIES_PARTS(of) of(scallop_expansion, &s->steady) of(scallop_expansion, &s->phase) of(series, &s->cost)
 SCOPED_PARTS(series_answer, struct series_answer, SERIES_PARTS)
 /* The power of its first term that is not known to be 0; without one the first that is not known at all. */
 slong series_first_power(const struct series *series);

@@ -71,7 +71,7 @@ static bool is_met(const char *when, const struct scallop_formula *f, const stru
 /* Is the limit of the steady state the one that the formula is for? Not where it has no expansion */
 static bool turns_there(const struct scallop_formula *f, const struct scallop_rational_crawler *c)
 {
-  SCOPED(scallop_steady_expansion, limit);
+  SCOPED(scallop_expansion, limit);
   return scallop_expand_steady(c, 1, MODES_PRECISION, &limit, NULL) == SCALLOP_OK
          && turns_in_modes(limit.modes) == f->turns;
 }

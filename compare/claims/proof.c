@@ -39,8 +39,8 @@ static bool set_left_out(struct series *left_out, struct proof *p, slong terms)
   const struct trial *m = p->m;
   const struct scallop_formula *f = p->f;
   const struct ring ring = { terms, PRECISION };
-  const struct scallop_phase_expansion *phase = &m->series.phase;
-  const struct series *const given[] = { &phase->t1, &phase->dT, &phase->at_last };
+  const struct scallop_expansion *phase = &m->series.phase;
+  const struct series *const given[] = { &phase->t1, &phase->dT, &phase->rear_at_last };
   SCOPED(scallop_symbols, symbols);
   SCOPED(series, value);
   series_set(left_out, trial_series(m, f->quantity));

@@ -148,14 +148,16 @@ static bool report_phase(struct report *r, const struct reported_motion *m)
   const char *why = NULL;
   ENDED_BY(symbols_end) struct symbols s;
   symbols_init(&s);
-  SCOPED(scallop_phase_expansion, phase);
+  SCOPED(scallop_expansion, phase);
   enum scallop_status status = symbolic_expand_phase(&s, r->crawler, m->kind, m->v0, r->options->order.value, &phase,
                                                      &why);
   if (status != SCALLOP_OK)
     return report_failure(r, m, status, why);
   const struct reported_sum sum = { .motion = m, .modes = phase.modes, .symbols = &s };
-  report_formula(r, sum, "t1", &phase.t1);
-  report_formula(r, sum, "dT", &phase.dT);
+  if (phase.switches) {
+    report_formula(r, sum, "t1", &phase.t1);
+    report_formula(r, sum, "dT", &phase.dT);
+  }
   report_formula(r, sum, "v_end", &phase.v_end);
   report_formula(r, sum, "dx1", &phase.dx1);
   report_formula(r, sum, "dx2", &phase.dx2);

@@ -12,28 +12,28 @@ static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &sc
                                                     &minimum_jerk_gait };
 enum { REVERSIBLE = 2, WITH_SERIES_OF_PHASES = 3, GAITS = 4 };
 
-static inline struct series *phase_series(struct scallop_phase_expansion *e, int i)
+static inline struct series *phase_series(struct scallop_expansion *e, int i)
 {
-  struct series *const all[PHASE] = { &e->v_end, &e->dx1, &e->dx2, &e->dxC, &e->t1, &e->dT, &e->at_first, &e->at_last };
+  struct series *const all[PHASE] = { &e->v_end, &e->dx1, &e->dx2,           &e->dxC,
+                                      &e->t1,    &e->dT,  &e->rear_at_first, &e->rear_at_last };
   return all[i];
 }
 static const int phase_length[PHASE] = { 0, 1, 1, 1, 0, 0, 1, 1 }; /* v_end: length/time, dx: length, t: time */
 static const int phase_time[PHASE] = { -1, 0, 0, 0, 1, 1, 0, 0 };
 
-static inline struct series *steady_series(struct scallop_steady_expansion *e, int i)
+static inline struct series *steady_series(struct scallop_expansion *e, int i)
 {
   struct series *const all[STEADY] = { &e->v_start, &e->v_mid, &e->displacement };
   return all[i];
 }
 
-static inline bool expand_phase(struct scallop_phase_expansion *e, const struct scallop_rational_crawler *c, int kind,
+static inline bool expand_phase(struct scallop_expansion *e, const struct scallop_rational_crawler *c, int kind,
                                 const fmpq_t v0, slong order)
 {
   return scallop_expand_phase(c, (enum scallop_phase_kind)kind, v0, order, PRECISION, NULL, e, NULL) == SCALLOP_OK;
 }
 
-static inline bool expand_steady(struct scallop_steady_expansion *e, const struct scallop_rational_crawler *c,
-                                 slong order)
+static inline bool expand_steady(struct scallop_expansion *e, const struct scallop_rational_crawler *c, slong order)
 {
   return scallop_expand_steady(c, order, PRECISION, e, NULL) == SCALLOP_OK;
 }
@@ -65,16 +65,16 @@ static inline void check_equal(const struct series *a, const struct series *b, i
 
 struct pair {
   struct scallop_rational_crawler crawler[2];
-  struct scallop_phase_expansion phase[2];
-  struct scallop_steady_expansion steady[2];
+  struct scallop_expansion phase[2];
+  struct scallop_expansion steady[2];
   fmpq_t v0[2];
 };
 static inline void pair_init(struct pair *p)
 {
   for (int i = 0; i < 2; i++) {
     scallop_rational_init(&p->crawler[i]);
-    scallop_phase_expansion_init(&p->phase[i]);
-    scallop_steady_expansion_init(&p->steady[i]);
+    scallop_expansion_init(&p->phase[i]);
+    scallop_expansion_init(&p->steady[i]);
     fmpq_init(p->v0[i]);
   }
 }
@@ -82,8 +82,8 @@ static inline void pair_clear(struct pair *p)
 {
   for (int i = 0; i < 2; i++) {
     scallop_rational_clear(&p->crawler[i]);
-    scallop_phase_expansion_clear(&p->phase[i]);
-    scallop_steady_expansion_clear(&p->steady[i]);
+    scallop_expansion_clear(&p->phase[i]);
+    scallop_expansion_clear(&p->steady[i]);
     fmpq_clear(p->v0[i]);
   }
 }

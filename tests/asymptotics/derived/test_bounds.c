@@ -49,7 +49,7 @@ static void set_T(struct scallop_rational_crawler *c, const arb_t T0, double par
 
 struct subject {
   struct scallop_rational_crawler crawler;
-  struct scallop_steady_expansion expansion;
+  struct scallop_expansion expansion;
   slong order;
   struct scallop_bound bounds[QUANTITIES];
 };
@@ -124,7 +124,7 @@ static void draw(struct subject *s, struct random *r, int i)
 }
 
 #define SUBJECT(of) \
-  of(scallop_rational, &s->crawler) of(scallop_steady_expansion, &s->expansion) of(scallop_bound, &s->bounds[0]) \
+  of(scallop_rational, &s->crawler) of(scallop_expansion, &s->expansion) of(scallop_bound, &s->bounds[0]) \
       of(scallop_bound, &s->bounds[1])
 SCOPED_PARTS(subject, struct subject, SUBJECT)
 
@@ -229,7 +229,7 @@ TEST(refusals)
     refuses(&s, 0, SCALLOP_EDOMAIN, "order");
     refuses(&s, -3, SCALLOP_EDOMAIN, "order");
     refuses(&s, SCALLOP_MOST_TERMS + 1, SCALLOP_EDOMAIN, "order");
-    refuses_at(&s, 4, 31, SCALLOP_EDOMAIN, "bits");
+    refuses_at(&s, 4, 15, SCALLOP_EDOMAIN, "bits");
     fmpq_neg(s.crawler.m2, s.crawler.m2);
     refuses(&s, 4, SCALLOP_EDOMAIN, "domain");
     fmpq_neg(s.crawler.m2, s.crawler.m2);
@@ -292,7 +292,7 @@ TEST(refusals_of_modes)
   struct random r = { 20260843 };
   SCOPED(subject, s);
   random_exact_crawler(&s.crawler, &r, &scallop_gait_quadratic);
-  refuse_modes(&s.crawler, 31, SCALLOP_EDOMAIN);
+  refuse_modes(&s.crawler, 15, SCALLOP_EDOMAIN);
   fmpq_neg(s.crawler.m2, s.crawler.m2);
   refuse_modes(&s.crawler, PRECISION, SCALLOP_EDOMAIN);
   random_exact_crawler(&s.crawler, &r, &sawtooth_gait);

@@ -1,6 +1,5 @@
 /* Branches and limits from the inside: the motions that have no enclosure, and
  * no expansion, are not given one. */
-#include "asymptotics/derived/holds.h"
 #include "asymptotics/derived/limit.h"
 #include "tests/support/exact.h"
 #include "tests/support/odd_gaits.h"
@@ -12,10 +11,10 @@ struct subject {
   struct scallop_rational_crawler crawler;
   struct phase_constants phase;
   struct branch branch;
-  arb_t c, eps, one;
+  arb_t c;
 };
 
-#define PARTS(of) of(scallop_rational, &s->crawler) of(branch, &s->branch) of(arb, s->c) of(arb, s->eps) of(arb, s->one)
+#define PARTS(of) of(scallop_rational, &s->crawler) of(phase_constants, &s->phase) of(branch, &s->branch) of(arb, s->c)
 SCOPED_PARTS(subject, struct subject, PARTS)
 
 /* m1 = m2, F1 = 4 F2, an extension */
@@ -23,27 +22,18 @@ static void subject_set(struct subject *s, const struct scallop_gait *gait)
 {
   const struct scallop_crawler c = { 1, 1, 4, 1, 1, 1, 0.75, gait };
   scallop_rational_of(&s->crawler, &c);
-  phase_constants_init(&s->phase, &s->crawler, SCALLOP_EXTENSION);
-  arb_one(s->one);
-}
-
-static void subject_end(struct subject *s)
-{
-  phase_constants_clear(&s->phase);
-  subject_clear(s);
+  phase_constants_set(&s->phase, &s->crawler, SCALLOP_EXTENSION);
 }
 
 #define SUBJECT(s, gait) \
-  ENDED_BY(subject_end) struct subject s; \
-  subject_init(&(s)); \
+  SCOPED(subject, s); \
   subject_set(&(s), gait)
 
 /* What the limit is, of a crawler in doubles */
 #define LIMIT(l, exact, crawler) \
   SCOPED(scallop_rational, exact); \
   scallop_rational_of(&(exact), crawler); \
-  ENDED_BY(limit_clear) struct limit l; \
-  limit_init(&(l), &(exact)); \
+  SCOPED(limit, l); \
   assert_int_equal(limit_find(&(l), &(exact), PRECISION, NULL), SCALLOP_OK)
 
 /* |l'| of trapezoid: 0 to 16/13, and curve 0 is half of that. */
@@ -102,7 +92,6 @@ TEST(crossings_along_the_curve)
   SCOPED(arb, before);
   SCOPED(series, c, eps, one);
   SCOPED(lift, lift);
-  SCOPED(base, base);
   SUBJECT(s, &trapezoid_gait);
   series_set_si(&one, 1);
   series_set_si(&eps, 0);
@@ -119,8 +108,8 @@ TEST(crossings_along_the_curve)
     s.branch.crossing[0].curve = 0;
     s.branch.crossing[0].to = 1;
     set_offset(&s, u);
-    assert_int_equal(lift_phase(&lift, &s.branch, &in_series, &eps, &c, &one, NULL, &ring), !along);
-    assert_int_equal(base_follow(&base, &s.branch, &s.phase, s.eps, s.c, s.one, false, PRECISION), !along);
+    assert_int_equal(lift_phase(&lift, &s.branch, &in_series, &eps, &c, &one, CROSSINGS_KNOWN, &ring), !along);
+    assert_int_equal(lift_phase(&lift, &s.branch, &in_series, &eps, &c, &one, CROSSINGS_ANEW, &ring), !along);
     series_coefficient(before, &s.branch.crossing[0].offset, 0, PRECISION);
     CHECK_NEAR(middle(before), u, 1e-30);
   }
@@ -146,15 +135,22 @@ TEST(a_limit_that_balls_hold_exactly)
 /* The velocity with which the contraction begins, in units of L and the period */
 static void find_w_mid(arb_t w_mid, struct limit *l, const arb_t w, const arb_t eps)
 {
-  SCOPED(base, base);
-  SCOPED(arb, fraction, here, c, one);
-  arb_one(one);
-  arb_set_fmpq(fraction, l->phase[0].fraction, PRECISION);
-  arb_mul(c, w, fraction, PRECISION);
-  arb_mul(here, eps, fraction, PRECISION);
-  arb_mul(here, here, fraction, PRECISION);
-  assert_true(base_follow(&base, &l->branch[0], &l->phase[0], here, c, one, false, PRECISION));
-  arb_div(w_mid, base.c_end, fraction, PRECISION);
+  const struct ring ring = { 1, PRECISION };
+  SCOPED(lift, lift);
+  SCOPED(phase_series, p);
+  SCOPED(fmpq, unit);
+  SCOPED(series, here, c, one);
+  fmpq_one(unit);
+  phase_series_set(&p, &l->phase[0], unit);
+  series_set_si(&one, 1);
+  series_set_ball(&c, w);
+  series_mul(&c, &c, &p.fraction, &ring);
+  series_set_ball(&here, eps);
+  series_mul(&here, &here, &p.fraction, &ring);
+  series_mul(&here, &here, &p.fraction, &ring);
+  assert_true(lift_phase(&lift, &l->branch[0], &p, &here, &c, &one, CROSSINGS_ANEW, &ring));
+  series_div(&c, &lift.c_end, &p.fraction, &ring);
+  series_coefficient(w_mid, &c, 0, PRECISION);
 }
 
 /* Minimum jerk is one polynomial in four pieces. F1 = 22 F2 and alpha = 0.9: as eps grows the first crossing of the

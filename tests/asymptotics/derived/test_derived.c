@@ -74,24 +74,23 @@ static void print_worst(const char *what)
 enum { NUMBERS = 8, STEADY = 2 };
 struct motion {
   int kind;
-  struct scallop_phase_expansion phase;
-  struct scallop_steady_expansion steady;
+  struct scallop_expansion phase;
+  struct scallop_expansion steady;
   struct scallop_certified_phase phase_at[TIMES];
   struct scallop_certified_steady steady_at[TIMES];
   fmpq_t T[TIMES];
 };
 #define MOTION(of) \
-  of(scallop_phase_expansion, &s->phase) of(scallop_steady_expansion, &s->steady) \
-      of(scallop_certified_phase, &s->phase_at[0]) of(scallop_certified_phase, &s->phase_at[1]) \
-          of(scallop_certified_steady, &s->steady_at[0]) of(scallop_certified_steady, &s->steady_at[1]) \
-              of(fmpq, s->T[0]) of(fmpq, s->T[1])
+  of(scallop_expansion, &s->phase) of(scallop_expansion, &s->steady) of(scallop_certified_phase, &s->phase_at[0]) \
+      of(scallop_certified_phase, &s->phase_at[1]) of(scallop_certified_steady, &s->steady_at[0]) \
+          of(scallop_certified_steady, &s->steady_at[1]) of(fmpq, s->T[0]) of(fmpq, s->T[1])
 SCOPED_PARTS(motion, struct motion, MOTION)
 
 /* How many numbers the motion has: those of switches come last */
 static int list(struct quantity q[NUMBERS], const struct motion *m)
 {
-  const struct scallop_phase_expansion *e = &m->phase;
-  const struct scallop_steady_expansion *s = &m->steady;
+  const struct scallop_expansion *e = &m->phase;
+  const struct scallop_expansion *s = &m->steady;
   const struct scallop_certified_phase *p = m->phase_at;
   const struct scallop_certified_steady *c = m->steady_at;
   const struct quantity of_phase[NUMBERS] = { { "v_end", &e->v_end, { p[0].v_end, p[1].v_end } },
@@ -100,8 +99,8 @@ static int list(struct quantity q[NUMBERS], const struct motion *m)
                                               { "dxC", &e->dxC, { p[0].dxC, p[1].dxC } },
                                               { "t1", &e->t1, { p[0].t1, p[1].t1 } },
                                               { "dT", &e->dT, { p[0].dT, p[1].dT } },
-                                              { "at_first", &e->at_first, { p[0].at_first, p[1].at_first } },
-                                              { "at_last", &e->at_last, { p[0].at_last, p[1].at_last } } };
+                                              { "at_first", &e->rear_at_first, { p[0].at_first, p[1].at_first } },
+                                              { "at_last", &e->rear_at_last, { p[0].at_last, p[1].at_last } } };
   const struct quantity of_steady[NUMBERS] = {
     { "v_start", &s->v_start, { c[0].v_start, c[1].v_start } },
     { "v_mid", &s->v_mid, { c[0].v_mid, c[1].v_mid } },

@@ -113,7 +113,7 @@ TEST(limit_near_a_touch)
     "0.0863", "0.0862731", "0.086273115", "0.0862730151", "0.08627301504", "0.0862"
   };
   int refused = 0;
-  SCOPED(scallop_steady_expansion, e);
+  SCOPED(scallop_expansion, e);
   SCOPED(scallop_rational, c);
   scallop_rational_of(&c, &defaults);
   for (size_t i = 0; i < sizeof masses / sizeof *masses; i++) {

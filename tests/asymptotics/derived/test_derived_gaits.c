@@ -10,14 +10,14 @@ enum { DIGITS = 40 };
 struct subject {
   struct scallop_crawler doubles;
   struct scallop_rational_crawler exact;
-  struct scallop_phase_expansion phase;
-  struct scallop_steady_expansion steady;
+  struct scallop_expansion phase;
+  struct scallop_expansion steady;
   struct scallop_bound bounds[2];
   fmpq_t v0;
 };
 
 #define PARTS(of) \
-  of(scallop_rational, &s->exact) of(scallop_phase_expansion, &s->phase) of(scallop_steady_expansion, &s->steady) \
+  of(scallop_rational, &s->exact) of(scallop_expansion, &s->phase) of(scallop_expansion, &s->steady) \
       of(scallop_bound, &s->bounds[0]) of(scallop_bound, &s->bounds[1]) of(fmpq, s->v0)
 SCOPED_PARTS(subject, struct subject, PARTS)
 
@@ -183,17 +183,23 @@ TEST(sines_and_polynomials)
 TEST(quantities)
 {
   SUBJECT(s, &scallop_gait_quadratic, 0.75);
+  for (int q = 0; q < SCALLOP_QUANTITIES; q++)
+    assert_null(scallop_expansion_of(&s.phase, (enum scallop_quantity)q));
   for (int kind = 0; kind < 2; kind++) {
-    enum scallop_phase_kind k = (enum scallop_phase_kind)kind;
-    assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_REAR_AT_END), kind == 0 ? &s.phase.dx1 : &s.phase.dx2);
-    assert_ptr_equal(scallop_phase_quantity(&s.phase, k, SCALLOP_FRONT_AT_END),
-                     kind == 0 ? &s.phase.dx2 : &s.phase.dx1);
-    assert_null(scallop_phase_quantity(&s.phase, k, SCALLOP_STEADY_VELOCITY));
-    assert_null(scallop_phase_quantity(&s.phase, k, SCALLOP_STEADY_DISPLACEMENT));
+    assert_int_equal(
+        scallop_expand_phase(&s.exact, (enum scallop_phase_kind)kind, s.v0, 4, PRECISION, NULL, &s.phase, NULL),
+        SCALLOP_OK);
+    const struct series *rear = scallop_expansion_of(&s.phase, SCALLOP_REAR_AT_END),
+                        *front = scallop_expansion_of(&s.phase, SCALLOP_FRONT_AT_END);
+    check_equal(rear, kind == 0 ? &s.phase.dx1 : &s.phase.dx2, 1, 4, "rear");
+    check_equal(front, kind == 0 ? &s.phase.dx2 : &s.phase.dx1, 1, 4, "front");
+    for (int q = 0; q < SCALLOP_QUANTITIES; q++)
+      assert_int_equal(scallop_expansion_of(&s.phase, (enum scallop_quantity)q) != NULL, q < SCALLOP_STEADY_VELOCITY);
   }
-  assert_ptr_equal(scallop_steady_quantity(&s.steady, SCALLOP_STEADY_VELOCITY), &s.steady.v_start);
-  assert_ptr_equal(scallop_steady_quantity(&s.steady, SCALLOP_STEADY_DISPLACEMENT), &s.steady.displacement);
-  assert_null(scallop_steady_quantity(&s.steady, SCALLOP_LAG));
+  assert_int_equal(scallop_expand_steady(&s.exact, 4, PRECISION, &s.steady, NULL), SCALLOP_OK);
+  for (int q = 0; q < SCALLOP_QUANTITIES; q++)
+    assert_int_equal(scallop_expansion_of(&s.steady, (enum scallop_quantity)q) != NULL, q >= SCALLOP_STEADY_VELOCITY);
+  assert_ptr_equal(scallop_expansion_of(&s.steady, SCALLOP_STEADY_DISPLACEMENT), &s.steady.displacement);
 }
 
 /* Where l'' = 0 at both ends of a phase the kinematic length is 0/0 and does not exist. A name that the paper does not

@@ -159,7 +159,7 @@ TEST(reversed_in_time)
   struct random r = { 20260836 };
   int differ = 0, others = 0;
   SCOPED(scallop_rational, c);
-  SCOPED(scallop_steady_expansion, e);
+  SCOPED(scallop_expansion, e);
   SCOPED(series, mid);
   for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) { /* the trapezoid comes last */
     bool reversible = i / 10 < REVERSIBLE;

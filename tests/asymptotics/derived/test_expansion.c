@@ -65,11 +65,15 @@ TEST(phases)
     draw(&p, &r, gaits[i % WITH_SERIES_OF_PHASES]);
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
     bool is_extension = kind == SCALLOP_EXTENSION;
-    const struct scallop_phase_expansion *e = &p.phase[0];
-    const struct series *const inside[] = {
-      &e->dT,  &e->t1,   &e->at_first, &e->at_last, is_extension ? &e->dx1 : &e->dx2, is_extension ? &e->dx2 : &e->dx1,
-      &e->dxC, &e->v_end
-    };
+    const struct scallop_expansion *e = &p.phase[0];
+    const struct series *const inside[] = { &e->dT,
+                                            &e->t1,
+                                            &e->rear_at_first,
+                                            &e->rear_at_last,
+                                            is_extension ? &e->dx1 : &e->dx2,
+                                            is_extension ? &e->dx2 : &e->dx1,
+                                            &e->dxC,
+                                            &e->v_end };
     ENDED_BY(end_series) struct scallop_series *s = NULL;
     assert_true(expand_phase(&p.phase[0], &p.crawler[0], (int)kind, p.v0[0], ORDER));
     assert_int_equal(scallop_series_of_phase(&s, &p.crawler[0], kind, p.v0[0], ORDER, PRECISION, NULL), SCALLOP_OK);
@@ -120,7 +124,7 @@ TEST(steady_states)
   for (int i = 0; i < check_cases(MANY); i++) {
     SCOPED(pair, p);
     draw(&p, &r, gaits[i % WITH_SERIES_OF_PHASES]);
-    const struct scallop_steady_expansion *e = &p.steady[0];
+    const struct scallop_expansion *e = &p.steady[0];
     const struct series *const inside[] = { &e->v_start, &e->v_mid, &e->displacement, &e->mean_velocity,
                                             &e->friction_work };
     ENDED_BY(end_series) struct scallop_series *s = NULL;

@@ -1,7 +1,6 @@
 /* The singularities of the branch that the series expand: beside the growth of the coefficients, a closed form, and the
  * poles of rational functions. */
 #include "asymptotics/derived/continuation.h"
-#include "asymptotics/derived/cover.h"
 #include "asymptotics/derived/derived.h"
 #include "tests/support/odd_gaits.h"
 #include "tests/support/exact.h"
@@ -68,7 +67,7 @@ static double strangeness(const struct series *a, double T, double angle, slong 
 static void check_growth(const struct subject *s, double error)
 {
   enum { FEW = 14, MANY = 28, ORDER = 4 * MANY + 8, BITS = 1024 };
-  SCOPED(scallop_steady_expansion, e);
+  SCOPED(scallop_expansion, e);
   assert_int_equal(scallop_expand_steady(&s->crawler, ORDER, BITS, &e, NULL), SCALLOP_OK);
   double T = middle(s->singularity.T) * (1 + error);
   double angle = 2 * atan2(middle(acb_imagref(s->singularity.place)), middle(acb_realref(s->singularity.place)));
@@ -295,9 +294,8 @@ static struct outcome search_after(enum gathered what, slong shift)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct continuation both[2];
-  struct limit l;
   SUBJECT(subject, &c);
-  limit_init(&l, &subject.crawler);
+  SCOPED(limit, l);
   SCOPED(fmpq, kappa);
   fmpq_one(kappa);
   assert_int_equal(limit_find(&l, &subject.crawler, PRECISION, NULL), SCALLOP_OK);
@@ -311,7 +309,6 @@ static struct outcome search_after(enum gathered what, slong shift)
   search_free(s);
   for (int join = 0; join < 2; join++)
     continuation_clear(&both[join]);
-  limit_clear(&l);
   return outcome;
 }
 

@@ -65,7 +65,7 @@ TEST(texts_read_back)
   for (long i = 0; i < most; i++) {
     struct symbols s[2];
     struct symbolic_steady steady;
-    SCOPED(scallop_phase_expansion, phase);
+    SCOPED(scallop_expansion, phase);
     SCOPED(series, series);
     random_exact_crawler(&c, &r, i % 2 ? &scallop_gait_quadratic : &scallop_gait_sinusoidal);
     random_fraction(v0, &r);

@@ -147,8 +147,8 @@ static bool left_out_in_numbers(struct series *difference, const struct scallop_
                                                                                 : SCALLOP_EXTENSION;
   struct scallop_symbols symbols;
   char message[FORMULA_MESSAGE];
-  SCOPED(scallop_phase_expansion, phase);
-  SCOPED(scallop_steady_expansion, period);
+  SCOPED(scallop_expansion, phase);
+  SCOPED(scallop_expansion, period);
   SCOPED(series, value);
   if ((steady ? scallop_expand_steady(c, TERMS, PRECISION, &period, NULL)
               : scallop_expand_phase(c, kind, v0, TERMS, PRECISION, NULL, &phase, NULL))
@@ -158,13 +158,9 @@ static bool left_out_in_numbers(struct series *difference, const struct scallop_
   scallop_symbols_set(&symbols, c, kind, steady ? NULL : v0, NULL, &ring);
   series_set(&symbols.value[SCALLOP_SYMBOL_t1], &phase.t1);
   series_set(&symbols.value[SCALLOP_SYMBOL_dT], &phase.dT);
-  series_set(&symbols.value[SCALLOP_SYMBOL_x_switch], &phase.at_last);
+  series_set(&symbols.value[SCALLOP_SYMBOL_x_switch], &phase.rear_at_last);
   assert_null(scallop_formula_expand(&value, f, &symbols, kind, &ring, message));
-  if (f->quantity == SCALLOP_VELOCITY_CHANGE)
-    series_add(&value, &value, &symbols.value[SCALLOP_SYMBOL_v0], &ring);
-  series_sub(difference,
-             steady ? scallop_steady_quantity(&period, f->quantity) : scallop_phase_quantity(&phase, kind, f->quantity),
-             &value, &ring);
+  series_sub(difference, scallop_expansion_of(steady ? &period : &phase, f->quantity), &value, &ring);
   scallop_symbols_clear(&symbols);
   return true;
 }

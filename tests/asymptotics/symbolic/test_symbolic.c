@@ -9,10 +9,10 @@
 
 enum { ORDER = 8, STEADY_ORDER = 14, PRECISION = 128, CRAWLERS = 300, NAMES = 8 };
 
-static const struct series *series_of(const struct scallop_phase_expansion *e, int i)
+static const struct series *series_of(const struct scallop_expansion *e, int i)
 {
-  const struct series *const all[NAMES] = { &e->t1,  &e->dT,  &e->v_end,    &e->dx1,
-                                            &e->dx2, &e->dxC, &e->at_first, &e->at_last };
+  const struct series *const all[NAMES] = { &e->t1,  &e->dT,  &e->v_end,         &e->dx1,
+                                            &e->dx2, &e->dxC, &e->rear_at_first, &e->rear_at_last };
   return all[i];
 }
 
@@ -50,7 +50,7 @@ static void draw_like(struct scallop_rational_crawler *other, fmpq_t v0, const s
 static bool check_phase(const struct scallop_gait *gait, struct random *r)
 {
   SCOPED(scallop_rational, from, at);
-  SCOPED(scallop_phase_expansion, numeric, phase);
+  SCOPED(scallop_expansion, numeric, phase);
   SCOPED(fmpq, v0, pi_squared);
   struct symbols s;
   int sign = random_below(r, 3) - 1, kind = random_below(r, 2);
@@ -70,7 +70,8 @@ static bool check_phase(const struct scallop_gait *gait, struct random *r)
   fmpq *values = _fmpq_vec_init(s.count);
   symbols_values(values, &s, &at, v0, pi_squared);
   for (int i = 0; i < NAMES; i++)
-    check_series(series_of(&numeric, i), series_of(&phase, i), ORDER, &s, values, &at, i);
+    if (!series_is_unknown(series_of(&numeric, i)))
+      check_series(series_of(&numeric, i), series_of(&phase, i), ORDER, &s, values, &at, i);
   _fmpq_vec_clear(values, s.count);
   symbols_end(&s);
   return true;
@@ -98,7 +99,7 @@ TEST(phases)
 TEST(equal_forces_from_rest_are_those_of_F1_at_least_F2)
 {
   SCOPED(scallop_rational, c);
-  SCOPED(scallop_phase_expansion, numeric, phase);
+  SCOPED(scallop_expansion, numeric, phase);
   SCOPED(fmpq, v0);
   struct random r = { 7 };
   struct symbols s;
@@ -121,7 +122,7 @@ static int check_steady(const struct scallop_gait *gait, struct random *r)
 {
   enum { AT = 16 };
   SCOPED(scallop_rational, c);
-  SCOPED(scallop_steady_expansion, numeric);
+  SCOPED(scallop_expansion, numeric);
   struct symbols s;
   struct symbolic_steady steady;
   SCOPED(series, v_start, v_mid, displacement);
@@ -213,7 +214,7 @@ static void refuses_phase(const struct scallop_gait *gait, slong order, const ch
   SCOPED(fmpq, v0);
   struct random r = { 1 };
   struct symbols s;
-  SCOPED(scallop_phase_expansion, phase);
+  SCOPED(scallop_expansion, phase);
   const char *why = "";
   random_exact_crawler(&c, &r, gait);
   symbols_init(&s);

@@ -68,28 +68,24 @@ enum { WANTED = sizeof wanted / sizeof *wanted };
 
 struct subject {
   struct scallop_rational_crawler crawler;
-  struct scallop_phase_expansion phase;
-  struct scallop_steady_expansion steady;
+  struct scallop_expansion phase;
+  struct scallop_expansion steady;
   struct scallop_symbols symbols;
   fmpq_t v0, pi_squared;
 };
 #define SUBJECT(of) \
-  of(scallop_rational, &s->crawler) of(scallop_phase_expansion, &s->phase) of(scallop_steady_expansion, &s->steady) \
+  of(scallop_rational, &s->crawler) of(scallop_expansion, &s->phase) of(scallop_expansion, &s->steady) \
       of(scallop_symbols, &s->symbols) of(fmpq, s->v0) of(fmpq, s->pi_squared)
 SCOPED_PARTS(subject, struct subject, SUBJECT)
 
 /* The first power in which the formula is wrong, NEVER if there is none below T^ORDER */
 static slong first_wrong(struct subject *s, const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
-  const struct series *right = f->setting == SCALLOP_STEADY ? scallop_steady_quantity(&s->steady, f->quantity)
-                                                            : scallop_phase_quantity(&s->phase, kind, f->quantity);
-  SCOPED(series, text, v0);
+  const struct series *right = scallop_expansion_of(f->setting == SCALLOP_STEADY ? &s->steady : &s->phase, f->quantity);
+  SCOPED(series, text);
   assert_non_null(right);
   char message[FORMULA_MESSAGE];
   assert_null(scallop_formula_expand(&text, f, &s->symbols, kind, &ring, message));
-  series_set_rational(&v0, s->v0);
-  if (f->quantity == SCALLOP_VELOCITY_CHANGE)
-    series_add(&text, &text, &v0, &ring);
   series_sub(&text, &text, right, &ring);
   assert_true(text.known >= ORDER);
   return next_nonzero(&text, -2, NEVER);
@@ -103,7 +99,7 @@ static void expand_phase(struct subject *s, enum scallop_phase_kind kind)
   scallop_symbols_set(&s->symbols, &s->crawler, kind, s->v0, s->pi_squared, &ring);
   series_set(&s->symbols.value[SCALLOP_SYMBOL_t1], &s->phase.t1);
   series_set(&s->symbols.value[SCALLOP_SYMBOL_dT], &s->phase.dT);
-  series_set(&s->symbols.value[SCALLOP_SYMBOL_x_switch], &s->phase.at_last);
+  series_set(&s->symbols.value[SCALLOP_SYMBOL_x_switch], &s->phase.rear_at_last);
 }
 
 static bool expand_steady(struct subject *s)

@@ -272,7 +272,7 @@ TEST(derived_series)
   SCOPED(arb, at, value);
   SCOPED(fmpq, first, formula);
   SCOPED(scallop_rational, exact);
-  SCOPED(scallop_steady_expansion, e);
+  SCOPED(scallop_expansion, e);
   SCOPED(scallop_certified_steady, wanted);
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct scallop_crawler c = with_gait(gait_of_text(cases[i].text).gait);
