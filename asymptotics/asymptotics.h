@@ -131,17 +131,15 @@ double scallop_published_value(const struct scallop_formula *formula, const stru
  *     const struct scallop_formula mine = { .setting = SCALLOP_STEADY, .text = "-(F1 - F2)/M*T^2/8" };
  *     struct scallop_read_formula *read = scallop_formula_read(&mine, message);
  *
- * Read once, such a formula is evaluated as often as needed, by several threads too: in double here, in balls by
- * scallop_formula_ball (asymptotics/derived/expansion.h). What scallop_formula_read makes is private, so that the
- * language can grow. It is the one thing in libscallop-core that is allocated. */
+ * Read once, it is evaluated as often as needed, by several threads too: in double here, in balls by
+ * scallop_formula_ball (asymptotics/derived/expansion.h). It is the one thing in libscallop-core that is allocated. */
 struct scallop_read_formula;
 enum { SCALLOP_FORMULA_MESSAGE = 320 }; /* characters of a message and its NUL */
 
-/* Reads text and parts of formula for the setting; the other members are not looked at. Texts are copied: *formula need
- * not live on. To be freed by scallop_formula_free. NULL: message says what is wrong and at which character of the
- * text, counted from 1, or of the part that it names ("character 6: '(' is not closed"); or that there is no memory. In
- * a formula of the steady state v0, t1, dT and x_switch have no meaning and are refused. A text has at most 256
- * numbers, names and operations. */
+/* Reads copies of text and parts, for the setting; to be freed by scallop_formula_free. NULL: message says what is wrong
+ * and at which character of the text, counted from 1, or of the part that it names ("character 6: '(' is not closed");
+ * or that there is no memory. In a formula of the steady state v0, t1, dT and x_switch have no meaning and are refused.
+ * A text has at most 256 numbers, names and operations. */
 struct scallop_read_formula *scallop_formula_read(const struct scallop_formula *formula,
                                                   char message[SCALLOP_FORMULA_MESSAGE]);
 void scallop_formula_free(struct scallop_read_formula *read); /* which may be NULL */
@@ -150,9 +148,8 @@ void scallop_formula_free(struct scallop_read_formula *read); /* which may be NU
 bool scallop_formula_takes(const struct scallop_read_formula *read, enum scallop_symbol symbol);
 
 /* The value as scallop_published_value has it, to the last bit: each operation is rounded to the nearest double. The
- * crawler is one that scallop_crawler_check accepts. Of a formula of the steady state kind, v0, t1, dT and x_switch are
- * not looked at. nan or an infinity: a quotient, power or function outside its domain, a value that is one, or k0 and
- * kT of a gait without exact law. */
+ * crawler is one that scallop_crawler_check accepts. nan or an infinity: a quotient, power or function outside its
+ * domain, a value that is one, or k0 and kT of a gait without exact law. */
 double scallop_formula_double(const struct scallop_read_formula *read, const struct scallop_crawler *crawler,
                               enum scallop_phase_kind kind, double v0, double t1, double dT, double x_switch);
 

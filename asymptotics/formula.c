@@ -1,7 +1,9 @@
-/* From text to operations: a recursive descent, of which each function takes one line of the grammar in formula.h. */
+/* From text to operations: a recursive descent, of which each function takes one line of the grammar in formula.h. And
+ * their value in doubles. */
 #include "asymptotics/formula.h"
 
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -75,35 +77,20 @@ static char next(struct parser *p)
   return *p->at;
 }
 
-/* Where a decimal number ends; at itself: there is none. */
-static const char *end_of_number(const char *at)
-{
-  static const char digits[] = "0123456789";
-  const char *whole = at + strspn(at, digits), *end = *whole == '.' ? whole + 1 + strspn(whole + 1, digits) : whole;
-  if (end == at + (*at == '.')) /* no digit */
-    return at;
-  if (*end == 'e' || *end == 'E') {
-    const char *exponent = end + 1 + (end[1] == '+' || end[1] == '-');
-    if (isdigit((unsigned char)*exponent))
-      end = exponent + strspn(exponent, digits);
-  }
-  return end;
-}
-
+/* From a digit or a point on */
 static bool read_number(struct parser *p)
 {
-  const char *start = p->at, *end = end_of_number(start);
-  char *read;
-  double number = strtod(start, &read);
+  const char *start = p->at;
+  char *end;
+  errno = 0;
+  double number = strtod(start, &end);
   if (end == start)
     return fail(p, start, "there is no digit beside the point");
-  if (read != end) /* 0x10 */
+  if (start[0] == '0' && tolower((unsigned char)start[1]) == 'x')
     return fail(p, start, "a number is decimal, as 16 or 1.6e1");
-  size_t zeros = strspn(start, "0.");
-  bool is_zero = start + zeros >= end || tolower((unsigned char)start[zeros]) == 'e';
   if (end - start >= FORMULA_DIGITS)
     return fail(p, start, "a number of %ld characters: it may have %d", (long)(end - start), FORMULA_DIGITS - 1);
-  if (isinf(number) || (number == 0 && !is_zero))
+  if (errno == ERANGE && (isinf(number) || number == 0))
     return fail(p, start, "the number is too %s for a double", number == 0 ? "small" : "large");
   p->at = end;
   return add_step(p, start,
@@ -304,4 +291,56 @@ const char *formula_refuse(char message[FORMULA_MESSAGE], const struct formula_s
   snprintf(message, FORMULA_MESSAGE, "character %d: %.*s %s", step->at + 1,
            is_name ? (int)strspn(at, in_names) : FORMULA_NAME, is_name ? at : operation, wrong);
   return message;
+}
+
+static const double PI = 0x1.921fb54442d18p+1;
+
+static double negate(double x) { return -x; }
+
+static double (*const of_one[])(double) = {
+  [FORMULA_NEGATE] = negate, [FORMULA_ABS] = fabs, [FORMULA_SQRT] = sqrt, [FORMULA_EXP] = exp,   [FORMULA_LOG] = log,
+  [FORMULA_LOG10] = log10,   [FORMULA_SIN] = sin,  [FORMULA_COS] = cos,   [FORMULA_ASIN] = asin,
+};
+
+static double power(double base, double exponent)
+{
+  double size = fabs(exponent), product = 1;
+  if (!(size <= FORMULA_PRODUCTS) || size != floor(size))
+    return pow(base, exponent);
+  for (int left = (int)size; left > 0; left /= 2) {
+    if (left % 2 == 1)
+      product *= base;
+    base *= base;
+  }
+  return exponent < 0 ? 1 / product : product;
+}
+
+static double of_two(enum formula_operation operation, double a, double b)
+{
+  switch (operation) {
+  case FORMULA_ADD: return a + b;
+  case FORMULA_SUBTRACT: return a - b;
+  case FORMULA_MULTIPLY: return a * b;
+  case FORMULA_DIVIDE: return a / b;
+  case FORMULA_POWER: return power(a, b);
+  case FORMULA_MIN: return a < b || isnan(a) ? a : b;
+  default: return a > b || isnan(a) ? a : b;
+  }
+}
+
+double formula_double(const struct formula *formula, const double *values)
+{
+  double below[FORMULA_DEPTH + 1], *top = below, last = 0; /* the last value, and those below it */
+  for (const struct formula_step *s = formula->steps, *end = s + formula->count; s < end; s++) {
+    if (s->operation < FORMULA_NEGATE) {
+      *top++ = last;
+      last = s->operation == FORMULA_NUMBER ? s->number : s->operation == FORMULA_PI ? PI : values[s->place];
+    } else if (s->operation < FORMULA_ADD)
+      last = of_one[s->operation](last);
+    else {
+      top--; /* formula_read has put both operands there: NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage) */
+      last = of_two(s->operation, *top, last);
+    }
+  }
+  return last;
 }

@@ -84,24 +84,22 @@ struct formula {
   int count;
   struct formula_step {
     enum formula_operation operation;
-    /* of the formula, or of the part; the caller's, not copied: formula_ball and formula_series read its numbers
-     * again */
-    const char *text;
-    int at;        /* where it stands in text, from 0                    */
-    int length;    /* of a number, there                                    */
-    int place;     /* of a quantity, as formula_names says                  */
-    double number; /* of a number, the nearest double                       */
+    const char *text; /* of the formula, or of the part; the caller's: balls and series read its numbers again */
+    int at;           /* where it stands in text, from 0                     */
+    int length;       /* of a number, there                                  */
+    int place;        /* of a quantity, as formula_names says                */
+    double number;    /* of a number, the nearest double                     */
   } steps[FORMULA_STEPS];
 };
 
 /* What names mean. */
 struct formula_names {
-  int (*place)(void *context, const char *name); /* of a quantity among the values, or < 0 where the name is unknown  */
+  /* of a quantity among the values, or < 0 where the name is unknown */
+  int (*place)(void *context, const char *name);
   /* The known name that an unknown one resembles, or, where functions (NULL-terminated) is not NULL, the one of these;
-   * or NULL. May be NULL */
+   * or NULL. May be NULL, as may part: the text of a part, or NULL */
   const char *(*nearest)(void *context, const char *name, const char *const *functions);
-  const char *(*part)(void *context,
-                      const char *name); /* the text of a part, or NULL; may be NULL                       */
+  const char *(*part)(void *context, const char *name);
   void *context;
 };
 

@@ -20,19 +20,26 @@ int most(void) { return EXPLORER_MOST; }
 int text_size(void) { return EXPLORER_TEXT; }
 const char *version(void) { return SCALLOP_VERSION; }
 
+struct scallop_crawler explorer_row_crawler(int k)
+{
+  double(*x)[EXPLORER_MOST] = explorer_rows;
+  return (
+      struct scallop_crawler){ x[0][k], x[1][k], x[2][k], x[3][k], x[4][k], x[5][k], x[6][k], explorer_crawler.gait };
+}
+
 static int refuse(int status)
 {
   snprintf(explorer_text, EXPLORER_TEXT, "%s", scallop_status_text((enum scallop_status)status));
   return status;
 }
 
-const char *family_text(int i, int which)
+int describe_family(int i)
 {
-  const struct scallop_gait_family *family = scallop_gait_family(i);
-  if (!family)
-    return NULL;
-  const char *const texts[] = { family->name, family->numbers, family->usual, family->allowed, family->sentence };
-  return texts[which];
+  const struct scallop_gait_family *f = scallop_gait_family(i);
+  if (f)
+    snprintf(explorer_text, EXPLORER_TEXT, "%s\n%s\n%s\n%s\n%s", f->name, f->numbers ? f->numbers : "",
+             f->usual ? f->usual : "", f->allowed ? f->allowed : "", f->sentence ? f->sentence : "");
+  return f != NULL;
 }
 
 int choose_gait(int i, int count)

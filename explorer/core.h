@@ -19,6 +19,8 @@ enum {
 extern struct scallop_crawler explorer_crawler;
 extern double explorer_numbers[EXPLORER_NUMBERS], explorer_rows[EXPLORER_ROWS][EXPLORER_MOST];
 extern char explorer_text[EXPLORER_TEXT];
+/* m1, m2, F1, F2, L, T, alpha from place k of row(0) to row(6), with that gait */
+struct scallop_crawler explorer_row_crawler(int k);
 
 #define EXPORTED(name) __attribute__((export_name(#name), used)) name
 
@@ -29,9 +31,9 @@ char *EXPORTED(text)(void);
 int EXPORTED(most)(void);
 int EXPORTED(text_size)(void);
 const char *EXPORTED(version)(void);
-/* Of family i: 0 its name, 1 what its numbers are called, 2 the usual ones, 3 their domain, 4 the sentence about it.
- * NULL: it has none. */
-const char *EXPORTED(family_text)(int i, int which);
+/* text(): of family i, a line each, its name, what its numbers are called, the usual ones, their domain, and the
+ * sentence about it. 0: there is none */
+int EXPORTED(describe_family)(int i);
 /* The gait of family i with the first count of numbers(). Where there is none the gait of the crawler stays. */
 int EXPORTED(choose_gait)(int i, int count);
 /* The measured gait of the table in text(); name: what to call it in messages, the first line of that text. numbers():
@@ -55,15 +57,13 @@ int EXPORTED(trajectory)(double v0, int periods, int samples);
 /* Classes: a regime with its modes, numbered as steady_states meets them. */
 const char *EXPORTED(class_name)(int i);
 void EXPORTED(forget_classes)(void);
-/* The steady states of the first count crawlers, m1, m2, F1, F2, L, T, alpha in row(0) to row(6), all with the gait of
- * the crawler that was chosen. row(7)...: froude, v_start, v_mid, displacement, mean_velocity, multiplier, class (-1:
- * it has no steady state), friction_work (if that is wanted). digits: of enum digits (numerics/digits.h) */
+/* The steady states of the first count crawlers of the rows. row(7)...: froude, v_start, v_mid, displacement,
+ * mean_velocity, multiplier, class (-1: it has no steady state), friction_work (if that is wanted). digits: of enum
+ * digits (numerics/digits.h) */
 void EXPORTED(steady_states)(int count, int with_work, int digits);
-/* 0 the name, 1 the equation, 2 the text, 3 the word of its quantity, 4 the name of the right one, 5... names and texts
- * of its parts in turn. NULL: there is none */
-const char *EXPORTED(formula_text)(int i, int which);
-/* 0 setting, 1 quantity, 2 remainder, 3 turns */
-int EXPORTED(formula_number)(int i, int which);
+/* text(): of formula i, a line each, its name, equation, text, the word of its quantity, setting, remainder, turns, and
+ * names and texts of its parts in turn. 0: there is none */
+int EXPORTED(describe_formula)(int i);
 /* 1 if formula i is claimed for the crawler, else 0 */
 int EXPORTED(formula_is_claimed)(int i);
 /* The formulas of one quantity whose indices are in numbers(), at most EXPLORER_FORMULAS, along the periods in row(0),
@@ -77,7 +77,7 @@ void EXPORTED(formulas_along)(int formulas, int kind, double v0, int count);
  * count - 1 follow each other, and the last leaves the coefficients in row(1). Returns 0 where there is no such number,
  * or the modes are not the same as at the period before, else 1. */
 int EXPORTED(series_of)(int i, int kind, double v0, double unit, int step, int shift, int k, int count);
-/* Formula i, of the steady state, for the crawlers of row(0) to row(6) as in steady_states: row(15). */
+/* Formula i, of the steady state, for the first count crawlers of the rows: row(15). */
 void EXPORTED(formula_over)(int i, int count);
 
 #endif

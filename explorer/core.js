@@ -18,12 +18,12 @@ export class Core {
   constructor(bytes) {
     this.calls = new WebAssembly.Instance(new WebAssembly.Module(bytes), {}).exports;
     this.families = [];
-    for (let i = 0; this.calls.family_text(i, 0); i++) {
-      const [name, numbers, usual, allowed, sentence] = [0, 1, 2, 3, 4].map((k) => this.string(this.calls.family_text(i, k)));
+    for (let i = 0; this.calls.describe_family(i); i++) {
+      const [name, numbers, usual, allowed, sentence] = this.text().split("\n");
       this.families.push({ name, numbers, usual, allowed, sentence });
     }
     this.formulas = [];
-    for (let i = 0; this.calls.formula_text(i, 0); i++) this.formulas.push(this.formula(i));
+    for (let i = 0; this.calls.describe_formula(i); i++) this.formulas.push(this.formula(i));
     this.most = this.calls.most();
     this.version = this.string(this.calls.version());
   }
@@ -46,13 +46,10 @@ export class Core {
     return numbers.map((i) => this.row(i, count).slice());
   }
 
-  formula(i) {
-    const [name, equation, text, quantity, corrected] = [0, 1, 2, 3, 4].map((k) => this.string(this.calls.formula_text(i, k)));
-    const [setting, , remainder, turns] = [0, 1, 2, 3].map((k) => this.calls.formula_number(i, k));
-    const parts = {};
-    for (let k = 5; this.calls.formula_text(i, k); k += 2)
-      parts[this.string(this.calls.formula_text(i, k))] = this.string(this.calls.formula_text(i, k + 1));
-    return { index: i, name, equation, text, quantity, corrected, setting, remainder, turns, parts };
+  formula(index) {
+    const [name, equation, text, quantity, setting, remainder, turns, ...more] = this.text().split("\n");
+    const parts = Object.fromEntries(more.flatMap((part, k) => (k % 2 === 0 ? [[part, more[k + 1]]] : [])));
+    return { index, name, equation, text, quantity, setting: Number(setting), remainder: Number(remainder), turns: Number(turns), parts };
   }
 
   /** Chooses a gait, "trapezoidal:0.1,0.2", or with a table { name, text } a measured one. Null or, for a table, its own { L, T, alpha };

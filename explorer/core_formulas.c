@@ -2,7 +2,7 @@
 #include "explorer/core.h"
 
 #include <math.h>
-#include <stddef.h>
+#include <stdio.h>
 
 #include "asymptotics/published/read.h"
 #include "numerics/digits.h"
@@ -18,26 +18,16 @@ static const struct scallop_formula *formula_at(int i)
   return f->name ? f : NULL;
 }
 
-const char *formula_text(int i, int which)
+int describe_formula(int i)
 {
   const struct scallop_formula *f = formula_at(i);
   if (!f)
-    return NULL;
-  const char *const texts[] = { f->name, f->equation, f->text, scallop_quantity_words[f->quantity], f->corrected };
-  if (which < 5)
-    return texts[which];
-  const struct scallop_part *part = f->parts;
-  for (int k = 5; part && part->name; k += 2, part++)
-    if (k == which || k + 1 == which)
-      return k == which ? part->name : part->text;
-  return NULL;
-}
-
-int formula_number(int i, int which)
-{
-  const struct scallop_formula *f = formula_at(i);
-  const int numbers[] = { (int)f->setting, (int)f->quantity, f->remainder, (int)f->turns };
-  return numbers[which];
+    return 0;
+  int used = snprintf(explorer_text, EXPLORER_TEXT, "%s\n%s\n%s\n%s\n%d\n%d\n%d", f->name, f->equation, f->text,
+                      scallop_quantity_words[f->quantity], (int)f->setting, f->remainder, (int)f->turns);
+  for (const struct scallop_part *part = f->parts; part && part->name; part++)
+    used += snprintf(explorer_text + used, EXPLORER_TEXT - (size_t)used, "\n%s\n%s", part->name, part->text);
+  return 1;
 }
 
 struct turning { /* positions of the rear body, from its start and in L, at the first and at the last change of mode */
@@ -58,42 +48,6 @@ static void note_turning(void *context, const struct scallop_interval *i)
   t->started = true;
 }
 
-static const struct scallop_wide none = { NAN, 0 };
-
-static struct scallop_wide plain(double x) { return (struct scallop_wide){ x, 0 }; }
-
-static struct scallop_wide steady_number(const struct scallop_wide_steady *s, enum scallop_quantity quantity)
-{
-  switch (quantity) {
-  case SCALLOP_STEADY_VELOCITY: return s->period.v_start;
-  case SCALLOP_STEADY_V_MID: return s->period.v_mid;
-  case SCALLOP_STEADY_DISPLACEMENT: return s->period.displacement;
-  case SCALLOP_STEADY_MEAN_VELOCITY: return s->mean_velocity;
-  default: return s->friction_work;
-  }
-}
-
-static struct scallop_wide phase_number(const struct scallop_wide_phase *p, const struct turning *t,
-                                        enum scallop_phase_kind kind, double v0, double L,
-                                        enum scallop_quantity quantity)
-{
-  bool extension = kind == SCALLOP_EXTENSION;
-  switch (quantity) {
-  case SCALLOP_LAG: return p->dT;
-  case SCALLOP_FIRST_SWITCH: return p->t1;
-  case SCALLOP_REAR_AT_FIRST: return plain(t->first * L);
-  case SCALLOP_REAR_AT_LAST: return plain(t->last * L);
-  case SCALLOP_REAR_AT_END: return extension ? p->dx1 : p->dx2;
-  case SCALLOP_FRONT_AT_END: return extension ? p->dx2 : p->dx1;
-  case SCALLOP_CENTRE_AT_END: return p->dxC;
-  case SCALLOP_VELOCITY_AT_END: return p->v_end;
-  case SCALLOP_VELOCITY_CHANGE: return (struct scallop_wide){ p->v_end.high - v0, p->v_end.low };
-  case SCALLOP_VELOCITY_AT_FIRST:
-  case SCALLOP_VELOCITY_AT_LAST: return plain(isnan(p->dT.high) ? NAN : 0);
-  default: return none;
-  }
-}
-
 static double modes_number(const struct scallop_modes *modes, double number)
 {
   int kept = modes->count < SCALLOP_MODES_KEPT ? modes->count : SCALLOP_MODES_KEPT;
@@ -103,6 +57,7 @@ static double modes_number(const struct scallop_modes *modes, double number)
   return number;
 }
 
+/* What formula f is about, in double or in binary128 */
 struct solved {
   struct scallop_wide exact;
   double modes, t1, dT, last; /* modes: equal where the modes are; nan: no answer */
@@ -110,66 +65,70 @@ struct solved {
 
 static const struct solved unsolved = { { NAN, 0 }, NAN, NAN, NAN, NAN };
 
-/* The steady state in double, its numbers as those of binary128 are given */
-static enum scallop_status steady_in_double(const struct scallop_crawler *c, enum scallop_quantity quantity,
-                                            struct scallop_wide_steady *out)
+static struct solved solve_steady(const struct scallop_formula *f, const struct scallop_crawler *c, bool wide)
 {
+  struct scallop_wide_steady w;
   struct scallop_steady_result s;
-  enum scallop_status status = steady_in(c, WITHOUT_MULTIPLIER, &s);
-  if (status < 0)
-    return status;
-  const struct scallop_period_result *p = &s.period;
-  out->mean_velocity = plain(s.mean_velocity);
-  out->period.v_start = plain(p->v_start);
-  out->period.v_mid = plain(p->v_mid);
-  out->period.displacement = plain(p->displacement);
-  out->period.modes[0] = p->modes[0];
-  out->period.modes[1] = p->modes[1];
-  out->friction_work = none;
-  if (quantity == SCALLOP_STEADY_FRICTION_WORK)
-    scallop_friction_work(c, p->v_start, p->v_mid, &out->friction_work.high);
-  return SCALLOP_OK;
-}
-
-static enum scallop_status phase_in_double(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
-                                           struct scallop_wide_phase *out)
-{
-  struct scallop_phase_result p;
-  enum scallop_status status = scallop_phase(c, kind, v0, &p);
-  if (status == SCALLOP_OK)
-    *out = (struct scallop_wide_phase){ .t1 = plain(p.t1),
-                                        .dT = plain(p.dT),
-                                        .v_end = plain(p.v_end),
-                                        .dx1 = plain(p.dx1),
-                                        .dx2 = plain(p.dx2),
-                                        .dxC = plain(p.dxC),
-                                        .modes = p.modes };
-  return status;
-}
-
-/* What formula f is about, in double or in binary128 */
-static struct solved solve(const struct scallop_formula *f, const struct scallop_crawler *c,
-                           enum scallop_phase_kind kind, double v0, bool wide)
-{
-  struct scallop_wide_steady s;
-  struct scallop_wide_phase p;
-  if (f->setting == SCALLOP_STEADY) {
-    bool known = wide ? f->quantity != SCALLOP_STEADY_FRICTION_WORK
-                            && scallop_wide_steady(SCALLOP_BINARY128, c, &s) == SCALLOP_OK
-                      : steady_in_double(c, f->quantity, &s) == SCALLOP_OK;
-    double modes = known ? modes_number(&s.period.modes[1], modes_number(&s.period.modes[0], 0)) : NAN;
-    return known ? (struct solved){ steady_number(&s, f->quantity), modes, NAN, NAN, NAN } : unsolved;
+  double work = NAN;
+  if ((wide ? scallop_wide_steady(SCALLOP_BINARY128, c, &w) : steady_in(c, WITHOUT_MULTIPLIER, &s)) < 0)
+    return unsolved;
+  if (!wide) {
+    const struct scallop_period_result *p = &s.period;
+    if (f->quantity == SCALLOP_STEADY_FRICTION_WORK)
+      scallop_friction_work(c, p->v_start, p->v_mid, &work);
+    w = (struct scallop_wide_steady){ .mean_velocity = { s.mean_velocity, 0 },
+                                      .friction_work = { work, 0 },
+                                      .period = { .v_start = { p->v_start, 0 },
+                                                  .v_mid = { p->v_mid, 0 },
+                                                  .displacement = { p->displacement, 0 },
+                                                  .modes = { p->modes[0], p->modes[1] } } };
   }
+  const struct scallop_wide of[SCALLOP_QUANTITIES] = { [SCALLOP_STEADY_VELOCITY] = w.period.v_start,
+                                                       [SCALLOP_STEADY_V_MID] = w.period.v_mid,
+                                                       [SCALLOP_STEADY_DISPLACEMENT] = w.period.displacement,
+                                                       [SCALLOP_STEADY_MEAN_VELOCITY] = w.mean_velocity,
+                                                       [SCALLOP_STEADY_FRICTION_WORK] = w.friction_work };
+  double modes = modes_number(&w.period.modes[1], modes_number(&w.period.modes[0], 0));
+  return (struct solved){ of[f->quantity], modes, NAN, NAN, NAN };
+}
+
+static struct solved solve_phase(const struct scallop_formula *f, const struct scallop_crawler *c,
+                                 enum scallop_phase_kind kind, double v0, bool wide)
+{
   bool extension = kind == SCALLOP_EXTENSION;
+  struct scallop_wide_phase w;
+  struct scallop_phase_result p;
   struct turning t = {
     .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
   };
-  if ((wide ? scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &p) : phase_in_double(c, kind, v0, &p)) != SCALLOP_OK)
+  if ((wide ? scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &w) : scallop_phase(c, kind, v0, &p)) < 0)
     return unsolved;
-  if (!wide)
+  if (!wide) {
+    w = (struct scallop_wide_phase){ { p.t1, 0 },  { p.dT, 0 },  { p.v_end, 0 },  { p.dx1, 0 },
+                                     { p.dx2, 0 }, { p.dxC, 0 }, .modes = p.modes };
     scallop_phase_intervals(c, kind, v0, note_turning, &t);
-  return (struct solved){ phase_number(&p, &t, kind, v0, c->L, f->quantity), modes_number(&p.modes, 0), p.t1.high,
-                          p.dT.high, t.last * c->L };
+  }
+  const struct scallop_wide at_turn = { isnan(w.dT.high) ? NAN : 0, 0 };
+  const struct scallop_wide of[SCALLOP_QUANTITIES] = {
+    [SCALLOP_LAG] = w.dT,
+    [SCALLOP_FIRST_SWITCH] = w.t1,
+    [SCALLOP_REAR_AT_FIRST] = { t.first * c->L, 0 },
+    [SCALLOP_REAR_AT_LAST] = { t.last * c->L, 0 },
+    [SCALLOP_REAR_AT_END] = extension ? w.dx1 : w.dx2,
+    [SCALLOP_FRONT_AT_END] = extension ? w.dx2 : w.dx1,
+    [SCALLOP_CENTRE_AT_END] = w.dxC,
+    [SCALLOP_VELOCITY_AT_END] = w.v_end,
+    [SCALLOP_VELOCITY_CHANGE] = { w.v_end.high - v0, w.v_end.low },
+    [SCALLOP_VELOCITY_AT_FIRST] = at_turn,
+    [SCALLOP_VELOCITY_AT_LAST] = at_turn,
+  };
+  return (struct solved){ of[f->quantity], modes_number(&w.modes, 0), w.t1.high, w.dT.high, t.last * c->L };
+}
+
+static struct solved solve(const struct scallop_formula *f, const struct scallop_crawler *c,
+                           enum scallop_phase_kind kind, double v0, bool wide)
+{
+  return f->setting == SCALLOP_STEADY ? solve_steady(f, c, wide) : solve_phase(f, c, kind, v0, wide);
 }
 
 int formula_is_claimed(int i)
@@ -241,9 +200,7 @@ void formula_over(int i, int count)
   char message[SCALLOP_FORMULA_MESSAGE];
   struct scallop_read_formula *read = scallop_formula_read(formula_at(i), message);
   for (int k = 0; k < count; k++) {
-    const struct scallop_crawler c = { explorer_rows[0][k], explorer_rows[1][k],  explorer_rows[2][k],
-                                       explorer_rows[3][k], explorer_rows[4][k],  explorer_rows[5][k],
-                                       explorer_rows[6][k], explorer_crawler.gait };
+    const struct scallop_crawler c = explorer_row_crawler(k);
     explorer_rows[15][k] = scallop_formula_double(read, &c, SCALLOP_EXTENSION, 0, NAN, NAN, NAN);
   }
   scallop_formula_free(read);

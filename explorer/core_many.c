@@ -7,7 +7,7 @@
 
 #include "numerics/digits.h"
 
-enum { CLASSES = 256, BLOCK = 512 };
+enum { CLASSES = 256 };
 
 /* The last class is for all that there is no room for. */
 static char class_text[CLASSES][2 * SCALLOP_MODES_TEXT + 16];
@@ -48,15 +48,13 @@ static int class_of(enum scallop_regime regime, const struct scallop_modes modes
 const char *class_name(int i) { return class_text[i]; }
 void forget_classes(void) { classes = 0; }
 
-static void block(int begin, int count, bool with_work, enum digits digits)
+void steady_states(int count, int with_work, int digits)
 {
-  static const struct scallop_gait *gaits[BLOCK];
-  static enum scallop_regime regime[BLOCK];
-  static struct scallop_modes modes[BLOCK][2];
-  static enum scallop_status status[BLOCK];
-  double *at[EXPLORER_ROWS];
-  for (int i = 0; i < EXPLORER_ROWS; i++)
-    at[i] = explorer_rows[i] + begin;
+  static const struct scallop_gait *gaits[EXPLORER_MOST];
+  static enum scallop_regime regime[EXPLORER_MOST];
+  static struct scallop_modes modes[EXPLORER_MOST][2];
+  static enum scallop_status status[EXPLORER_MOST];
+  double(*at)[EXPLORER_MOST] = explorer_rows;
   for (int i = 0; i < count; i++)
     gaits[i] = explorer_crawler.gait;
   const struct scallop_crawlers crawlers = { count, at[0], at[1], at[2], at[3], at[4], at[5], at[6], gaits };
@@ -69,18 +67,12 @@ static void block(int begin, int count, bool with_work, enum digits digits)
                                                 .regime = regime,
                                                 .modes = modes,
                                                 .status = status };
-  steady_batch_in(&crawlers, &states, digits, 1);
+  steady_batch_in(&crawlers, &states, (enum digits)digits, 1);
   for (int i = 0; i < count; i++) {
-    const struct scallop_crawler c = { at[0][i], at[1][i], at[2][i], at[3][i], at[4][i], at[5][i], at[6][i], gaits[i] };
+    const struct scallop_crawler c = explorer_row_crawler(i);
     at[13][i] = status[i] < 0 ? -1 : class_of(regime[i], modes[i]);
     at[14][i] = NAN;
     if (with_work && status[i] >= 0)
       scallop_friction_work(&c, at[8][i], at[9][i], &at[14][i]);
   }
-}
-
-void steady_states(int count, int with_work, int digits)
-{
-  for (int begin = 0; begin < count; begin += BLOCK)
-    block(begin, count - begin < BLOCK ? count - begin : BLOCK, with_work, (enum digits)digits);
 }

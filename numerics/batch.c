@@ -25,24 +25,17 @@ enum { BLOCK = 64 };
 
 enum { NUMBERS = 8 };
 
+/* Crawlers that are solved together, and their answers; the last ones are doubles so that they fill a vector like the
+ * rest. */
 struct row {
   const struct scallop_crawlers *of;
   int count;
   long index[BLOCK];
-  double order[BLOCK]; /* as in held_steady; 0: the modes are the regular ones                              */
-};
-
-struct answers { /* the last ones are doubles so that they fill a vector like the rest                     */
+  double order[BLOCK];           /* as in held_steady; 0: the modes are the regular ones                    */
   double number[NUMBERS][BLOCK]; /* in the order of columns_of                                             */
   double course[2][BLOCK];       /* held: of each phase                                                     */
   double valid[BLOCK];
 };
-
-static void collect(struct row *row, long i, double order)
-{
-  row->index[row->count] = i;
-  row->order[row->count++] = order;
-}
 
 /* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the
  * extension only, 0 none. Roughly, as nothing depends on it but speed: nan where it is too close to call, which is left
@@ -67,23 +60,23 @@ SCALLOP_INLINE int scale(const struct row *row, int i, struct scallop_scaled *s)
 }
 
 /* True: no result over- or underflows. */
-SCALLOP_INLINE int answer(struct answers *out, int i, const struct row *row, const struct scallop_scaled *s,
-                          double c_start, double c_mid, double travel, double multiplier)
+SCALLOP_INLINE int answer(struct row *row, int i, const struct scallop_scaled *s, double c_start, double c_mid,
+                          double travel, double multiplier)
 {
   double L = row->of->L[row->index[i]], T = row->of->T[row->index[i]], froude = 1 / s->eps;
   double displacement = scaling_back(travel, L), mean = displacement / T;
   double v_start = c_start * s->velocity, v_mid = c_mid * s->velocity;
-  out->number[0][i] = froude;
-  out->number[1][i] = out->number[6][i] = out->number[7][i] = v_start;
-  out->number[2][i] = v_mid;
-  out->number[3][i] = displacement;
-  out->number[4][i] = mean;
-  out->number[5][i] = multiplier;
+  row->number[0][i] = froude;
+  row->number[1][i] = row->number[6][i] = row->number[7][i] = v_start;
+  row->number[2][i] = v_mid;
+  row->number[3][i] = displacement;
+  row->number[4][i] = mean;
+  row->number[5][i] = multiplier;
   return scaling_keeps(1, froude) & scaling_keeps(c_start, v_start) & scaling_keeps(c_mid, v_mid)
          & scaling_keeps(travel, displacement) & scaling_keeps(travel, mean);
 }
 
-VECTOR static void solve_regular(const struct row *row, const struct scallop_gait *gait, struct answers *out)
+VECTOR static void solve_regular(struct row *row, const struct scallop_gait *gait)
 {
   const struct scallop_shape *phase = gait->phase;
   const struct tangents extension = regular_ends(&phase[0]), contraction = regular_ends(&phase[1]);
@@ -95,12 +88,12 @@ VECTOR static void solve_regular(const struct row *row, const struct scallop_gai
     int valid = scale(row, i, &s);
     valid &= regular_steady(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), &extension, &contraction, &r);
     valid &= (r.t[0] < e.top) & (r.u[0] < e.rest) & (r.t[1] < c.top) & (r.u[1] < c.rest);
-    valid &= answer(out, i, row, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
-    out->valid[i] = valid ? 1 : 0;
+    valid &= answer(row, i, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
+    row->valid[i] = valid ? 1 : 0;
   }
 }
 
-VECTOR static void solve_held(const struct row *row, const struct scallop_gait *gait, struct answers *out)
+VECTOR static void solve_held(struct row *row, const struct scallop_gait *gait)
 {
   const struct ramps e = ramps_of(&gait->phase[0]), c = ramps_of(&gait->phase[1]);
 #pragma omp simd
@@ -109,11 +102,11 @@ VECTOR static void solve_held(const struct row *row, const struct scallop_gait *
     struct held h;
     int valid = scale(row, i, &s);
     held_steady(&s, row->order[i], &e, &c, false, &h);
-    out->course[0][i] = h.course[0];
-    out->course[1][i] = h.course[1];
-    valid &= answer(out, i, row, &s, h.c_start, h.c_mid, h.travel, 0);
+    row->course[0][i] = h.course[0];
+    row->course[1][i] = h.course[1];
+    valid &= answer(row, i, &s, h.c_start, h.c_mid, h.travel, 0);
     valid &= !period_cancels(h.travel, h.size, 0);
-    out->valid[i] = (valid & (h.margin > 0)) ? 1 : 0;
+    row->valid[i] = (valid & (h.margin > 0)) ? 1 : 0;
   }
 }
 
@@ -128,13 +121,6 @@ struct job {
   enum scallop_phase_kind kind;
 };
 
-static void put(double *const *columns, int count, long i, const double *numbers)
-{
-  for (int k = 0; k < count; k++)
-    if (columns[k])
-      columns[k][i] = numbers[k];
-}
-
 struct columns {
   double *of[NUMBERS];
 };
@@ -143,6 +129,19 @@ static struct columns columns_of(const struct scallop_steady_states *to)
 {
   return (struct columns){ { to->froude, to->v_start, to->v_mid, to->displacement, to->mean_velocity, to->multiplier,
                              to->v_low, to->v_high } };
+}
+
+/* One crawler's numbers, and what all have: each column is NULL where it is not wanted. */
+static void put(struct columns columns, long i, const double numbers[NUMBERS], enum scallop_status status,
+                enum scallop_regime regime, enum scallop_status *statuses, enum scallop_regime *regimes)
+{
+  for (int k = 0; k < NUMBERS; k++)
+    if (columns.of[k])
+      columns.of[k][i] = numbers[k];
+  if (statuses)
+    statuses[i] = status;
+  if (regimes && status >= 0)
+    regimes[i] = regime;
 }
 
 static void put_modes(struct scallop_modes *to, const struct scallop_modes *from)
@@ -160,56 +159,49 @@ static struct scallop_crawler crawler_at(const struct scallop_crawlers *c, long 
 /* Returns 1 if there is no answer, else 0. */
 static int solve_one(const struct job *job, long i)
 {
-  static const struct scallop_period_result no_period = {
-    .v_start = NAN, .v_mid = NAN, .displacement = NAN, .multiplier = NAN
-  };
   const struct scallop_steady_states *to = job->states;
   const struct scallop_crawler one = crawler_at(job->crawlers, i);
-  struct scallop_steady_result r = { NAN, NAN, no_period, NAN, NAN, .work = { 0 } };
-  enum scallop_status status = steady_in(&one, job->digits, &r);
+  struct scallop_steady_result r = { NAN, NAN, { NAN, NAN, NAN, NAN, NAN, .modes = { { 0 } } }, NAN, NAN, { 0 } };
   const struct scallop_period_result *p = &r.period;
+  enum scallop_status status = steady_in(&one, job->digits, &r);
   const double numbers[NUMBERS] = { r.froude,        p->v_start,    p->v_mid, p->displacement,
                                     r.mean_velocity, p->multiplier, r.v_low,  r.v_high };
-  const struct columns columns = columns_of(to);
-  put(columns.of, NUMBERS, i, numbers);
-  if (to->status)
-    to->status[i] = status;
-  if (to->regime && status >= 0)
-    to->regime[i] = p->regime;
+  put(columns_of(to), i, numbers, status, p->regime, to->status, to->regime);
   for (int kind = 0; to->modes && kind < 2; kind++)
     put_modes(&to->modes[i][kind], &p->modes[kind]);
   return status < 0;
 }
 
 /* All but its numbers */
-static void put_state(const struct scallop_steady_states *to, long i, bool held, const struct answers *a, int j)
+static void put_state(const struct scallop_steady_states *to, const struct row *row, int j)
 {
-  const double course[2] = { held ? a->course[0][j] : 0, held ? a->course[1][j] : 0 };
+  const long i = row->index[j];
+  bool held = row->order[j] != 0;
+  const double course[2] = { held ? row->course[0][j] : 0, held ? row->course[1][j] : 0 };
   if (to->status)
     to->status[i] = SCALLOP_OK;
   if (to->regime)
     to->regime[i] = held ? course_regime(course) : SCALLOP_SLIDING;
   if (to->modes && !held)
-    regular_modes(a->number[1][j] > 0, to->modes[i]);
+    regular_modes(row->number[1][j] > 0, to->modes[i]);
   for (int kind = 0; to->modes && held && kind < 2; kind++)
     course_modes((enum scallop_phase_kind)kind, course[kind], &to->modes[i][kind]);
 }
 
 /* What is not of the row's kind after all is solved alone. Returns how many have no answer. */
-static long solve_row(const struct job *job, const struct row *row, const struct scallop_gait *gait,
-                      void (*solve)(const struct row *, const struct scallop_gait *, struct answers *))
+static long solve_row(const struct job *job, struct row *row, const struct scallop_gait *gait,
+                      void (*solve)(struct row *, const struct scallop_gait *))
 {
-  struct answers a;
   const struct columns columns = columns_of(job->states);
   long failed = 0;
   if (row->count > 0)
-    solve(row, gait, &a);
+    solve(row, gait);
   for (int k = 0; k < NUMBERS; k++)
     for (int j = 0; columns.of[k] && j < row->count; j++)
-      columns.of[k][row->index[j]] = a.number[k][j];
+      columns.of[k][row->index[j]] = row->number[k][j];
   for (int j = 0; j < row->count; j++)
-    if (a.valid[j] > 0)
-      put_state(job->states, row->index[j], row->order[j] != 0, &a, j);
+    if (row->valid[j] > 0)
+      put_state(job->states, row, j);
     else
       failed += solve_one(job, row->index[j]);
   return failed;
@@ -218,19 +210,22 @@ static long solve_row(const struct job *job, const struct row *row, const struct
 static long solve_states(const struct job *job, long first, int count)
 {
   const struct scallop_crawlers *c = job->crawlers;
+  const struct scallop_gait *gait = c->gait[first];
+  bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps;
   struct row regular, held;
   regular.of = held.of = c;
   regular.count = held.count = 0;
-  const struct scallop_gait *gait = c->gait[first];
-  bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps;
   long failed = 0;
   for (long i = first; i < first + count; i++) {
     bool alike = ramps && c->gait[i] == gait;
     double order = alike ? holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT)) : NAN;
-    if (!alike || isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i]))))
+    if (isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i])))) {
       failed += solve_one(job, i);
-    else
-      collect(order == 0 ? &regular : &held, i, order);
+      continue;
+    }
+    struct row *row = order == 0 ? &regular : &held;
+    row->index[row->count] = i;
+    row->order[row->count++] = order;
   }
   if (ramps)
     failed += solve_row(job, &regular, gait, solve_regular) + solve_row(job, &held, gait, solve_held);
@@ -240,20 +235,16 @@ static long solve_states(const struct job *job, long first, int count)
 static long solve_phases(const struct job *job, long first, int count)
 {
   const struct scallop_phases *to = job->phases;
-  double *const columns[] = { to->t1, to->dT, to->v_end, to->dx1, to->dx2, to->dxC };
+  const struct columns columns = { { to->t1, to->dT, to->v_end, to->dx1, to->dx2, to->dxC } };
   long failed = 0;
   for (long i = first; i < first + count; i++) {
     const struct scallop_crawler one = crawler_at(job->crawlers, i);
     struct scallop_phase_result r = { NAN, NAN, NAN, NAN, NAN, NAN, .modes = { .count = 0 } };
     enum scallop_status status = scallop_phase(&one, job->kind, job->v0[i], &r);
-    const double numbers[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
-    put(columns, 6, i, numbers);
-    if (to->regime && status >= 0)
-      to->regime[i] = r.regime;
+    const double numbers[NUMBERS] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
+    put(columns, i, numbers, status, r.regime, to->status, to->regime);
     if (to->modes)
       put_modes(&to->modes[i], &r.modes);
-    if (to->status)
-      to->status[i] = status;
     failed += status < 0;
   }
   return failed;
@@ -268,18 +259,16 @@ static long solve_next(const struct job *job, long first)
 
 static long solve_all(const struct job *job, int threads)
 {
-  long count = job->crawlers->count, failed = 0;
+  const long count = job->crawlers->count;
+  long failed = 0;
+  threads = threads > 1 ? threads_for(threads, (count + BLOCK - 1) / BLOCK) : 1;
 #ifdef _OPENMP
-  if (threads > 1)
-    threads = threads_for(threads, (count + BLOCK - 1) / BLOCK);
   if (threads > 1) { /* else without the runtime of OpenMP, which may allocate */
 #pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : failed)
     for (long first = 0; first < count; first += BLOCK)
       failed += solve_next(job, first);
     return failed;
   }
-#else
-  (void)threads;
 #endif
   for (long first = 0; first < count; first += BLOCK)
     failed += solve_next(job, first);

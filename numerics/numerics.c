@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "numerics/digits.h"
-#include "numerics/event/doubt.h"
+#include "numerics/event/motion.h"
 #include "numerics/wide/wide_parts.h"
 
 const char *scallop_regime_text(enum scallop_regime regime)

@@ -1,14 +1,10 @@
-/* numerics/: exact periods. No step size, no tolerance: the motion between two switching times is
- * known in closed form, and only the switching times are solved for.
- *
- * Everything rests on the velocity c of the centre of mass. With M = m1 + m2,
+/* numerics/: exact periods. No step size, no tolerance: the motion between two switching times is known in closed form,
+ * and only the switching times are solved for. Everything rests on the velocity c of the centre of mass. With M = m1 +
+ * m2,
  *     x1' = c - (m2/M) l',   x2' = c + (m1/M) l',   c' = -(F1 s1 + F2 s2)/M,
- * so l' drops out of the dynamics: c is piecewise linear in time and a body changes direction where
- * c meets (m2/M) l' or -(m1/M) l'. A stuck body glues c to its curve. docs/theory.md has the rest.
- *
- * This room never prints, exits or holds state, and never looks at asymptotics/. The solver allocates
- * nothing; the general-purpose rivals (rival.h), which are there to be compared with, do.
- */
+ * so l' drops out of the dynamics: c is piecewise linear in time and a body changes direction where c meets (m2/M) l'
+ * or -(m1/M) l'. A stuck body glues c to its curve. docs/theory.md has the rest. Nothing here prints, exits, holds
+ * state or looks at asymptotics/; the solver allocates nothing, the general-purpose rivals (rival.h) do. */
 #ifndef SCALLOP_NUMERICS_NUMERICS_H
 #define SCALLOP_NUMERICS_NUMERICS_H
 
@@ -25,11 +21,11 @@ struct scallop_mode {
   signed char s1, s2;
 };
 
-struct scallop_modes { /* the modes of one phase in order; those past SCALLOP_MODES_KEPT are   */
-  int count;           /* counted and not kept                                                */
+/* The modes of one phase in order; those past SCALLOP_MODES_KEPT are counted and not kept. */
+struct scallop_modes {
+  int count;
   struct scallop_mode kept[SCALLOP_MODES_KEPT];
 };
-
 /* "++ -+ ++"; text must hold SCALLOP_MODES_TEXT bytes. "..." stands for modes that were not kept. */
 void scallop_modes_text(const struct scallop_modes *modes, char *text);
 
@@ -37,8 +33,8 @@ void scallop_modes_text(const struct scallop_modes *modes, char *text);
 enum scallop_regime { SCALLOP_SLIDING, SCALLOP_STICK_SLIP, SCALLOP_AT_REST };
 const char *scallop_regime_text(enum scallop_regime regime);
 
-/* A stretch of time within one piece of a phase in which the mode does not change, in units where
- * the phase lasts 1 and L is 1 (velocities in L/tau). Offsets u are measured from the piece's anchor. */
+/* A stretch of time within one piece of a phase in which the mode does not change, in units where the phase lasts 1 and
+ * L is 1 (velocities in L/tau). Offsets u are measured from the piece's anchor. */
 struct scallop_interval {
   const struct scallop_piece *piece;
   double u_begin, u_end;
@@ -68,16 +64,14 @@ struct scallop_phase_result {
   struct scallop_work work; /* periods: 0                                                           */
 };
 
-/* Each solve can also be asked how wrong it is: wide.h.
- *
- * One phase, both bodies starting with velocity v0 (any finite value; 0: from rest).
- * Accuracy: at most 8 units in round-to-nearest; docs/stability.md defines the unit and lists the exceptions.
- * SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
+/* One phase, both bodies starting with velocity v0 (any finite value; 0: from rest). Accuracy: at most 8 units in
+ * round-to-nearest; docs/stability.md defines the unit and lists the exceptions, and wide.h estimates the error of each
+ * result. SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);
 
-/* The same phase as its intervals of constant mode, in the order of time; visit is called for each.
- * Intervals of no duration are left out. Statuses as scallop_phase, and then visit is not called. */
+/* The same phase as its intervals of constant mode, in the order of time; visit is called for each. Intervals of no
+ * duration are left out. Statuses as scallop_phase, and then visit is not called. */
 enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
                                             double v0, scallop_visitor *visit, void *context);
 
@@ -118,11 +112,10 @@ struct scallop_steady_result {
   struct scallop_work work;
 };
 
-/* The periodic steady state: the start velocity at which the mean friction impulse over a period
- * vanishes. The balance falls monotonically with the start velocity, so a root is always bracketed
- * and found. For a gait whose l' is continuous it is unique (docs/theory.md); for others (constant:0) the
- * roots can fill an interval: then SCALLOP_INTERVAL, with the one nearest to 0 in period.
- * Source of the interval: Gidoni, Margheri & Rebelo, arXiv 2210.06131. Statuses as scallop_phase. */
+/* The periodic steady state: the start velocity at which the mean friction impulse over a period vanishes. The balance
+ * falls monotonically with the start velocity, so a root is always bracketed and found. For a gait whose l' is
+ * continuous it is unique (docs/theory.md); for others (constant:0) the roots can fill an interval (Gidoni, Margheri &
+ * Rebelo, arXiv 2210.06131): then SCALLOP_INTERVAL, with the one nearest to 0 in period. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 
 /* The energy that friction takes in a period of the steady state: the sum over the bodies of F_i times how far body i
@@ -138,8 +131,8 @@ struct scallop_crawlers {
   const double *m1, *m2, *F1, *F2, *L, *T, *alpha;
   const struct scallop_gait *const *gait;
 };
-/* What is wanted of them: arrays of count, each NULL where it is not wanted. Where a crawler has no steady state its
- * numbers are nan, its modes none and its regime is untouched. */
+/* What is wanted of them, of the steady states or of one phase: arrays of count, each NULL where it is not wanted. Where
+ * a crawler has no answer its numbers are nan, its modes none and its regime is untouched. */
 struct scallop_steady_states {
   double *froude, *v_start, *v_mid, *displacement, *mean_velocity, *multiplier, *v_low, *v_high;
   enum scallop_regime *regime;
@@ -147,15 +140,6 @@ struct scallop_steady_states {
   enum scallop_status *status;
 };
 
-/* The steady states of many crawlers, bit for bit what scallop_steady gives for each, whatever the number of threads
- * (>= 1; no more than there are processors, and 1 where the library is built without OpenMP). Where the compiler may
- * fuse multiplications and additions (-ffp-contract=fast; the Makefile forbids it) the last bits may differ. Returns
- * how many have a negative status. Allocates nothing. */
-long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,
-                          int threads);
-
-/* What is wanted of one phase of many crawlers, as in struct scallop_phase_result: arrays of count, each NULL where it
- * is not wanted. Where there is no answer the numbers are nan, the modes none and the regime is untouched. */
 struct scallop_phases {
   double *t1, *dT, *v_end, *dx1, *dx2, *dxC;
   enum scallop_regime *regime;
@@ -163,8 +147,12 @@ struct scallop_phases {
   enum scallop_status *status;
 };
 
-/* That phase of many crawlers from the start velocities v0, count of them: bit for bit what scallop_phase gives for
- * each, with fused multiplications and additions too. Threads, return value and memory as scallop_steady_batch. */
+/* Bit for bit what scallop_steady, and scallop_phase from v0[i], give for each, whatever the number of threads (>= 1; no
+ * more than there are processors, and 1 where the library is built without OpenMP). Where the compiler may fuse
+ * multiplications and additions (-ffp-contract=fast; the Makefile forbids it) the last bits of steady states may
+ * differ. Return how many have a negative status. Allocate nothing. */
+long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,
+                          int threads);
 long scallop_phase_batch(const struct scallop_crawlers *crawlers, enum scallop_phase_kind kind, const double *v0,
                          const struct scallop_phases *phases, int threads);
 

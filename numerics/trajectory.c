@@ -1,21 +1,6 @@
 #include <math.h>
 
 #include "numerics/event/motion.h"
-#include "numerics/event/start.h"
-
-/* A sum that keeps what rounding drops (Neumaier's variant of Kahan's). */
-struct sum {
-  double high, low;
-};
-
-static void add(struct sum *s, double x)
-{
-  double total = s->high + x;
-  s->low += fabs(s->high) >= fabs(x) ? (s->high - total) + x : (x - total) + s->high;
-  s->high = total;
-}
-
-static double value(const struct sum *s) { return s->high + s->low; }
 
 struct recorder {
   const struct scallop_crawler *crawler;
@@ -67,11 +52,7 @@ static void record(void *context, const struct scallop_interval *interval)
     sample.t = (r->period_number + at) * r->crawler->T;
     r->overflow = !isfinite(sample.x1) || !isfinite(sample.x2) || !isfinite(sample.v1) || !isfinite(sample.v2)
                   || !isfinite(sample.t);
-    if (r->overflow) {
-      r->stopped = true;
-      return;
-    }
-    r->stopped = !r->sampler(r->context, &sample);
+    r->stopped = r->overflow || !r->sampler(r->context, &sample);
     r->next++;
   }
 }
@@ -80,50 +61,41 @@ enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, do
                                        scallop_sampler *sampler, void *context)
 {
   struct scallop_scaled scaled;
-  enum scallop_status status = scallop_scale(crawler, &scaled);
+  struct sum c = { 0, 0 }, x = { 0, 0 }; /* where periods begin */
+  enum scallop_status status = start_scaled(crawler, v0, &scaled, &c.total);
+  if (status == SCALLOP_OK && (periods < 1 || samples < 1))
+    status = SCALLOP_EDOMAIN;
   if (status != SCALLOP_OK)
     return status;
-  if (!isfinite(v0) || periods < 1 || samples < 1)
-    return SCALLOP_EDOMAIN;
-  double unit = scaled.velocity;
-  struct sum c = { v0 / unit, 0 }, x = { 0, 0 }; /* where periods begin */
-  if (!start_is_kept(v0, c.high, scaled.eps))
-    return SCALLOP_ERANGE;
   const struct walker walker = walker_of(&scaled);
   struct recorder r = {
     .crawler = crawler, .scaled = &scaled, .sampler = sampler, .context = context, .samples = samples
   };
   for (long n = 0; n < periods && !r.stopped; n++) {
-    struct period p = { .c_start = value(&c), .c_end = value(&c) };
+    struct period p = { .c_start = sum_value(&c), .c_end = sum_value(&c) };
     r.period_number = (double)n;
     r.next = 0;
     for (int kind = 0; kind < 2; kind++) {
       r.kind = (enum scallop_phase_kind)kind;
-      r.x_start = value(&x) + (kind == SCALLOP_EXTENSION ? 0 : p.phase[SCALLOP_EXTENSION].way[0]);
+      r.x_start = sum_value(&x) + (kind == SCALLOP_EXTENSION ? 0 : p.phase[SCALLOP_EXTENSION].way[0]);
       p.c_mid = p.c_end;
       motion_walk(&walker.phase[kind], p.c_mid * scaled.fraction[kind], record, &r, &p.phase[kind]);
       p.c_end = p.phase[kind].c_end / scaled.fraction[kind];
     }
     period_conclude(&walker, &p);
     period_sum_up(&walker, &p);
-    add(&x, p.travel);
+    sum_add(&x, p.travel);
     if (p.forgets)
       c = (struct sum){ p.c_end, 0 };
     else
-      add(&c, scaled.eps * p.balance);
+      sum_add(&c, scaled.eps * p.balance);
   }
-  double position = value(&x) * crawler->L, velocity = value(&c) * unit;
+  double position = sum_value(&x) * crawler->L, velocity = sum_value(&c) * scaled.velocity;
   if (r.overflow || (!r.stopped && !isfinite(position)))
     return SCALLOP_ERANGE;
-  if (!r.stopped) {
-    struct scallop_sample end = { .t = (double)periods * crawler->T,
-                                  .x1 = position,
-                                  .x2 = position,
-                                  .xC = position,
-                                  .v1 = velocity,
-                                  .v2 = velocity,
-                                  .l = 0 };
-    sampler(context, &end);
-  }
-  return r.stopped ? SCALLOP_STOPPED : SCALLOP_OK;
+  if (r.stopped)
+    return SCALLOP_STOPPED;
+  sampler(context, &(struct scallop_sample){ (double)periods * crawler->T, position, position, position, velocity,
+                                             velocity, 0 });
+  return SCALLOP_OK;
 }

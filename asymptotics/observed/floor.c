@@ -1,3 +1,6 @@
+/* Floors are where errors that fell no longer fall. A rough one is roundoff, or the tolerance of a solver: the points on
+ * it and near it are left out. A smooth one far above roundoff is a plateau: the table converges to something else, and
+ * that is its verdict. */
 #include <math.h>
 
 #include "asymptotics/observed/judged.h"
@@ -49,38 +52,30 @@ static double middle_before(const struct scallop_order_point *points, int i)
   return slope_ranked(points, i - FEW, FEW, FEW / 2);
 }
 
-/* From onset on the errors no longer fall, though they did before. */
+/* From onset on the errors no longer fall, though they did before, and by more than a pair of neighbours that noise
+ * brought together. -1: they fall. */
 static int onset_before(const struct scallop_order_point *points, int count)
 {
+  const struct scallop_order_point *last = &points[count - 1];
   double steep = steepness(points, count);
   for (int i = 1; i + 1 < count && steep >= STEEP; i++) {
     double flat = fmax(FLAT * fmin(1, steep), FLATTER * middle_before(points, i));
-    if (points_slope(&points[i], &points[i + 1]) < flat && points_slope(&points[i], &points[count - 1]) < flat)
-      return i;
+    double rest = points_slope(&points[i], last);
+    if (points_slope(&points[i], &points[i + 1]) < flat && rest < flat)
+      return (steepness(points, i + 1) - rest) * log(points[i].h / last->h) > log(HELD_UP) ? i : -1;
   }
   return -1;
-}
-
-/* Is what the points meet from onset on more than a pair of neighbours that noise brought together? */
-static bool holds_up(const struct scallop_order_point *points, int count, int onset)
-{
-  const struct scallop_order_point *from = &points[onset], *last = &points[count - 1];
-  return (steepness(points, onset + 1) - points_slope(from, last)) * log(from->h / last->h) > log(HELD_UP);
 }
 
 /* Where a floor begins, or -1. A rough one may have its finest point far down by chance: it is not looked at, then,
  * unless one that is 0 already is not. */
 static int find_floor(const struct judged *j)
 {
-  int fewest = j->count > LEAST_TREND + 1 ? j->used - 1 : j->used;
-  for (int i = j->used; j->used > 0 && i < j->count; i++)
-    fewest = j->p[i].h < j->p[j->used - 1].h ? j->used : fewest;
-  for (int count = j->used; count > 0 && count >= fewest; count--) {
-    int onset = onset_before(j->p, count);
-    if (onset >= 0 && holds_up(j->p, count, onset))
-      return onset;
-  }
-  return -1;
+  bool spare = j->used > 1 && j->count > LEAST_TREND + 1;
+  for (int i = j->used; spare && i < j->count; i++)
+    spare = j->p[i].h >= j->p[j->used - 1].h;
+  int onset = j->used > 0 ? onset_before(j->p, j->used) : -1;
+  return onset < 0 && spare ? onset_before(j->p, j->used - 1) : onset;
 }
 
 /* What C h^p + D h^q with C, D > 0 and the best p > q leaves of the relative errors (root mean square), from a few
@@ -109,11 +104,25 @@ static double misfit_of(const struct judged *j, int onset, double q)
   return best;
 }
 
+/* The sizes of the errors of p[first..end) */
+struct range {
+  double least, most;
+};
+
+static struct range sizes(const struct judged *j, int first, int end)
+{
+  struct range r = { INFINITY, 0 };
+  for (int i = first; i < end; i++) {
+    r.least = fmin(r.least, fabs(j->p[i].err));
+    r.most = fmax(r.most, fabs(j->p[i].err));
+  }
+  return r;
+}
+
 /* A floor and its rows, which are p[onset..used) */
 struct floor {
   int onset, rows;
   double least, level; /* the smallest error, and the largest where it begins: roundoff may grow from there */
-  double largest;      /* of the whole table                                                                */
   bool rough;          /* an error is larger than one of a larger h                                         */
   bool dense;          /* the rows of the table are close, on the average                                   */
   bool high, near_roundoff;
@@ -121,41 +130,36 @@ struct floor {
 
 static struct floor floor_at(const struct judged *j, int onset)
 {
-  struct floor f = { .onset = onset, .rows = j->used - onset, .least = INFINITY };
-  double finest = INFINITY, coarsest = 0;
-  for (int i = 0; i < j->count; i++) {
-    double err = fabs(j->p[i].err);
-    finest = fmin(finest, j->p[i].h);
-    coarsest = fmax(coarsest, j->p[i].h);
-    f.largest = fmax(f.largest, err);
-    if (i < onset || i >= j->used)
-      continue;
-    f.rough = f.rough || err > f.least;
-    f.least = fmin(f.least, err);
-    f.level = i < onset + BEGINS ? fmax(f.level, err) : f.level;
+  const int used = j->used, begins = onset + BEGINS;
+  const double level = sizes(j, onset, begins < used ? begins : used).most, largest = sizes(j, 0, used).most;
+  double least = INFINITY;
+  bool rough = false;
+  for (int i = onset; i < used; i++) {
+    rough = rough || fabs(j->p[i].err) > least;
+    least = fmin(least, fabs(j->p[i].err));
   }
-  f.dense = pow(APART, j->count - 1) * finest > coarsest;
-  f.high = f.level > ROUGH * f.largest;
-  f.near_roundoff = f.level <= ROUNDOFF * fmax(1, f.largest);
-  return f;
+  return (struct floor){ .onset = onset,
+                         .rows = used - onset,
+                         .least = least,
+                         .level = level,
+                         .rough = rough,
+                         .dense = pow(APART, used - 1) * j->p[used - 1].h > j->p[0].h,
+                         .high = level > ROUGH * largest,
+                         .near_roundoff = level <= ROUNDOFF * fmax(1, largest) };
 }
 
 /* The largest of the used errors from first on over the smallest */
 static double spread(const struct judged *j, int first)
 {
-  double least = INFINITY, most = 0;
-  for (int i = first; i < j->used; i++) {
-    least = fmin(least, fabs(j->p[i].err));
-    most = fmax(most, fabs(j->p[i].err));
-  }
-  return most / least;
+  struct range r = sizes(j, first, j->used);
+  return r.most / r.least;
 }
 
 static bool is_plateau(const struct judged *j, const struct floor *f)
 {
   double misfit = f->dense ? NAN : misfit_of(j, f->onset, 0);
   return !f->near_roundoff
-         && (misfit < FITS || (j->used >= 3 && !f->dense && spread(j, j->used - 3) <= LEVEL)
+         && (misfit < FITS || (!f->dense && spread(j, j->used - 3) <= LEVEL) /* a floor has two rows, and one before */
              || (f->high ? isnan(misfit) && spread(j, f->onset) <= SMOOTH
                          : f->rows > 2 && spread(j, f->onset) <= VERY_SMOOTH));
 }
@@ -185,11 +189,13 @@ static void leave_out_floor(struct judged *j, const struct floor *f, bool smooth
   j->near_floor = fmax(j->near_floor, f->rough ? FAR_ABOVE * f->level : 0);
 }
 
-/* A floor from onset on: false if it fails the table. */
-static bool judge_floor(struct judged *j, int onset)
+bool floor_judge(struct judged *j, bool announced)
 {
+  j->near_floor = announced ? 0 : NEAR_ROUNDOFF;
+  int onset = announced ? -1 : find_floor(j);
+  if (onset < 0)
+    return true;
   const struct floor f = floor_at(j, onset);
-  const double begins = j->p[onset].h;
   bool smooth = is_plateau(j, &f);
   if (!smooth && is_lower_term(j, &f))
     return true;
@@ -198,37 +204,31 @@ static bool judge_floor(struct judged *j, int onset)
   if (f.near_roundoff || (!smooth && j->used >= enough))
     return true;
   j->result->verdict = smooth ? SCALLOP_ORDER_PLATEAU : SCALLOP_ORDER_FLOOR_LIMITED;
-  points_sort(j->p, j->count);
-  int first = 0;
-  while (j->p[first].h > begins)
-    first++;
   reason_add(j, "err stops falling near %.2g", f.least);
-  reason_add_rows(j, first, SCALLOP_ORDER_FLOOR);
+  reason_add_rows(j, onset + reason_count(j, 0, SCALLOP_ORDER_ZERO), SCALLOP_ORDER_FLOOR); /* and not those near it */
   reason_add(j, smooth    ? ": a plateau far above roundoff"
                 : f.rough ? ": a rough floor, with too few rows above"
                           : ": a floor, with too few rows above");
   return false;
 }
 
-bool floor_judge(struct judged *j, bool announced)
+static bool may_count(const struct scallop_order_point *p)
 {
-  j->near_floor = announced ? 0 : NEAR_ROUNDOFF;
-  int onset = announced ? -1 : find_floor(j);
-  return onset < 0 || judge_floor(j, onset);
+  return p->use != SCALLOP_ORDER_FLOOR && p->use != SCALLOP_ORDER_ZERO;
 }
 
 bool floor_leave_out_near(struct judged *j)
 {
   int candidates = 0, above = 0;
   for (int i = 0; i < j->count; i++)
-    if (j->p[i].use != SCALLOP_ORDER_FLOOR && j->p[i].use != SCALLOP_ORDER_ZERO) {
+    if (may_count(&j->p[i])) {
       candidates++;
       above += fabs(j->p[i].err) >= j->near_floor;
     }
   if (above < LEAST_TREND || above == candidates)
     return false;
   for (int i = 0; i < j->count; i++)
-    if (j->p[i].use != SCALLOP_ORDER_FLOOR && j->p[i].use != SCALLOP_ORDER_ZERO)
+    if (may_count(&j->p[i]))
       j->p[i].use = fabs(j->p[i].err) >= j->near_floor ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
   points_sort_by_use(j);
   *j->result->reason = '\0';

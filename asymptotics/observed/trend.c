@@ -3,8 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "asymptotics/observed/student.h"
-#include "asymptotics/observed/trend.h"
+#include "asymptotics/observed/judged.h"
 
 /* A change of the local order over the run that is smaller decides nothing. */
 static const double SEEN = 0.005;
@@ -40,7 +39,7 @@ static const struct shape shapes[] = {
 enum { SHAPES = sizeof shapes / sizeof *shapes };
 
 /* Logarithms of h and |err|, the weight, and how far rounding and known noise may have moved y. Of long tables, means
- * over equal parts of the range of x: a trend is as smooth as that. */
+ * over as many points each. */
 struct entry {
   double x, y, weight, moved;
 };
@@ -49,7 +48,6 @@ enum { MOST_ENTRIES = 512 };
 struct run {
   const struct entry *entry; /* from the coarsest h */
   int count;
-  double n, within;            /* points, and the sum of squares of what is left of y within an entry */
   double weight, x, y, xx, xy; /* their sum, means, and sums of products of x and y without them      */
   double coarsest, finest;     /* x */
 };
@@ -57,9 +55,9 @@ struct run {
 static double x_of(const struct run *r, int i) { return r->entry[i].x - r->x; }
 static double y_of(const struct run *r, int i) { return r->entry[i].y - r->y; }
 
-static struct run run_of(const struct entry *entry, int count, double n)
+static struct run run_of(const struct entry *entry, int count)
 {
-  struct run r = { .entry = entry, .count = count, .n = n, .coarsest = entry[0].x, .finest = entry[count - 1].x };
+  struct run r = { .entry = entry, .count = count, .coarsest = entry[0].x, .finest = entry[count - 1].x };
   for (int i = 0; i < count; i++) {
     r.weight += entry[i].weight;
     r.x += entry[i].weight * entry[i].x;
@@ -132,7 +130,7 @@ static void fit(const struct run *r, struct bend *b)
   b->factor = bends ? ty / tt : 0;
   b->slope = (yx - (creeps(b) ? b->factor * tx : 0)) / r->xx;
   b->variance = 1 / r->xx + (bends ? tx / r->xx * tx / r->xx / tt : 0);
-  b->left = r->within;
+  b->left = 0;
   for (int i = 0; i < r->count; i++) {
     double rest = y_of(r, i) - (at[i].known - known) - b->slope * x_of(r, i)
                   - (creeps(b) ? b->factor * (at[i].term - term) : 0);
@@ -180,9 +178,9 @@ static struct bend best_of(const struct run *r, const struct shape *shape)
   return none.left <= best.left ? none : best;
 }
 
-static double half_width(const struct bend *b, double dof)
+static double half_width(const struct bend *b, int dof)
 {
-  return student_quantile(0.95, (long)dof) * sqrt(b->left / dof * b->variance);
+  return student_quantile(0.95, dof) * sqrt(b->left / dof * b->variance);
 }
 
 /* Four points leave one degree of freedom, which terms that take over fit by chance.
@@ -198,13 +196,14 @@ static struct bend best_bend(const struct run *r, struct trend *t)
     if (isnan(shapes[i].power) && fabs(bends[i].factor) < LEAST_POWER)
       continue;
     if (shapes[i].power >= 1) {
-      double half = half_width(&bends[i], r->n - 3);
+      double half = half_width(&bends[i], r->count - 3);
       t->low = fmin(t->low, bends[i].slope - half);
       t->high = fmax(t->high, bends[i].slope + half);
     }
     if (shapes[i].kind == TREND_SETTLING)
       least = fmin(least, bends[i].left);
-    else if (BETTER[shapes[i].kind] * bends[i].left < least_other && (r->n > 4 || shapes[i].kind == TREND_CREEPING)) {
+    else if (BETTER[shapes[i].kind] * bends[i].left < least_other
+             && (r->count > 4 || shapes[i].kind == TREND_CREEPING)) {
       other = bends[i];
       least_other = BETTER[shapes[i].kind] * other.left;
     }
@@ -238,8 +237,7 @@ static bool explained_by_rounding(const struct run *r, const struct bend *line)
 /* Would a line through all but the finest point do as well as a bend that does not die away? */
 static bool finest_is_off(const struct run *r, const struct bend *bend)
 {
-  struct run without = run_of(r->entry, r->count - 1, r->n - 1);
-  without.within = r->within;
+  struct run without = run_of(r->entry, r->count - 1);
   return bend_at(&without, NULL, 0).left * FINEST < bend->left;
 }
 
@@ -259,69 +257,63 @@ static double last_place(double x, int digits) { return pow(10, floor(log10(fabs
 
 /* What rounding and known noise may have moved the logarithms of printed errors by. They were rounded to as many digits
  * as the longest of them has, or to as many decimals, whichever is more; doubles were not. */
-static void note_rounding(struct run *r, struct entry *entry, const struct scallop_order_point *points, double level)
+static void note_rounding(struct entry *entry, const struct scallop_order_point *points, int count, double level)
 {
   int digits = 0;
   double unit = INFINITY;
-  for (int i = 0; i < r->count; i++) {
+  for (int i = 0; i < count; i++) {
     int here = digits_of(points[i].err);
     digits = here > digits ? here : digits;
     unit = fmin(unit, last_place(points[i].err, here));
   }
-  for (int i = 0; i < r->count; i++) {
+  for (int i = 0; i < count; i++) {
     double err = fabs(points[i].err), place = digits > MOST_DIGITS ? 0 : fmax(last_place(err, digits), unit);
     entry[i].moved = place / 2 / err + (points[i].noise + level) / err;
   }
 }
 
 /* An error with noise of this level counts less. */
-static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int n,
+static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int count,
                                 double level)
 {
-  const double coarsest = log(points[0].h), part = (coarsest - log(points[n - 1].h)) / MOST_ENTRIES;
-  int entries = 0, place = 0;
-  double xx = 0, xy = 0, yy = 0; /* within entries */
-  for (int i = 0; i < n; i++) {
-    double x = log(points[i].h), err = fabs(points[i].err), y = log(err), noise = level / (err * WEIGHED);
-    int here = (int)((coarsest - x) / part);
-    if (i == 0 || n <= MOST_ENTRIES || (here > place && entries < MOST_ENTRIES))
-      entry[entries++] = (struct entry){ .x = x, .y = y };
-    place = here;
-    struct entry *e = &entry[entries - 1];
-    double weight = 1 / (1 + noise * noise), share = weight / (e->weight + weight), dx = x - e->x, dy = y - e->y;
-    xx += e->weight * share * dx * dx;
-    xy += e->weight * share * dx * dy;
-    yy += e->weight * share * dy * dy;
-    e->x += share * dx;
-    e->y += share * dy;
+  const int together = (count + MOST_ENTRIES - 1) / MOST_ENTRIES;
+  for (int i = 0; i < count; i++) {
+    double err = fabs(points[i].err), noise = level / (err * WEIGHED), weight = 1 / (1 + noise * noise);
+    struct entry *e = &entry[i / together];
+    if (i % together == 0)
+      *e = (struct entry){ .weight = 0 };
     e->weight += weight;
+    e->x += weight / e->weight * (log(points[i].h) - e->x);
+    e->y += weight / e->weight * (log(err) - e->y);
   }
-  struct run r = run_of(entry, entries, n);
-  double slope = r.xy / r.xx;
-  r.within = fmax(0, yy - slope * (2 * xy - slope * xx));
-  if (n <= MOST_PRINTED)
-    note_rounding(&r, entry, points, level);
-  return r;
+  if (count <= MOST_PRINTED)
+    note_rounding(entry, points, count, level);
+  return run_of(entry, (count + together - 1) / together);
 }
 
-struct trend trend_of(const struct scallop_order_point *points, int count, double level)
+struct trend trend_from(const struct judged *j, int first)
 {
   struct entry entry[MOST_ENTRIES];
-  struct run r = run_of_points(entry, points, count, level);
+  struct run r = run_of_points(entry, j->p + first, j->used - first, j->level);
   struct bend line = bend_at(&r, NULL, 0);
-  struct trend t = {
-    .kind = TREND_STRAIGHT, .points = (int)r.n, .slope = line.slope, .low = line.slope, .high = line.slope
-  };
-  t.half_width = half_width(&line, r.n - 2);
-  t.limit = t.coarsest_order = t.finest_order = t.slope;
+  struct trend t = { .kind = TREND_STRAIGHT,
+                     .points = j->used - first,
+                     .slope = line.slope,
+                     .half_width = half_width(&line, r.count - 2),
+                     .low = line.slope,
+                     .high = line.slope,
+                     .limit = line.slope,
+                     .coarsest_order = line.slope,
+                     .finest_order = line.slope };
   t.limit_half_width = t.half_width;
   t.rounded = explained_by_rounding(&r, &line);
-  if (t.points < 4)
+  if (r.count < LEAST_TREND)
     return t;
   struct bend bend = best_bend(&r, &t);
   if (t.rounded)
     return t;
-  double dof = r.n - 3, sure = student_quantile(SURE, (long)dof);
+  const int dof = r.count - 3;
+  double sure = student_quantile(SURE, dof);
   double from = order_at(&r, &bend, r.coarsest), to = order_at(&r, &bend, r.finest);
   if (!(line.left - bend.left > sure * sure * bend.left / dof))
     return t;

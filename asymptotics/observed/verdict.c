@@ -1,8 +1,8 @@
+/* The rules of docs/order.md, one after the other. */
 #include <math.h>
 #include <stddef.h>
 
 #include "asymptotics/observed/judged.h"
-#include "asymptotics/observed/trend.h"
 
 /* The tail of a table that has just settled: the finest three or more points, over this many times in h. */
 static const double TAIL = 3.9;
@@ -12,30 +12,8 @@ static const double ON_THE_WAY = 2.5;
 static const double FAR_BETTER = 10;
 /* Three points of a longer table count if they are on a line so well. */
 static const double ALIGNED = 0.05;
-/* Of so many points and more, the coarsest are left out several at a time. */
-enum { MOST_FEW = 6, MANY = 32 };
-
-/* The rows are named in the order of h. */
-static void give(struct judged *j, enum scallop_order_verdict verdict)
-{
-  j->result->verdict = verdict;
-  points_sort(j->p, j->count);
-}
-
-/* The rows of the first h that is repeated. Points with another fault are not sorted: of those as many as a page
- * holds are compared. */
-static void say_repeated(struct judged *j, const char *between)
-{
-  enum { PAGE = 1000 };
-  bool sorted = *between == '\0';
-  for (int i = 0; i + 1 < j->count && (sorted || i < PAGE); i++)
-    for (int k = i + 1; k < j->count && k <= (sorted ? i + 1 : PAGE); k++)
-      if (j->p[i].h == j->p[k].h) {
-        long a = j->p[i].row, b = j->p[k].row;
-        reason_add(j, "%sh repeated in rows %ld and %ld", between, a < b ? a : b, a < b ? b : a);
-        return;
-      }
-}
+/* Rules on pairwise orders are for few pairs. Of so many points and more, the coarsest are left out several at a time. */
+enum { LEAST_PAIRS = 3, MOST_PAIRS = 6, MANY = 32 };
 
 /* The pairwise order of the two finest used points */
 static double finest_order(const struct judged *j) { return points_slope(&j->p[j->used - 2], &j->p[j->used - 1]); }
@@ -66,21 +44,21 @@ static void set_pairwise_order(struct judged *j, int first, double order)
 static void judge_few(struct judged *j)
 {
   int zero = reason_count(j, 0, SCALLOP_ORDER_ZERO), floor = reason_count(j, 0, SCALLOP_ORDER_FLOOR);
-  bool exact = j->count >= 3 && !j->wanted->values;
+  bool values = j->wanted->values, exact = j->count >= 3 && !values;
   for (int i = 0; i < j->count; i++)
     exact = exact && fabs(j->p[i].err) <= j->p[i].noise;
   if (j->used == 2)
     set_pairwise_order(j, 0, finest_order(j));
-  give(j, exact ? (isnan(j->wanted->order) ? SCALLOP_ORDER_MEASURED : SCALLOP_ORDER_PASS)
-          : floor + (j->wanted->values ? zero : 0) == 0 ? SCALLOP_ORDER_INSUFFICIENT
-                                                        : SCALLOP_ORDER_FLOOR_LIMITED);
-  if (exact)
-    reason_add(j, zero == j->count ? "exact: every err is 0" : "exact: every err is within its noise");
-  else
-    reason_add(j, "%d usable %s, an order takes 3", j->used,
-               j->wanted->values ? "differences of values"
-               : j->used == 1    ? "row"
-                                 : "rows");
+  if (exact) {
+    j->result->verdict = isnan(j->wanted->order) ? SCALLOP_ORDER_MEASURED : SCALLOP_ORDER_PASS;
+    reason_add(j, "exact: every err is %s", zero == j->count ? "0" : "within its noise");
+    return;
+  }
+  j->result->verdict = floor + (values ? zero : 0) > 0 ? SCALLOP_ORDER_FLOOR_LIMITED : SCALLOP_ORDER_INSUFFICIENT;
+  reason_add(j, "%d usable %s, an order takes 3", j->used,
+             values         ? "differences of values"
+             : j->used == 1 ? "row"
+                            : "rows");
 }
 
 static bool meets(const struct scallop_order_wanted *w, double order)
@@ -88,21 +66,31 @@ static bool meets(const struct scallop_order_wanted *w, double order)
   return order >= w->order - w->tolerance && (w->at_least || order <= w->order + w->tolerance);
 }
 
-/* How far the i-th pairwise order is off the one that is expected */
-static double off(const struct judged *j, int i) { return points_slope(&j->p[i], &j->p[i + 1]) - j->wanted->order; }
+/* How far the pairwise orders of few points are off the expected one. Returns how many, 0 of too few or many. */
+static int offs_of(const struct judged *j, double off[MOST_PAIRS])
+{
+  const int pairs = j->used - 1;
+  if (pairs < LEAST_PAIRS || pairs > MOST_PAIRS)
+    return 0;
+  for (int i = 0; i < pairs; i++)
+    off[i] = points_slope(&j->p[i], &j->p[i + 1]) - j->wanted->order;
+  return pairs;
+}
 
-/* The pairwise orders of few points move away from the one that is expected, faster and faster. */
+/* They move away from it, faster and faster. */
 static bool moves_away(const struct judged *j)
 {
-  const struct scallop_order_wanted *w = j->wanted;
-  const int pairs = j->used - 1;
-  if (pairs < 3 || pairs > MOST_FEW || (w->at_least && off(j, pairs - 1) > 0))
+  double off[MOST_PAIRS], before = 0;
+  const int pairs = offs_of(j, off);
+  if (pairs == 0 || (j->wanted->at_least && off[pairs - 1] > 0))
     return false;
-  double side = off(j, pairs - 1) < 0 ? -1 : 1;
-  bool away = side * off(j, pairs - 1) > w->tolerance / (pairs == 3 ? 2 : 4);
-  for (int k = 1; k < pairs; k++)
-    away = away && fabs(off(j, k)) > fabs(off(j, k - 1))
-           && side * (off(j, k) - off(j, k - 1)) > (k == 1 ? 0 : side * (off(j, k - 1) - off(j, k - 2)));
+  double side = off[pairs - 1] < 0 ? -1 : 1;
+  bool away = side * off[pairs - 1] > j->wanted->tolerance / (pairs == LEAST_PAIRS ? 2 : 4);
+  for (int k = 1; k < pairs && away; k++) {
+    double step = side * (off[k] - off[k - 1]);
+    away = fabs(off[k]) > fabs(off[k - 1]) && step > before;
+    before = step;
+  }
   return away;
 }
 
@@ -110,11 +98,14 @@ static bool moves_away(const struct judged *j)
  * asked for. */
 static bool comes_closer(const struct judged *j, bool in_shorter_steps)
 {
-  const int pairs = j->used - 1;
-  bool closer = pairs >= 3 && pairs <= MOST_FEW && fabs(off(j, pairs - 1)) <= j->wanted->tolerance;
-  for (int k = 1; k < pairs && closer; k++)
-    closer = off(j, k) * off(j, k - 1) > 0 && fabs(off(j, k)) < fabs(off(j, k - 1))
-             && (!in_shorter_steps || k < 2 || fabs(off(j, k - 1) - off(j, k)) < fabs(off(j, k - 2) - off(j, k - 1)));
+  double off[MOST_PAIRS], before = INFINITY;
+  const int pairs = offs_of(j, off);
+  bool closer = pairs > 0 && fabs(off[pairs - 1]) <= j->wanted->tolerance;
+  for (int k = 1; k < pairs && closer; k++) {
+    double step = fabs(off[k] - off[k - 1]);
+    closer = off[k] * off[k - 1] > 0 && fabs(off[k]) < fabs(off[k - 1]) && (!in_shorter_steps || step < before);
+    before = step;
+  }
   return closer;
 }
 
@@ -128,8 +119,7 @@ static bool tail_arrives(struct judged *j)
     first--;
   if (first <= 0)
     return false;
-  double order = trend_of(j->p + first, j->used - first, j->level).slope;
-  double before = points_slope(&j->p[0], &j->p[first]);
+  double order = trend_from(j, first).slope, before = points_slope(&j->p[0], &j->p[first]);
   if (!meets(w, order) || !meets(w, finest_order(j)) || fabs(before - w->order) < fabs(order - w->order))
     return false;
   set_pairwise_order(j, first, order);
@@ -137,10 +127,10 @@ static bool tail_arrives(struct judged *j)
 }
 
 /* A table that reaches the order at its fine end, and comes closer to it all the way: sets the order, and returns
- * whether it is so. */
-static bool has_arrived(struct judged *j, const struct trend *all)
+ * whether it is so. slope: over all points. */
+static bool has_arrived(struct judged *j, double slope)
 {
-  bool on_the_way = fabs(all->slope - j->wanted->order) <= ON_THE_WAY * j->wanted->tolerance;
+  bool on_the_way = fabs(slope - j->wanted->order) <= ON_THE_WAY * j->wanted->tolerance;
   if (on_the_way && tail_arrives(j))
     return true;
   if (!comes_closer(j, !on_the_way))
@@ -151,9 +141,9 @@ static bool has_arrived(struct judged *j, const struct trend *all)
 
 static void say_drift(struct judged *j, const char *how)
 {
+  j->result->verdict = SCALLOP_ORDER_DRIFTING;
   reason_add(j, "%s: pairwise orders ", how);
   reason_add_orders(j);
-  give(j, SCALLOP_ORDER_DRIFTING);
   reason_add_rows(j, 0, SCALLOP_ORDER_USED);
 }
 
@@ -167,11 +157,11 @@ static void compare(struct judged *j, const struct trend *whole)
     say_drift(j, "the orders move away from the expected one");
     return;
   }
-  pass = pass || (r->interval != SCALLOP_ORDER_LIMIT && has_arrived(j, whole));
-  give(j, measured              ? SCALLOP_ORDER_MEASURED
-          : pass                ? SCALLOP_ORDER_PASS
-          : r->order < w->order ? SCALLOP_ORDER_TOO_LOW
-                                : SCALLOP_ORDER_TOO_HIGH);
+  pass = pass || (r->interval != SCALLOP_ORDER_LIMIT && has_arrived(j, whole->slope));
+  r->verdict = measured              ? SCALLOP_ORDER_MEASURED
+               : pass                ? SCALLOP_ORDER_PASS
+               : r->order < w->order ? SCALLOP_ORDER_TOO_LOW
+                                     : SCALLOP_ORDER_TOO_HIGH;
   reason_add(j, "order %.3g", r->order);
   if (!pass)
     reason_add(j, " is %.2g %s the expected %g", fabs(r->order - w->order), r->order < w->order ? "below" : "above",
@@ -179,40 +169,45 @@ static void compare(struct judged *j, const struct trend *whole)
   reason_add_rows(j, 0, SCALLOP_ORDER_USED);
 }
 
-/* What a run of points says, from first on: the order, give or take off */
+/* What a run of points says, from first on: the order, give or take off. known: to the tolerance */
 struct answer {
   enum scallop_order_interval interval;
   double order, off, low, high;
   int first;
+  bool known, drifts;
 };
 
 /* finer: the trend of the run without its coarsest points */
 static struct answer answer_of(const struct judged *j, int first, const struct trend *t, const struct trend *finer)
 {
+  const double tolerance = j->wanted->tolerance;
+  bool settles = t->kind == TREND_SETTLING;
   double off = fmax(t->half_width, fabs(t->slope - t->finest_order));
   double limit_off = fmax(t->limit_half_width, finer->points >= LEAST_TREND ? fabs(finer->limit - t->limit) : 0);
-  if (t->kind == TREND_SETTLING && limit_off <= j->wanted->tolerance)
-    return (
-        struct answer){ SCALLOP_ORDER_LIMIT, t->limit, limit_off, t->limit - limit_off, t->limit + limit_off, first };
-  if (t->kind == TREND_SETTLING) /* a slope that bends towards another order is none */
-    off = fmax(off, fabs(t->slope - t->limit));
-  struct answer a = { SCALLOP_ORDER_SLOPE, t->slope, off, t->slope - off, t->slope + off, first };
+  struct answer a = { .interval = SCALLOP_ORDER_SLOPE, .order = t->slope, .first = first };
+  a.off = settles ? fmax(off, fabs(t->slope - t->limit)) : off; /* a slope that bends towards another order is none */
+  if (settles && limit_off <= tolerance) {
+    a.interval = SCALLOP_ORDER_LIMIT;
+    a.order = t->limit;
+    a.off = limit_off;
+  }
+  a.low = a.order - a.off;
+  a.high = a.order + a.off;
   if (t->kind == TREND_STRAIGHT && finer->kind == TREND_STRAIGHT && t->points > LEAST_TREND
-      && t->high - t->low <= 2 * j->wanted->tolerance) {
+      && t->high - t->low <= 2 * tolerance) {
     a.interval = SCALLOP_ORDER_CONFIDENCE;
     a.low = t->low;
     a.high = t->high;
   }
+  a.known = a.high - a.low <= 2 * tolerance;
   return a;
 }
 
-/* Sets it, and returns whether the order is known to the tolerance. */
-static bool sets_order(struct judged *j, const struct answer *a)
+static void set_answer(struct judged *j, const struct answer *a)
 {
   set_order(j, a->interval, a->order, a->low, a->high);
-  if (j->result->used == 3)
+  if (j->used == 3)
     set_pairwise_order(j, 0, a->order);
-  return j->result->high - j->result->low <= (j->result->used == 3 ? 1 : 2) * j->wanted->tolerance;
 }
 
 /* A term takes over, or the order changes like a logarithm: no pass, unless the order is at least the one that is
@@ -223,7 +218,7 @@ static void judge_drift(struct judged *j, const struct trend *t)
   bool rises = t->finest_order > t->coarsest_order, creeps = t->kind == TREND_CREEPING;
   set_pairwise_order(j, 0, finest_order(j));
   if (w->at_least && t->finest_order >= w->order && creeps) {
-    give(j, SCALLOP_ORDER_PASS);
+    j->result->verdict = SCALLOP_ORDER_PASS;
     reason_add(j, "the local order is %.3g at the finest h", t->finest_order);
     reason_add_rows(j, 0, SCALLOP_ORDER_USED);
     return;
@@ -233,60 +228,71 @@ static void judge_drift(struct judged *j, const struct trend *t)
                        : "the orders fall faster and faster: a term of lower order takes over");
 }
 
-/* Runs of points, each without the coarsest of the one before, until one says what the order is; where that is a
- * limit, until the shortest, and one that knows it far better counts instead. */
+/* What the longest run says that knows the order, each without the coarsest points of the one before; where that is a
+ * limit, what a shorter one says that knows it far better. If none knows it, what all points say. drifts: a run does,
+ * before any knows the order; *whole becomes its trend. */
+static struct answer best_answer(const struct judged *j, struct trend *whole)
+{
+  const int half = (whole->points + 1) / 2, fewest = half > LEAST_TREND ? half : LEAST_TREND;
+  const int least = whole->points < fewest ? whole->points : fewest;
+  struct answer best = { .known = false };
+  struct trend t = *whole, finer;
+  for (int first = 0, next; t.points >= least || (t.points == 3 && t.half_width < ALIGNED); first = next, t = finer) {
+    bool drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
+    drifts = drifts && (first == 0 || t.points > LEAST_TREND); /* few points bend by chance */
+    if (best.known && (best.interval != SCALLOP_ORDER_LIMIT || drifts))
+      break;
+    if (drifts) {
+      *whole = t;
+      return (struct answer){ .first = first, .drifts = true };
+    }
+    next = first + 1 + t.points / MANY;
+    finer = t.points >= LEAST_TREND ? trend_from(j, next) : (struct trend){ 0 };
+    struct answer a = answer_of(j, first, &t, &finer);
+    if (first == 0 || (best.known ? a.off < best.off / FAR_BETTER : a.known))
+      best = a;
+  }
+  return best;
+}
+
+/* Nothing knows the order to the tolerance. */
+static void judge_unknown(struct judged *j, const struct trend *whole)
+{
+  struct scallop_order_result *r = j->result;
+  if (has_arrived(j, whole->slope)) {
+    r->verdict = SCALLOP_ORDER_PASS;
+    reason_add(j, "the orders have come to %.3g: ", r->order);
+  } else if (whole->kind == TREND_SETTLING) {
+    set_pairwise_order(j, 0, finest_order(j));
+    say_drift(j, "the orders have not settled");
+    return;
+  } else {
+    r->verdict = SCALLOP_ORDER_SCATTERED;
+    reason_add(j, "the order is %.3g to no better than %.2g: pairwise orders ", r->order, r->high - r->order);
+  }
+  reason_add_orders(j);
+}
+
 static void judge_trend(struct judged *j)
 {
-  struct trend whole = trend_of(j->p, j->used, j->level);
+  struct trend whole = trend_from(j, 0);
   if (whole.finest_is_off) {
     j->p[j->used - 1].use = SCALLOP_ORDER_FLOOR;
     points_sort_by_use(j);
-    whole = trend_of(j->p, j->used, j->level);
+    whole = trend_from(j, 0);
   }
-  int half = (whole.points + 1) / 2, least = whole.points <= LEAST_TREND ? whole.points
-                                             : half > LEAST_TREND        ? half
-                                                                         : LEAST_TREND;
-  struct trend t = whole, finer;
-  struct answer all = { .interval = SCALLOP_ORDER_NO_INTERVAL }, best = all;
-  for (int first = 0, next; t.points >= least || (t.points == 3 && t.half_width < ALIGNED); first = next, t = finer) {
-    bool known = best.interval != SCALLOP_ORDER_NO_INTERVAL,
-         drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
-    drifts = drifts && (first == 0 || t.points > LEAST_TREND); /* few points bend by chance */
-    if (known && (best.interval != SCALLOP_ORDER_LIMIT || drifts))
-      break;
-    if (drifts) {
-      points_leave_out(j, first, SCALLOP_ORDER_COARSE);
-      judge_drift(j, &t);
-      return;
-    }
-    next = first + 1 + t.points / MANY;
-    finer = t.points >= LEAST_TREND ? trend_of(j->p + next, j->used - next, j->level) : (struct trend){ 0 };
-    struct answer a = answer_of(j, first, &t, &finer);
-    if (first == 0)
-      all = a;
-    if (known ? a.off < best.off / FAR_BETTER : sets_order(j, &a))
-      best = a;
-  }
-  if (best.interval != SCALLOP_ORDER_NO_INTERVAL) {
+  struct trend t = whole;
+  struct answer best = best_answer(j, &t);
+  const bool of_three = j->used == 3;
+  if (best.known || best.drifts)
     points_leave_out(j, best.first, SCALLOP_ORDER_COARSE);
-    sets_order(j, &best);
-    compare(j, &whole);
-    return;
-  }
-  sets_order(j, &all);
-  if (!isnan(j->wanted->order) && has_arrived(j, &whole)) {
-    reason_add(j, "the orders have come to %.3g: ", j->result->order);
-    reason_add_orders(j);
-    give(j, SCALLOP_ORDER_PASS);
-  } else if (whole.kind == TREND_SETTLING) {
-    set_pairwise_order(j, 0, finest_order(j));
-    say_drift(j, "the orders have not settled");
-  } else {
-    reason_add(j, "the order is %.3g to no better than %.2g: pairwise orders ", j->result->order,
-               j->result->high - j->result->order);
-    reason_add_orders(j);
-    give(j, SCALLOP_ORDER_SCATTERED);
-  }
+  set_answer(j, &best);
+  if (of_three) /* their pairwise orders tell more than a line with one degree of freedom */
+    best.known = j->result->high - j->result->low <= j->wanted->tolerance;
+  if (best.drifts)
+    judge_drift(j, &t);
+  else
+    (best.known ? compare : judge_unknown)(j, &whole);
 }
 
 static void leave_out_before_sign_change(struct judged *j)
@@ -318,16 +324,29 @@ static void leave_out_noise(struct judged *j)
   points_sort_by_use(j);
 }
 
+/* Sorts by h. Faults and the first h that is repeated become the reason. */
+static bool is_valid(struct judged *j)
+{
+  bool valid = !reason_add_all(j, POINT_NAN, POINTS, "", "; ");
+  points_sort_by_h(j);
+  for (int i = 0; i + 1 < j->count; i++)
+    if (j->p[i].h == j->p[i + 1].h) {
+      long a = j->p[i].row, b = j->p[i + 1].row;
+      reason_add(j, "%sh repeated in rows %ld and %ld", valid ? "" : "; ", a < b ? a : b, a < b ? b : a);
+      return false;
+    }
+  return valid;
+}
+
 static void judge(struct judged *j)
 {
-  bool announced = false, valid = points_sort(j->p, j->count);
-  for (int i = 0; i < j->count; i++)
-    announced |= j->p[i].noise > 0;
-  if (!valid) {
-    say_repeated(j, reason_add_all(j, true, "", "; "));
-    give(j, SCALLOP_ORDER_INVALID);
+  if (!is_valid(j)) {
+    j->result->verdict = SCALLOP_ORDER_INVALID;
     return;
   }
+  bool announced = false;
+  for (int i = 0; i < j->count; i++)
+    announced |= j->p[i].noise > 0;
   if (j->wanted->values)
     points_from_values(j, announced);
   for (int i = 0; i < j->count; i++)
@@ -340,7 +359,7 @@ static void judge(struct judged *j)
   if (!judge_used(j) && floor_leave_out_near(j))
     judge_used(j);
   if (j->result->used > 0 || j->result->verdict == SCALLOP_ORDER_INSUFFICIENT)
-    reason_add_all(j, false, "; left out: ", ", ");
+    reason_add_all(j, SCALLOP_ORDER_ZERO, POINT_NAN, "; left out: ", ", ");
 }
 
 void scallop_order(struct scallop_order_point *points, int *count, const struct scallop_order_wanted *wanted,
@@ -354,6 +373,7 @@ void scallop_order(struct scallop_order_point *points, int *count, const struct 
     if (points[i].row == 0)
       points[i].row = i + 1;
   judge(&j);
+  points_sort_by_h(&j);
   *count = j.count;
 }
 

@@ -1,8 +1,10 @@
-/* The texts of formulas and conditions: read, and evaluated in double. */
+/* The texts of formulas and conditions: read, and evaluated in double; and formulas that were read and own what they
+ * need, for the public. */
 #include "asymptotics/published/read.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 const struct scallop_formula *scallop_formula_named(const char *name)
@@ -112,11 +114,10 @@ char scallop_condition_split(struct scallop_sides *sides, const char *condition)
 
 bool scallop_condition_is_equal_forces(const char *condition)
 {
-  char plain[8] = "";
-  for (size_t used = 0; *condition && used + 1 < sizeof plain; condition++)
-    if (*condition != ' ')
-      plain[used++] = *condition;
-  return strcmp(plain, "F1=F2") == 0 || strcmp(plain, "F2=F1") == 0;
+  char left[3], right[3], more;
+  return sscanf(condition, " %2s = %2s %c", left, right, &more) == 2
+         && ((strcmp(left, "F1") == 0 && strcmp(right, "F2") == 0)
+             || (strcmp(left, "F2") == 0 && strcmp(right, "F1") == 0));
 }
 
 /* nan: it cannot be read */
@@ -139,4 +140,72 @@ bool scallop_formula_is_claimed(const struct scallop_formula *formula, const str
     claimed = sign == '<' ? left < right : sign == '>' ? left > right : left == right;
   }
   return claimed;
+}
+
+_Static_assert((int)SCALLOP_FORMULA_MESSAGE == (int)FORMULA_MESSAGE,
+               "a message of the public face is one of formula.h");
+
+/* Appends a copy of the text, which the operations then refer to. */
+static void keep_text(struct formula *operations, char **end, const char *text)
+{
+  size_t size = strlen(text) + 1;
+  for (int i = 0; i < operations->count; i++)
+    if (operations->steps[i].text == text)
+      operations->steps[i].text = *end;
+  memcpy(*end, text, size);
+  *end += size;
+}
+
+static struct scallop_read_formula *make(const struct formula *operations, const struct scallop_formula *formula)
+{
+  size_t size = strlen(formula->text) + 1;
+  for (const struct scallop_part *p = formula->parts; p && p->name; p++)
+    size += strlen(p->text) + 1;
+  struct scallop_read_formula *made = malloc(sizeof *made + size);
+  if (made) {
+    char *end = made->texts;
+    made->operations = *operations;
+    made->formula = (struct scallop_formula){ .setting = formula->setting };
+    keep_text(&made->operations, &end, formula->text);
+    for (const struct scallop_part *p = formula->parts; p && p->name; p++)
+      keep_text(&made->operations, &end, p->text);
+  }
+  return made;
+}
+
+bool scallop_formula_takes(const struct scallop_read_formula *read, enum scallop_symbol symbol)
+{
+  int places[FORMULA_STEPS], count = formula_places(&read->operations, places);
+  bool found = false;
+  for (int i = 0; i < count; i++)
+    found = found || places[i] == (int)symbol;
+  return found;
+}
+
+struct scallop_read_formula *scallop_formula_read(const struct scallop_formula *formula,
+                                                  char message[SCALLOP_FORMULA_MESSAGE])
+{
+  static const enum scallop_symbol of_phases[] = { SCALLOP_SYMBOL_v0, SCALLOP_SYMBOL_t1, SCALLOP_SYMBOL_dT,
+                                                   SCALLOP_SYMBOL_x_switch };
+  struct formula operations;
+  if (scallop_formula_text(&operations, formula, NULL, message))
+    return NULL;
+  struct scallop_read_formula *made = make(&operations, formula);
+  if (!made)                                                          /* GCOVR_EXCL_LINE: no memory */
+    snprintf(message, SCALLOP_FORMULA_MESSAGE, "there is no memory"); /* GCOVR_EXCL_LINE */
+  for (int i = 0; made && formula->setting == SCALLOP_STEADY && i < 4; i++)
+    if (scallop_formula_takes(made, of_phases[i])) {
+      snprintf(message, SCALLOP_FORMULA_MESSAGE, "the steady state has no %s", scallop_symbol_names[of_phases[i]]);
+      scallop_formula_free(made);
+      return NULL;
+    }
+  return made;
+}
+
+void scallop_formula_free(struct scallop_read_formula *read) { free(read); }
+
+double scallop_formula_double(const struct scallop_read_formula *read, const struct scallop_crawler *crawler,
+                              enum scallop_phase_kind kind, double v0, double t1, double dT, double x_switch)
+{
+  return scallop_formula_at(&read->operations, &read->formula, crawler, kind, v0, t1, dT, x_switch);
 }

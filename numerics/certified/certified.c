@@ -1,5 +1,4 @@
 #include "numerics/certified/certify.h"
-#include "numerics/certified/scoped.h"
 
 #include <stdlib.h>
 

@@ -2,7 +2,6 @@
 #include <stdlib.h>
 
 #include "numerics/certified/certify.h"
-#include "numerics/certified/scoped.h"
 
 enum { STEADY_BALLS = 7 };
 

@@ -5,6 +5,9 @@
 #include "numerics/certified/certified.h"
 #include "numerics/certified/march.h"
 
+SCOPED_KIND(scallop_certified_phase, struct scallop_certified_phase)
+SCOPED_KIND(scallop_certified_steady, struct scallop_certified_steady)
+
 /* Parameters, digits and gait are such as certified.h allows. */
 bool certified_domain(const struct scallop_rational_crawler *crawler, long digits);
 

@@ -1,4 +1,4 @@
-#include "numerics/certified/march_mode.h"
+#include "numerics/certified/march.h"
 
 static const char *const grazing[] = { "body 1 touches zero velocity without turning, or almost: grazing",
                                        "body 2 touches zero velocity without turning, or almost: grazing" };

@@ -1,4 +1,4 @@
-#include "numerics/certified/march_mode.h"
+#include "numerics/certified/march.h"
 
 #include <string.h>
 

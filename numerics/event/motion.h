@@ -1,8 +1,9 @@
-/* Phases and periods in double (period.h), and what pieces of a gait are to them. Not public. */
+/* Phases, periods and steady states in double, and what pieces of a gait are to them. Not public. */
 #ifndef SCALLOP_NUMERICS_EVENT_MOTION_H
 #define SCALLOP_NUMERICS_EVENT_MOTION_H
 
 #include <float.h>
+#include <math.h>
 
 #include "model/law.h"
 
@@ -10,6 +11,42 @@ typedef double real;
 #define ROUNDING (DBL_EPSILON / 2)
 #define SOLVE
 #include "numerics/event/period.h"
+
+/* Where double does not do; numerics.c mends that by wider arithmetic. */
+struct doubt {
+  /* < 1: so much of the parts of a displacement is left after cancellation that wider arithmetic is needed; else 1 */
+  double left;
+  /* a change of the start velocity by less than an ulp changes the multiplier */
+  bool delicate;
+  bool amplified; /* left is of a velocity: rounding of times, or of what friction has taken, is many ulp of it */
+};
+/* As scallop_phase, scallop_period and scallop_steady, in double alone. */
+enum scallop_status solve_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                struct scallop_phase_result *result, struct doubt *doubt);
+enum scallop_status solve_period(const struct scallop_crawler *crawler, double v0, struct scallop_period_result *result,
+                                 struct doubt *doubt);
+enum scallop_status solve_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result,
+                                 struct doubt *doubt);
+
+/* Neither the start velocity nor the time in which friction may undo it is lost in the scaling. */
+static inline bool start_is_kept(double v0, double c0, double eps)
+{
+  return v0 == 0 || (fabs(c0) < DBL_MAX && fabs(c0) / (64 * (1 + eps)) > 0);
+}
+
+/* The crawler and the velocity of its start in units of L and T, or, for a phase, c0 in L/tau. SCALLOP_EDOMAIN: a bad
+ * crawler, or v0 not finite; SCALLOP_ERANGE: scaling overflows, or loses v0. */
+static inline enum scallop_status start_scaled(const struct scallop_crawler *crawler, double v0,
+                                               struct scallop_scaled *scaled, double *c0)
+{
+  enum scallop_status status = scallop_scale(crawler, scaled);
+  if (status != SCALLOP_OK)
+    return status;
+  if (!isfinite(v0))
+    return SCALLOP_EDOMAIN;
+  *c0 = v0 / scaled->velocity;
+  return start_is_kept(v0, *c0, scaled->eps) ? SCALLOP_OK : SCALLOP_ERANGE;
+}
 
 /* l' and l'' at an offset of a piece */
 static inline void piece_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
@@ -20,6 +57,21 @@ static inline void piece_rates(const struct scallop_piece *p, double u, double *
     *velocity = p->curve->velocity(p, u);
     *acceleration = p->curve->acceleration(p, u);
   }
+}
+
+/* Newton's method for the crossings of a line with a curve ends by these two. How far two slopes that meet are from
+ * being the same, in parts of their size */
+static inline double step_margin(double steep, double slope)
+{
+  return fabs(steep - slope) / (fabs(steep) + fabs(slope));
+}
+
+/* A step so small beside the root x, at least one inflection or end of x away, that the next would show only rounding:
+ * the error is then about step^2/(margin x), and rounding that of x over margin. */
+static inline bool step_is_last(double step, double x, double margin)
+{
+  double small = 1e-9 * margin, rounding = 8 * DBL_EPSILON / margin;
+  return fabs(step) <= (small > rounding ? small : rounding) * x;
 }
 
 /* The mean of sgn l' over the period: 2 alpha - 1 for the usual gaits, correctly rounded */

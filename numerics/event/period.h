@@ -9,6 +9,25 @@
 #include "model/scaling.h"
 #include "numerics/numerics.h"
 
+static inline real magnitude(real x) { return x < 0 ? -x : x; }
+
+/* A sum that keeps what rounding drops (Neumaier's variant of Kahan's) */
+struct sum {
+  real total, lost;
+};
+/* Of x + y, whose rounded sum is given */
+static inline real sum_dropped(real sum, real x, real y)
+{
+  return magnitude(x) >= magnitude(y) ? (x - sum) + y : (y - sum) + x;
+}
+static inline void sum_add(struct sum *s, real x)
+{
+  real total = s->total + x;
+  s->lost += sum_dropped(total, s->total, x);
+  s->total = total;
+}
+static inline real sum_value(const struct sum *s) { return s->total + s->lost; }
+
 struct phase_input { /* in units where the phase lasts 1, L is 1 and forces are in F1 + F2                 */
   const struct scallop_shape *shape;
   real mu1, mu2, f1, f2, delta, eps; /* as in struct scallop_scaled; eps of this phase                           */
@@ -62,11 +81,9 @@ struct walker {
 static inline bool is_delicate(real along, real before, real after, real steep)
 {
   const int small = 32;
-  real level = along < 0 ? -along : along, from = before < 0 ? -before : before, to = after < 0 ? -after : after;
-  real apart_from = along < before ? before - along : along - before;
-  real apart_to = along < after ? after - along : along - after;
-  return small * level < (steep < 0 ? -steep : steep) || small * apart_from < level + from
-         || small * apart_to < level + to;
+  real level = magnitude(along);
+  return small * level < magnitude(steep) || small * magnitude(along - before) < level + magnitude(before)
+         || small * magnitude(along - after) < level + magnitude(after);
 }
 
 /* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding

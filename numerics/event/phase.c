@@ -2,72 +2,63 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/event/doubt.h"
 #include "numerics/event/motion.h"
-#include "numerics/event/start.h"
 
-/* unit is the velocity L/tau, c_0 is v0 in that. */
-static enum scallop_status begin_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
-                                       struct scallop_scaled *scaled, struct phase_input *in, double *unit, double *c_0)
+struct phase {
+  struct scallop_scaled scaled;
+  struct phase_input in;
+  struct motion motion;
+  double tau, velocity; /* their units in those of the crawler */
+};
+
+static enum scallop_status walk_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
+                                      scallop_visitor *visit, void *context, struct phase *p)
 {
-  enum scallop_status status = scallop_scale(crawler, scaled);
+  enum scallop_status status = scallop_scale(crawler, &p->scaled);
   if (status != SCALLOP_OK)
     return status;
   if (!isfinite(v0))
     return SCALLOP_EDOMAIN;
-  double tau = scallop_phase_duration(crawler, kind);
-  *in = phase_input_of(scaled, &scaled->gait->phase[kind], scaled->fraction[kind]);
-  *unit = crawler->L / tau;
-  *c_0 = v0 / *unit;
-  return scaling_is_normal(tau) && start_is_kept(v0, *c_0, in->eps) ? SCALLOP_OK : SCALLOP_ERANGE;
+  p->tau = scallop_phase_duration(crawler, kind);
+  p->velocity = crawler->L / p->tau;
+  p->in = phase_input_of(&p->scaled, &p->scaled.gait->phase[kind], p->scaled.fraction[kind]);
+  double c_0 = v0 / p->velocity;
+  if (!scaling_is_normal(p->tau) || !start_is_kept(v0, c_0, p->in.eps))
+    return SCALLOP_ERANGE;
+  motion_walk(&p->in, c_0, visit, context, &p->motion);
+  return SCALLOP_OK;
 }
 
 enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
                                             double v0, scallop_visitor *visit, void *context)
 {
-  struct scallop_scaled scaled;
-  struct phase_input in;
-  struct motion motion;
-  double unit, c_0;
-  enum scallop_status status = begin_phase(crawler, kind, v0, &scaled, &in, &unit, &c_0);
-  if (status == SCALLOP_OK)
-    motion_walk(&in, c_0, visit, context, &motion);
-  return status;
+  struct phase phase;
+  return walk_phase(crawler, kind, v0, visit, context, &phase);
 }
 
 enum scallop_status solve_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                 struct scallop_phase_result *result, struct doubt *doubt)
 {
-  struct scallop_scaled scaled;
-  struct phase_input in;
-  struct motion motion;
-  double unit, c_0, way[3], size[3], tau = scallop_phase_duration(crawler, kind), L = crawler->L;
-  enum scallop_status status = begin_phase(crawler, kind, v0, &scaled, &in, &unit, &c_0);
+  struct phase p;
+  double way[3], size[3], L = crawler->L;
+  enum scallop_status status = walk_phase(crawler, kind, v0, NULL, NULL, &p);
   if (status != SCALLOP_OK)
     return status;
-  motion_walk(&in, c_0, NULL, NULL, &motion);
-  motion_bodies(&in, kind, scaled.mu_difference, &motion, way, size);
-  struct scallop_phase_result answer = { .t1 = motion.first_switch * tau,
-                                         .dT = motion.last_switch * tau,
-                                         .v_end = motion.c_end * unit,
-                                         .dx1 = way[0] * L,
-                                         .dx2 = way[1] * L,
-                                         .dxC = way[2] * L,
-                                         .regime = motion_regime(&motion),
-                                         .modes = motion.modes,
-                                         .work = motion.work };
-  bool has_switch = !isnan(motion.first_switch);
-  if (!scaling_keeps(motion.c_end, answer.v_end) || !scaling_keeps(way[0], answer.dx1)
-      || !scaling_keeps(way[1], answer.dx2) || !scaling_keeps(way[2], answer.dxC)
-      || (has_switch
-          && !(scaling_keeps(motion.first_switch, answer.t1) && scaling_keeps(motion.last_switch, answer.dT))))
-    return SCALLOP_ERANGE;
-  doubt->left = motion_left(in.shape, &motion);
+  const struct motion *m = &p.motion;
+  motion_bodies(&p.in, kind, p.scaled.mu_difference, m, way, size);
+  const double scaled[] = { m->c_end, way[0], way[1], way[2], m->first_switch, m->last_switch };
+  const double back[] = { m->c_end * p.velocity, way[0] * L, way[1] * L, way[2] * L, m->first_switch * p.tau,
+                          m->last_switch * p.tau };
+  for (int i = 0; i < (isnan(m->first_switch) ? 4 : 6); i++)
+    if (!scaling_keeps(scaled[i], back[i]))
+      return SCALLOP_ERANGE;
+  doubt->left = motion_left(p.in.shape, m);
   doubt->amplified = doubt->left < 1;
   for (int i = 0; i < 3; i++)
     if (period_cancels(way[i], size[i], false))
       doubt->left = fmin(doubt->left, fabs(way[i]) / size[i]);
-  *result = answer;
+  *result = (struct scallop_phase_result){ back[4], back[5],          back[0],  back[1], back[2],
+                                           back[3], motion_regime(m), m->modes, m->work };
   return SCALLOP_OK;
 }
 

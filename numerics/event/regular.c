@@ -3,8 +3,6 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/event/step.h"
-
 enum { STEPS = 24 };
 
 /* The steady velocity for T -> 0 when it is small against |l'|: only a place to begin. */

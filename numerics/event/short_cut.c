@@ -1,7 +1,5 @@
 #include "numerics/event/short_cut.h"
 
-#include "numerics/event/step.h"
-
 void course_modes(enum scallop_phase_kind kind, double course, struct scallop_modes *modes)
 {
   const int code = (int)course;

@@ -1,7 +1,6 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/event/doubt.h"
 #include "numerics/event/regular.h"
 #include "numerics/event/short_cut.h"
 

@@ -49,7 +49,7 @@ static inline void begin_line(struct walk *w, real lost)
 static real rest_on_line(struct walk *w, real duration, real *lost)
 {
   real gained = w->lost + w->slope[w->region] * (w->line_time + duration), rest = w->line_rest + gained;
-  *lost = dropped(rest, w->line_rest, gained);
+  *lost = sum_dropped(rest, w->line_rest, gained);
   w->out->furthest = magnitude(w->c) > w->out->furthest ? magnitude(w->c) : w->out->furthest;
   return rest;
 }
@@ -257,7 +257,7 @@ SOLVE void motion_walk(const struct phase_input *input, real c_0, scallop_visito
   w.node = false;
   w.many = input->shape->count > WALK_FEW_PIECES;
   if (w.many)
-    w.carried = (struct walk_sums){ .extra_impulse = { 0, 0 } };
+    memset(&w.carried, 0, sizeof w.carried);
   const struct scallop_piece *pieces = input->shape->pieces, *last_piece = pieces + input->shape->count - 1;
   for (const struct scallop_piece *p = pieces; p <= last_piece; p++) {
     const struct scallop_piece *next = p == last_piece ? NULL : p + 1;
@@ -272,10 +272,10 @@ SOLVE void motion_walk(const struct phase_input *input, real c_0, scallop_visito
   if (w.many) {
     carry_over(&w);
     for (int i = 0; i < 3; i++)
-      motion->way[i] = w.carried.way[i].total + w.carried.way[i].lost;
+      motion->way[i] = sum_value(&w.carried.way[i]);
     for (int i = 0; i < 2; i++)
-      motion->path[i] = w.carried.path[i].total + w.carried.path[i].lost;
-    motion->extra_impulse = w.carried.extra_impulse.total + w.carried.extra_impulse.lost;
+      motion->path[i] = sum_value(&w.carried.path[i]);
+    motion->extra_impulse = sum_value(&w.carried.extra_impulse);
   }
   motion->c_end = w.rest + 0; /* no -0 */
 }

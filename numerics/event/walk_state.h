@@ -1,19 +1,13 @@
 /* Part of walk.h: what a walk knows, and how it goes on in one mode. */
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "model/law.h"
 #include "numerics/event/leg.h"
 
 struct rates {
   real speed, rate; /* |l'| and d|l'|/dt */
-};
-
-struct walk_sum {
-  real total, lost; /* what rounding dropped */
-};
-struct walk_sums {
-  struct walk_sum way[3], path[2], extra_impulse;
 };
 
 static inline bool is_plateau(const struct scallop_piece *p) { return p->linear && p->acceleration == 0; }
@@ -58,26 +52,28 @@ struct walk {
   const struct scallop_piece *piece;
   scallop_visitor *visit; /* is shown each interval of constant mode, or NULL                        */
   void *context;
-  real sense;               /* +1: u runs with time, -1: against it                                    */
-  real curve[2];            /* c on a curve divided by |l'|                                            */
-  real slope[3];            /* of c in each region                                                     */
-  real push[2];             /* of friction on c: f eps of the rear and of the front body               */
-  real pull[2];             /* of a linear l' on the body of curve j, beyond c: -curve[j] d|l'|/dt     */
-  real extra[3];            /* what a region adds to extra_impulse per unit of time                    */
-  real u, c;                /* where we are                                                            */
-  real rest;                /* c minus in->base, which is known better than c unless base is 0          */
-  real line_rest, lost;     /* rest where the line began that c follows, and what rounding dropped of that      */
-  real line_time;           /* since then                                                              */
-  struct walk_sums carried; /* over from out, if there are many pieces                   */
-  bool many;                /* pieces                                                                  */
-  bool node;                /* the piece ends at a node within the phase                               */
-  real v[2];                /* velocity of the rear and of the front body there: c - curve[j] |l'|     */
-  struct rates here, end;   /* there, and at the end of the piece                                      */
-  int region;               /* 0, 1, 2; meaningless while stuck                                        */
-  int stuck;                /* the curve that c is glued to, or -1                                     */
-  int passed;               /* a curve that c has left for the rest of the piece, or -1                */
-  int left;                 /* the curve whose body was released, if c has met none since and is near it; or -1 */
-  bool turned;              /* the mode may have changed since it was last noted                       */
+  real sense;           /* +1: u runs with time, -1: against it                                    */
+  real curve[2];        /* c on a curve divided by |l'|                                            */
+  real slope[3];        /* of c in each region                                                     */
+  real push[2];         /* of friction on c: f eps of the rear and of the front body               */
+  real pull[2];         /* of a linear l' on the body of curve j, beyond c: -curve[j] d|l'|/dt     */
+  real extra[3];        /* what a region adds to extra_impulse per unit of time                    */
+  real u, c;            /* where we are                                                            */
+  real rest;            /* c minus in->base, which is known better than c unless base is 0          */
+  real line_rest, lost; /* rest where the line began that c follows, and what rounding dropped of that      */
+  real line_time;       /* since then                                                              */
+  bool many;            /* pieces: then the sums in out are those of one piece, carried over to these:    */
+  struct {
+    struct sum way[3], path[2], extra_impulse;
+  } carried;
+  bool node;              /* the piece ends at a node within the phase                               */
+  real v[2];              /* velocity of the rear and of the front body there: c - curve[j] |l'|     */
+  struct rates here, end; /* there, and at the end of the piece                                      */
+  int region;             /* 0, 1, 2; meaningless while stuck                                        */
+  int stuck;              /* the curve that c is glued to, or -1                                     */
+  int passed;             /* a curve that c has left for the rest of the piece, or -1                */
+  int left;               /* the curve whose body was released, if c has met none since and is near it; or -1 */
+  bool turned;            /* the mode may have changed since it was last noted                       */
   struct motion *out;
 };
 
@@ -171,8 +167,6 @@ static inline void last(struct walk *w, real u, real c)
     show(w, u, c);
 }
 
-static inline real magnitude(real x) { return x < 0 ? -x : x; }
-
 /* size: of the parts that x is the sum of */
 static inline void come(struct walk *w, int i, real x, real size)
 {
@@ -187,29 +181,19 @@ static inline void body_comes(struct walk *w, int j, real x, real size)
   w->out->path[body - 1] += magnitude(x);
 }
 
-/* What rounding drops of x + y, whose rounded sum is given (Neumaier's variant of Kahan's sum) */
-static inline real dropped(real sum, real x, real y)
+static void carry(struct sum *sum, real *x)
 {
-  return magnitude(x) >= magnitude(y) ? (x - sum) + y : (y - sum) + x;
-}
-
-/* Adds x and keeps what rounding drops. */
-static void add(struct walk_sum *sum, real *x)
-{
-  real total = sum->total + *x;
-  sum->lost += dropped(total, sum->total, *x);
-  sum->total = total;
+  sum_add(sum, *x);
   *x = 0;
 }
 
-/* Of many pieces the sums in out are those of one piece, and are carried over to these. */
 static void carry_over(struct walk *w)
 {
   for (int i = 0; i < 3; i++)
-    add(&w->carried.way[i], &w->out->way[i]);
+    carry(&w->carried.way[i], &w->out->way[i]);
   for (int i = 0; i < 2; i++)
-    add(&w->carried.path[i], &w->out->path[i]);
-  add(&w->carried.extra_impulse, &w->out->extra_impulse);
+    carry(&w->carried.path[i], &w->out->path[i]);
+  carry(&w->carried.extra_impulse, &w->out->extra_impulse);
 }
 
 /* What |l'| covers from here to u. */

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "numerics/event/start.h"
+#include "numerics/event/motion.h"
 
 /* Both phases from v0 in L/T; v[kind] is the velocity after each, in the same unit. */
 static enum scallop_status run_phases(struct rival_phases *r, const struct scallop_scaled *s, double v0, double v[2])

@@ -9,7 +9,6 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "numerics/event/motion.h"
-#include "numerics/event/start.h"
 #include "numerics/rivals/rival_phases.h"
 
 enum { DIMENSION = 2 };

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "numerics/event/doubt.h"
+#include "numerics/event/motion.h"
 #include "numerics/wide/wide_parts.h"
 
 /* Of long double: none where the processor rounds it to less than it holds, as a host of the library may have set it

@@ -3,7 +3,7 @@
 #define SCALLOP_TESTS_SUPPORT_SCOPED_H
 
 #include "asymptotics/derived/scoped.h"
-#include "numerics/certified/scoped.h"
+#include "numerics/certified/certify.h"
 
 static inline double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 

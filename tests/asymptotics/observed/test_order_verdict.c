@@ -3,8 +3,7 @@
 
 #include <stdio.h>
 
-#include "asymptotics/observed/order.h"
-#include "asymptotics/observed/student.h"
+#include "asymptotics/observed/judged.h"
 
 enum { MOST = 200 };
 
