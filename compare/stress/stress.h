@@ -21,12 +21,12 @@ struct stress_options {
   struct request request;
   const char *family;             /* the only one, or NULL */
   struct given_count cases, seed; /* of each family, 0: as many as is usual; of their parameters */
-  bool check, full, stiff, quick, summary;
+  bool check, full, stiff, quick;
 };
 /* The table of families, and that of one point. */
 enum exit_code stress_table(const struct stress_options *options);
 enum exit_code stress_point(const struct stress_options *options);
-/* --stiff: the table of stiff runs (stiff_measure.h), or with --summary a row for each series of them. */
+/* --stiff: the table of stiff runs (stiff.h) */
 enum exit_code stress_stiff(const struct stress_options *options);
 
 /* nan: not known, of a trajectory all but error and unit */
