@@ -81,9 +81,9 @@ static real power(real x, long n)
   return y;
 }
 
-/* With v* the steady start velocity, lambda the multiplier and D(v) the displacement over a period from v, a motion that
- * keeps its modes obeys v_n - v* = lambda^n d exactly where l' is made of ramps, d = v_0 - v*, and D is then a quadratic
- * polynomial, D(v) = D(v*) + B (v - v*) + C (v - v*)^2. So
+/* With v* the steady start velocity, lambda the multiplier and D(v) the displacement over a period from v, a motion
+ * that keeps its modes obeys v_n - v* = lambda^n d exactly where l' is made of ramps, d = v_0 - v*, and D is then a
+ * quadratic polynomial, D(v) = D(v*) + B (v - v*) + C (v - v*)^2. So
  *
  *     x_n = n D(v*) + B d (1 - lambda^n)/(1 - lambda) + C d^2 (1 - lambda^(2 n))/(1 - lambda^2),
  *

@@ -44,7 +44,7 @@ struct study *study_of(struct at *at)
   motion.crawler.T = 1; /* whatever it is */
   if (!s)
     return at_fail(at, "out of memory"), NULL;
-  if (s->study.cache && same_crawler(&s->study.motion.crawler, &motion.crawler))
+  if (s->study.places && same_crawler(&s->study.motion.crawler, &motion.crawler))
     return &s->study;
   clear(s);
   const char *why = study_begin(&s->study, &motion, most_order(&at->asked->quantities));
