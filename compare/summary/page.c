@@ -13,6 +13,10 @@ struct told { /* a series that pages tell of */
   const struct scallop_formula *formula; /* NULL: derived terms */
 };
 
+static const struct told terms[] = { { PAGE_TERMS "v_start", Q_V_START, NULL },
+                                     { PAGE_TERMS "displacement", Q_DISPLACEMENT, NULL } };
+enum { TERMS = sizeof terms / sizeof *terms, MOST_FORMULAS = BOOK_MOST + 8 };
+
 struct page {
   FILE *file;
   int digits;
@@ -21,12 +25,8 @@ struct page {
   const struct answer *answer;
   struct study *study;
   int formulas; /* of which it tells; the derived terms are behind them */
-  struct told told[BOOK_MOST + 12];
+  struct told told[MOST_FORMULAS + TERMS];
 };
-
-static const struct told terms[] = { { PAGE_TERMS "v_start", Q_V_START, NULL },
-                                     { PAGE_TERMS "displacement", Q_DISPLACEMENT, NULL } };
-enum { TERMS = sizeof terms / sizeof *terms };
 
 /* About v_start or the displacement: the one that is asked for, or, where of is NULL, any */
 static bool is_told(const void *of, const struct scallop_formula *f)
@@ -40,7 +40,7 @@ static void find_formulas(struct page *p)
 {
   const struct scallop_formula *f;
   for (int q = 0; q < TERMS; q++)
-    for (int i = 0; (f = listed_formula(i)); i++)
+    for (int i = 0; (f = listed_formula(i)) && p->formulas < MOST_FORMULAS; i++)
       if (is_told(&terms[q], f))
         p->told[p->formulas++] = (struct told){ f->name, terms[q].of, f };
   memcpy(p->told + p->formulas, terms, sizeof terms);
@@ -186,31 +186,23 @@ static const char *equation_of(const struct told *t)
   return *equation && strcmp(equation, "-") != 0 ? equation : t->name;
 }
 
-/* Formulas that agree in all that is told of them are told once. */
-static bool is_same(const struct page *p, const struct told *a, const struct told *b)
-{
-  static const char *const shown[] = { "value", "deviation", "error_limit", "reach_0.01", "reach_0.05", "order" };
-  bool same = a->of == b->of && a->formula->remainder == b->formula->remainder;
-  for (size_t i = 0; i < sizeof shown / sizeof *shown && same; i++) {
-    double x = number(p, "%s.%s", shown[i], a->name), y = number(p, "%s.%s", shown[i], b->name);
-    same = x == y || (isnan(x) && isnan(y));
-  }
-  return same;
-}
-
+/* Formulas with the same value and claim, as (26) and (27), are told once. */
 static void write_formula(const struct page *p, const struct told *t)
 {
+  const double of_formula = number(p, "value.%s", t->name);
   char equations[400] = "", names[1000] = "";
   for (const struct told *u = p->told; u < p->told + p->formulas; u++) {
-    if (!is_same(p, t, u))
-      continue;
-    if (u < t)
+    const double other = number(p, "value.%s", u->name);
+    const char *comma = u == t ? "" : ", ";
+    bool same = u->of == t->of && u->formula->remainder == t->formula->remainder
+                && (other == of_formula || (isnan(other) && isnan(of_formula)));
+    if (same && u < t)
       return;
-    snprintf(equations + strlen(equations), sizeof equations - strlen(equations), u == t ? "%s" : ", %s",
-             equation_of(u));
-    snprintf(names + strlen(names), sizeof names - strlen(names), u == t ? "%s" : ", %s", u->name);
+    if (same) {
+      snprintf(equations + strlen(equations), sizeof equations - strlen(equations), "%s%s", comma, equation_of(u));
+      snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", comma, u->name);
+    }
   }
-  double of_formula = number(p, "value.%s", t->name);
   fprintf(p->file, "  %s %s ", equations, quantity_rows[t->of].name);
   if (isnan(of_formula)) {
     fprintf(p->file, "has no value: it divides by l'', which is 0 at an end of a phase [%s]\n", names);
