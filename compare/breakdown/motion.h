@@ -7,17 +7,10 @@
 #include "asymptotics/derived/singularity.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/breakdown/breakdown.h"
-#include "model/exact/scoped.h"
 
-enum {
-  BREAKDOWN_BITS = 256, /* of the balls that errors are formed in */
-  MOST_ITEMS = 32,
-  /* Terms below T^STUDY_MANY tell the best order, and where the poles of a rational function are. */
-  STUDY_MANY = 96,
-  STUDY_MANY_BITS = 1024
-};
+enum { BREAKDOWN_BITS = 256 }; /* of the balls that errors are formed in */
 
-/* series.c. The motion at T. A phase is the half of a period: its duration is then exactly T. */
+/* motion.c. The motion at T. A phase is the half of a period: its duration is then exactly T. */
 struct motion motion_at(const struct motion *motion, double T);
 /* The answer in binary128 at T. A displacement that is 0 in double is 0. */
 bool motion_in_wide(const struct motion *motion, double T, struct answer *answer);
@@ -29,10 +22,10 @@ double motion_natural_time(const struct motion *motion);
 /* Beyond this T nothing changes any more: the body with the larger friction rests for good. */
 double motion_last_time(const struct motion *motion);
 
-/* mode_change.c. What happens where the modes change, in words: one or several causes, separated by "; ", in text,
- * which is returned. What follows from another cause is left out: a body that is held to the end of a phase makes the
- * next one begin from rest, so what changes at its beginning is not said. "no change of modes" where they are the same.
- * Of both answers modes of extension and contraction, regime and the sign of v_start are used. */
+/* mode_change.c. What happens where the modes change, in words: causes, separated by "; ", in text, which is returned.
+ * What follows from another cause is left out: a body that is held to the end of a phase makes the next one begin from
+ * rest, so what changes at its beginning is not said. Of both answers modes of extension and contraction, regime and
+ * the sign of v_start are used. */
 enum { MODE_CHANGE_TEXT = 400 };
 const char *mode_change_text(char text[MODE_CHANGE_TEXT], const struct answer *before, const struct answer *after);
 
@@ -57,7 +50,13 @@ void events_find(struct events *events, const struct motion *motion, const char 
 void events_clear(struct events *events);
 const struct scallop_modes *events_modes_at(const struct events *events, double T);
 
-/* study.c */
+/* study.c. All that is found of a motion. Terms below T^STUDY_MANY tell the best order, and where the poles of a
+ * rational function are; at STUDY_PLACES (reach.c) the answer in binary128 is kept, shared by all comparisons. */
+enum { STUDY_MANY = 96, STUDY_MANY_BITS = 1024, STUDY_PLACES = 4097 };
+struct study_place {
+  bool known;
+  struct answer exact;
+};
 struct study { /* zero at first */
   struct motion motion;
   struct scallop_rational_crawler crawler; /* the same in fractions */
@@ -65,7 +64,10 @@ struct study { /* zero at first */
   struct series_answer derived; /* the terms below T^order; where there is no series no value, and modes "" */
   struct series_answer many;    /* likewise below T^STUDY_MANY; modes: NULL, before they are first asked for */
   struct events events;         /* until: 0, likewise */
-  struct exact_cache *cache;    /* NULL: there is no study */
+  struct scallop_singularity singularity; /* of the branch, where it has one, up to so many crossings; 0: likewise */
+  int crossings;
+  bool has_singularity;
+  struct study_place *places; /* NULL: there is no study */
 };
 /* In place of an earlier one. order: of the derived series below T^order. NULL, or what is wrong with the crawler, of
  * which there is then no study. */
@@ -85,8 +87,7 @@ struct best_order { /* of truncation: with the terms below T^order the size of t
 };
 /* At T, by the certified value there */
 struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T);
-
-/* series.c. Makes x, beside what it should be, its relative error; 0/0 is none. */
+/* Makes x, beside what it should be, its relative error; 0/0 is none. */
 void relative_error(arb_t x, const arb_t exact, slong precision);
 
 struct series_item { /* one series for one quantity */
@@ -101,6 +102,7 @@ const char *series_name(const struct series_item *item);
  * velocity the velocity at the end? */
 bool series_is_about(const struct scallop_formula *formula, const struct motion *motion, enum quantity_id quantity);
 /* All series of a quantity, by their source; order: of the derived one. Returns how many. */
+enum { MOST_ITEMS = 32 };
 int series_items(struct series_item items[MOST_ITEMS], const struct study *study, enum quantity_id quantity,
                  slong order);
 /* Value at T; nan or not finite where there is none. */
@@ -112,8 +114,6 @@ struct comparison {
   struct series_item item;
   double tolerance;
 };
-/* What is known of the motion, shared by its comparisons; for reach and limit. To be freed; NULL: out of memory. */
-struct exact_cache *exact_cache_new(const struct motion *motion);
 /* The error at T by binary128; nan where it has none, 0 where both are 0 */
 double comparison_error(const struct comparison *c, double T);
 /* Is the error proven to be below the tolerance just below T, and not just above? Of gaits with many pieces that would
@@ -134,9 +134,9 @@ struct radius {
 };
 /* From the coefficients below T^order, where the series is that of a rational function. False: it is not. */
 bool radius_from_poles(struct radius *r, const struct series *series, slong order);
-/* Of the branch that the series expand, of a phase of so many crossings: t1 depends on the first alone. False: there is
- * none. */
-bool singularity_of(struct scallop_singularity *s, const struct study *study, int crossings);
-void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum quantity_id quantity);
+/* From the nearest singularity of the branch that the series expand. False: there is none. */
+bool radius_from_branch(struct radius *r, struct study *study, enum quantity_id quantity);
+/* By the one or the other; false: there is none, as the note says. */
+bool radius_of(struct radius *r, struct study *study, enum quantity_id quantity);
 
 #endif

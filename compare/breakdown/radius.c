@@ -1,9 +1,11 @@
 /* The radius of convergence of a series: from its coefficients, where they are those of a rational function; else from
  * the singularities of the branch. */
+#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 
 #include "compare/breakdown/motion.h"
+#include "compare/text/progress.h"
 
 enum { MOST_POLES = 12, CONFIRMED = 4 };
 
@@ -120,9 +122,28 @@ static enum continued_value continued(enum quantity_id q)
                                         : TRAVEL;
 }
 
-void radius_from_singularity(struct radius *r, const struct scallop_singularity *s, enum quantity_id quantity)
+/* A phase is followed over its crossings; t1 depends on the first alone. */
+static bool find_singularity(struct study *s, int crossings)
 {
+  const struct motion *m = &s->motion;
+  if (s->crossings != crossings) {
+    progress_show("singularities ...");
+    s->crossings = crossings;
+    s->has_singularity = (m->of == OF_STEADY
+                              ? scallop_steady_singularity(&s->singularity, &s->crawler, PLACE_BITS, NULL)
+                              : scallop_phase_singularity(&s->singularity, &s->crawler, m->phase, s->v0, crossings,
+                                                          PLACE_BITS, NULL))
+                         == SCALLOP_OK;
+  }
+  return s->has_singularity;
+}
+
+bool radius_from_branch(struct radius *r, struct study *study, enum quantity_id quantity)
+{
+  const struct scallop_singularity *s = &study->singularity;
   char place[PLACE] = "";
+  if (!find_singularity(study, quantity == Q_T1 ? 1 : INT_MAX))
+    return false;
   if (s->found)
     place_text(place, s->place, s->power, s->even);
   bool shows = s->found && s->shows[continued(quantity)];
@@ -137,13 +158,14 @@ void radius_from_singularity(struct radius *r, const struct scallop_singularity 
     snprintf(r->note, sizeof r->note,
              "a branch point at %s is proven, and no singularity below T = %.6g; between them nothing nearer was found",
              place, r->low);
+  return true;
 }
 
-bool singularity_of(struct scallop_singularity *s, const struct study *of, int crossings)
+bool radius_of(struct radius *r, struct study *study, enum quantity_id quantity)
 {
-  const struct motion *m = &of->motion;
-  return (m->of == OF_STEADY
-              ? scallop_steady_singularity(s, &of->crawler, PLACE_BITS, NULL)
-              : scallop_phase_singularity(s, &of->crawler, m->phase, of->v0, crossings, PLACE_BITS, NULL))
-         == SCALLOP_OK;
+  const struct series *s = study_many(study, quantity);
+  if (s && (radius_from_poles(r, s, STUDY_MANY) || radius_from_branch(r, study, quantity)))
+    return true;
+  *r = (struct radius){ "-", NAN, NAN, NAN, "-", "there is no derived series" };
+  return false;
 }

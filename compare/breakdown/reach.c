@@ -1,34 +1,23 @@
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 
 #include "compare/breakdown/motion.h"
 #include "compare/text/digits.h"
 
-/* T = natural time times 2^(k/PER_OCTAVE - OCTAVES): between two of these an error is taken to have one maximum at
- * most. As T -> 0 it is what it is at FARTHEST. */
-enum { PER_OCTAVE = 16, OCTAVES = 128, MIDDLE = OCTAVES * PER_OCTAVE, PLACES = 2 * MIDDLE + 1, FARTHEST = 128 };
+/* Places: T = natural time times 2^(k/PER_OCTAVE - OCTAVES): between two of these an error is taken to have one maximum
+ * at most. As T -> 0 it is what it is at FARTHEST. */
+enum { PER_OCTAVE = 16, OCTAVES = 128, MIDDLE = OCTAVES * PER_OCTAVE, FARTHEST = 128 };
+_Static_assert(STUDY_PLACES == 2 * MIDDLE + 1, "what a study keeps are these");
 
-struct exact_cache {
-  double natural;
-  int middle, last; /* the places where searches towards T = 0 begin, and beyond which nothing changes */
-  struct {
-    bool known;
-    struct answer exact;
-  } place[PLACES];
-};
-
-struct exact_cache *exact_cache_new(const struct motion *motion)
+/* The one beyond which nothing changes */
+static int last_place(const struct motion *m)
 {
-  struct exact_cache *cache = calloc(1, sizeof *cache);
-  if (!cache)
-    return NULL;
-  cache->natural = motion_natural_time(motion);
-  double beyond = PER_OCTAVE * log2(motion_last_time(motion) / cache->natural);
-  cache->last = MIDDLE + (int)fmin(fmax(ceil(beyond), -MIDDLE), MIDDLE);
-  cache->middle = cache->last < MIDDLE ? cache->last : MIDDLE;
-  return cache;
+  double beyond = PER_OCTAVE * log2(motion_last_time(m) / motion_natural_time(m));
+  return MIDDLE + (int)fmin(fmax(ceil(beyond), -MIDDLE), MIDDLE);
 }
+
+/* Where searches towards T = 0 begin */
+static int middle_place(const struct motion *m) { return last_place(m) < MIDDLE ? last_place(m) : MIDDLE; }
 
 struct look { /* at the error, series/exact - 1 */
   double T, error;
@@ -74,12 +63,12 @@ static struct look look_at(const struct comparison *c, double T, const struct an
 
 static struct look look_at_place(const struct comparison *c, int place)
 {
-  struct exact_cache *cache = c->study->cache;
-  double T = cache->natural * exp2((double)(place - MIDDLE) / PER_OCTAVE);
-  if (!cache->place[place].known)
-    motion_in_wide(&c->study->motion, T, &cache->place[place].exact);
-  cache->place[place].known = true;
-  return look_at(c, T, &cache->place[place].exact);
+  struct study_place *kept = &c->study->places[place];
+  double T = motion_natural_time(&c->study->motion) * exp2((double)(place - MIDDLE) / PER_OCTAVE);
+  if (!kept->known)
+    motion_in_wide(&c->study->motion, T, &kept->exact);
+  kept->known = true;
+  return look_at(c, T, &kept->exact);
 }
 
 double comparison_error(const struct comparison *c, double T) { return look_at(c, T, NULL).error; }
@@ -152,7 +141,7 @@ static int lowest_place(const struct comparison *c)
   enum { ENOUGH = 3 };
   static const double SMALL = 1.0 / 64;
   double limit = look_at_place(c, FARTHEST).excess;
-  int settled = 0, place = c->study->cache->middle;
+  int settled = 0, place = middle_place(&c->study->motion);
   while (settled < ENOUGH && place > FARTHEST) {
     place -= PER_OCTAVE;
     settled = fabs(look_at_place(c, place).excess - limit) < SMALL * fabs(limit) ? settled + 1 : 0;
@@ -198,11 +187,11 @@ static void go_over(struct search *s, const struct look *there)
 double comparison_reach(const struct comparison *c)
 {
   struct search s = { .comparison = c, .reach = INFINITY, .before.error = NAN };
-  int first = lowest_place(c);
+  int first = lowest_place(c), last = last_place(&c->study->motion);
   if (first < 0)
-    return isnan(look_at_place(c, c->study->cache->middle).error) ? NAN : 0;
+    return isnan(look_at_place(c, middle_place(&c->study->motion)).error) ? NAN : 0;
   s.here = look_at_place(c, first);
-  for (int place = first; place < c->study->cache->last && s.reach == INFINITY; place++) {
+  for (int place = first; place < last && s.reach == INFINITY; place++) {
     const struct look next = look_at_place(c, place + 1);
     go_over(&s, &next);
   }

@@ -1,12 +1,15 @@
-#include "compare/breakdown/motion.h"
-
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/book/book.h"
+#include "compare/breakdown/motion.h"
+#include "compare/points/gaits.h"
+
 #define PARTS(of) \
-  of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(series_answer, &s->derived) of(series_answer, &s->many)
+  of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(series_answer, &s->derived) of(series_answer, &s->many) \
+      of(scallop_singularity, &s->singularity)
 
 static void expand(struct series_answer *a, const struct study *s, slong order, slong precision)
 {
@@ -22,8 +25,8 @@ const char *study_begin(struct study *s, const struct motion *motion, slong orde
   enum scallop_status status = scallop_scale(&motion->crawler, &scaled);
   study_clear(s);
   s->motion = *motion;
-  s->cache = status == SCALLOP_OK ? exact_cache_new(motion) : NULL;
-  if (!s->cache)
+  s->places = status == SCALLOP_OK ? calloc(STUDY_PLACES, sizeof *s->places) : NULL;
+  if (!s->places)
     return status == SCALLOP_OK ? "out of memory" : scallop_status_text(status);
   PARTS(SCOPED_INIT)
   scallop_rational_of(&s->crawler, &motion->crawler);
@@ -34,12 +37,12 @@ const char *study_begin(struct study *s, const struct motion *motion, slong orde
 
 void study_clear(struct study *s)
 {
-  if (s->cache) {
+  if (s->places) {
     PARTS(SCOPED_CLEAR)
   }
   events_clear(&s->events);
-  free(s->cache);
-  *s = (struct study){ .cache = NULL };
+  free(s->places);
+  *s = (struct study){ .places = NULL };
 }
 
 const struct events *study_events(struct study *s)
@@ -78,6 +81,88 @@ const char *study_where(const struct study *s, double T)
              "the modes change at T = %.6g",
              e->T, modes->T);
   return text;
+}
+
+/* Series */
+
+bool breakdown_takes(const struct breakdown_options *o, enum breakdown_source source)
+{
+  static const char *const names[] = { "book", "published", "derived", "limit" };
+  return !o->source.given || strcmp(o->source.value, names[source]) == 0;
+}
+
+bool series_is_about(const struct scallop_formula *f, const struct motion *m, enum quantity_id quantity)
+{
+  enum quantity_id own = quantity_of_formula(f, m->phase);
+  enum scallop_setting moving = m->phase == SCALLOP_EXTENSION ? SCALLOP_MOVING_EXTENSION : SCALLOP_MOVING_CONTRACTION,
+                       setting = m->of == OF_STEADY ? SCALLOP_STEADY
+                                 : m->v0 == 0       ? SCALLOP_AT_REST_START
+                                                    : moving;
+  return f->setting == setting && !formula_takes_given(f)
+         && (own == quantity || (own == Q_DISPLACEMENT && quantity == Q_MEAN_VELOCITY)
+             || (own == Q_CHANGE && quantity == Q_V_END));
+}
+
+struct series_item series_of_formula(const struct scallop_formula *f, enum quantity_id quantity)
+{
+  int i = 0;
+  while (book_formula(i) && book_formula(i) != f)
+    i++;
+  return (struct series_item){ book_formula(i) ? FROM_BOOK : FROM_PUBLISHED, quantity, f, 0 };
+}
+
+const char *series_name(const struct series_item *item)
+{
+  return item->formula ? item->formula->name : item->source == FROM_DERIVED ? "derived" : "limit";
+}
+
+int series_items(struct series_item items[MOST_ITEMS], const struct study *study, enum quantity_id quantity,
+                 slong order)
+{
+  const struct scallop_formula *f;
+  int count = 0;
+  for (int i = 0; (f = listed_formula(i)) && count < MOST_ITEMS - 2; i++)
+    if (series_is_about(f, &study->motion, quantity))
+      items[count++] = series_of_formula(f, quantity);
+  if (study->derived.value[quantity]) {
+    items[count++] = (struct series_item){ FROM_DERIVED, quantity, NULL, order };
+    items[count++] = (struct series_item){ FROM_LIMIT, quantity, NULL, 0 };
+  }
+  return count;
+}
+
+void series_item_value(arb_t value, const struct series_item *item, const struct study *study, double T)
+{
+  const struct motion *m = &study->motion;
+  const struct series *s = study->derived.value[item->quantity];
+  const struct scallop_formula *f = item->formula;
+  SCOPED(arb, x);
+  SCOPED(fmpq, time);
+  arb_set_d(x, T);
+  if (!f) {
+    series_value(value, s, x, item->source == FROM_LIMIT ? series_first_power(s) + 1 : item->before, BREAKDOWN_BITS);
+    return;
+  }
+  /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no
+   * L_kin */
+  bool divides = item->source == FROM_PUBLISHED || formula_takes(f, SCALLOP_SYMBOL_L_kin);
+  scallop_rational_set_double(time, T);
+  if ((divides && !gait_has_ends(m->crawler.gait))
+      || !published_in_balls(value, f, &study->crawler, m->phase, study->v0, time, NULL, BREAKDOWN_BITS))
+    arb_indeterminate(value);
+  enum quantity_id own = quantity_of_formula(f, m->phase);
+  if (own == Q_CHANGE && item->quantity == Q_V_END) {
+    arb_set_fmpq(x, study->v0, BREAKDOWN_BITS);
+    arb_add(value, value, x, BREAKDOWN_BITS);
+  } else if (own == Q_DISPLACEMENT && item->quantity == Q_MEAN_VELOCITY)
+    arb_div(value, value, x, BREAKDOWN_BITS);
+}
+
+void relative_error(arb_t x, const arb_t exact, slong precision)
+{
+  arb_sub(x, x, exact, precision);
+  if (!arb_is_zero(x))
+    arb_div(x, x, exact, precision);
 }
 
 struct best_order study_best_order(struct study *study, enum quantity_id quantity, double T)

@@ -1,5 +1,4 @@
 /* scallop breakdown, for one crawler. */
-#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -12,9 +11,6 @@
 struct report {
   const struct breakdown_options *options;
   struct study study;
-  struct scallop_singularity singularity; /* if found, of the branch up to so many crossings; 0: not looked for */
-  int crossings;
-  bool found;
   struct table table;
   long rows;
 };
@@ -137,30 +133,12 @@ static void write_reaches(struct report *r, enum quantity_id quantity)
         write_reach(r, &(struct comparison){ &r->study, items[i], given->given ? given->value : usual[k] });
 }
 
-/* What the series' coefficients tell, else what its branch does; false: there is none, as the note says. */
-static bool find_radius(struct radius *radius, struct report *r, enum quantity_id quantity)
-{
-  const struct series *s = study_many(&r->study, quantity);
-  int crossings = quantity == Q_T1 ? 1 : INT_MAX;
-  if (s && radius_from_poles(radius, s, STUDY_MANY))
-    return true;
-  *radius = (struct radius){ "-", NAN, NAN, NAN, "-", "there is no derived series" };
-  if (s && r->crossings != crossings) {
-    progress_show("singularities ...");
-    r->found = singularity_of(&r->singularity, &r->study, crossings);
-    r->crossings = crossings;
-  }
-  if (s && r->found)
-    radius_from_singularity(radius, &r->singularity, quantity);
-  return s && r->found;
-}
-
 static void write_radius(struct report *r, enum quantity_id quantity)
 {
   const struct event *first = r->study.events.count > 0 ? r->study.events.event : NULL;
   struct radius radius;
   char note[sizeof radius.note + 100];
-  if (!find_radius(&radius, r, quantity))
+  if (!radius_of(&radius, &r->study, quantity))
     snprintf(note, sizeof note, "%s", radius.note);
   else if (!first)
     snprintf(note, sizeof note, "%s; nothing else ends it", radius.note);
@@ -297,12 +275,10 @@ enum exit_code breakdown_table(const struct breakdown_options *o)
   struct report r = { .options = o, .study.motion = motion };
   if (!serves(&r))
     return EXIT_USAGE;
-  scallop_singularity_init(&r.singularity);
   const char *why = study_begin(&r.study, &motion, o->order.value);
   if (why)
     complain("breakdown", "%s", why);
   enum exit_code code = why ? EXIT_UNSOLVED : report(&r);
-  scallop_singularity_clear(&r.singularity);
   study_clear(&r.study);
   return code;
 }

@@ -1,33 +1,30 @@
 /* claims/: the ledger of the paper's claims, with verdicts (data/claims.tsv); docs/errata.md lists what no row decides.
  *
- * A row is one claim for one gait under one set of conditions. There are two kinds of claims:
- *   - about an order, "... + O(T^n)": one row in asymptotics' lists of formulas, or in a book. order.c and book.c go
- *     through these under their conditions, trial.c expands and samples the motion, proof.c finds what the formula
- *     leaves out, and holds the two against each other (decide.h);
- *   - in words: one row and one function in random.c (every crawler), examples.c, families.c (crawlers that differ in
- *     one number) or figures.c, made of what statement.c has; words.c adds the rows.
+ * A row is one claim for one gait under one set of conditions. Claims about an order, "... + O(T^n)", are the rows of
+ * asymptotics' lists of formulas, or of a book: order.c and book.c go through these under their conditions, trial.c
+ * expands and samples the motion, proof.c finds what the formula leaves out. Claims in words are one row and one
+ * function in random.c (every crawler), examples.c, families.c (crawlers that differ in one number) or figures.c.
  *
- * A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0; for all parameters
- * where the coefficients are known in names, else for the crawler of the row. A claim in words is proven in
- * docs/theory.md, decided by a certified example, or rests on random crawlers or a scan in doubles: `evidence` says
- * which. What is neither shown nor refuted is undecided. A refuted order names the formula that holds instead. A row
- * that contradicts itself (a measured error that is not what is left out, a correction that does not hold) is an error
- * of the ledger, not a verdict. */
+ * A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0. What is neither shown
+ * nor refuted is undecided. A row that contradicts itself (a measured error that is not what is left out, a correction
+ * that does not hold) is an error of the ledger, not a verdict. */
 #ifndef SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 #define SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 
-#include "compare/book/book.h"
-#include "compare/answers/request.h"
-#include "compare/text/values.h"
-#include <stdbool.h>
-
 #include "asymptotics/observed/order.h"
-#include "compare/text/message.h"
+#include "compare/answers/request.h"
+#include "compare/book/book.h"
 #include "model/exact/ball.h"
-#include "model/model.h"
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_UNDECIDED, CLAIM_REFUTED };
 const char *claim_verdict_text(enum claim_verdict verdict);
+
+/* How it is known: for all parameters with which the motion has the modes of the row's (a claim in words: by
+ * docs/theory.md); for the crawler that is named; from `sampled` crawlers, or other cases; from doubles */
+enum claim_evidence { NO_EVIDENCE, PROVEN_FOR_ALL, CERTIFIED_CRAWLER, SAMPLED, MEASURED };
+
+/* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a book's */
+enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
 
 enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
 /* v0 of the rows from v0, in units of sqrt(L (F1 + F2)/M), rounded to two digits: no coincidence */
@@ -35,39 +32,32 @@ enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
 /* Half the width of the interval that a measured order is to have. */
 #define CLAIM_TOLERANCE 0.02
 
-/* How the verdict of a row is known: for all parameters with which the motion has the modes of the row's; for the
- * crawler that is named; from `sampled` crawlers, or other cases; from doubles */
-enum claim_evidence { NO_EVIDENCE, PROVEN_FOR_ALL, CERTIFIED_CRAWLER, SAMPLED, MEASURED };
-
-/* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a book's */
-enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
-
 struct claim_row {
   char claim[CLAIM_NAME];
   const char *equation, *quantity, *gait;
   char conditions[240];
-  bool inside; /* these are the conditions that the paper assumes                  */
+  bool inside; /* these are the conditions that the paper assumes */
   enum claim_source source;
   bool any_crawler;     /* that it is tested for stands for all: what holds for it by coincidence is refuted */
-  double claimed_order; /* nan: not a claim about an order                                  */
+  double claimed_order; /* nan: not a claim about an order */
   bool proven;          /* derived_order and coefficient, the first of what is left out, are there */
-  bool exact;           /* every coefficient that was looked at vanishes                    */
+  bool exact;           /* every coefficient that was looked at vanishes */
   long derived_order;
-  char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none                */
-  char *leading_error;  /* of a formula proven for all: that term as a formula; the ledger's own, or NULL  */
+  char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none */
+  char *leading_error;  /* of a formula proven for all: that term as a formula; the ledger's own, or NULL */
   struct scallop_order_result fit;
-  struct scallop_order_point points[CLAIM_POINTS]; /* from the largest T                           */
+  struct scallop_order_point points[CLAIM_POINTS]; /* from the largest T */
   int count;
   enum claim_verdict verdict;
   enum claim_evidence evidence;
   int sampled;
   bool in_words;
-  char corrected[CLAIM_NAME]; /* of a refuted formula: the claim that holds, or ""                */
-  char measured[200];         /* of a claim in words: the figure that decides                     */
+  char corrected[CLAIM_NAME]; /* of a refuted formula: the claim that holds, or "" */
+  char measured[200];         /* of a claim in words: the figure that decides */
   char reason[320];           /* of a verdict: why; of a refutation in words: an example to paste */
 };
 
-struct ledger { /* begins as { 0 }                                                                */
+struct ledger { /* begins as { 0 } */
   struct claim_row *rows;
   int count;
   char contradiction[600]; /* "", or what contradicts itself (the last one) */
@@ -78,24 +68,20 @@ void ledger_add(struct ledger *ledger, const struct claim_row *row);
 bool ledger_expects(struct ledger *ledger); /* Is it a forecast? Then that counts a row. */
 void ledger_free(struct ledger *ledger);
 
-/* Adds the claims "... + O(T^n)" for the gait of the crawler, each inside and outside of its conditions, and the
- * formulas that hold where one of the paper's does not. crawler: T is not used; F1 > F2 and alpha > 1/2 (exchanged
- * where a row says so). only: the names of the requested rows (see formula_is_listed), or NULL for all. */
+/* Claims about orders for the gait of the crawler, inside and outside of their conditions, and the formulas that hold
+ * where one of the paper's does not. T is not used; F1 > F2 and alpha > 1/2 (exchanged where a row says so). only: the
+ * names of the requested rows (formula_is_listed), or NULL for all. */
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const char *only);
-
-/* Adds the claim of one formula, of a book or the paper's; or those of the books that were read. crawler: as it is, or,
- * where it is not given, changed so that the conditions of each formula hold. */
+/* Of one formula; of the books that were read. A crawler that is not given is changed to meet the formula's
+ * conditions. */
 void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                         const struct scallop_formula *formula);
 void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                      const char *only);
-
-/* Adds the claims in words. Of the crawler F1 and alpha are varied; it takes half of the time at which the Froude
- * number is 1. */
+/* Claims in words, of the paper's crawler and of this one, of which F1, alpha and T are varied */
 void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler);
 
-/* `scallop claims` */
-struct claims_options {
+struct claims_options { /* of `scallop claims` */
   struct request request;
   const char *errors;        /* the names whose errors are wanted, or NULL */
   struct given_word verdict; /* of the rows that are wanted, or all */

@@ -3,12 +3,10 @@
 #define SCALLOP_COMPARE_CLAIMS_DECIDE_H
 
 #include "asymptotics/derived/evaluate.h"
-#include "asymptotics/derived/scoped.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/claims/claims.h"
 
-/* About an order: the motion is expanded as T -> 0 and sampled, and what a formula leaves out of that is a row of the
- * ledger. */
+/* About an order: the motion is expanded as T -> 0 and sampled, and what a formula leaves out of that is a row. */
 
 /* Under which a formula is tested. Where the text says "F1 < F2", "F2 > F1", "alpha < 1/2" or "m1 a hundredth", the
  * crawler, with F1 > F2 and alpha > 1/2, is changed so. */
@@ -16,10 +14,10 @@ struct condition {
   enum scallop_setting setting;
   enum scallop_phase_kind kind;
   const char *text;
-  bool inside;       /* assumed by the paper                                */
-  double v0;         /* in units of sqrt(L (F1 + F2)/M)                     */
-  bool equal_forces; /* F2 = F1                                             */
-  bool reversed;     /* the bodies exchange their roles against the paper   */
+  bool inside;       /* assumed by the paper */
+  double v0;         /* in units of sqrt(L (F1 + F2)/M) */
+  bool equal_forces; /* F2 = F1 */
+  bool reversed;     /* the bodies exchange their roles against the paper */
   /* In place of a motion l' and l before the end of an extension, T = L = 1, at the time T before that: REAR_AT_END is
    * l', and FRONT_AT_END l. What holds for one crawler holds for all. */
   bool at_end;
@@ -31,8 +29,8 @@ struct trial {
   const struct condition *condition;
   bool mirrored;
   fmpq_t v0;
-  struct scallop_rational_crawler crawler; /* T is not used                                         */
-  struct series_answer series;             /* status: whether the motion has an expansion in powers of T     */
+  struct scallop_rational_crawler crawler; /* T is not used */
+  struct series_answer series;             /* status: whether the motion has an expansion in powers of T */
   slong terms;
   struct sample *samples;
 };
@@ -57,84 +55,59 @@ struct claim_row row_of_formula(const struct scallop_formula *f, const struct sc
  * that, for this reason, "" where none is known; or NULL. */
 void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *formula,
                    const char *why);
-/* Behind what the text holds, as far as there is room */
-void append(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* Notes what cannot be. */
 void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* In words: a row says what is claimed, where, and of which crawler; its function solves motions, compares numbers, and
- * prints what was found.
- *
- * All numbers are doubles. Certified ones are 30 proven digits, rounded once. They are 0 only where they are proven to
- * be below 2^-80, and otherwise have a proven sign; and what differs by more than roundings does differ. */
+/* Behind what the text holds, as far as there is room */
+void append(char *text, size_t size, const char *format, ...) __attribute__((format(printf, 3, 4)));
+double short_number(double x, int digits); /* as a command says it */
+double middle(const arb_t x);
 
-/* What statements about every crawler are about (random.c): the steady state, or an extension from rest */
-enum number {
-  MULTIPLIER,
-  SETTLES_LATE,
-  SEVERAL_STATES,
-  BOTH_REST,
-  EXCHANGE_CHANGES,
-  EQUAL_FORCES_MOVE,
-  EQUAL_TIMES_MOVE,
-  EQUAL_FORCES_DIFFER,
-  EQUAL_TIMES_FORWARD,
-  QUICK_STARTS_BACKWARD,
-  SLIDES_BACKWARD,
-  STICKS_BACKWARD,
-  VELOCITY_FALLS,
-  FIRST_FROM_REST,
-  V0_TAKES_WAY = FIRST_FROM_REST,
-  V0_ADDS_CHANGE,
-  CENTRE_BACKWARD,
-  TURNS_OTHERWISE,
-  LAST_OVER_HALF,
-  LAST_SHRINKS
-};
-
+/* In words (statement.c): a row says what is claimed, where, and of which crawler; its function solves motions,
+ * compares numbers, and prints what was found. */
 struct question;
 struct statement {
-  const char *name, *place, *quantity; /* place: in the paper                                                       */
-  const char *conditions; /* a format: %s is whose crawler it is; the crawler gets what they say of its numbers    */
+  const char *name, *place, *quantity; /* place: in the paper */
+  const char *conditions; /* a format: %s is whose crawler it is; the crawler gets what they say of its numbers */
   void (*test)(struct question *q, struct scallop_crawler c);
-  enum scallop_regime regime; /* of the steady state that it is about                                      */
-  bool shows;                 /* the example shows what is claimed; else it refutes that                  */
-  const void *data;           /* what else the function takes                                             */
-  bool outside;               /* of the paper's conditions                                                 */
-  bool of_its_gaits_alone;    /* the paper's: no row for another                                           */
-  bool of_its_crawler;        /* the paper's, not the ledger's                                             */
-  bool proven;                /* for the paper's gaits, in docs/theory.md: The motion in words             */
-  /* Of one about every crawler, which has no test: the number that is at most the limit where it holds; what is said
-   * where it holds for all, a format of how many they are; or, whether it holds or not, one of the largest number. */
-  enum number number;
-  double limit;
-  const char *holds, *found;
+  const void *data;           /* what else the function takes */
+  enum scallop_regime regime; /* of the steady state that it is about */
+  bool shows;                 /* the example shows what is claimed; else it refutes that */
+  bool outside;               /* of the paper's conditions */
+  bool of_its_gaits_alone;    /* the paper's: no row for another */
+  bool of_its_crawler;        /* the paper's, not the ledger's */
+  bool proven;                /* for the paper's gaits, in docs/theory.md: The motion in words */
 };
 /* In the order of the ledger; the last has name NULL. Those of families and figures are decided with the paper's
  * crawler, and then with the ledger's. */
 extern const struct statement statements_at_random[], statements_by_example[], statements_of_families[],
     statements_of_figures[];
 
-/* One statement while it is decided, for one crawler */
-struct question {
+struct question { /* a statement while it is decided, for one crawler */
   const struct statement *claim;
   struct scallop_crawler crawler;
-  bool of_the_paper;      /* it is the one of the paper's figures                                                     */
-  enum claim_evidence by; /* how motions are solved: CERTIFIED_CRAWLER, to begin with; else in doubles               */
-  bool solved;            /* all motions so far                                                                       */
-  double largest;         /* of random crawlers: the largest number, that of crawler                          */
+  bool of_the_paper;      /* it is the one of the paper's figures */
+  enum claim_evidence by; /* how motions are solved: CERTIFIED_CRAWLER, to begin with; else in doubles */
+  bool solved;            /* all motions so far */
   struct claim_row row;
   char options[200];
 };
+/* The verdict, 1, -1 or 0, it is not known; and what was found. */
+void conclude(struct question *q, int verdict, const char *format, ...) __attribute__((format(printf, 3, 4)));
+/* Of what does not hold: a command that shows it, behind words perhaps */
+void show(struct question *q, const char *format, ...) __attribute__((format(printf, 2, 3)));
+/* " --F1 2 --gait sinusoidal", what makes the default crawler this one */
+const char *options(struct question *q, struct scallop_crawler c);
 
-/* A motion that is solved: its quantities, by name and by enum quantity_id, nan where it has none */
+/* A motion that is solved: its quantities, by name and by enum quantity_id, nan where it has none. Certified numbers
+ * have 30 proven digits, rounded once. They are 0 only where they are proven to be below 2^-80, and otherwise have a
+ * proven sign. */
 struct solved {
   union {
     struct {
       double froude, v_start, v_mid, displacement, mean_velocity, multiplier;
-      double t1, dT, v_end, dx1, dx2, dxC;
-      double friction_work, cost_of_transport, at_first;
+      double t1, dT, v_end, dx1, dx2, dxC, friction_work, cost_of_transport, at_first;
     };
     double of[ALL_QUANTITIES];
   };
@@ -142,48 +115,40 @@ struct solved {
   char modes[MOTION_MODES_TEXT]; /* "++ -+ ++ | ++ +- ++" */
   bool single;                   /* in doubles: there is one steady state */
 };
+enum { EVIDENCE_DIGITS = 30, EVIDENCE_BITS = 160 };
 struct solved steady(struct question *q, struct scallop_crawler c); /* q NULL: in doubles */
 struct solved extension(struct question *q, struct scallop_crawler c, double v0);
 struct solved contraction(struct question *q, struct scallop_crawler c, double v0);
-struct scallop_crawler exchanged(struct scallop_crawler c); /* the names of its bodies */
-/* Sets the numbers of the crawler that conditions in words give it: those of their parts, between commas, semicolons
- * and colons, that are as "T = 2", "F1 = F2 = 1", "alpha = 1/2" or "m1 = m2"; and exchanges the forces where "F1 > F2"
- * asks for it. False: they are equal. */
-bool set_conditions(struct scallop_crawler *c, const char *conditions);
-/* Periods from rest until the velocity is as near to the steady one, over L/T, at most so many; 0: more, in doubles */
-int periods_from_rest(const struct scallop_crawler *c, double near, int most);
-double middle(const arb_t x);
 double certain(const arb_t x);
-enum { EVIDENCE_DIGITS = 30, EVIDENCE_BITS = 160 };
-
 /* A formula of the paper by its name, of a phase from rest or from v0 = 1, or a text in the names of its formulas of
  * the steady state; what it is about, nan of a text; and their difference: certified */
 struct printed {
   double value, exact, error;
 };
 struct printed printed(struct scallop_crawler c, const char *formula);
+/* Periods from rest until the velocity is as near to the steady one, over L/T, at most so many; 0: more, in doubles */
+int periods_from_rest(const struct scallop_crawler *c, double near, int most);
+
+struct scallop_crawler exchanged(struct scallop_crawler c); /* the names of its bodies */
+/* Sets the numbers of the crawler that conditions in words give it: those of their parts, between commas, semicolons
+ * and colons, that are as "T = 2", "F1 = F2 = 1", "alpha = 1/2" or "m1 = m2"; and exchanges the forces where "F1 > F2"
+ * asks for it. False: they are equal. */
+bool set_conditions(struct scallop_crawler *c, const char *conditions);
 
 /* 1: a > b; -1: a < b; 0: they do not differ by more than roundings do, or one of them is nan */
 int compare(double a, double b);
 /* Of a certified number: 1: it is 0, to 2^-80; -1: it is not; 0: not known */
 int is_zero(double x);
 
-/* The verdict, 1, -1 or 0, it is not known; and what was found. */
-void conclude(struct question *q, int verdict, const char *format, ...) __attribute__((format(printf, 3, 4)));
-/* Of what does not hold: a command that shows it, behind words perhaps */
-void show(struct question *q, const char *format, ...) __attribute__((format(printf, 2, 3)));
-/* " --F1 2 --gait sinusoidal", what makes the default crawler this one */
-const char *options(struct question *q, struct scallop_crawler c);
-double short_number(double x, int digits); /* as a command says it */
-
-/* Is what the statement says of every crawler so of random ones? */
-void at_random(struct question *q, struct scallop_crawler any);
-
 /* The last double before f, positive at low and not at high, is not positive any more; where f, with one maximum
  * between a and b, is highest, to 1e-7 of it */
 typedef double function_of(const void *context, double x);
 double last_positive(function_of *f, const void *context, double low, double high);
 double highest_between(function_of *f, const void *context, double a, double b);
+
+/* A number of each of 400 random crawlers (random.c), which the data of the statement says */
+void at_random(struct question *q, struct scallop_crawler any);
+extern const struct fact steady_state_is_unique;
 
 void v_mid_peaks(struct question *q, struct scallop_crawler c);
 void contraction_loses_least(struct question *q, struct scallop_crawler c);

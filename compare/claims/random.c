@@ -11,6 +11,38 @@
 
 enum { RANDOM_CRAWLERS = 400 };
 
+/* Of a crawler: the steady state, or an extension from rest */
+enum number {
+  MULTIPLIER,
+  SETTLES_LATE,
+  SEVERAL_STATES,
+  BOTH_REST,
+  EXCHANGE_CHANGES,
+  EQUAL_FORCES_MOVE,
+  EQUAL_TIMES_MOVE,
+  EQUAL_FORCES_DIFFER,
+  EQUAL_TIMES_FORWARD,
+  QUICK_STARTS_BACKWARD,
+  SLIDES_BACKWARD,
+  STICKS_BACKWARD,
+  VELOCITY_FALLS,
+  FIRST_FROM_REST,
+  V0_TAKES_WAY = FIRST_FROM_REST,
+  V0_ADDS_CHANGE,
+  CENTRE_BACKWARD,
+  TURNS_OTHERWISE,
+  LAST_OVER_HALF,
+  LAST_SHRINKS
+};
+
+/* The number is at most the limit where the statement holds. Said is, where it holds for all, a format of how many they
+ * are; or, whether it holds or not, one of the largest number. */
+struct fact {
+  enum number number;
+  double limit;
+  const char *holds, *found;
+};
+
 /* 10^x, rounded once: pow of one C library differs from that of another in the last bit. */
 static double power_of_10(double x)
 {
@@ -33,10 +65,10 @@ static struct scallop_crawler next_crawler(gsl_qrng *sequence, const struct scal
   return c;
 }
 
-/* What the statement is about, of the steady state or of an extension from rest; -INFINITY where it is about others */
+/* What the statement is about; -INFINITY where it is about others */
 static double number_of(struct question *q, struct scallop_crawler c)
 {
-  const enum number number = q->claim->number;
+  const enum number number = ((const struct fact *)q->claim->data)->number;
   c.F2 = number == EQUAL_FORCES_MOVE ? c.F1 : c.F2;
   c.alpha = number == EQUAL_TIMES_MOVE ? 0.5 : c.alpha;
   if (number == QUICK_STARTS_BACKWARD) /* Froude number 1e8 */
@@ -73,56 +105,62 @@ static double number_of(struct question *q, struct scallop_crawler c)
 }
 
 /* The counterexample as it is printed, with four digits, certified; or, if that is none, in doubles */
-static void certify(struct question *q)
+static double certify(struct question *q, double largest, double limit)
 {
   struct scallop_crawler c = q->crawler;
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     *crawler_field(&c, i) = short_number(crawler_number(&c, i), 4);
   q->by = CERTIFIED_CRAWLER;
   const double number = number_of(q, c);
-  if (compare(number, q->claim->limit) > 0) {
+  if (compare(number, limit) > 0) {
     q->crawler = c;
-    q->largest = number;
-  } else {
-    q->by = MEASURED;
-    q->solved = true;
+    return number;
   }
+  q->by = MEASURED;
+  q->solved = true;
+  return largest;
 }
 
 void at_random(struct question *q, struct scallop_crawler c)
 {
-  const double limit = q->claim->limit;
+  const struct fact *fact = q->claim->data;
   gsl_qrng *sequence = gsl_qrng_alloc(gsl_qrng_sobol, 6);
   int meant = 0, held = 0, failed = 0;
-  q->largest = -INFINITY;
+  double largest = -INFINITY;
   q->by = MEASURED;
   for (int i = 0; sequence && i < RANDOM_CRAWLERS; i++) {
     c = next_crawler(sequence, c.gait);
     const double number = set_conditions(&c, q->claim->conditions) ? number_of(q, c) : -INFINITY;
     meant += number != -INFINITY;
-    held += number != -INFINITY && number <= limit;
-    failed += number > limit;
-    q->crawler = number > q->largest ? c : q->crawler;
-    q->largest = fmax(q->largest, number);
+    held += number != -INFINITY && number <= fact->limit;
+    failed += number > fact->limit;
+    q->crawler = number > largest ? c : q->crawler;
+    largest = fmax(largest, number);
   }
   gsl_qrng_free(sequence);
   q->row.sampled = meant;
   if (failed > 0)
-    certify(q);
+    largest = certify(q, largest, fact->limit);
   else
     q->by = SAMPLED;
   const int verdict = failed > 0 ? -1 : held > 0 && held == meant;
   c = q->crawler;
-  if (q->claim->found)
-    conclude(q, verdict, q->claim->found, fmax(q->largest, 0));
+  if (fact->found)
+    conclude(q, verdict, fact->found, fmax(largest, 0));
   else if (failed > 0)
-    conclude(q, verdict, "not so for %d of %d crawlers, by up to %.3g", failed, meant, q->largest - limit);
+    conclude(q, verdict, "not so for %d of %d crawlers, by up to %.3g", failed, meant, largest - fact->limit);
   else
-    conclude(q, verdict, q->claim->holds, meant);
-  if (q->claim->found)
+    conclude(q, verdict, fact->holds, meant);
+  if (fact->found)
     show(q, "scallop steady --m1 %.4g --m2 %.4g --F1 %.4g --F2 %.4g --L 1 --T %.4g --alpha %.4g --gait %s", c.m1, c.m2,
          c.F1, c.F2, c.T, c.alpha, c.gait->name);
 }
+
+const struct fact steady_state_is_unique = {
+  .number = SEVERAL_STATES,
+  .holds = "proven for continuous l' (docs/theory.md, How many steady states); the solver finds one for %d of 400 "
+           "quasi-random crawlers"
+};
 
 #define SET "400 quasi-random crawlers, masses and forces within 100:1"
 static const char whole_set[] = SET ", sliding to stick-slip", faster[] = SET ", v0 = alpha/10 L over the duration";
@@ -130,43 +168,49 @@ static const char from_rest[] = SET ", F1 > F2, from rest, those that slide";
 static const char backward[] = "largest displacement/L against the sign of (F1-F2)(2 alpha-1): %.3g";
 static const char forward[] = "longer_extension_moves_forward", still[] = "largest |displacement|/L: below 1e-14";
 
+#define FACT(...) \
+  .test = at_random, .data = &(const struct fact) { __VA_ARGS__ }
 const struct statement statements_at_random[] = {
-  { "equal_forces_do_not_move", "4.1", "displacement", whole_set, .number = EQUAL_FORCES_MOVE, .limit = 1e-14,
-    .proven = true, .holds = still },
-  { "symmetric_timing_does_not_move", "4.2", "displacement", whole_set, .number = EQUAL_TIMES_MOVE, .limit = 1e-14,
-    .proven = true, .holds = still },
-  { "steady_state_attracts", "4.3.2", "multiplier", whole_set, .number = MULTIPLIER, .limit = 1 - DBL_EPSILON,
-    .found = "largest multiplier of the period map: %.4f" },
-  { "motion_always_settles", "5", "v", whole_set, .number = SETTLES_LATE,
-    .holds = "largest |v - v_start| T/L after at most 20000 periods from rest: below 1e-6" },
-  { forward, "4.4", "displacement", "400 quasi-random crawlers: those that slide", .number = SLIDES_BACKWARD,
-    .limit = 1e-14, .found = backward },
-  { forward, "4.4", "displacement", "400 quasi-random crawlers: those in stick-slip", .number = STICKS_BACKWARD,
-    .limit = 1e-14, .outside = true, .found = backward },
-  { "one_body_always_moves", "2", "modes", whole_set, .number = BOTH_REST, .proven = true,
-    .holds = "x2' - x1' = l'; both bodies at rest at once in a steady state: never" },
+  { "equal_forces_do_not_move", "4.1", "displacement", whole_set, FACT(EQUAL_FORCES_MOVE, 1e-14, .holds = still),
+    .proven = true },
+  { "symmetric_timing_does_not_move", "4.2", "displacement", whole_set, FACT(EQUAL_TIMES_MOVE, 1e-14, .holds = still),
+    .proven = true },
+  { "steady_state_attracts", "4.3.2", "multiplier", whole_set,
+    FACT(MULTIPLIER, 1 - DBL_EPSILON, .found = "largest multiplier of the period map: %.4f") },
+  { "motion_always_settles", "5", "v", whole_set,
+    FACT(SETTLES_LATE, 0, .holds = "largest |v - v_start| T/L after at most 20000 periods from rest: below 1e-6") },
+  { forward, "4.4", "displacement", "400 quasi-random crawlers: those that slide",
+    FACT(SLIDES_BACKWARD, 1e-14, .found = backward) },
+  { forward, "4.4", "displacement", "400 quasi-random crawlers: those in stick-slip",
+    FACT(STICKS_BACKWARD, 1e-14, .found = backward), .outside = true },
+  { "one_body_always_moves", "2", "modes", whole_set,
+    FACT(BOTH_REST, 0, .holds = "x2' - x1' = l'; both bodies at rest at once in a steady state: never"),
+    .proven = true },
   { "which_body_is_1_does_not_matter", "2", "displacement", SET "; m1 and m2, F1 and F2 exchanged",
-    .number = EXCHANGE_CHANGES, .limit = 1e-14, .proven = true,
-    .holds = "displacement of one plus that of the other, over L: below 1e-14" },
-  { "equal_forces_bodies_oppose", "(6), (7)", "modes", SET "; F2 = F1", .number = EQUAL_FORCES_DIFFER, .limit = 1e-14,
-    .proven = true, .holds = "the modes are -+ | +- and |v_start| T/L is below 1e-14" },
+    FACT(EXCHANGE_CHANGES, 1e-14, .holds = "displacement of one plus that of the other, over L: below 1e-14"),
+    .proven = true },
+  { "equal_forces_bodies_oppose", "(6), (7)", "modes", SET "; F2 = F1",
+    FACT(EQUAL_FORCES_DIFFER, 1e-14, .holds = "the modes are -+ | +- and |v_start| T/L is below 1e-14"),
+    .proven = true },
   { "velocity_rises_over_extension", "4.2", "v_mid", SET ", F1 > F2, the steady states that slide",
-    .number = VELOCITY_FALLS, .proven = true, .holds = "v_mid >= v_start for all (%d crawlers)" },
-  { "symmetric_timing_starts_backward", "4.2", "v_start", SET "; alpha = 1/2", .number = EQUAL_TIMES_FORWARD,
-    .limit = 1e-14, .proven = true, .holds = "v_start = -v_mid to 1e-14 L/T, and never on the side of F1 - F2" },
+    FACT(VELOCITY_FALLS, 0, .holds = "v_mid >= v_start for all (%d crawlers)"), .proven = true },
+  { "symmetric_timing_starts_backward", "4.2", "v_start", SET "; alpha = 1/2",
+    FACT(EQUAL_TIMES_FORWARD, 1e-14, .holds = "v_start = -v_mid to 1e-14 L/T, and never on the side of F1 - F2"),
+    .proven = true },
   { "centre_moves_forward_in_an_extension", "4.3", "dx_C", SET ", F1 > F2, m1 = m2, from rest",
-    .number = CENTRE_BACKWARD, .limit = -DBL_MIN, .proven = true, .holds = "dx_C > 0 for all (%d crawlers)" },
-  { "extension_from_rest_has_two_intervals", "4.3.1", "modes", from_rest, .number = TURNS_OTHERWISE, .proven = true,
-    .holds = "the modes are -+ ++ for all (%d crawlers)" },
-  { "first_interval_is_the_greater_part", "4.3.1", "dT", from_rest, .number = LAST_OVER_HALF, .proven = true,
-    .holds = "dT is at most half of the duration for all (%d crawlers)" },
-  { "last_interval_grows_with_duration", "4.3.1", "dT", from_rest, .number = LAST_SHRINKS, .proven = true,
-    .holds = "dT does not shrink with the duration for any, here by 1 %% (%d crawlers)" },
-  { "start_velocity_adds_displacement", "4.3.2", "dx_C", faster, .number = V0_TAKES_WAY, .proven = true,
-    .holds = "dx_C is not smaller than from rest for any" },
-  { "start_velocity_takes_velocity_change", "4.3.2", "v_end", faster, .number = V0_ADDS_CHANGE, .proven = true,
-    .holds = "v_end - v0 is not larger than from rest for any" },
+    FACT(CENTRE_BACKWARD, -DBL_MIN, .holds = "dx_C > 0 for all (%d crawlers)"), .proven = true },
+  { "extension_from_rest_has_two_intervals", "4.3.1", "modes", from_rest,
+    FACT(TURNS_OTHERWISE, 0, .holds = "the modes are -+ ++ for all (%d crawlers)"), .proven = true },
+  { "first_interval_is_the_greater_part", "4.3.1", "dT", from_rest,
+    FACT(LAST_OVER_HALF, 0, .holds = "dT is at most half of the duration for all (%d crawlers)"), .proven = true },
+  { "last_interval_grows_with_duration", "4.3.1", "dT", from_rest,
+    FACT(LAST_SHRINKS, 0, .holds = "dT does not shrink with the duration for any, here by 1 %% (%d crawlers)"),
+    .proven = true },
+  { "start_velocity_adds_displacement", "4.3.2", "dx_C", faster,
+    FACT(V0_TAKES_WAY, 0, .holds = "dx_C is not smaller than from rest for any"), .proven = true },
+  { "start_velocity_takes_velocity_change", "4.3.2", "v_end", faster,
+    FACT(V0_ADDS_CHANGE, 0, .holds = "v_end - v0 is not larger than from rest for any"), .proven = true },
   { "start_velocity_is_forward_at_high_Froude", "5", "v_start", SET ", Froude number 1e8",
-    .number = QUICK_STARTS_BACKWARD, .holds = "v_start against the displacement: never" },
+    FACT(QUICK_STARTS_BACKWARD, 0, .holds = "v_start against the displacement: never") },
   { .name = NULL },
 };

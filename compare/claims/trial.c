@@ -60,24 +60,28 @@ static void set_condition(struct trial *m)
 /* Samples: CLAIM_POINTS of them, T = T0 4^-k */
 
 struct sample {
-  fmpq_t T;    /* of the phase, or the period                                                        */
-  bool solved; /* and the modes are those of the limit                                               */
+  fmpq_t T;    /* of the phase, or the period */
+  bool solved; /* and the modes are those of the limit */
   long digits;
   struct ball_answer exact;
 };
+#define SAMPLE_PARTS(of) of(fmpq, s->T) of(ball_answer, &s->exact)
+SCOPED_PARTS(sample, struct sample, SAMPLE_PARTS)
+#define TRIAL_PARTS(of) of(fmpq, s->v0) of(scallop_rational, &s->crawler) of(series_answer, &s->series)
+SCOPED_PARTS(trial_parts, struct trial, TRIAL_PARTS)
 
-static struct sample *sample_at(const struct trial *m, const fmpq_t T0, int k)
+static struct sample *sample_at(const struct trial *m, const fmpq_t T0, int k, long digits)
 {
   fmpq_div_2exp(m->samples[k].T, T0, 2 * (ulong)k);
+  m->samples[k].digits = digits;
   return &m->samples[k];
 }
 
-static void solve_sample(struct sample *s, const struct trial *m, long digits)
+static void solve_sample(struct sample *s, const struct trial *m)
 {
   char modes[MOTION_MODES_TEXT];
   SCOPED(scallop_rational, crawler);
   SCOPED(fmpq, fraction);
-  s->digits = digits;
   scallop_rational_copy(&crawler, &m->crawler);
   fmpq_one(fraction);
   if (!trial_is_steady(m))
@@ -98,31 +102,15 @@ static void take_samples(struct trial *m)
   SCOPED(fmpq, T0);
   set_rounded(T0, sqrt((m1 + m2) * fmpq_get_d(c->L) / (F1 + F2)) * pow(10, -decades));
   for (int k = 0; k < CLAIM_POINTS; k++) /* of c T^p, p <= 9 or so, c of size 1, ten digits are left */
-    solve_sample(sample_at(m, T0, k), m, 40 + (long)(10 * (0.602 * k + 1.5 * decades)));
-}
-
-static void trial_init(struct trial *m)
-{
-  *m = (struct trial){ .samples = flint_calloc(CLAIM_POINTS, sizeof *m->samples) };
-  fmpq_init(m->v0);
-  scallop_rational_init(&m->crawler);
-  series_answer_init(&m->series);
-  for (int k = 0; k < CLAIM_POINTS; k++) {
-    fmpq_init(m->samples[k].T);
-    ball_answer_init(&m->samples[k].exact);
-  }
+    solve_sample(sample_at(m, T0, k, 40 + (long)(10 * (0.602 * k + 1.5 * decades))), m);
 }
 
 void trial_clear(struct trial *m)
 {
-  for (int k = 0; k < CLAIM_POINTS; k++) {
-    fmpq_clear(m->samples[k].T);
-    ball_answer_clear(&m->samples[k].exact);
-  }
+  for (int k = 0; k < CLAIM_POINTS; k++)
+    sample_clear(&m->samples[k]);
   flint_free(m->samples);
-  series_answer_clear(&m->series);
-  scallop_rational_clear(&m->crawler);
-  fmpq_clear(m->v0);
+  trial_parts_clear(m);
 }
 
 /* The end of an extension */
@@ -137,7 +125,6 @@ static void sample_end(struct sample *s, const struct scallop_piece *last)
   arb_add_ui(phase->dx2, phase->dx2, 1, PRECISION);
   s->exact.value[Q_DX1] = phase->dx1;
   s->exact.value[Q_DX2] = phase->dx2;
-  s->digits = (PRECISION - 64) / 4;
   s->solved = true;
 }
 
@@ -166,13 +153,16 @@ static void begin_at_end(struct trial *m)
   m->series.status = SCALLOP_OK;
   m->terms = SCALLOP_MOST_TERMS; /* no more to be had */
   for (int k = 1; k < CLAIM_POINTS; k++)
-    sample_end(sample_at(m, one, k), last);
+    sample_end(sample_at(m, one, k, (PRECISION - 64) / 4), last);
 }
 
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
                  bool mirrored)
 {
-  trial_init(m);
+  trial_parts_init(m);
+  m->samples = flint_malloc(CLAIM_POINTS * sizeof *m->samples);
+  for (int k = 0; k < CLAIM_POINTS; k++)
+    sample_init(&m->samples[k]);
   m->condition = condition;
   m->mirrored = mirrored;
   scallop_rational_copy(&m->crawler, crawler);

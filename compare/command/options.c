@@ -37,6 +37,7 @@ static const struct removed_option {
   { "format tap", "order", "`--format junit` is what CI reads" },
   { "from", "workprec", AWK },
   { "pager", NULL, "`scallop ... --format table | less -S` shows an aligned table page by page" },
+  { "summary", "stress", "`scallop stress --stiff | scallop order - --x delta --y v_end_error` measures the orders" },
   { "summary", "workprec", AWK },
 };
 

@@ -14,7 +14,6 @@ static const struct option options_of_stress[] = {
   OPTION_FLAG("full", stress_options, full),
   OPTION_FLAG("stiff", stress_options, stiff),
   OPTION_FLAG("quick", stress_options, quick),
-  OPTION_FLAG("summary", stress_options, summary),
   OPTION_FORMAT,
   OPTIONS_PLOT,
   OPTIONS_LAST,
@@ -24,7 +23,7 @@ static const struct stress_options initial = { .seed = { 1, false } };
 #define OF_A_POINT "m1 m2 F1 F2 L T alpha phase v0"
 static const struct option_rule rules[] = {
   { "family cases seed full check phase v0", RULE_WITH, "stiff", NULL },
-  { "quick summary", RULE_WITHOUT, "stiff", NULL },
+  { "quick", RULE_WITHOUT, "stiff", NULL },
   { "family cases seed full", RULE_WITH, OF_A_POINT, "has nothing to do where one point is examined" },
   { NULL, RULE_WITH, NULL, NULL },
 };

@@ -5,12 +5,13 @@
 #include <string.h>
 
 #include "compare/answers/answer_flint.h"
-#include "compare/stress/periods.h"
-#include "model/exact/scoped.h"
+#include "compare/stress/stress.h"
+#include "numerics/wide/wide_parts.h"
 
 enum { PARAMETERS = 8, DIGITS = 36 };
 
-/* The answers of a case. Of a trajectory the closed form stands for both wider ones. */
+/* The answers of a case. Of a trajectory they are the end, x as Q_DXC and v as Q_V_END, and the closed form stands for
+ * both wider ones. */
 struct found {
   struct answer got, exact, wide[2];
 };
@@ -36,6 +37,82 @@ static struct scallop_wide ball_middle(const arb_t x)
   arf_sub(low, arb_midref(x), low, ARF_PREC_EXACT, ARF_RND_NEAR);
   return (struct scallop_wide){ high, high != 0 && isfinite(high) ? arf_get_d(low, ARF_RND_NEAR) : 0 };
 }
+
+/* Trajectories: where millions of periods end */
+
+#if WIDE_HAS_FLOAT128
+__extension__ typedef __float128 real;
+#else
+typedef long double real;
+#endif
+
+static void set_end(struct answer *a, struct scallop_wide x, struct scallop_wide v)
+{
+  *a = (struct answer){ .status = SCALLOP_OK };
+  for (int q = 0; q < ALL_QUANTITIES; q++)
+    a->value[q].high = NAN;
+  a->value[Q_DXC] = x;
+  a->value[Q_V_END] = v;
+}
+
+static bool keep_last(void *context, const struct scallop_sample *sample)
+{
+  *(struct scallop_sample *)context = *sample;
+  return true;
+}
+
+static bool trajectory_in_double(const struct stress_case *s, struct answer *end)
+{
+  struct scallop_sample last = { .t = 0 };
+  bool solved = scallop_trajectory(&s->motion.crawler, s->motion.v0, s->periods, 1, keep_last, &last) >= 0;
+  set_end(end, (struct scallop_wide){ last.xC, 0 }, (struct scallop_wide){ last.v1, 0 });
+  return solved;
+}
+
+static real sum(struct scallop_wide w) { return (real)w.high + w.low; }
+
+static struct scallop_wide parts(real x) { return (struct scallop_wide){ (double)x, (double)(x - (double)x) }; }
+
+static real power(real x, long n)
+{
+  real y = 1;
+  for (; n > 0; n /= 2, x *= x)
+    y *= n % 2 ? x : 1;
+  return y;
+}
+
+/* With v* the steady start velocity, lambda the multiplier and D(v) the displacement over a period from v, a motion
+ * that keeps its modes obeys v_n - v* = lambda^n d exactly where l' is made of ramps, d = v_0 - v*, and D is then a
+ * quadratic polynomial, D(v) = D(v*) + B (v - v*) + C (v - v*)^2. So
+ *
+ *     x_n = n D(v*) + B d (1 - lambda^n)/(1 - lambda) + C d^2 (1 - lambda^(2 n))/(1 - lambda^2),
+ *
+ * B and C from periods that begin |d| below and above v*. For other gaits that holds but for terms of order d^3 and, in
+ * v_n, d^2: d is then no more than the rounding of v* to a double. False: no answer, or the modes are not the same for
+ * all velocities of the trajectory. */
+static bool trajectory_closed_form(const struct stress_case *s, struct answer *end)
+{
+  const struct scallop_crawler *c = &s->motion.crawler;
+  struct scallop_wide_steady steady;
+  struct scallop_wide_period at, above, below;
+  if (scallop_wide_steady(SCALLOP_BINARY128, c, &steady) != SCALLOP_OK)
+    return false;
+  at = steady.period;
+  double v = at.v_start.high, away = fmax(fabs(s->motion.v0 - v), 4 * DBL_EPSILON * fabs(v));
+  if (scallop_wide_period(SCALLOP_BINARY128, c, v + away, &above) != SCALLOP_OK
+      || scallop_wide_period(SCALLOP_BINARY128, c, v - away, &below) != SCALLOP_OK
+      || !same_modes(above.modes, below.modes))
+    return false;
+  const real D = sum(at.displacement), lambda = sum(at.multiplier), lambda_n = power(lambda, s->periods);
+  const real d = s->motion.v0 - sum(at.v_start), e = (v + away) - sum(at.v_start), f = (v - away) - sum(at.v_start);
+  const real rise = (sum(above.displacement) - D) / e, C = (rise - (sum(below.displacement) - D) / f) / (e - f);
+  const real B = rise - C * e, x = s->periods * D + B * d * (1 - lambda_n) / (1 - lambda)
+                                   + C * d * d * (1 - lambda_n * lambda_n) / (1 - lambda * lambda);
+  set_end(end, parts(x), parts(sum(at.v_start) + lambda_n * d));
+  return true;
+}
+
+/* Answers */
 
 static bool fail(struct stress_case *s, enum stress_outcome outcome, const char *why)
 {
@@ -79,6 +156,11 @@ static bool solve_trajectory(struct stress_case *s, struct found *f)
   for (int q = 0; q < QUANTITIES; q++)
     s->number[q] = (struct stress_number){ .estimate = NAN, .rounding = NAN, .perturbed = NAN };
   return true;
+}
+
+static bool solve_widely(const struct stress_case *s, struct answer *a)
+{
+  return is_trajectory(s) ? trajectory_closed_form(s, a) : answer_in_wide(a, &s->motion, SCALLOP_BINARY128);
 }
 
 /* What a number is counted in: L, and as time tau, that of the phase or of the shorter one; the mean velocity L/T */
@@ -140,8 +222,7 @@ static void move_parameters(struct stress_case *s, int places, const struct foun
     for (int side = -1; side <= 1; side += 2) {
       if (!neighbour(s, parameter, side * INFINITY, places, &next))
         continue;
-      if (is_trajectory(s) ? trajectory_closed_form(&next, &there)
-                           : answer_in_wide(&there, &next.motion, SCALLOP_BINARY128))
+      if (solve_widely(&next, &there))
         for (int q = 0; q < QUANTITIES; q++)
           most[q] = fmax(most[q], distance(there.value[q], f->wide[SCALLOP_BINARY128].value[q]));
       if (is_trajectory(s) || places > 1)

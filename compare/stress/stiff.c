@@ -1,11 +1,187 @@
-/* The tables of `stress --stiff`. */
-#include <assert.h>
+/* `stress --stiff`: scenes, single runs, and the table. */
+#include "compare/stress/stiff.h"
+
+#include <float.h>
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 
-#include "compare/stress/stiff_measure.h"
+#include <gsl/gsl_integration.h>
+
+#include "compare/answers/answer_flint.h"
 #include "compare/stress/stress.h"
 #include "compare/text/progress.h"
+#include "numerics/rivals/rival.h"
+
+enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */
+
+/* The friction that holds the body still over the most that there is, at a time since the phase began, along the body's
+ * own axis: it accelerates the centre of mass, which moves with +-l' times a share of the masses, together with that of
+ * the body that moves. */
+static double force_over_friction(const struct stiff_scene *scene, double time)
+{
+  const struct scallop_scaled *a = &scene->scaled;
+  const enum scallop_phase_kind phase = scene->held.phase;
+  double l2, eps = a->eps * a->fraction[phase] * a->fraction[phase], sign = phase == SCALLOP_EXTENSION ? 1 : -1;
+  scallop_gait_at(a->gait, phase, time / scallop_phase_duration(&scene->crawler, phase), NULL, NULL, &l2);
+  return scene->held.body == 1 ? -(a->mu2 * l2 / eps + a->f2 * sign) / a->f1
+                               : (a->mu1 * l2 / eps + a->f1 * sign) / a->f2;
+}
+
+/* The velocity at which smoothed friction is that force, over v_delta; kept finite where rounding takes the force to
+ * the limit. */
+static double creep_velocity(double time, void *scene)
+{
+  const double most = 1 - DBL_EPSILON / 2;
+  return atanh(fmax(-most, fmin(most, force_over_friction(scene, time))));
+}
+
+static void predict(struct stiff_scene *scene)
+{
+  enum { PARTS = 200 };
+  struct stiff_held *held = &scene->held;
+  double middle = (held->begin + held->end) / 2, way = NAN, error;
+  gsl_integration_workspace *space = gsl_integration_workspace_alloc(PARTS);
+  gsl_function velocity = { creep_velocity, scene };
+  bool done = space
+              && gsl_integration_qags(&velocity, held->begin, held->end, 0, 1e-9, PARTS, space, &way, &error) == 0;
+  gsl_integration_workspace_free(space);
+  held->force = fabs(force_over_friction(scene, middle));
+  held->velocity = creep_velocity(middle, scene);
+  held->creep = done ? way / scene->crawler.T : NAN;
+}
+
+static void find_held(struct stiff_scene *scene, const struct scallop_wide_period *period)
+{
+  const struct motion steady = { .of = OF_STEADY, .crawler = scene->crawler };
+  const struct answer starts = { .value = { [Q_V_START] = period->v_start, [Q_V_MID] = period->v_mid } };
+  const double v0[] = { period->v_start.high, period->v_mid.high };
+  const double since[] = { 0, scallop_phase_duration(&scene->crawler, SCALLOP_EXTENSION) };
+  struct stretch all[MOST_STRETCHES];
+  struct stiff_held now = { .body = 0 };
+  int count = stretches_of(all, &steady, &starts);
+  for (const struct stretch *s = all; s < all + count && s < all + MOST_STRETCHES; s++) {
+    int body = s->mode.s1 == 0 ? 1 : s->mode.s2 == 0 ? 2 : 0;
+    if (body != now.body || s->phase != now.phase)
+      now = (struct stiff_held){ body, s->phase, v0[s->phase], .begin = s->from - since[s->phase] };
+    now.end = s->until - since[s->phase];
+    if (body != 0 && now.end - now.begin > scene->held.end - scene->held.begin)
+      scene->held = now;
+  }
+  if (scene->held.body != 0)
+    predict(scene);
+}
+
+/* The period has its own values, not those of the steady state, whose v_start is rounded. */
+const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler)
+{
+  const struct motion motion = { .of = OF_STEADY, .crawler = *crawler };
+  struct scallop_wide_period period;
+  SCOPED(ball_answer, steady);
+  *scene = (struct stiff_scene){ .names = { name, crawler->gait->name, NULL, "msbdf" },
+                                 .crawler = *crawler,
+                                 .held = { .velocity = NAN, .creep = NAN } };
+  enum scallop_status status = scallop_scale(crawler, &scene->scaled);
+  if (status == SCALLOP_OK && !answer_of_doubles(&steady, &motion, DIGITS))
+    return steady.why ? steady.why : scallop_status_text(steady.status);
+  if (status == SCALLOP_OK) {
+    const arb_struct *v = steady.value[Q_V_START];
+    scene->v_start = arb_contains_zero(v) ? 0 : arf_get_d(arb_midref(v), ARF_RND_NEAR);
+    status = scallop_wide_period(SCALLOP_BINARY128, crawler, scene->v_start, &period);
+  }
+  if (status != SCALLOP_OK)
+    return scallop_status_text(status);
+  scene->names[2] = scallop_regime_text(steady.regime);
+  scene->v_end = period.v_end;
+  scene->displacement = period.displacement;
+  motion_modes_text(scene->modes, OF_STEADY, period.modes);
+  find_held(scene, &period);
+  return NULL;
+}
+
+/* Runs */
+
+/* Counts the steps down that are left. */
+static bool lasts(void *left) { return --*(long *)left >= 0; }
+
+/* Follows the stuck body from the beginning over the middle to the end of the stretch. */
+static enum scallop_status look_inside(const struct stiff_scene *scene, struct scallop_rival *rival,
+                                       const struct scallop_patience *patience, struct stiff_run *run)
+{
+  const struct stiff_held *held = &scene->held;
+  const struct scallop_crawler *c = &scene->crawler;
+  const double unit = run->delta * c->L / c->T;
+  struct scallop_sample sample[] = { { .t = held->begin }, { .t = (held->begin + held->end) / 2 }, { .t = held->end } };
+  enum scallop_status status = scallop_smoothed_phase(rival, c, held->phase, held->v0, patience, sample, 3);
+  if (status != SCALLOP_OK)
+    return status;
+  bool first = held->body == 1;
+  run->error[STIFF_CREEP] = ((first ? sample[2].x1 : sample[2].x2) - (first ? sample[0].x1 : sample[0].x2)) / c->L;
+  run->creep_over_delta = run->error[STIFF_CREEP] / run->delta;
+  run->velocity = (first ? sample[1].v1 : sample[1].v2) / unit;
+  run->last = (first ? sample[2].v1 : sample[2].v2) / unit;
+  return SCALLOP_OK;
+}
+
+static double difference(double answer, struct scallop_wide value) { return (answer - value.high) - value.low; }
+
+static void solve_with(struct scallop_rival *rival, const struct stiff_scene *scene, long most, struct stiff_run *run)
+{
+  const struct scallop_crawler *c = &scene->crawler;
+  long left = most;
+  const struct scallop_patience patience = { lasts, &left };
+  struct scallop_rival_period period;
+  enum scallop_status status = rival->period(rival, c, scene->v_start, &patience, &period);
+  if (status == SCALLOP_OK) {
+    run->error[STIFF_V_END] = difference(period.v_end, scene->v_end) * c->T / c->L;
+    run->error[STIFF_DISPLACEMENT] = difference(period.displacement, scene->displacement) / c->L;
+    run->steps = (double)period.steps;
+    run->evaluations = (double)period.evaluations;
+  }
+  if (status == SCALLOP_OK && scene->held.body != 0) {
+    left = most;
+    status = look_inside(scene, rival, &patience, run);
+  }
+  run->solved = status == SCALLOP_OK;
+  if (run->solved)
+    snprintf(run->status, STIFF_STATUS, "ok");
+  else if (status == SCALLOP_ESTOPPED)
+    snprintf(run->status, STIFF_STATUS, "cut off after %ld accepted steps", most);
+  else
+    snprintf(run->status, STIFF_STATUS, "%s, after %ld accepted steps", scallop_status_text(status), most - left);
+}
+
+double stiff_tolerance(double delta) { return fmax(1e-15, 1e-9 * delta); }
+
+static const struct stiff_run unknown = {
+  NAN, NAN, { NAN, NAN, NAN }, { NAN, NAN, NAN }, NAN, NAN, NAN, NAN, NAN, NAN, NAN, false, "out of memory"
+};
+
+static struct stiff_run solve_once(const struct stiff_scene *scene, double delta, double tolerance, long most)
+{
+  struct scallop_rival *rival = scallop_smoothed_rival(delta, tolerance);
+  struct stiff_run run = unknown;
+  run.delta = delta;
+  run.tolerance = tolerance;
+  run.predicted_creep = scene->held.creep;
+  run.predicted_velocity = scene->held.velocity;
+  if (rival)
+    solve_with(rival, scene, most, &run);
+  scallop_rival_destroy(rival);
+  return run;
+}
+
+void stiff_solve(const struct stiff_scene *scene, double delta, double tolerance, long most, struct stiff_run *run)
+{
+  *run = solve_once(scene, delta, tolerance, most);
+  if (!run->solved)
+    return;
+  const struct stiff_run looser = solve_once(scene, delta, 10 * tolerance, most);
+  for (int i = 0; i < STIFF_QUANTITIES; i++)
+    run->own[i] = fabs(run->error[i] - looser.error[i]);
+}
+
+/* Tables */
 
 static const char *const names[] = { "scene", "gait", "regime", "stepper", NULL };
 
@@ -15,7 +191,7 @@ static void put_status(struct table *t, const struct table_column *c, const void
 }
 
 #define AT(member) offsetof(struct stiff_run, member)
-static const struct table_column of_run[] = {
+static const struct table_column columns[] = {
   { TABLE_COLUMN("delta", column_rounded, AT(delta)), .format = "%.3g" },
   { TABLE_COLUMN("tolerance", column_rounded, AT(tolerance)), .format = "%.3g" },
   { TABLE_COLUMN("v_end_error", column_rounded, AT(error[STIFF_V_END])), .format = "%.3g" },
@@ -30,29 +206,10 @@ static const struct table_column of_run[] = {
   { TABLE_COLUMN("creep_velocity", column_rounded, AT(velocity)), .format = "%.4g" },
   { TABLE_COLUMN("predicted_creep_velocity", column_rounded, AT(predicted_velocity)), .format = "%.4g" },
   { TABLE_COLUMN("last_velocity", column_rounded, AT(last)), .format = "%.4g" },
-  { TABLE_COLUMN("status", put_status, offsetof(struct stiff_run, status)) },
+  { TABLE_COLUMN("status", put_status, AT(status)) },
   { .name = NULL },
 };
 #undef AT
-#define AT(member) offsetof(struct stiff_trend, member)
-static const struct table_column of_trend[] = {
-  { TABLE_COLUMN("quantity", column_text, AT(quantity)) },
-  { TABLE_COLUMN("order", column_rounded, AT(fit.order)), .format = "%.4f" },
-  { TABLE_COLUMN("order_low", column_rounded, AT(fit.low)), .format = "%.4f" },
-  { TABLE_COLUMN("order_high", column_rounded, AT(fit.high)), .format = "%.4f" },
-  { TABLE_COLUMN("points", column_count, AT(fit.used)) },
-  { TABLE_COLUMN("verdict", column_text, AT(verdict)) },
-  { TABLE_COLUMN("good_to", column_rounded, AT(best.delta)), .format = "%.3g" },
-  { TABLE_COLUMN("error_there", column_rounded, AT(error_there)), .format = "%.3g" },
-  { TABLE_COLUMN("steps_there", column_number, AT(best.steps)) },
-  { TABLE_COLUMN("evaluations_there", column_number, AT(best.evaluations)) },
-  { TABLE_COLUMN("worst_beyond", column_rounded, AT(worst_beyond)), .format = "%.3g" },
-  { TABLE_COLUMN("gives_up_at", column_rounded, AT(gives_up_at)), .format = "%.3g" },
-  { TABLE_COLUMN("status", put_status, AT(last.status)) },
-  { .name = NULL },
-};
-#undef AT
-
 static const double deltas[] = { 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12 };
 enum { DELTAS = sizeof deltas / sizeof *deltas, QUICK_DELTAS = 5, MOST_STEPS = 100000, QUICK_STEPS = 10000 };
 
@@ -62,9 +219,9 @@ static const struct {
 } made[] = {
   { "sliding", 4, 1 },
   { "stick-slip", 4, 4 }, /* released by a jump of l'' in the quadratic gait, gradually in the sinusoidal one */
-  { "stiff", 1.01, 100 }, /* eps = 1005                                                                  */
+  { "stiff", 1.01, 100 }, /* eps = 1005 */
 };
-enum { MOST_SCENES = 6 };
+enum { MADE = sizeof made / sizeof *made, MOST_SCENES = 2 * MADE };
 
 /* All are solved before anything is written: the crawler that is given or those made, with the gait that is given or
  * those of the paper. Returns how many there are; 0: the message is on stderr. */
@@ -74,13 +231,12 @@ static int make_scenes(struct stiff_scene scenes[MOST_SCENES], const struct poin
   bool given = false;
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     given |= p->written[i] != NULL;
-  for (size_t i = 0; i < (given ? 1 : sizeof made / sizeof *made); i++)
+  for (int i = 0; i < (given ? 1 : MADE); i++)
     for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
       struct scallop_crawler c = given ? p->crawler : scallop_crawler_default();
       c.gait = p->has_gait ? p->crawler.gait : scallop_gait_named(scallop_gait_name(g));
       c.F1 = given ? c.F1 : made[i].F1;
       c.T = given ? c.T : made[i].T;
-      assert(count < MOST_SCENES);
       const char *why = stiff_scene_init(&scenes[count++], given ? "given" : made[i].name, &c);
       if (why) {
         complain("stress", "no certified period to compare with for the %s gait, T = %.17g: %s", c.gait->name, c.T,
@@ -104,7 +260,7 @@ static void note_scene(struct table *t, const struct stiff_scene *scene)
                held->force);
 }
 
-static void note_meaning(struct table *t, bool summary, long most)
+static void note_meaning(struct table *t, long most)
 {
   table_note(t, "friction F tanh(v/v_delta), v_delta = delta L/T; one period from the certified steady start velocity");
   table_note(t, "errors: answer - that of binary128, of v_end over L/T, of displacement over L; rejected steps count");
@@ -114,39 +270,20 @@ static void note_meaning(struct table *t, bool summary, long most)
              most);
   table_note(t, "creep: how far a smoothed body goes, over L, while the exact one is stuck; predicted: at v_delta "
                 "artanh(force/friction)");
-  if (!summary)
-    return table_note(t, "velocities: of that body over v_delta, in the middle of the time and, the last, at its end");
-  table_note(t, "good_to: down to which delta the error at least halves with every tenth of delta, and is ten times "
-                "the own error;");
-  table_note(t,
-             "order in delta: over those; worst_beyond: the largest |error| below, of an answer that the stepper was "
-             "content with");
-}
-
-static void write_row(struct table *t, const struct stiff_scene *scene, const struct table_column *columns,
-                      const void *row)
-{
-  for (int i = 0; names[i]; i++)
-    table_text(t, scene->names[i]);
-  table_row(t, columns, row, true);
+  table_note(t, "velocities: of that body over v_delta, in the middle of the time and, the last, at its end");
 }
 
 /* As delta -> 0, until the stepper gives up */
-static void run_series(struct table *t, const struct stiff_scene *scene, const struct stress_options *o)
+static void run_series(struct table *t, const struct stiff_scene *scene, bool quick)
 {
-  struct stiff_run runs[STIFF_MOST_RUNS];
-  int count = 0;
-  do {
-    double delta = deltas[count];
-    progress_show("%s, %s: delta = %g", scene->names[0], scene->names[1], delta);
-    stiff_solve(scene, delta, stiff_tolerance(delta), o->quick ? QUICK_STEPS : MOST_STEPS, &runs[count]);
-  } while (runs[count++].solved && count < (o->quick ? QUICK_DELTAS : DELTAS));
-  for (int i = 0; i < count && !o->summary; i++)
-    write_row(t, scene, of_run, &runs[i]);
-  for (int quantity = 0; quantity < STIFF_QUANTITIES && o->summary; quantity++) {
-    const struct stiff_trend trend = stiff_trend(runs, count, quantity);
-    if (quantity != STIFF_CREEP || scene->held.body != 0)
-      write_row(t, scene, of_trend, &trend);
+  const int count = quick ? QUICK_DELTAS : DELTAS;
+  struct stiff_run run = { .solved = true };
+  for (const double *delta = deltas; delta < deltas + count && run.solved; delta++) {
+    progress_show("%s, %s: delta = %g", scene->names[0], scene->names[1], *delta);
+    stiff_solve(scene, *delta, stiff_tolerance(*delta), quick ? QUICK_STEPS : MOST_STEPS, &run);
+    for (int i = 0; names[i]; i++)
+      table_text(t, scene->names[i]);
+    table_row(t, columns, &run, true);
   }
 }
 
@@ -157,18 +294,17 @@ enum exit_code stress_stiff(const struct stress_options *o)
   int count = make_scenes(scenes, &o->request.point);
   if (count == 0)
     return EXIT_UNSOLVED;
-  if (!table_head(&t, &o->request.style, "stress --stiff%s%s", o->quick ? " --quick" : "",
-                  o->summary ? " --summary" : ""))
+  if (!table_head(&t, &o->request.style, "stress --stiff%s", o->quick ? " --quick" : ""))
     return EXIT_FILE;
-  t.of = o->summary ? "stiff orders" : "stiff";
+  t.of = "stiff";
   for (int i = 0; i < count; i++)
     note_scene(&t, &scenes[i]);
-  note_meaning(&t, o->summary, o->quick ? QUICK_STEPS : MOST_STEPS);
+  note_meaning(&t, o->quick ? QUICK_STEPS : MOST_STEPS);
   table_columns(&t, names);
-  table_add(&t, o->summary ? of_trend : of_run);
+  table_add(&t, columns);
   table_begin_rows(&t);
   for (int i = 0; i < count && !table_failed(&t); i++)
-    run_series(&t, &scenes[i], o);
+    run_series(&t, &scenes[i], o->quick);
   progress_end();
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }

@@ -1,15 +1,14 @@
 /* `scallop stress`: how many digits survive. Cases of many families (families.c) are solved in double and judged by
- * certified values (judge.c). The work is spread over all cores by OpenMP, and the table (table.c) does not depend on
- * how many there are. Needs FLINT.
+ * certified values (judge.c). Needs FLINT.
  *
  * The unit of judgement. Each parameter is a double and so known to an ulp at best. For a result y and its parameters
  * x_i
  *
  *     unit = max(ulp(y), sum over i of the larger |y(x_i one ulp up or down) - y|),   condition number = unit/ulp(y)
  *
- * with y certified, of a trajectory a closed form (periods.h), and the changes from binary128 arithmetic: differences,
- * not derivatives, so that kinks and square roots at the boundaries of modes count for what they are. Where y is 0
- * there is a unit all the same, but no ulp. The promise is an error of at most 8 units; docs/stability.md lists the
+ * with y certified, of a trajectory a closed form, and the changes from binary128 arithmetic: differences, not
+ * derivatives, so that kinks and square roots at the boundaries of modes count for what they are. Where y is 0 there is
+ * a unit all the same, but no ulp. The promise is an error of at most 8 units; docs/stability.md lists the
  * exceptions. */
 #ifndef SCALLOP_COMPARE_STRESS_STRESS_H
 #define SCALLOP_COMPARE_STRESS_STRESS_H
@@ -21,12 +20,12 @@ struct stress_options {
   struct request request;
   const char *family;             /* the only one, or NULL */
   struct given_count cases, seed; /* of each family, 0: as many as is usual; of their parameters */
-  bool check, full, stiff, quick, summary;
+  bool check, full, stiff, quick;
 };
 /* The table of families, and that of one point. */
 enum exit_code stress_table(const struct stress_options *options);
 enum exit_code stress_point(const struct stress_options *options);
-/* --stiff: the table of stiff runs (stiff_measure.h), or with --summary a row for each series of them. */
+/* --stiff: the table of stiff runs (stiff.h) */
 enum exit_code stress_stiff(const struct stress_options *options);
 
 /* nan: not known, of a trajectory all but error and unit */

@@ -1,54 +1,71 @@
-/* The page of a summary, in sentences, and that of breakdown, which is a part of it. */
+/* What a summary asks of a point, as columns of a table; and the same as a page, in sentences. That of `breakdown` is a
+ * part of it. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "compare/summary/summary.h"
 
-enum { DIGITS = 6 };
+struct told { /* a series that pages tell of */
+  const char *name;
+  enum quantity_id of;
+  const struct scallop_formula *formula; /* NULL: derived terms */
+};
+
+static const struct told terms[] = { { PAGE_TERMS "v_start", Q_V_START, NULL },
+                                     { PAGE_TERMS "displacement", Q_DISPLACEMENT, NULL } };
+enum { TERMS = sizeof terms / sizeof *terms, MOST_FORMULAS = BOOK_MOST + 8 };
 
 struct page {
   FILE *file;
   int digits;
   struct at *at;            /* the point */
   struct quantities *asked; /* of it: all that the page tells */
+  const struct answer *answer;
   struct study *study;
-  const struct scallop_formula *formula[SUMMARY_FORMULAS];
-  int formulas;
+  int formulas; /* of which it tells; the derived terms are behind them */
+  struct told told[MOST_FORMULAS + TERMS];
 };
 
-const struct page_quantity page_quantities[PAGE_QUANTITIES] = { { Q_V_START, "derived_8.v_start" },
-                                                                { Q_DISPLACEMENT, "derived_8.displacement" } };
-
-const char *const page_reaches[PAGE_REACHES] = { "reach_0.01.", "reach_0.05." };
-
-int page_formulas(const struct scallop_formula *formulas[SUMMARY_FORMULAS])
+/* About v_start or the displacement: the one that is asked for, or, where of is NULL, any */
+static bool is_told(const void *of, const struct scallop_formula *f)
 {
-  const struct scallop_formula *f;
-  int count = 0;
-  for (int q = 0; q < PAGE_QUANTITIES; q++)
-    for (int i = 0; (f = listed_formula(i)) && count < SUMMARY_FORMULAS; i++)
-      if (f->setting == SCALLOP_STEADY && quantity_of_formula(f, SCALLOP_EXTENSION) == page_quantities[q].id)
-        formulas[count++] = f;
-  return count;
+  enum quantity_id q = quantity_of_formula(f, SCALLOP_EXTENSION);
+  return f->setting == SCALLOP_STEADY
+         && (of ? q == ((const struct told *)of)->of : q == Q_V_START || q == Q_DISPLACEMENT);
 }
 
-/* The quantity of this name, or, of a series, what its name begins with */
-static double number(const struct page *p, const char *of, const char *series)
+static void find_formulas(struct page *p)
+{
+  const struct scallop_formula *f;
+  for (int q = 0; q < TERMS; q++)
+    for (int i = 0; (f = listed_formula(i)) && p->formulas < MOST_FORMULAS; i++)
+      if (is_told(&terms[q], f))
+        p->told[p->formulas++] = (struct told){ f->name, terms[q].of, f };
+  memcpy(p->told + p->formulas, terms, sizeof terms);
+}
+
+/* The motion */
+
+/* As printf writes the name of a quantity */
+static double number(const struct page *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
+static double number(const struct page *p, const char *format, ...)
 {
   char name[2 * QUANTITY_NAME];
-  snprintf(name, sizeof name, "%s%.*s", of, QUANTITY_NAME, series);
+  va_list values;
+  va_start(values, format);
+  vsnprintf(name, sizeof name, format, values);
+  va_end(values);
   return at_number(p->at, quantity_named(p->asked, name));
 }
 
-static double value(const struct page *p, enum quantity_id q) { return number(p, quantity_rows[q].name, ""); }
-
-static const struct answer *answer_of(const struct page *p) { return &p->at->solved[STEADY_STATE].answer; }
+static double value(const struct page *p, enum quantity_id q) { return number(p, "%s", quantity_rows[q].name); }
 
 static void write_way(const struct page *p)
 {
   double way = value(p, Q_DISPLACEMENT);
-  if (answer_of(p)->regime == SCALLOP_AT_REST)
+  if (p->answer->regime == SCALLOP_AT_REST)
     fputs("  It stays where it is: one body never moves, and the other is pushed away and pulled back.\n", p->file);
   else if (way == 0)
     fputs("  It moves to and fro, and is where it was after each period.\n", p->file);
@@ -56,21 +73,6 @@ static void write_way(const struct page *p)
     fprintf(p->file, "  It crawls %s, by %.*g in each period: a mean velocity of %.*g.\n",
             way > 0 ? "forward (towards body 2)" : "backward (towards body 1)", p->digits, fabs(way), p->digits,
             value(p, Q_MEAN_VELOCITY));
-}
-
-static void write_stretches(const struct page *p)
-{
-  struct stretch stretch[MOST_STRETCHES];
-  int count = stretches_of(stretch, &p->at->solved[STEADY_STATE].motion, answer_of(p));
-  int kept = count < MOST_STRETCHES ? count : MOST_STRETCHES;
-  for (int i = 0; i < kept; i++) {
-    char words[MODE_WORDS];
-    bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
-    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? book_phases[stretch[i].phase] : "",
-            mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
-  }
-  if (kept < count)
-    fprintf(p->file, "  %-12s and %d more changes of mode\n", "", count - kept);
 }
 
 static void write_velocities(const struct page *p)
@@ -81,24 +83,39 @@ static void write_velocities(const struct page *p)
           p->digits, value(p, Q_V_START), p->digits, value(p, Q_V_MID));
   if (multiplier == 0)
     fputs("  Started with a velocity near this one, it moves like this from the next period on.\n", p->file);
-  else if (answer_of(p)->status == SCALLOP_OK)
+  else if (p->answer->status == SCALLOP_OK)
     fprintf(p->file, "  A small deviation from this motion shrinks to %.*g of itself in each period.\n", p->digits,
             multiplier);
+}
+
+static void write_stretches(const struct page *p)
+{
+  struct stretch stretch[MOST_STRETCHES];
+  char words[MODE_WORDS];
+  int count = stretches_of(stretch, &p->at->solved[STEADY_STATE].motion, p->answer);
+  for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
+    bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
+    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? book_phases[stretch[i].phase] : "",
+            mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
+  }
+  if (count > MOST_STRETCHES)
+    fprintf(p->file, "  %-12s and %d more changes of mode\n", "", count - MOST_STRETCHES);
 }
 
 static void write_motion(const struct page *p)
 {
   char status[ANSWER_STATUS];
-  const struct answer *a = answer_of(p);
-  fprintf(p->file, "What it does (Froude number %.*g, %s)\n", p->digits, value(p, Q_FROUDE),
-          scallop_regime_text(a->regime));
+  fprintf(p->file, "\nWhat it does (Froude number %.*g, %s)\n", p->digits, value(p, Q_FROUDE),
+          scallop_regime_text(p->answer->regime));
   write_way(p);
-  if (a->status != SCALLOP_OK)
-    fprintf(p->file, "  This is one of many steady motions: %s.\n", answer_status_text(status, a));
-  if (a->regime != SCALLOP_AT_REST)
+  if (p->answer->status != SCALLOP_OK)
+    fprintf(p->file, "  This is one of many steady motions: %s.\n", answer_status_text(status, p->answer));
+  if (p->answer->regime != SCALLOP_AT_REST)
     write_velocities(p);
   write_stretches(p);
 }
+
+/* The series */
 
 static void write_error(const struct page *p, double error)
 {
@@ -117,10 +134,10 @@ static const char *order_text(char text[24], double order)
   return text;
 }
 
-static void write_verdict(const struct page *p, const struct scallop_formula *f)
+static void write_verdict(const struct page *p, const struct told *t)
 {
-  const struct claim_row *c = claim_of(p->at, f);
-  double limit = number(p, "error_limit.", f->name);
+  const struct claim_row *c = claim_of(p->at, t->formula);
+  double limit = number(p, "error_limit.%s", t->name);
   char claimed[24], derived[24];
   order_text(claimed, c->claimed_order);
   order_text(derived, (double)c->derived_order);
@@ -128,97 +145,75 @@ static void write_verdict(const struct page *p, const struct scallop_formula *f)
     fprintf(p->file, "undecided: %s", c->reason);
   else if (c->exact)
     fputs("proven: it is exact", p->file);
-  else if (c->verdict == CLAIM_REFUTED && isfinite(limit))
-    fprintf(p->file, "refuted: %s is claimed, but the relative error tends to %.3g %% as T -> 0", claimed, 100 * limit);
-  else if (c->verdict == CLAIM_REFUTED && c->derived_order <= 0)
-    fprintf(p->file, "refuted: %s is claimed, but the error does not vanish as T -> 0", claimed);
-  else if (c->verdict == CLAIM_REFUTED)
-    fprintf(p->file, "refuted: %s is claimed, but the error is %s", claimed, derived);
   else if (c->verdict == CLAIM_SHARPER)
     fprintf(p->file, "proven, and better than claimed: the error is %s, not only %s", derived, claimed);
-  else
+  else if (c->verdict == CLAIM_HOLDS)
     fprintf(p->file, "proven: the error is %s, as claimed", derived);
+  else if (isfinite(limit))
+    fprintf(p->file, "refuted: %s is claimed, but the relative error tends to %.3g %% as T -> 0", claimed, 100 * limit);
+  else if (c->derived_order <= 0)
+    fprintf(p->file, "refuted: %s is claimed, but the error does not vanish as T -> 0", claimed);
+  else
+    fprintf(p->file, "refuted: %s is claimed, but the error is %s", claimed, derived);
 }
 
-/* Where the error of a series reaches 1 and 5 percent */
-static void write_reach(const struct page *p, const char *series)
+static void write_reach(const struct page *p, const struct told *t)
 {
-  enum { FROUDE_DIGITS = 3 };
-  double limit = number(p, "error_limit.", series);
-  for (int i = 0; i < 2; i++) {
-    double T = number(p, page_reaches[i], series);
-    int percent = i == 0 ? 1 : 5;
-    fputs(i > 0 ? ", " : "off ", p->file);
+  static const int percents[] = { PAGE_PERCENTS };
+  double T = 1, limit = number(p, "error_limit.%s", t->name);
+  for (int i = 0; i < 2 && isfinite(T) && T > 0; i++) { /* else the second is known by the first */
+    const int percent = percents[i];
+    T = number(p, "reach_%g.%s", percent / 100., t->name);
+    fputs(i == 0 ? "       off " : ", ", p->file);
     if (isnan(T))
       fprintf(p->file, "%d %%: no exact value", percent);
     else if (isinf(T))
       fprintf(p->file, "by less than %d %% at every T", percent);
     else if (T > 0)
-      fprintf(p->file, "by %d %% at T = %.*g (Froude %.*g)", percent, p->digits, T, FROUDE_DIGITS,
+      fprintf(p->file, "by %d %% at T = %.*g (Froude %.3g)", percent, p->digits, T,
               motion_froude(&p->study->motion, T));
     else if (isnan(limit))
       fprintf(p->file, "by more than %d %% at every small T", percent);
     else
       fprintf(p->file, "by more than %d %% however small T is (%.3g %% as T -> 0)", percent, 100 * limit);
-    if (isinf(T) || !(T > 0))
-      break; /* the same holds for the levels above, or nothing more is known */
   }
   fputc('\n', p->file);
 }
 
-static bool agree(double a, double b) { return a == b || (isnan(a) && isnan(b)); }
-
-/* Formulas that agree in all that is told of them are told once. */
-static bool is_same(const struct page *p, const struct scallop_formula *a, const struct scallop_formula *b)
+static const char *equation_of(const struct told *t)
 {
-  static const char *const told[] = { "value.", "deviation.", "error_limit.", "reach_0.01.", "reach_0.05.", "order." };
-  bool same = a->quantity == b->quantity && a->remainder == b->remainder;
-  for (size_t i = 0; i < sizeof told / sizeof *told && same; i++)
-    same = agree(number(p, told[i], a->name), number(p, told[i], b->name));
-  return same;
+  const char *equation = t->formula->equation;
+  return *equation && strcmp(equation, "-") != 0 ? equation : t->name;
 }
 
-static const char *name_of(const struct scallop_formula *f) { return f->name; }
-
-static const char *equation_of(const struct scallop_formula *f)
+/* Formulas with the same value and claim, as (26) and (27), are told once. */
+static void write_formula(const struct page *p, const struct told *t)
 {
-  return *f->equation && strcmp(f->equation, "-") != 0 ? f->equation : f->name;
-}
-
-/* The names of formula i and of those behind it that are the same */
-static void write_names(const struct page *p, int i, const char *(*name)(const struct scallop_formula *))
-{
-  for (int k = i; k < p->formulas; k++)
-    if (is_same(p, p->formula[i], p->formula[k]))
-      fprintf(p->file, "%s%s", k == i ? "" : ", ", name(p->formula[k]));
-}
-
-static void write_formula(const struct page *p, int i)
-{
-  const struct scallop_formula *f = p->formula[i];
-  enum quantity_id of = quantity_of_formula(f, SCALLOP_EXTENSION);
-  for (int before = 0; before < i; before++)
-    if (is_same(p, p->formula[before], f))
+  const double of_formula = number(p, "value.%s", t->name);
+  char equations[400] = "", names[1000] = "";
+  for (const struct told *u = p->told; u < p->told + p->formulas; u++) {
+    const double other = number(p, "value.%s", u->name);
+    const char *comma = u == t ? "" : ", ";
+    bool same = u->of == t->of && u->formula->remainder == t->formula->remainder
+                && (other == of_formula || (isnan(other) && isnan(of_formula)));
+    if (same && u < t)
       return;
-  double of_formula = number(p, "value.", f->name);
-  fputs("  ", p->file);
-  write_names(p, i, equation_of);
-  fprintf(p->file, " %s ", quantity_rows[of].name);
-  if (isnan(of_formula)) {
-    fputs("has no value: it divides by l'', which is 0 at an end of a phase [", p->file);
-  } else {
-    fprintf(p->file, "= %.*g, exact %.*g", p->digits, of_formula, p->digits, value(p, of));
-    write_error(p, number(p, "deviation.", f->name));
-    fputs(" [", p->file);
+    if (same) {
+      snprintf(equations + strlen(equations), sizeof equations - strlen(equations), "%s%s", comma, equation_of(u));
+      snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", comma, u->name);
+    }
   }
-  write_names(p, i, name_of);
-  fputs("]\n", p->file);
-  if (isnan(of_formula))
+  fprintf(p->file, "  %s %s ", equations, quantity_rows[t->of].name);
+  if (isnan(of_formula)) {
+    fprintf(p->file, "has no value: it divides by l'', which is 0 at an end of a phase [%s]\n", names);
     return;
-  fputs("       ", p->file);
-  write_verdict(p, f);
-  fputs("\n       ", p->file);
-  write_reach(p, f->name);
+  }
+  fprintf(p->file, "= %.*g, exact %.*g", p->digits, of_formula, p->digits, value(p, t->of));
+  write_error(p, number(p, "deviation.%s", t->name));
+  fprintf(p->file, " [%s]\n       ", names);
+  write_verdict(p, t);
+  fputc('\n', p->file);
+  write_reach(p, t);
 }
 
 static void write_best(const struct page *p, enum quantity_id of)
@@ -230,17 +225,6 @@ static void write_best(const struct page *p, enum quantity_id of)
           best.gains_from_more ? "better with every term, here all" : "best with the terms", (long)best.order);
   write_error(p, best.error);
   fputc('\n', p->file);
-}
-
-static void write_formulas(const struct page *p)
-{
-  fputs("\nFormulas of the paper, for this gait and these parameters\n", p->file);
-  for (int i = 0; i < p->formulas; i++)
-    write_formula(p, i);
-  if (p->study->derived.status != SCALLOP_OK)
-    fprintf(p->file, "  There is no derived series: %s.\n", study_why_none(p->study));
-  for (int q = 0; q < PAGE_QUANTITIES; q++)
-    write_best(p, page_quantities[q].id);
 }
 
 static void write_events(const struct page *p)
@@ -263,21 +247,17 @@ static void write_events(const struct page *p)
   fputs(e->reversals > 0 ? ".\n" : "", p->file);
 }
 
-/* not_held: parameters that are left out (answers/request.h) */
-static void write_crawler(const struct page *p, const char *const *not_held)
-{
-  char parameters[PARAMETERS_TEXT];
-  parameters_text(parameters, &p->at->place.point, not_held, true);
-  fprintf(p->file, "\nCrawler:%s\n", parameters);
-}
-
 static void write_summary(const struct page *p)
 {
   double T = p->at->place.point.crawler.T;
-  write_crawler(p, NULL);
-  fputc('\n', p->file);
   write_motion(p);
-  write_formulas(p);
+  fputs("\nFormulas of the paper, for this gait and these parameters\n", p->file);
+  for (int i = 0; i < p->formulas; i++)
+    write_formula(p, &p->told[i]);
+  if (p->study->derived.status != SCALLOP_OK)
+    fprintf(p->file, "  There is no derived series: %s.\n", study_why_none(p->study));
+  for (int i = 0; i < TERMS; i++)
+    write_best(p, terms[i].of);
   write_events(p);
   if (p->study->events.count > 0)
     fprintf(p->file, "  T = %.*g is %s.\n", p->digits, T, study_where(p->study, T));
@@ -290,39 +270,88 @@ static void write_summary(const struct page *p)
 
 static void write_breakdown(const struct page *p)
 {
-  write_crawler(p, (const char *const[]){ "T", NULL });
+  const int count = p->formulas + (p->study->derived.status == SCALLOP_OK ? TERMS : 0);
   write_events(p);
   fputs("\nUp to which T a series holds\n", p->file);
-  for (int i = 0; i < p->formulas; i++) {
-    const struct scallop_formula *f = p->formula[i];
-    const char *equation = equation_of(f), *of = quantity_rows[quantity_of_formula(f, SCALLOP_EXTENSION)].name;
-    fprintf(p->file, equation != f->name ? "  %s %s, %s\n       " : "  %s%.0s, %s\n       ", equation, f->name, of);
-    write_reach(p, f->name);
-  }
-  for (int q = 0; q < PAGE_QUANTITIES && p->study->derived.status == SCALLOP_OK; q++) {
-    fprintf(p->file, "  derived terms below T^8, %s\n       ", quantity_rows[page_quantities[q].id].name);
-    write_reach(p, page_quantities[q].derived);
+  for (const struct told *t = p->told; t < p->told + count; t++) {
+    const char *first = t->formula ? equation_of(t) : "derived terms below T^8";
+    bool named = t->formula && first != t->name;
+    fprintf(p->file, "  %s%s%s, %s\n", first, named ? " " : "", named ? t->name : "", quantity_rows[t->of].name);
+    write_reach(p, t);
   }
   fputs("\nMore: --all, or --only event, reversal, reach, radius or best, gives the table with every row.\n", p->file);
 }
 
-/* To people a page, else a row */
-static void visit(struct rows *rows, struct at *at, void (*write)(const struct page *))
+/* To people a page, else a row. not_held: parameters that are left out */
+static void visit(struct rows *rows, struct at *at, const char *const *not_held, void (*write)(const struct page *))
 {
+  enum { DIGITS = 6 };
   int digits = (int)rows->request->style.digits;
-  struct page p = { .at = at, .asked = &rows->sheet.asked->quantities, .digits = digits > 0 ? digits : DIGITS };
-  p.file = table_page(&rows->table);
+  char parameters[PARAMETERS_TEXT];
+  struct page p = { table_page(&rows->table),       digits > 0 ? digits : DIGITS,     at,
+                    &rows->sheet.asked->quantities, &at->solved[STEADY_STATE].answer, .formulas = 0 };
   if (!p.file) {
     sheet_row(&rows->sheet, &rows->table, at);
     return;
   }
+  find_formulas(&p);
   p.study = at->is_outside ? NULL : study_of(at);
-  p.formulas = page_formulas(p.formula);
-  if (!p.study || isnan(value(&p, Q_V_START)))
+  if (!p.study || isnan(value(&p, Q_V_START))) {
     fprintf(p.file, "\nThis crawler has no page: %s.\n", at->why);
-  else
-    write(&p);
+    return;
+  }
+  parameters_text(parameters, &at->place.point, not_held, true);
+  fprintf(p.file, "\nCrawler:%s\n", parameters);
+  write(&p);
 }
 
-void page_of_crawler(struct rows *rows, struct at *at) { visit(rows, at, write_summary); }
-void page_of_breakdown(struct rows *rows, struct at *at) { visit(rows, at, write_breakdown); }
+static void page_of_crawler(struct rows *rows, struct at *at) { visit(rows, at, NULL, write_summary); }
+
+static void page_of_breakdown(struct rows *rows, struct at *at)
+{
+  visit(rows, at, (const char *const[]){ "T", NULL }, write_breakdown);
+}
+
+/* The columns */
+
+/* False: the book that was given has none of the page's formulas, and the message is on stderr. */
+static bool serves(const struct request *request)
+{
+  return book_serves(request->style.command, request->book, is_told, NULL, "the steady v_start or displacement");
+}
+
+const char *summary_plan(struct rows *rows)
+{
+  static const char *const before[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
+                                        "multiplier", "regime",  "modes", "motion" };
+  static const char *const behind[] = { "first_event", "first_event_T", "first_event_froude", "reversals", "best_order",
+                                        "best_error",  "status" };
+  static const char *const of_formula[][2] = { { "", "value" },
+                                               { "_error", "deviation" },
+                                               { "_reach_1", "reach_0.01" },
+                                               { "_reach_5", "reach_0.05" },
+                                               { "_limit", "error_limit" },
+                                               { "_verdict", "verdict" },
+                                               { "_order", "order" } };
+  struct page p = { .formulas = 0 };
+  const char *wrong = NULL;
+  if (!serves(rows->request))
+    return "";
+  find_formulas(&p);
+  rows->has_parameters = true;
+  rows->visit = page_of_crawler;
+  for (size_t i = 0; i < sizeof before / sizeof *before && !wrong; i++)
+    wrong = rows_own(rows, "%s", before[i]);
+  for (const struct told *t = p.told; t < p.told + p.formulas; t++)
+    for (size_t i = 0; i < sizeof of_formula / sizeof *of_formula && !wrong; i++)
+      wrong = rows_own(rows, "%s%s = %s.%s", t->name, of_formula[i][0], of_formula[i][1], t->name);
+  for (size_t i = 0; i < sizeof behind / sizeof *behind && !wrong; i++)
+    wrong = rows_own(rows, "%s", behind[i]);
+  return wrong;
+}
+
+const char *breakdown_page(struct rows *rows)
+{
+  rows->visit = page_of_breakdown;
+  return serves(rows->request) ? rows_own(rows, "v_start") : "";
+}

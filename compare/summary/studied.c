@@ -1,38 +1,31 @@
 /* Quantities of a crawler along T: how far series reach, what is claimed and proven of formulas, and what ends the
  * expansion. */
-#define _GNU_SOURCE /* tdestroy */
 #include <math.h>
-#include <search.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/points/point_flint.h"
 #include "compare/summary/summary.h"
 
-enum { LEAST_ORDER = 8, MOST_KEPT = 1 << 20 };
+enum { LEAST_ORDER = 8 };
 
-/* How far a series reaches does not depend on T: it is kept, whatever varies fastest. */
-struct kept_reach {
-  double crawler[CRAWLER_NUMBERS]; /* of T = 1 */
-  const struct scallop_gait *gait;
-  const struct quantity *of;
-  double T;
+struct at_study { /* of one crawler */
+  struct study study;
+  struct ledger ledger; /* rows as they are asked for */
+  bool has_reach[MOST_QUANTITIES];
+  double reach[MOST_QUANTITIES]; /* it does not depend on T, so that it is looked for once where T varies fastest */
 };
 
-struct at_study {
-  struct study study;   /* of the crawler with T = 1 */
-  struct ledger ledger; /* of this crawler: rows as they are asked for */
-  void *reaches;        /* a tree (tsearch) of struct kept_reach */
-  long kept;
-};
-
-static struct at_study *create(void) { return calloc(1, sizeof(struct at_study)); }
-
-static void end(struct at_study *s)
+static void clear(struct at_study *s)
 {
   study_clear(&s->study);
   ledger_free(&s->ledger);
-  tdestroy(s->reaches, free);
+  memset(s->has_reach, 0, sizeof s->has_reach);
+}
+
+static void end(struct at_study *s)
+{
+  clear(s);
   free(s);
 }
 
@@ -46,61 +39,16 @@ static long most_order(const struct quantities *all)
 
 struct study *study_of(struct at *at)
 {
-  struct at_study *s = at->study = at->study ? at->study : create();
+  struct at_study *s = at->study = at->study ? at->study : calloc(1, sizeof *s);
   struct motion motion = motion_of(&at->place.point, OF_STEADY);
-  motion.crawler.T = 1;
+  motion.crawler.T = 1; /* whatever it is */
   if (!s)
     return at_fail(at, "out of memory"), NULL;
-  if (s->study.cache && same_crawler(&s->study.motion.crawler, &motion.crawler))
+  if (s->study.places && same_crawler(&s->study.motion.crawler, &motion.crawler))
     return &s->study;
-  ledger_free(&s->ledger);
+  clear(s);
   const char *why = study_begin(&s->study, &motion, most_order(&at->asked->quantities));
   return why ? at_fail(at, why), NULL : &s->study;
-}
-
-/* The series that the quantity is about, beside the exact motion. False: there is none. */
-static bool compares(struct comparison *c, struct at *at, const struct quantity *q)
-{
-  const struct quantity *series = &at->asked->quantities.item[q->of];
-  const struct scallop_formula *f = series->formula;
-  const struct study *s = study_of(at);
-  *c = (struct comparison){ .study = s, .tolerance = q->tolerance };
-  c->item = f ? series_of_formula(f, quantity_of_formula(f, SCALLOP_EXTENSION))
-              : (struct series_item){ series->kind == QUANTITY_DERIVED ? FROM_DERIVED : FROM_LIMIT,
-                                      (enum quantity_id)series->which, NULL, series->order };
-  return s && (f ? series_is_about(f, &s->motion, c->item.quantity) : s->derived.value[series->which] != NULL);
-}
-
-static int by_crawler(const void *a, const void *b) { return memcmp(a, b, offsetof(struct kept_reach, T)); }
-
-static void keep(struct at_study *s, const struct kept_reach *reach)
-{
-  struct kept_reach *copy = s->kept < MOST_KEPT ? malloc(sizeof *copy) : NULL;
-  if (!copy)
-    return;
-  *copy = *reach;
-  if (tsearch(copy, &s->reaches, by_crawler))
-    s->kept++;
-  else
-    free(copy);
-}
-
-static double reach(struct at *at, const struct quantity *q)
-{
-  struct kept_reach wanted;
-  struct scallop_crawler crawler = at->place.point.crawler;
-  struct comparison c;
-  crawler.T = 1;
-  crawler_numbers(&crawler, wanted.crawler);
-  wanted.gait = crawler.gait;
-  wanted.of = q;
-  struct kept_reach *const *found = at->study ? tfind(&wanted, &at->study->reaches, by_crawler) : NULL;
-  if (found)
-    return (*found)->T;
-  wanted.T = compares(&c, at, q) ? comparison_reach(&c) : NAN;
-  if (c.study)
-    keep(at->study, &wanted);
-  return wanted.T;
 }
 
 const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula)
@@ -129,6 +77,36 @@ static double value_of(const struct comparison *c, double T)
   return arb_is_finite(value) ? arf_get_d(arb_midref(value), ARF_RND_NEAR) : NAN;
 }
 
+/* Of the series that the quantity is about, beside the exact motion; nan: there is none. */
+static double compared(struct at *at, const struct quantity *q)
+{
+  const struct quantity *series = &at->asked->quantities.item[q->of];
+  const struct scallop_formula *f = series->formula;
+  const struct study *s = study_of(at);
+  const double T = at->place.point.crawler.T;
+  struct comparison c = { .study = s, .tolerance = q->tolerance };
+  c.item = f ? series_of_formula(f, quantity_of_formula(f, SCALLOP_EXTENSION))
+             : (struct series_item){ series->kind == QUANTITY_DERIVED ? FROM_DERIVED : FROM_LIMIT,
+                                     (enum quantity_id)series->which, NULL, series->order };
+  if (!s || !(f ? series_is_about(f, &s->motion, c.item.quantity) : s->derived.value[series->which] != NULL))
+    return NAN;
+  return q->which == STUDIED_REACH       ? comparison_reach(&c)
+         : q->which == STUDIED_VALUE     ? value_of(&c, T)
+         : q->which == STUDIED_DEVIATION ? comparison_error(&c, T)
+                                         : comparison_limit(&c);
+}
+
+static double reach(struct at *at, const struct quantity *q)
+{
+  const long place = q - at->asked->quantities.item;
+  if (!study_of(at))
+    return NAN;
+  if (!at->study->has_reach[place])
+    at->study->reach[place] = compared(at, q);
+  at->study->has_reach[place] = true;
+  return at->study->reach[place];
+}
+
 /* Of the displacement: the order of the best truncation, or its error */
 static double best(struct at *at, bool is_order)
 {
@@ -138,23 +116,16 @@ static double best(struct at *at, bool is_order)
   return isinf(best.error) ? NAN : is_order ? (double)best.order : best.error;
 }
 
-static double first_event(struct at *at)
-{
-  struct study *s = study_of(at);
-  return s && study_events(s)->count > 0 ? s->events.event[0].T : NAN;
-}
-
 static double number(struct at *at, const struct quantity *q)
 {
-  double T = at->place.point.crawler.T;
-  struct comparison c;
+  struct study *s = study_of(at);
   switch ((enum studied)q->which) {
   case STUDIED_REACH: return reach(at, q);
-  case STUDIED_VALUE: return compares(&c, at, q) ? value_of(&c, T) : NAN;
-  case STUDIED_DEVIATION: return compares(&c, at, q) ? comparison_error(&c, T) : NAN;
-  case STUDIED_ERROR_LIMIT: return compares(&c, at, q) ? comparison_limit(&c) : NAN;
+  case STUDIED_VALUE:
+  case STUDIED_DEVIATION:
+  case STUDIED_ERROR_LIMIT: return compared(at, q);
   case STUDIED_ORDER: return order_of(claim_of(at, at->asked->quantities.item[q->of].formula));
-  case STUDIED_EVENT_T: return first_event(at);
+  case STUDIED_EVENT_T: return s && study_events(s)->count > 0 ? s->events.event[0].T : NAN;
   default: return best(at, q->which == STUDIED_BEST_ORDER);
   }
 }
@@ -172,17 +143,13 @@ static const char *reversals_text(char text[MOTION_WORDS], const struct events *
 
 static const char *text(struct at *at, const struct quantity *q)
 {
-  if (q->which == STUDIED_VERDICT) {
-    const struct claim_row *c = claim_of(at, at->asked->quantities.item[q->of].formula);
-    return c ? claim_verdict_text(c->verdict) : "-";
-  }
-  struct study *study = study_of(at);
-  if (!study)
+  struct study *s = study_of(at);
+  if (!s)
     return "-";
-  const struct events *e = study_events(study);
-  if (q->which == STUDIED_REVERSALS)
-    return reversals_text(at->text, e);
-  return e->count > 0 ? e->event[0].what : "-";
+  if (q->which == STUDIED_VERDICT)
+    return claim_verdict_text(claim_of(at, at->asked->quantities.item[q->of].formula)->verdict);
+  const struct events *e = study_events(s);
+  return q->which == STUDIED_REVERSALS ? reversals_text(at->text, e) : e->count > 0 ? e->event[0].what : "-";
 }
 
 static const struct at_study_functions functions = { end, number, text };

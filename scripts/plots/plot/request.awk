@@ -147,7 +147,6 @@ function kind_of_table(part,   kinds, kind, i) {
     "stress            : dots     :       : units,rounding,perturbed   : family,gait                 :    \n" \
     "stress of a point : dots     :       : units,rounding,perturbed   : quantity                    :    \n" \
     "stiff             : curves   : delta : displacement_error         : scene,gait,stepper          : xy|\n" \
-    "stiff orders      : dots     :       : order,order_low,order_high : scene,gait,stepper,quantity :    \n" \
     "phase             : curves   : *     : dxC                        : *                           :    \n" \
     "steady            : curves   : *     : mean_velocity              : *                           :    \n" \
     "series            : curves   : *     : relative.                  : *                           : xy|\n" \

@@ -7,15 +7,13 @@
 
 #include <stdlib.h>
 
-SCOPED_KIND(scallop_singularity, struct scallop_singularity)
-
 enum { ORDER = 8 };
 
 /* Quadratic for even i, sinusoidal for odd */
 static struct scallop_crawler draw(struct random *r, int i) { return moderate_crawler(r, 3, 0.1, every_gait[i % 2]); }
 
 #define STUDY(name, of) \
-  ENDED_BY(study_clear) struct study name = { .cache = NULL }; \
+  ENDED_BY(study_clear) struct study name = { .places = NULL }; \
   assert_null(study_begin(&(name), of, ORDER))
 
 #define EVENTS(name, of) \
@@ -411,13 +409,11 @@ TEST(the_branch_ends_at_its_poles)
   for (int i = 0; i < 3; i++) {
     struct motion s = { .crawler = draw(&r, 0) };
     STUDY(study, &s);
-    SCOPED(scallop_singularity, found);
-    assert_true(singularity_of(&found, &study, 1));
     for (int q = Q_V_START; q <= Q_MEAN_VELOCITY; q++) {
       struct radius poles, bound;
       assert_true(radius_from_poles(&poles, study_many(&study, (enum quantity_id)q), STUDY_MANY));
       assert_true(poles.high - poles.low <= 1e-14 * poles.T && poles.T >= poles.low);
-      radius_from_singularity(&bound, &found, (enum quantity_id)q);
+      assert_true(radius_from_branch(&bound, &study, (enum quantity_id)q));
       assert_string_equal(bound.method, "bound");
       assert_true(bound.T <= poles.high && bound.T >= 0.99 * poles.low);
     }

@@ -71,11 +71,9 @@ TEST(numbers_are_those_of_the_code)
   static const double map[] = { BREAKDOWN_MAP_TOLERANCES };
   enum { TEXT = 80, CASES = 8 };
   char said[CASES][TEXT];
-  double level[2];
+  static const int percent[] = { PAGE_PERCENTS };
   int order;
-  assert_int_equal(sscanf(page_quantities[0].derived, "derived_%d", &order), 1);
-  for (int i = 0; i < 2; i++)
-    assert_int_equal(sscanf(page_reaches[i], "reach_%lf", &level[i]), 1);
+  assert_int_equal(sscanf(PAGE_TERMS, "derived_%d", &order), 1);
   const char *const commands_of[CASES] = { "stress",    "stress",    "stress",  "stress",
                                            "breakdown", "breakdown", "summary", "breakdown" };
   snprintf(said[0], TEXT, "Promised: at most %d units", STRESS_PROMISE);
@@ -84,7 +82,7 @@ TEST(numbers_are_those_of_the_code)
   snprintf(said[3], TEXT, "from 1 to %d,", STRESS_GENEROUS);
   snprintf(said[4], TEXT, "the terms below T^%d, are off", order);
   snprintf(said[5], TEXT, "up to %d, with the least error", STUDY_MANY);
-  snprintf(said[6], TEXT, "more than %g %% and %g %%", 100 * level[0], 100 * level[1]);
+  snprintf(said[6], TEXT, "more than %d %% and %d %%", percent[0], percent[1]);
   snprintf(said[7], TEXT, "for 1e-%.0f and 1e-%.0f", -log10(map[0]), -log10(map[1]));
   for (int i = 0; i < CASES; i++)
     if (!strstr(shipped_text(shipped_help, commands_of[i]), said[i]))

@@ -4,7 +4,9 @@
 
 #include <gsl/gsl_errno.h>
 
-#include "compare/stress/stiff_measure.h"
+#include "asymptotics/observed/order.h"
+#include "compare/stress/stiff.h"
+#include "numerics/rivals/rival.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -231,6 +233,7 @@ TEST(a_run_that_gives_up)
 
 TEST(order_of_the_model)
 {
+  const struct scallop_order_wanted wanted = { .order = 1, .tolerance = 0.1 };
   for (int i = 0; i < 4; i++) {
     struct scallop_crawler c = sticking(every_gait[i % 2]);
     c.T = i < 2 ? 1 : 4;
@@ -241,55 +244,19 @@ TEST(order_of_the_model)
       stiff_solve(&scene, delta, stiff_tolerance(delta), LONG, &runs[k]);
     }
     for (int quantity = 0; quantity < (i < 2 ? STIFF_CREEP : STIFF_QUANTITIES); quantity++) {
-      struct stiff_trend trend = stiff_trend(runs, DECADES, quantity);
-      print_message("%s, T = %g, %s: order %.4f (%.4f to %.4f)\n", c.gait->name, c.T, trend.quantity, trend.fit.order,
-                    trend.fit.low, trend.fit.high);
-      CHECK_NEAR(trend.fit.order, 1, i == 3 ? 0.09 : 0.01); /* a logarithm in the last of them */
-      assert_int_equal(trend.fit.verdict, SCALLOP_ORDER_PASS);
-      assert_int_equal(trend.good, DECADES);
-      CHECK_EQUAL(trend.worst_beyond, NAN);
+      struct scallop_order_point points[DECADES];
+      struct scallop_order_result fit;
+      int count = DECADES;
+      for (int k = 0; k < DECADES; k++) {
+        points[k] = (struct scallop_order_point){ .h = runs[k].delta, .err = runs[k].error[quantity] };
+        CHECK_AT_MOST(runs[k].own[quantity], 0.1 * fabs(runs[k].error[quantity]));
+      }
+      scallop_order(points, &count, &wanted, &fit);
+      print_message("%s, T = %g: order %.4f (%.4f to %.4f)\n", c.gait->name, c.T, fit.order, fit.low, fit.high);
+      CHECK_NEAR(fit.order, 1, i == 3 ? 0.09 : 0.01); /* a logarithm in the last of them */
+      assert_int_equal(fit.verdict, SCALLOP_ORDER_PASS);
     }
   }
-}
-
-/* error = factor delta^order, known to one part in a thousand */
-static void make_runs(struct stiff_run runs[DECADES], double order)
-{
-  for (int k = 0; k < DECADES; k++) {
-    double delta = pow(10, -1 - k), error = -0.3 * pow(delta, order);
-    runs[k] = (struct stiff_run){
-      .delta = delta, .error = { error, NAN, NAN }, .own = { -1e-3 * error, NAN, NAN }, .solved = true
-    };
-  }
-}
-
-TEST(trends_that_are_not_of_order_one)
-{
-  struct stiff_run runs[DECADES];
-  struct stiff_trend t;
-  make_runs(runs, 1);
-  CHECK_NEAR(stiff_trend(runs, DECADES, STIFF_V_END).fit.order, 1, 1e-9);
-  assert_int_equal(stiff_trend(runs, DECADES, STIFF_DISPLACEMENT).good, 0);
-  assert_int_equal(stiff_trend(runs, DECADES, STIFF_DISPLACEMENT).fit.verdict, SCALLOP_ORDER_INSUFFICIENT);
-  make_runs(runs, 2);
-  assert_int_equal(stiff_trend(runs, DECADES, STIFF_V_END).fit.verdict, SCALLOP_ORDER_TOO_HIGH);
-  make_runs(runs, 0.5);
-  assert_int_equal(stiff_trend(runs, DECADES, STIFF_V_END).fit.verdict, SCALLOP_ORDER_TOO_LOW);
-  make_runs(runs, 1);
-  runs[4].error[STIFF_V_END] = 0.9 * runs[3].error[STIFF_V_END]; /* stands still, and what follows no longer counts */
-  t = stiff_trend(runs, DECADES, STIFF_V_END);
-  assert_true(t.good == 4 && t.fit.verdict == SCALLOP_ORDER_PASS);
-  CHECK_RELATIVE(t.worst_beyond, fabs(runs[4].error[STIFF_V_END]), 1e-15);
-  make_runs(runs, 1);
-  runs[2].own[STIFF_V_END] = 0.11 * fabs(runs[2].error[STIFF_V_END]); /* the stepper takes over */
-  t = stiff_trend(runs, DECADES, STIFF_V_END);
-  assert_true(t.good == 2 && t.fit.verdict == SCALLOP_ORDER_INSUFFICIENT);
-  make_runs(runs, 1);
-  runs[3].solved = false;
-  t = stiff_trend(runs, 4, STIFF_V_END);
-  assert_true(t.good == 3 && t.fit.used == 3);
-  CHECK_EQUAL(t.worst_beyond, NAN);
-  assert_int_equal(stiff_trend(runs, 0, STIFF_V_END).fit.verdict, SCALLOP_ORDER_INSUFFICIENT);
 }
 
 int main(void)

@@ -1,21 +1,19 @@
-/* Friction smoothed over delta (scallop_smoothed_rival): one period from the exact steady start, as delta -> 0:
- * scenes, single runs, and the order in delta of a series of runs. Needs FLINT. */
-#ifndef SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
-#define SCALLOP_COMPARE_STRESS_STIFF_MEASURE_H
+/* Friction smoothed over delta (scallop_smoothed_rival): one period from the exact steady start, as delta -> 0. Needs
+ * FLINT. */
+#ifndef SCALLOP_COMPARE_STRESS_STIFF_H
+#define SCALLOP_COMPARE_STRESS_STIFF_H
 
-#include "asymptotics/observed/order.h"
 #include "compare/answers/answer.h"
-#include "numerics/rivals/rival.h"
 
-/* The longest time, within a phase of the exact period, for which a body is stuck, and what smoothed friction makes of
- * it: the body creeps at the velocity whose friction is the force that holds it, v_delta artanh(force/friction). */
+/* The longest time, within a phase of the exact period, for which a body is stuck. Smoothed friction makes it creep at
+ * the velocity whose friction is the force that holds it, v_delta artanh(force/friction), v_delta = delta L/T. */
 struct stiff_held {
   int body; /* 1 or 2; 0: no body is stuck for any length of time */
   enum scallop_phase_kind phase;
   double v0;         /* velocity of both bodies where that phase begins */
   double begin, end; /* since the phase began */
   double force;      /* |force|/friction in the middle of the stretch */
-  double velocity;   /* in the middle, over v_delta = delta L/T, with its sign */
+  double velocity;   /* in the middle, over v_delta, with its sign */
   double creep;      /* distance over the stretch, over delta L */
 };
 
@@ -32,15 +30,13 @@ struct stiff_scene {
 const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const struct scallop_crawler *crawler);
 
 enum { STIFF_V_END, STIFF_DISPLACEMENT, STIFF_CREEP, STIFF_QUANTITIES, STIFF_STATUS = 80 };
-
-/* nan: not known */
-struct stiff_run {
+struct stiff_run { /* nan: not known */
   double delta, tolerance;
   double error[STIFF_QUANTITIES]; /* smoothed - exact, over L/T and L; all of creep, which ought to be 0 */
   double own[STIFF_QUANTITIES];   /* of the stepper: how much the answer changes with ten times the tolerance */
-  double creep_over_delta, velocity, last; /* of the held body; velocities in the middle and at the end, over v_delta */
+  double creep_over_delta, velocity, last;    /* of the held body; in the middle and at the end, over v_delta */
   double predicted_creep, predicted_velocity; /* those of struct stiff_held */
-  double steps, evaluations;                  /* of the period              */
+  double steps, evaluations;                  /* of the period */
   bool solved;
   char status[STIFF_STATUS]; /* "ok", or why it gave up, and after how many steps */
 };
@@ -50,21 +46,5 @@ double stiff_tolerance(double delta);
 /* tolerance: a tenth of the largest that the rival takes at most. most: accepted steps that a period, or the phase of
  * the stretch, may take. */
 void stiff_solve(const struct stiff_scene *scene, double delta, double tolerance, long most, struct stiff_run *run);
-
-/* The order in delta of a series of runs */
-struct stiff_trend {
-  const char *quantity, *verdict;  /* in words */
-  struct scallop_order_result fit; /* over the good runs, against order 1 */
-  /* the first so many runs are: solved, the stepper's own error at most a tenth of the error, and that at most half of
-   * the one before */
-  int good;
-  struct stiff_run best, last; /* the last good one; the last one                             */
-  double error_there;          /* of the best                                                 */
-  double worst_beyond;         /* largest |error| that a later run came back with, content    */
-  double gives_up_at;          /* delta of the last one                                       */
-};
-enum { STIFF_MOST_RUNS = 16 };
-/* runs: at most STIFF_MOST_RUNS, delta falling. */
-struct stiff_trend stiff_trend(const struct stiff_run *runs, int count, int quantity);
 
 #endif
