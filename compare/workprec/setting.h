@@ -43,7 +43,6 @@ enum method_kind {
   METHOD_ROOT,      /* a rival: the root of its period map           */
   METHOD_SIMULATION /* a rival: simulation until its periods repeat  */
 };
-extern const char *const kind_words[]; /* in the table */
 
 struct setting;
 /* Solves once; the answer is no_answer before. */
@@ -83,7 +82,7 @@ struct settings {
   int turn, turns; /* of how many references it is the turn, for progress */
 };
 
-/* Adds a setting; text is printed from format. */
+/* measure.c. Adds a setting; text is printed from format. */
 struct setting *settings_add(struct settings *settings, const struct reference *reference, const char *method,
                              enum method_kind kind, setting_solve *solve, const char *format, ...)
     __attribute__((format(printf, 6, 7)));
