@@ -81,29 +81,23 @@ static enum exit_code parse(struct config *c, const char *text)
   return EXIT_USAGE;
 }
 
-static void complain_of_file(const struct config *c, const struct shipped *shipped, int error)
-{
-  const char *near = strpbrk(c->path, "/.") || !shipped ? NULL : shipped_near(shipped, c->path);
-  complain(c->command, "cannot read %s: %s%s", strcmp(c->path, "-") == 0 ? "standard input" : c->path, strerror(error),
-           did_you_mean(near));
-}
-
 /* The whole file, as far as a NUL byte, which no text has; a byte order mark is no text. */
 static enum exit_code parse_file(struct config *c, const struct shipped *shipped)
 {
   char *text = NULL;
   size_t room = 0;
-  enum exit_code code = EXIT_FILE;
+  enum exit_code code = EXIT_USAGE;
   FILE *file = file_read(c->path);
   ssize_t length = file ? getdelim(&text, &room, '\0', file) : -1;
-  bool is_empty = length < 0 && file && feof(file);
-  if (length < 0 && !is_empty) {
-    complain_of_file(c, shipped, errno);
-  } else if (!is_empty && strlen(text) != (size_t)length) {
+  if (!file || (length < 0 && !feof(file))) {
+    const char *near = shipped && !strpbrk(c->path, "/.") ? nearest_in(c->path, shipped, sizeof *shipped) : NULL;
+    complain(c->command, "cannot read %s: %s%s", strcmp(c->path, "-") == 0 ? "standard input" : c->path,
+             strerror(errno), did_you_mean(near));
+    code = EXIT_FILE;
+  } else if (length > 0 && strlen(text) != (size_t)length) {
     complain(c->command, "%s: this is not a text file", c->path);
-    code = EXIT_USAGE;
   } else {
-    code = parse(c, is_empty ? "" : strncmp(text, "\xef\xbb\xbf", 3) == 0 ? text + 3 : text);
+    code = parse(c, length < 0 ? "" : strncmp(text, "\xef\xbb\xbf", 3) == 0 ? text + 3 : text);
   }
   if (file && file != stdin)
     fclose(file);

@@ -27,7 +27,7 @@ static bool find_script(struct scene *s, const config_setting_t *at, struct plot
     fclose(script);
     return true;
   }
-  const char *near = shipped_near(shipped_scripts, p->script);
+  const char *near = nearest_in(p->script, shipped_scripts, sizeof *shipped_scripts);
   p->picture = shipped_text(shipped_scripts, p->script) ? p->script : NULL;
   if (!p->picture)
     return refuse_at(
