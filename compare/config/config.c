@@ -110,19 +110,17 @@ enum exit_code config_open(struct config *c, const char *command, const char *pa
 {
   *c = (struct config){ .command = command, .path = path };
   config_init(&c->file);
+  config_init(&c->kept);
+  config_setting_add(config_root_setting(&c->kept), "texts", CONFIG_TYPE_LIST);
   return text ? parse(c, text) : parse_file(c, shipped);
 }
 
 void config_close(struct config *c)
 {
-  while (c->kept) {
-    struct kept *first = c->kept;
-    c->kept = first->next;
-    free(first->text);
-    free(first);
-  }
-  if (c->file.root)
+  if (c->file.root) {
     config_destroy(&c->file);
+    config_destroy(&c->kept);
+  }
   *c = (struct config){ .path = NULL };
 }
 

@@ -129,19 +129,15 @@ bool read_members(struct config *c, const config_setting_t *group, const struct 
 
 const char *keep(struct config *c, const char *format, ...)
 {
-  struct kept *kept = malloc(sizeof *kept);
+  char *text = NULL;
   va_list arguments;
   va_start(arguments, format);
-  const bool is_kept = kept && vasprintf(&kept->text, format, arguments) >= 0;
+  bool is_made = vasprintf(&text, format, arguments) >= 0;
   va_end(arguments);
-  if (!is_kept) {
-    free(kept);
-    refuse_at(c, NULL, "out of memory");
-    return NULL;
-  }
-  kept->next = c->kept;
-  c->kept = kept;
-  return kept->text;
+  config_setting_t *kept = config_setting_get_elem(config_root_setting(&c->kept), 0);
+  kept = is_made ? config_setting_set_string_elem(kept, -1, text) : NULL;
+  free(is_made ? text : NULL);
+  return kept ? config_setting_get_string(kept) : (refuse_at(c, NULL, "out of memory"), NULL);
 }
 
 const char *path_beside(struct config *c, const char *path)
