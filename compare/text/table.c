@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* asprintf */
 #include "compare/text/table.h"
 
 #include <errno.h>
@@ -61,9 +62,7 @@ bool table_open(struct table *t, const struct style *style)
   s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
               : style->digits <= DBL_DECIMAL_DIG              ? style->digits
                                                               : 0;
-  t->notes = open_memstream(&t->note_text, &t->note_size);
-  bool open = (t->notes || complain(style->command, "out of memory")) && open_sink(t, style->output)
-              && (!style->plot.file || open_sink(t, style->plot.file));
+  bool open = open_sink(t, style->output) && (!style->plot.file || open_sink(t, style->plot.file));
   if (!open)
     table_abandon(t);
   return open;
@@ -78,30 +77,31 @@ static void print_aligned(struct table *t, struct sink *s, bool last)
 
 static void write_notes(struct table *t)
 {
-  if (fflush(t->notes) != 0)
-    note_error(t->sink, errno);
-  for (struct sink *s = t->sink; s < t->sink + t->sinks && t->note_size > 0; s++) {
+  for (struct sink *s = t->sink; s < t->sink + t->sinks && t->notes; s++) {
     if (!marks[s->format].has_notes || s->error != 0)
       continue;
     if (s->format == FORMAT_TABLE)
       print_aligned(t, s, true);
     progress_clear();
-    if (fwrite(t->note_text, 1, t->note_size, s->out.stream) < t->note_size)
+    if (fputs(t->notes, s->out.stream) < 0)
       note_error(s, errno);
   }
-  rewind(t->notes);
+  free(t->notes);
+  t->notes = NULL;
 }
 
 void table_note(struct table *t, const char *format, ...)
 {
   va_list arguments;
   va_start(arguments, format);
-  char *note = printed_line(format, arguments, ""); /* a line break in a name would begin a row */
+  char *note = printed_line(format, arguments, ""), *notes; /* a line break in a name would begin a row */
   va_end(arguments);
-  if (!note)
-    return note_error(t->sink, ENOMEM);
-  fprintf(t->notes, "# %s\n", note);
+  bool is_kept = note && asprintf(&notes, "%s# %s\n", t->notes ? t->notes : "", note) >= 0;
   free(note);
+  if (!is_kept)
+    return note_error(t->sink, ENOMEM);
+  free(t->notes);
+  t->notes = notes;
   if (t->names)
     write_notes(t);
 }
@@ -309,9 +309,7 @@ static bool draw(const struct table *t)
 /* Gives up the sinks from this one on, and the memory. */
 static void release(struct table *t, int from)
 {
-  if (t->notes)
-    fclose(t->notes);
-  free(t->note_text);
+  free(t->notes);
   for (struct sink *s = t->sink + from; s < t->sink + t->sinks; s++) {
     aligned_free(&s->aligned);
     file_close(&s->out, false);

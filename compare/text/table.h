@@ -62,9 +62,7 @@ struct table {
     int error;              /* of the first write that failed */
   } sink[2];
   int sinks;
-  FILE *notes;     /* '#' lines that wait until the choice of columns is found good */
-  char *note_text; /* what they are written to                                      */
-  size_t note_size;
+  char *notes; /* '#' lines that wait until the choice of columns is found good */
   const char *columns[TABLE_COLUMNS];
   int count, at;                        /* columns; the next one in this row */
   struct table_cell row[TABLE_COLUMNS]; /* so far                            */
