@@ -82,44 +82,35 @@ static bool check_name(const struct book_entry *e, const config_setting_t *at, c
         e->config, at,
         "'%s' cannot be the name of a %s: a name begins with a letter, has letters, digits and _, %d at most", name, of,
         FORMULA_NAME - 1);
+  other = other || !formula_is_word(name) ? other : "it has a meaning in formulas";
   return !other || refuse_at(e->config, at, "'%s' cannot be the name of a %s: %s", name, of, other);
 }
 
 static bool check_names(const struct book_entry *e, name_is_taken *taken)
 {
-  static const char meaning[] = "it has a meaning in formulas", quantity[] = "there is a quantity of this name";
   const char *name = e->formula.name;
   if (!name || !e->formula.text || e->of < 0)
     return refuse_at(e->config, e->group, "a formula has no %s",
                      !name              ? "name"
                      : !e->formula.text ? "text"
                                         : "'of', the quantity that it gives");
-  const config_setting_t *at = member_of(e, "name"), *where = member_of(e, "where");
+  const config_setting_t *at = member_of(e, "name");
   const struct book_entry *other = entry_named(name);
-  bool good = check_name(e, at, name, "formula",
-                         taken && taken(name)    ? quantity
-                         : formula_is_word(name) ? meaning
-                                                 : NULL);
-  if (good && other && other->config == e->config)
-    good = refuse_at(e->config, at, "there is a formula '%s' already", name);
-  else if (good && other)
-    good = refuse_at(e->config, at, "there is a formula '%s' already, in %s", name, other->config->path);
-  for (const struct scallop_part *p = e->parts; good && p->name; p++)
-    good = check_name(e, config_setting_get_member(where, p->name), p->name, "part",
-                      is_symbol(p->name) || formula_is_word(p->name) ? meaning : NULL);
-  return good;
+  bool good = check_name(e, at, name, "formula", taken && taken(name) ? "there is a quantity of this name" : NULL);
+  const bool elsewhere = other && other->config != e->config;
+  return good
+         && (!other
+             || refuse_at(e->config, at, "there is a formula '%s' already%s%s", name, elsewhere ? ", in " : "",
+                          elsewhere ? other->config->path : ""));
 }
 
 static bool check_motion(const struct book_entry *e)
 {
-  const char *what = book_quantities[e->of];
   bool is_steady = e->start == FROM_STEADY;
-  if (!is_steady && e->of >= BOOK_STEADY)
-    return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of the steady state: give it start = \"steady\"",
-                     what);
-  if (is_steady && e->of < BOOK_STEADY)
-    return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of one phase: give it start = \"rest\" or \"v0\"",
-                     what);
+  if (is_steady != (e->of >= BOOK_STEADY))
+    return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of %s", book_quantities[e->of],
+                     is_steady ? "one phase: give it start = \"rest\" or \"v0\""
+                               : "the steady state: give it start = \"steady\"");
   if (e->phase == SCALLOP_CONTRACTION && e->start != FROM_V0)
     return refuse_at(e->config, member_of(e, "phase"), "%s",
                      is_steady
@@ -210,25 +201,21 @@ static bool read_parts(struct book_entry *e)
       return refuse_at(e->config, at, "where has more than %d parts", MOST_PARTS);
     if (!text)
       return refuse_at(e->config, at, "%s takes a formula in quotes", name);
+    if (!check_name(e, at, name, "part", is_symbol(name) ? "it has a meaning in formulas" : NULL))
+      return false;
     e->parts[i] = (struct scallop_part){ name, text };
   }
   return true;
 }
 
 /* n, or "equality"; none: nothing is claimed */
-static bool is_claim(const char *text, long *n)
-{
-  *n = SCALLOP_EQUALITY;
-  return strcmp(text, "equality") == 0 || read_count(text, 1, MOST_CLAIMED, n);
-}
-
 static bool read_claimed(struct config *c, struct book_entry *e)
 {
   const config_setting_t *at = member_of(e, "claimed");
   const char *text = at ? text_of(c, at) : NULL;
-  long n = 0;
-  bool good = !at || (text && is_claim(text, &n));
-  e->formula.remainder = (int)n;
+  long n = SCALLOP_EQUALITY;
+  bool good = !at || (text && (strcmp(text, "equality") == 0 || read_count(text, 1, MOST_CLAIMED, &n)));
+  e->formula.remainder = at ? (int)n : 0;
   return good
          || refuse_at(c, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"", MOST_CLAIMED);
 }
@@ -286,17 +273,16 @@ static bool read_root(struct config *c, name_is_taken *taken)
   return i > first || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
 }
 
-/* Of a file, from here on among those that were read. NULL: out of memory, which is said. */
-static struct config *new_file(const char *command)
+/* Opens a file, or a text of that name, from here on among those that were read. */
+static enum exit_code open_file(struct config **config, const char *command, const char *path, const char *text)
 {
   struct book_file *file = calloc(1, sizeof *file);
-  if (!file) {
-    complain(command, "out of memory");
-    return NULL;
-  }
+  if (!file)
+    return complain(command, "out of memory"), EXIT_UNSOLVED;
   file->next = files;
   files = file;
-  return &file->config;
+  *config = &file->config;
+  return config_open(*config, command, path, text, NULL);
 }
 
 /* Paths of one file may differ. */
@@ -312,8 +298,8 @@ enum exit_code book_read(const char *command, const char *path, const char *text
   for (const struct book_file *f = files; f; f = f->next)
     if (!text && is_same_file(f->config.path, path))
       return EXIT_DONE;
-  struct config *c = new_file(command);
-  enum exit_code code = c ? config_open(c, command, path, text, NULL) : EXIT_UNSOLVED;
+  struct config *c;
+  const enum exit_code code = open_file(&c, command, path, text);
   return code == EXIT_DONE && !read_root(c, taken) ? EXIT_USAGE : code;
 }
 
@@ -325,14 +311,8 @@ enum exit_code book_add(const char *command, const struct formula_given *given)
     { "of", given->of },       { "start", given->start || !is_steady ? given->start : "steady" },
     { "phase", given->phase }, { "claimed", given->claimed }
   };
-  long claimed;
-  if (!is_claim(given->claimed, &claimed)) {
-    complain(command, "--claimed: %s",
-             not_allowed(given->claimed, "n of the claim + O(T^n), from 1 to 999, or equality"));
-    return EXIT_USAGE;
-  }
-  struct config *c = new_file(command);
-  if (!c || config_open(c, command, "--formula", "", NULL) != EXIT_DONE)
+  struct config *c;
+  if (open_file(&c, command, "--formula", "") != EXIT_DONE)
     return EXIT_UNSOLVED;
   for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
     if (texts[i][1])

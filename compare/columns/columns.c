@@ -139,7 +139,7 @@ static const char *begin(struct table_choice *choice, const char *const *columns
 
 static double number_of(const struct table_cell *c)
 {
-  return c->kind == CELL_NUMBER || c->kind == CELL_ROUNDED ? c->value : text_number(c->text);
+  return c->kind == CELL_NUMBER || !isnan(c->value) ? c->value : text_number(c->text);
 }
 
 static void show(struct table_choice *choice, const struct table_cell *row, struct table_cell *shown)

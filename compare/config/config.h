@@ -15,7 +15,7 @@ struct config {
   const char *command; /* for messages */
   const char *path;    /* likewise; "-" is standard input */
   config_t file;       /* libconfig's, to whose texts members point: it stays where it is */
-  struct kept *kept;   /* and other texts */
+  config_t kept;       /* likewise, of other texts: one list */
 };
 
 /* Reads the file at path, or text, which is called path in messages. EXIT_DONE, or the exit code, the message being on
@@ -63,10 +63,6 @@ const config_setting_t *element_at(const config_setting_t *at, int i);
 /* A text, or a number as a text that reads back as the same double; NULL: it is neither. */
 const char *text_of(struct config *config, const config_setting_t *at);
 
-struct kept { /* a text that the configuration keeps */
-  struct kept *next;
-  char *text;
-};
 /* A text for as long as the configuration is open. NULL: no memory, which is said. */
 const char *keep(struct config *config, const char *format, ...) __attribute__((format(printf, 2, 3), nonnull(2)));
 /* Paths of inputs are those of the folder of the file; so "measured:FILE", and other gaits as they are. NULL as

@@ -249,13 +249,11 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
   b.options = o;
   for (int i = 0; i < 2; i++) {
     const struct sweep_variable *v = b.axes[i] = map_axis(o, i);
-    if (v->count < 2 || v->count > MOST_NODES) {
-      complain("breakdown", "--%c: %ld values; --boundaries takes 2 to %d along each axis", "xy"[i], v -> count,
+    if (v->count < 2 || v->count > MOST_NODES || !(v->from.number < v->to.number)) {
+      complain("breakdown", "--%c: --boundaries takes 2 to %d values along each axis, with FROM < TO", "xy"[i],
                MOST_NODES);
       return EXIT_USAGE;
     }
-    if (!(v->from.number < v->to.number))
-      return complain("breakdown", "--%c: FROM < TO for --boundaries", "xy"[i]), EXIT_USAGE;
     b.cells[i] = (int)v->count - 1;
   }
   if (!begin_table(&b))

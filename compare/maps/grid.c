@@ -9,7 +9,6 @@
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
 #include "compare/points/defaults.h"
-#include "compare/text/values.h"
 
 const struct sweep_variable *map_axis(const struct breakdown_options *o, int i)
 {
@@ -47,20 +46,11 @@ struct grid {
   enum quantity_id quantity;
 };
 
-static bool has_name(const char *list, const char *name)
-{
-  char item[2 * QUANTITY_NAME];
-  while (next_item(item, sizeof item, &list))
-    if (strcmp(item, name) == 0)
-      return true;
-  return false;
-}
-
 /* Beside a picture of named columns, where no others are chosen, the table has of the series those alone that are
  * drawn. */
 static bool is_drawn(const struct style *style, const char *name)
 {
-  return !style->plot.file || !style->plot.y || style->choice || has_name(style->plot.y, name);
+  return !style->plot.file || !style->plot.y || style->choice || formula_is_listed(style->plot.y, name);
 }
 
 /* The error of a series, without tolerances, or how far it reaches: "error_published", "T_1e-2_published" */
@@ -87,31 +77,24 @@ static bool is_about_quantity(const void *context, const struct scallop_formula 
   return series_is_about(f, &steady, *(const enum quantity_id *)context);
 }
 
-/* Of two formulas of the paper the last one is the simpler. They are listed behind those of books. */
-static const struct scallop_formula *published(const struct grid *g)
-{
-  const struct scallop_formula *f, *last = NULL;
-  for (int i = 0; (f = listed_formula(i)); i++)
-    last = !book_formula(i) && is_about_quantity(&g->quantity, f) ? f : last;
-  return last;
-}
-
-/* For each formula of the book, and for each other source */
+/* For each formula of the book, and for each other source; of the paper's formulas the last one is the simplest. */
 static const char *add_all_series(const struct grid *g, const double *tolerances)
 {
   const struct breakdown_options *o = g->options;
-  const char *wrong = NULL, *quantity = quantity_rows[g->quantity].name;
+  const char *wrong = NULL, *quantity = quantity_rows[g->quantity].name, *published = NULL;
   char called[QUANTITY_NAME], series[QUANTITY_NAME];
   const struct scallop_formula *f;
-  for (int k = 0; breakdown_takes(o, FROM_BOOK) && (f = book_formula(k)) && !wrong; k++)
-    wrong = is_about_quantity(&g->quantity, f) ? add_series(g, f->name, f->name, tolerances) : NULL;
-  if (!wrong && breakdown_takes(o, FROM_PUBLISHED) && (f = published(g)))
-    wrong = add_series(g, "published", f->name, tolerances);
-  if (!wrong && breakdown_takes(o, FROM_DERIVED)) {
-    snprintf(called, sizeof called, "derived_%ld", o->order.value);
-    snprintf(series, sizeof series, "derived_%ld.%s", o->order.value, quantity);
+  for (int i = 0; (f = listed_formula(i)) && !wrong; i++)
+    if (!book_formula(i) && is_about_quantity(&g->quantity, f))
+      published = f->name;
+    else if (book_formula(i) && breakdown_takes(o, FROM_BOOK) && is_about_quantity(&g->quantity, f))
+      wrong = add_series(g, f->name, f->name, tolerances);
+  if (!wrong && breakdown_takes(o, FROM_PUBLISHED) && published)
+    wrong = add_series(g, "published", published, tolerances);
+  snprintf(called, sizeof called, "derived_%ld", o->order.value);
+  snprintf(series, sizeof series, "derived_%ld.%s", o->order.value, quantity);
+  if (!wrong && breakdown_takes(o, FROM_DERIVED))
     wrong = add_series(g, called, series, tolerances);
-  }
   snprintf(series, sizeof series, "limit.%s", quantity);
   return wrong || !breakdown_takes(o, FROM_LIMIT) ? wrong : add_series(g, "limit", series, tolerances);
 }

@@ -33,26 +33,19 @@ static bool read_cell(const char *text, double *value)
 
 /* What is wrong is said with the file and the line (tsv_at); NULL: nothing is. */
 
-/* The place of a column, -1: there is none; there may be one. option is what names it. */
+/* The place of a column by its name, of which there may be one; -1: there is none. option is what names it. With one it
+ * has to be there, by its name or by its number from 1. */
 static const char *find(int *place, struct tsv *t, const char *option, const char *name)
 {
-  *place = word_place(name, tsv_columns(t));
-  if (*place >= 0 && word_place(name, tsv_columns(t) + *place + 1) >= 0)
-    return tsv_at(t, "%sthe column '%.100s' is there twice", option, name);
-  return NULL;
-}
-
-/* The same for one that has to be there, by its name or by its number from 1 */
-static const char *chosen(int *place, struct tsv *t, const char *option, const char *name)
-{
   long number;
-  const char *wrong = find(place, t, option, name);
-  if (!wrong && *place < 0 && read_count(name, 1, t->count, &number))
+  *place = word_place(name, t->column);
+  if (*place >= 0 && word_place(name, t->column + *place + 1) >= 0)
+    return tsv_at(t, "%sthe column '%.100s' is there twice", option, name);
+  if (*option && *place < 0 && read_count(name, 1, t->count, &number))
     *place = (int)number - 1;
-  if (wrong || *place >= 0)
-    return wrong;
-  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name,
-                t->columns > 0 ? instead_of(name, tsv_columns(t)) : "");
+  if (*place >= 0 || !*option)
+    return NULL;
+  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name, t->columns > 0 ? instead_of(name, t->column) : "");
 }
 
 static const char *add_y(struct reader *r, int place, bool values)
@@ -78,7 +71,7 @@ static const char *add_list(struct reader *r, const char *list)
   char name[COLUMN_NAME];
   int place;
   while (!wrong && next_item(name, sizeof name, &list)) {
-    wrong = chosen(&place, &r->t, "--y: ", name);
+    wrong = find(&place, &r->t, "--y: ", name);
     if (!wrong)
       wrong = place == r->x ? tsv_at(&r->t, "--y: this column is x") : add_y(r, place, strcmp(name, "value") == 0);
   }
@@ -125,7 +118,7 @@ static const char *find_columns(struct reader *r)
 {
   const struct columns_wanted *wanted = r->wanted;
   struct tsv *t = &r->t;
-  const char *wrong = wanted->x ? chosen(&r->x, t, "--x: ", wanted->x) : find(&r->x, t, "", "h");
+  const char *wrong = wanted->x ? find(&r->x, t, "--x: ", wanted->x) : find(&r->x, t, "", "h");
   if (r->x < 0) /* the first one, but for the index without a name that pandas writes */
     r->x = t->columns > 1 && *t->column[0] == '\0';
   wrong = wrong ? wrong : find(&r->noise, t, "", "noise");
@@ -242,18 +235,18 @@ static const char *take_row(struct reader *r)
 static bool join_single_points(struct reader *r)
 {
   struct series *first = r->list->series + r->first;
-  int count = r->list->count - r->first;
-  for (int i = 0; i < count; i++)
-    if (first[i].count > 1)
-      return true;
+  const int count = r->list->count - r->first;
   bool joined = true;
-  for (int i = r->ys; i < count; i++) {
-    joined = joined && append(&first[i % r->ys], first[i].points[0]);
-    free(first[i].points);
-  }
-  for (int i = 0; i < r->ys && count > r->ys; i++)
+  for (int i = 0; i < count; i++)
+    if (first[i].count > 1 || count <= r->ys)
+      return true;
+  for (int i = 0; i < count; i++) {
     *first[i].name = '\0';
-  r->list->count = r->first + (count < r->ys ? count : r->ys);
+    joined = i < r->ys || (joined && append(&first[i % r->ys], first[i].points[0]));
+    if (i >= r->ys)
+      free(first[i].points);
+  }
+  r->list->count = r->first + r->ys;
   return joined;
 }
 

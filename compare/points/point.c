@@ -1,8 +1,6 @@
 #include "compare/points/point.h"
 
-#include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 #include <string.h>
 
 #include "compare/points/gait_file.h"
@@ -11,7 +9,31 @@
 
 const char *const crawler_parameters[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha", "gait", NULL };
 
-enum { PLACE_OF_L = 4, PLACE_OF_T, PLACE_OF_ALPHA };
+static const char positive[] = "a finite number > 0";
+#define CRAWLER(name) #name, #name, TARGET_NUMBER, offsetof(struct point, crawler.name)
+const struct parameter point_parameters[POINT_PARAMETERS] = {
+  { CRAWLER(m1), positive },
+  { CRAWLER(m2), positive },
+  { CRAWLER(F1), positive },
+  { CRAWLER(F2), positive },
+  { CRAWLER(L), positive },
+  { CRAWLER(T), positive },
+  { CRAWLER(alpha), "a number between 0 and 1, both excluded" },
+  { "v0", "v0", TARGET_V0, offsetof(struct point, v0), "a finite number" },
+  { "F1_over_F2", "F1", TARGET_F1_OVER_F2, offsetof(struct point, ratio[F1_OVER_F2]), positive },
+  { "m1_over_m2", "m1", TARGET_M1_OVER_M2, offsetof(struct point, ratio[M1_OVER_M2]), positive },
+  { "froude", "T", TARGET_FROUDE, offsetof(struct point, ratio[FROUDE]), positive },
+  { "gait", "gait", TARGET_GAIT, 0, NULL },
+  { "phase", "phase", TARGET_PHASE, 0, NULL },
+};
+
+const struct parameter *parameter_named(const char *name)
+{
+  const struct parameter *p = point_parameters;
+  while (p < point_parameters + POINT_PARAMETERS && strcmp(name, p->name) != 0)
+    p++;
+  return p < point_parameters + POINT_PARAMETERS ? p : NULL;
+}
 
 const char *name_among(const char *const *names, const char *name)
 {
@@ -20,43 +42,18 @@ const char *name_among(const char *const *names, const char *name)
   return names ? *names : NULL;
 }
 
-const struct parameter *parameter_named(const char *name)
-{
-  static const struct parameter all[] = { { "m1", "m1", TARGET_NUMBER },
-                                          { "m2", "m2", TARGET_NUMBER },
-                                          { "F1", "F1", TARGET_NUMBER },
-                                          { "F2", "F2", TARGET_NUMBER },
-                                          { "L", "L", TARGET_NUMBER },
-                                          { "T", "T", TARGET_NUMBER },
-                                          { "alpha", "alpha", TARGET_NUMBER },
-                                          { "v0", "v0", TARGET_V0 },
-                                          { "gait", "gait", TARGET_GAIT },
-                                          { "phase", "phase", TARGET_PHASE },
-                                          { "froude", "T", TARGET_FROUDE },
-                                          { "F1_over_F2", "F1", TARGET_F1_OVER_F2 },
-                                          { "m1_over_m2", "m1", TARGET_M1_OVER_M2 } };
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (strcmp(name, all[i].name) == 0)
-      return &all[i];
-  return NULL;
-}
-
 int crawler_place(const char *name)
 {
   int i = 0;
-  while (i < CRAWLER_NUMBERS && strcmp(name, crawler_parameters[i]) != 0)
+  while (i < CRAWLER_NUMBERS && strcmp(name, point_parameters[i].name) != 0)
     i++;
   return i;
 }
 
+_Static_assert(offsetof(struct point, crawler) == 0, "a number's place in a point is that in its crawler");
 double *crawler_field(struct scallop_crawler *c, int place)
 {
-  static const size_t fields[CRAWLER_NUMBERS] = {
-    offsetof(struct scallop_crawler, m1),   offsetof(struct scallop_crawler, m2), offsetof(struct scallop_crawler, F1),
-    offsetof(struct scallop_crawler, F2),   offsetof(struct scallop_crawler, L),  offsetof(struct scallop_crawler, T),
-    offsetof(struct scallop_crawler, alpha)
-  };
-  return (void *)((char *)c + fields[place]);
+  return (void *)((char *)c + point_parameters[place].field);
 }
 
 double crawler_number(const struct scallop_crawler *c, int place)
@@ -87,41 +84,37 @@ struct point point_initial(const struct scallop_crawler *usual)
 void point_complete(struct point *p)
 {
   const struct gait_file *file = gait_file_of(p->crawler.gait);
-  struct scallop_crawler *c = &p->crawler;
-  if (!p->written[PLACE_OF_L])
-    c->L = file ? file->best.L : p->usual.L;
-  if (!p->written[PLACE_OF_T])
-    c->T = file ? file->best.T : p->usual.T;
-  if (!p->written[PLACE_OF_ALPHA])
-    c->alpha = file ? file->best.alpha : p->usual.alpha;
+  const double own[] = { file ? file->best.L : p->usual.L, file ? file->best.T : p->usual.T,
+                         file ? file->best.alpha : p->usual.alpha };
+  for (int i = 0; i < 3; i++) {
+    const int place = CRAWLER_NUMBERS - 3 + i; /* L, T and alpha are the last */
+    if (!p->written[place])
+      *crawler_field(&p->crawler, place) = own[i];
+  }
+}
+
+/* A number of the crawler, v0 or a ratio */
+static const char *set_number(struct point *p, const struct parameter *q, const char *text)
+{
+  struct scallop_complaint complaint = { .allowed = q->allowed };
+  double x, *field = (void *)((char *)p + q->field), before = *field;
+  if (!read_number(text, &x))
+    return no_number(text, q->allowed);
+  *field = x; /* the crawler has no other fault */
+  if (q->target == TARGET_NUMBER ? scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK
+                                 : q->target != TARGET_V0 && !(x > 0)) {
+    *field = before;
+    return not_allowed(text, complaint.allowed);
+  }
+  p->has_v0 |= q->target == TARGET_V0;
+  if (q < point_parameters + POINT_NUMBERS)
+    p->written[q - point_parameters] = text;
+  return NULL;
 }
 
 const char *point_set_number(struct point *p, int place, const char *text)
 {
-  struct scallop_complaint complaint;
-  double x;
-  if (!read_number(text, &x))
-    return no_number(text, place == PLACE_OF_V0      ? "a finite number"
-                           : place == PLACE_OF_ALPHA ? "a number between 0 and 1, both excluded"
-                                                     : "a finite number > 0");
-  double *field = place == PLACE_OF_V0 ? &p->v0 : crawler_field(&p->crawler, place), before = *field;
-  *field = x; /* the crawler has no other fault */
-  if (place != PLACE_OF_V0 && scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK) {
-    *field = before;
-    return not_allowed(text, complaint.allowed);
-  }
-  p->has_v0 |= place == PLACE_OF_V0;
-  p->written[place] = text;
-  return NULL;
-}
-
-static const char *set_ratio(struct point *p, enum ratio_place which, const char *text)
-{
-  double x;
-  if (!read_number(text, &x) || !(x > 0))
-    return no_number(text, "a finite number > 0");
-  p->ratio[which] = x;
-  return NULL;
+  return set_number(p, &point_parameters[place], text);
 }
 
 static const char *set_gait(struct point *p, const char *text)
@@ -146,14 +139,10 @@ static const char *set_phase(struct point *p, const char *text)
 
 const char *point_set(struct point *p, const char *name, const char *text)
 {
-  const struct parameter *parameter = parameter_named(name);
-  if (!parameter)
+  const struct parameter *q = parameter_named(name);
+  if (!q)
     return not_allowed(name, "the name of a parameter");
-  switch (parameter->target) {
-  case TARGET_GAIT: return set_gait(p, text);
-  case TARGET_PHASE: return set_phase(p, text);
-  case TARGET_NUMBER:
-  case TARGET_V0: return point_set_number(p, crawler_place(name), text);
-  default: return set_ratio(p, (enum ratio_place)(parameter->target - TARGET_F1_OVER_F2), text);
-  }
+  return q->target == TARGET_GAIT    ? set_gait(p, text)
+         : q->target == TARGET_PHASE ? set_phase(p, text)
+                                     : set_number(p, q, text);
 }

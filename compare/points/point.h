@@ -13,22 +13,29 @@
 enum { CRAWLER_NUMBERS = 7, PLACE_OF_V0 = CRAWLER_NUMBERS, POINT_NUMBERS };
 extern const char *const crawler_parameters[];
 
-/* What can be set of a point by a name. F1_over_F2 and m1_over_m2 keep body 2 as it is; froude sets T. */
-enum target {
-  TARGET_NUMBER, /* m1 m2 F1 F2 L T alpha */
-  TARGET_V0,
-  TARGET_F1_OVER_F2, /* from here on ratios, which follow from parameters: sweeps settle them when these are set */
-  TARGET_M1_OVER_M2,
-  TARGET_FROUDE, /* up to here numbers */
-  TARGET_GAIT,
-  TARGET_PHASE,
-  TARGET_LABEL /* of a sweep: no parameter, but a text beside the point */
+/* Ratios keep body 2 as it is, and the Froude number sets T. They follow from other parameters, so sweeps settle them
+ * when these are set. */
+enum ratio_place { F1_OVER_F2, M1_OVER_M2, FROUDE, RATIOS };
+
+enum target { /* up to TARGET_FROUDE numbers, the last three ratios; a label is of sweeps: a text beside the point */
+              TARGET_NUMBER,
+              TARGET_V0,
+              TARGET_F1_OVER_F2,
+              TARGET_M1_OVER_M2,
+              TARGET_FROUDE,
+              TARGET_GAIT,
+              TARGET_PHASE,
+              TARGET_LABEL
 };
-enum ratio_place { F1_OVER_F2, M1_OVER_M2, FROUDE, RATIOS }; /* their places behind TARGET_F1_OVER_F2 */
 struct parameter {
   const char *name, *sets; /* the parameter that it sets: F1 for F1_over_F2, T for froude, else its own name */
   enum target target;
+  size_t field;        /* a number: where it is in a point */
+  const char *allowed; /* likewise */
 };
+/* What can be set of a point: the numbers by their places, the ratios behind them, gait and phase. */
+enum { PLACE_OF_RATIOS = POINT_NUMBERS, POINT_PARAMETERS = PLACE_OF_RATIOS + RATIOS + 2 };
+extern const struct parameter point_parameters[POINT_PARAMETERS];
 /* NULL: there is none of that name. */
 const struct parameter *parameter_named(const char *name);
 
@@ -50,8 +57,7 @@ enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
 struct point point_initial(const struct scallop_crawler *usual);
 
-/* A parameter by its name from text, which must outlive the point. Returns NULL, or what is wrong with the text. The
- * message lives until the next call. */
+/* A parameter by its name from text, which must outlive the point. NULL, or what is wrong, until the next call. */
 const char *point_set(struct point *point, const char *name, const char *text);
 /* The same for a number by its place. */
 const char *point_set_number(struct point *point, int place, const char *text);

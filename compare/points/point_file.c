@@ -6,30 +6,21 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-enum { COLUMN_NAME = 40, MESSAGE = 240 };
-
-/* A word like a longer one (alpha, phase): with the same first letter and few others */
-static bool resembles(const char *plain, const char *parameter)
+/* Is a name, which is no parameter's, probably meant to be this one, by its letters and digits? Of one letter only what
+ * stands around it is judged: `t` is a time. A word is like a longer one (alpha, phase) with the same first letter and
+ * few others. */
+static bool means(const char *name, const char *parameter)
 {
   const char *const names[] = { parameter, NULL };
-  return strlen(plain) >= 4 && strlen(parameter) >= 5
-         && tolower((unsigned char)*plain) == tolower((unsigned char)*parameter) && nearest(plain, names);
-}
-
-/* The parameter that this name, which is none, was probably meant to be by its letters and digits, or NULL. Of one
- * letter only what stands around it is judged: `t` is a time. */
-static const char *meant(const char *name, const char *const *parameters)
-{
-  char plain[COLUMN_NAME];
+  char plain[40];
   size_t n = 0;
-  for (; *name && n + 1 < COLUMN_NAME; name++)
+  for (; *name && n + 1 < sizeof plain; name++)
     if (isalnum((unsigned char)*name))
       plain[n++] = *name;
   plain[n] = '\0';
-  for (const char *const *p = parameters; *p; p++)
-    if (strcmp(plain, *p) == 0 || (strlen(*p) > 1 && strcasecmp(plain, *p) == 0) || resembles(plain, *p))
-      return *p;
-  return NULL;
+  bool is_like = n >= 4 && strlen(parameter) >= 5
+                 && tolower((unsigned char)*plain) == tolower((unsigned char)*parameter) && nearest(plain, names);
+  return is_like || strcmp(plain, parameter) == 0 || (strlen(parameter) > 1 && strcasecmp(plain, parameter) == 0);
 }
 
 /* Is the name of a column that is no parameter still free in the table? */
@@ -39,36 +30,40 @@ static bool is_free(const struct point_file *r, const char *name, const char *co
   bool taken = length == 0;
   for (const char *const *own = columns; *own && !taken; own++)
     taken = strncmp(*own, name, length) == 0 && strchr("=", (*own + length)[strspn(*own + length, " ")]);
-  for (int i = 0; i < r->carries && !taken; i++)
-    taken = strcmp(r->carried[i], name) == 0;
-  return !taken;
+  return !taken && !name_among(r->carried, name);
 }
 
-/* NULL, or what is wrong with the column */
-static const char *read_column(struct point_file *r, int i, const char *const *parameters)
+/* NULL, or what is wrong with the column of that name, of a file that may name the crawler's parameters and extra */
+static const char *read_column(struct point_file *r, int i, const char *name, const char *const *extra)
 {
-  const char *name = r->tsv.column[i], *parameter = r->parameter[i] = name_among(parameters, name);
-  const char *near = parameter ? NULL : meant(name, parameters);
-  r->place[i] = parameter ? crawler_place(parameter) : CRAWLER_NUMBERS;
-  for (int k = 0; k < i; k++)
-    if (parameter && r->parameter[k] == parameter)
-      return tsv_at(&r->tsv, "the column '%s' is there twice", parameter);
-  return near ? tsv_at(&r->tsv, "unknown column '%.80s'%s", name, did_you_mean(near)) : NULL;
+  for (int k = 0; k < POINT_PARAMETERS; k++) {
+    const struct parameter *p = &point_parameters[k];
+    if (!name_among(crawler_parameters, p->name) && !name_among(extra, p->name))
+      continue;
+    if (strcmp(name, p->name) == 0)
+      r->parameter[i] = p;
+    else if (!name_among(crawler_parameters, name) && !name_among(extra, name) && means(name, p->name))
+      return tsv_at(&r->tsv, "unknown column '%.80s'%s", name, did_you_mean(p->name));
+  }
+  for (int k = 0; k < i && r->parameter[i]; k++)
+    if (r->parameter[k] == r->parameter[i])
+      return tsv_at(&r->tsv, "the column '%s' is there twice", name);
+  return NULL;
 }
 
 /* NULL, or what is wrong with the header. What is neither a parameter nor carried along goes into a note. */
-static const char *read_columns(struct point_file *r, bool quiet, const char *const *parameters,
+static const char *read_columns(struct point_file *r, const char *noted_by, const char *const *extra,
                                 const char *const *columns)
 {
   const char *unused[TSV_CELLS + 1] = { NULL };
-  char names[MESSAGE];
+  char names[240];
   int others = 0, not_carried = 0;
   if (r->tsv.fault)
     return tsv_at(&r->tsv, "%s", r->tsv.fault);
   if (!tsv_take_header(&r->tsv))
     return "out of memory";
   for (int i = 0; i < r->tsv.columns; i++) {
-    const char *name = r->tsv.column[i], *wrong = read_column(r, i, parameters);
+    const char *name = r->tsv.column[i], *wrong = read_column(r, i, name, extra);
     if (wrong)
       return wrong;
     others += !r->parameter[i];
@@ -80,44 +75,38 @@ static const char *read_columns(struct point_file *r, bool quiet, const char *co
   }
   if (others == r->tsv.columns)
     return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs");
-  if (not_carried > 0 && !quiet)
-    complain(r->command, "note: %s",
+  if (not_carried > 0 && noted_by)
+    complain(noted_by, "note: %s",
              tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s",
                     joined(names, sizeof names, unused, ", ")));
   return NULL;
 }
 
-/* Returns NULL, or what is wrong with the cell. */
-static const char *set_cell(const struct point_file *r, struct point *point, int column, const char *cell)
+/* NULL, or what is wrong with the cell */
+static const char *set_cell(const struct point_file *r, struct point *point, const struct parameter *p,
+                            const char *cell)
 {
-  const char *name = column < r->tsv.columns ? r->parameter[column] : NULL;
-  bool unset = name && r->v0_may_be_nan && strcmp(name, "v0") == 0 && strcmp(cell, "nan") == 0;
-  if (!name || unset)
+  if (!p || (r->v0_may_be_nan && p->target == TARGET_V0 && strcmp(cell, "nan") == 0))
     return NULL;
-  if (r->place[column] < CRAWLER_NUMBERS)
-    return point_set_number(point, r->place[column], cell);
-  return point_set(point, name, cell);
+  return p < point_parameters + POINT_NUMBERS ? point_set_number(point, (int)(p - point_parameters), cell)
+                                              : point_set(point, p->name, cell);
 }
 
 /* Reads the current row into point. False: status says what is wrong with it. */
 static bool read_row(struct point_file *r, struct point *point, char *status)
 {
   const struct tsv *t = &r->tsv;
-  const char *wrong = t->fault;
-  int i = 0;
-  for (; i < t->count && !wrong; i++)
-    wrong = set_cell(r, point, i, t->cell[i]);
+  const char *wrong = t->fault, *in = "";
+  for (int i = 0; i < t->count && !wrong; i++)
+    if ((wrong = set_cell(r, point, r->parameter[i], t->cell[i])))
+      in = r->parameter[i]->name;
+  if (wrong)
+    snprintf(status, POINT_STATUS, "line %ld: %s%s%s", t->number, in, *in ? ": " : "", wrong);
+  else if (t->count != t->columns)
+    snprintf(status, POINT_STATUS, "line %ld: %d columns where the header has %d", t->number, t->count, t->columns);
   if (!wrong)
     point_complete(point);
-  if (!wrong && t->count == t->columns)
-    return true;
-  int used = snprintf(status, POINT_STATUS, "line %ld: ", t->number);
-  if (!wrong)
-    snprintf(status + used, POINT_STATUS - (size_t)used, "%d columns where the header has %d", t->count, t->columns);
-  else
-    snprintf(status + used, POINT_STATUS - (size_t)used, "%s%s%s", i > 0 ? r->parameter[i - 1] : "", i > 0 ? ": " : "",
-             wrong);
-  return false;
+  return !wrong && t->count == t->columns;
 }
 
 /* The bytes that are not read yet, of a regular file; else 0 */
@@ -131,27 +120,17 @@ static double bytes_left(FILE *in)
 enum exit_code point_file_open(struct point_file *r, const char *name, const char *command, bool quiet,
                                const char *const *extra, const char *const *columns)
 {
-  const char *parameters[CRAWLER_NUMBERS + 8];
-  int count = 0;
-  for (const char *const *own = crawler_parameters; *own; own++)
-    parameters[count++] = *own;
-  while (*extra && count < CRAWLER_NUMBERS + 7)
-    parameters[count++] = *extra++;
-  parameters[count] = NULL;
-  r->command = command;
-  if (!tsv_open(&r->tsv, name, TSV_TABS)) {
-    complain(command, "%s", tsv_error(&r->tsv));
-    return EXIT_FILE;
-  }
-  bool found = tsv_next(&r->tsv);
-  const char *wrong = found ? read_columns(r, quiet, parameters, columns) : tsv_error(&r->tsv);
+  const char *wrong = NULL;
+  bool found = tsv_open(&r->tsv, name, TSV_TABS) && tsv_next(&r->tsv);
+  if (found)
+    wrong = read_columns(r, quiet ? NULL : command, extra, columns);
+  else if (!(wrong = tsv_error(&r->tsv)))
+    wrong = tsv_at_line(&r->tsv, 0, "no header line: a TSV file with the names of its columns is wanted");
   if (wrong)
     complain(command, "%s", wrong);
-  else if (!found)
-    complain(command, "%s: no header line: a TSV file with the names of its columns is wanted", r->tsv.name);
   else
     r->bytes = bytes_left(r->tsv.file);
-  return found && !wrong ? EXIT_DONE : r->tsv.error ? EXIT_FILE : EXIT_USAGE;
+  return !wrong ? EXIT_DONE : r->tsv.error ? EXIT_FILE : EXIT_USAGE;
 }
 
 void point_file_close(struct point_file *r) { tsv_close(&r->tsv); }

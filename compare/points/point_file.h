@@ -8,15 +8,13 @@
 
 struct point_file {
   struct tsv tsv;
-  const char *command;
-  const char *parameter[TSV_CELLS];   /* of each column; NULL: it is none                              */
-  int place[TSV_CELLS];               /* of it among the crawler's numbers                           */
-  const char *carried[TSV_CELLS + 1]; /* names of columns that are no parameters and are carried along */
-  int column[TSV_CELLS];              /* where these are                                               */
-  int carries;                        /* how many                                                      */
-  const char *cell[TSV_CELLS];        /* of the current row: what is carried along                     */
-  bool v0_may_be_nan;                 /* where none is given                                         */
-  double bytes, read;                 /* of a regular file, else 0; those of the rows so far         */
+  const struct parameter *parameter[TSV_CELLS]; /* of each column; NULL: it is none                              */
+  const char *carried[TSV_CELLS + 1];           /* names of columns that are no parameters and are carried along */
+  int column[TSV_CELLS];                        /* where these are                                               */
+  int carries;                                  /* how many                                                      */
+  const char *cell[TSV_CELLS];                  /* of the current row: what is carried along                     */
+  bool v0_may_be_nan;                           /* where none is given                                         */
+  double bytes, read;                           /* of a regular file, else 0; those of the rows so far         */
 };
 
 /* Opens the file, "-": standard input, and reads its header. extra: parameters beyond the crawler's that it may name;

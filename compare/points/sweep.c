@@ -5,7 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/text/table.h"
 #include "compare/text/values.h"
 
 bool sweep_variable_of_name(struct sweep_variable *v, const char *name)
@@ -47,19 +46,15 @@ const struct sweep_variable *sweep_variable(const struct sweep *s, int i)
   return NULL;
 }
 
-static long product_points(const struct sweep_product *product)
-{
-  long points = 1;
-  for (int g = 0; g < product->groups; g++)
-    points *= product->group[g].count;
-  return points;
-}
-
 long sweep_points(const struct sweep *s)
 {
   long points = 0;
-  for (int p = 0; p < s->products; p++)
-    points += product_points(&s->product[p]);
+  for (const struct sweep_product *p = s->product; p < s->product + s->products; p++) {
+    long of_product = 1;
+    for (int g = 0; g < p->groups; g++)
+      of_product *= p->group[g].count;
+    points += of_product;
+  }
   return points;
 }
 
@@ -95,45 +90,38 @@ static void note(struct sweep_place *p, const char *name, const char *wrong)
     snprintf(p->why, POINT_STATUS, "%s: %s", name, wrong);
 }
 
-static double rounded(double x, long digits)
+/* Value i of a range whose ends are known, as a text; inner ones are decimal: 0.07 for a reader, and the same on every
+ * machine, whose logarithms may differ in the last digit */
+static void write_value(char text[DIGITS_TEXT], const struct sweep_variable *v, double from, double to, long i)
 {
-  char text[DIGITS_TEXT];
+  const double steps = (double)(v->count - 1), k = (double)i;
+  const bool is_end = k == 0 || k == steps, is_formula = v->from.is_formula || v->to.is_formula;
+  double x = k == 0       ? from
+             : k == steps ? to
+             : v->is_log  ? exp(log(from) + k * ((log(to) - log(from)) / steps))
+                          : from + k * ((to - from) / steps);
+  const int digits = is_end ? 0 : v->is_log ? 12 : is_formula ? 0 : 15;
   number_text(text, x, digits);
-  read_number(text, &x);
-  return x;
-}
-
-/* Value i of a range whose ends are known */
-static double range_value(const struct sweep_variable *v, double from, double to, long i)
-{
-  long steps = v->count - 1;
-  if (i == 0)
-    return from;
-  if (i == steps)
-    return to;
-  /* decimal: 0.07 for a reader, and the same on every machine, whose logarithms may differ in the last digit */
-  if (v->is_log)
-    return rounded(exp(log(from) + (double)i * ((log(to) - log(from)) / (double)steps)), 12);
-  double x = from + (double)i * ((to - from) / (double)steps);
-  return v->from.is_formula || v->to.is_formula ? x : rounded(x, 15);
+  if (digits > 0 && read_number(text, &x))
+    number_text(text, x, 0);
 }
 
 /* What follows from other parameters follows from them as they are now, and the Froude number is last. */
 static void settle(struct sweep_place *p)
 {
-  static const char *const names[RATIOS] = { "F1_over_F2", "m1_over_m2", "froude" };
   const struct scallop_crawler *c = &p->point.crawler;
   const double *ratio = p->point.ratio;
   point_complete(&p->point);
   for (int i = 0; i < RATIOS; i++) {
     if (ratio[i] == 0)
       continue;
-    int place = crawler_place(parameter_named(names[i])->sets);
+    const struct parameter *of = &point_parameters[PLACE_OF_RATIOS + i];
+    const int place = crawler_place(of->sets);
     double x = i == F1_OVER_F2   ? ratio[i] * c->F2
                : i == M1_OVER_M2 ? ratio[i] * c->m2
                                  : sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / ratio[i]);
     number_text(p->written[place], x, 0);
-    note(p, names[i], point_set_number(&p->point, place, p->written[place]));
+    note(p, of->name, point_set_number(&p->point, place, p->written[place]));
   }
 }
 
@@ -155,7 +143,7 @@ void sweep_step(struct sweep_place *p, const struct sweep_product *product, int 
     if (!v->texts) {
       double from = v->from.is_formula ? value(context, p, &v->from.formula) : v->from.number;
       double to = v->to.is_formula ? value(context, p, &v->to.formula) : v->to.number;
-      number_text(p->written[v->place], range_value(v, from, to, k), 0);
+      write_value(p->written[v->place], v, from, to, k);
     }
     /* a value of a list was found good when the sweep was read, if not at this point */
     if (v->target == TARGET_LABEL)

@@ -32,18 +32,16 @@ struct sweep_variable {
   struct sweep_end from, to;
 };
 
-struct sweep_group {
-  int variables;
-  struct sweep_variable variable[SWEEP_VARIABLES];
-  long count;
-};
-struct sweep_product {
-  int groups;
-  struct sweep_group group[SWEEP_GROUPS];
-};
 struct sweep {
   int products; /* at least one, which may have no groups: one point */
-  struct sweep_product *product;
+  struct sweep_product {
+    int groups;
+    struct sweep_group {
+      int variables;
+      struct sweep_variable variable[SWEEP_VARIABLES];
+      long count;
+    } group[SWEEP_GROUPS];
+  } * product;
 };
 
 /* One without values yet. False: there is none of that name, but for labels. */

@@ -31,7 +31,7 @@ struct scene_source {
 enum exit_code scene_read(struct scene *scene, const struct scene_source *source, const struct request *given);
 void scene_free(struct scene *scene);
 
-/* files.c: where the table of a want and its picture go */
+/* Where the table of a want and its picture go */
 struct scene_files {
   const char *table; /* NULL: standard output */
   bool has_plot;

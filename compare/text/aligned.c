@@ -13,8 +13,6 @@ FILE *aligned_begin_row(struct aligned *a, int columns)
   return a->kept;
 }
 
-bool aligned_is_full(const struct aligned *a) { return a->rows > ALIGNED_ROWS - a->has_begun; }
-
 void aligned_free(struct aligned *a)
 {
   if (a->kept)
@@ -26,15 +24,47 @@ void aligned_free(struct aligned *a)
   a->has_begun = false;
 }
 
+static int longer(int width, const char *text)
+{
+  const int length = (int)strlen(text);
+  return length > width ? length : width;
+}
+
+/* Numbers are on the right of their columns */
+static bool is_number(const char *text)
+{
+  return isdigit((unsigned char)*text) || (*text == '-' && text[1] != '\0') || strcmp(text, "nan") == 0
+         || strcmp(text, "inf") == 0;
+}
+
+/* Widens the columns to what is kept. The first block, of names and first rows, finds what the columns are. */
+static void measure(struct aligned *a, const char *const *cells, column_meaning *meaning)
+{
+  const bool first = !a->has_begun;
+  for (int i = 0; i < a->columns; i++) {
+    struct aligned_column *c = &a->column[i];
+    const struct column_meaning *known = first && meaning ? meaning(cells[i]) : NULL;
+    if (first)
+      *c = (struct aligned_column){ .meaning = known ? *known : (struct column_meaning){ .unit = "", .sentence = "" },
+                                    .is_number = a->rows > 1 };
+    c->width = longer(longer(c->width, c->meaning.unit), first ? cells[i] : "");
+    for (long k = first; k < a->rows; k++) {
+      const char *cell = cells[k * a->columns + i];
+      c->width = longer(c->width, cell);
+      c->is_number = c->is_number && (!first || is_number(cell));
+      c->has_parts = c->has_parts || strstr(cell, " | ");
+    }
+  }
+}
+
 /* A long text goes on in another line behind each "; " and " | ", from column `left` on. */
 static void print_text(FILE *file, const char *text, int left)
 {
   enum { LONGEST = 60 };
   bool is_long = strlen(text) > LONGEST;
   for (; *text; text++) {
-    bool ends = is_long && text[1] == ' ' && (*text == ';' || *text == '|');
     fputc(*text, file);
-    if (ends) {
+    if (is_long && text[1] == ' ' && (*text == ';' || *text == '|')) {
       fprintf(file, "\n%*s", left, "");
       text++;
     }
@@ -45,65 +75,44 @@ static void print_text(FILE *file, const char *text, int left)
 static void print_meaning(FILE *file, const struct aligned_column *c)
 {
   const char *between = c->meaning.between && c->has_parts ? c->meaning.between : "";
-  fprintf(file, "%s%s%s", c->meaning.sentence, *between ? "; " : "", between);
+  fprintf(file, "%s%s%s\n", c->meaning.sentence, *between ? "; " : "", between);
 }
 
 /* One a line: name, value and unit, and what it is */
-static void print_upright(const struct aligned *a, const char *const *cells, FILE *file)
+static void print_upright(const struct aligned *a, const char *const *names, FILE *file)
 {
   enum { MOST = 40 }; /* of a value beside which the others' meanings are aligned */
-  const char *const *values = cells + a->columns;
+  const char *const *values = names + a->columns;
   int name = 0, value = 0;
   for (int i = 0; i < a->columns; i++) {
     int length = (int)(strlen(values[i]) + strlen(a->column[i].meaning.unit));
-    name = (int)strlen(cells[i]) > name ? (int)strlen(cells[i]) : name;
+    name = longer(name, names[i]);
     value = length > value && length < MOST ? length : value;
   }
   for (int i = 0; i < a->columns; i++) {
     const char *unit = a->column[i].meaning.unit;
-    fprintf(file, "%-*s  ", name, cells[i]);
+    fprintf(file, "%-*s  ", name, names[i]);
     print_text(file, values[i], name + 2);
     fprintf(file, "%s%s", *unit ? " " : "", unit);
-    if (*a->column[i].meaning.sentence) {
-      fprintf(file, "%*s  ", value - (int)(strlen(values[i]) + strlen(unit)) + (*unit == '\0'), "");
-      print_meaning(file, &a->column[i]);
+    if (!*a->column[i].meaning.sentence) {
+      fputc('\n', file);
+      continue;
     }
-    fputc('\n', file);
+    fprintf(file, "%*s  ", value - (int)(strlen(values[i]) + strlen(unit)) + (*unit == '\0'), "");
+    print_meaning(file, &a->column[i]);
   }
 }
 
-/* Numbers are on the right of their columns */
-static bool is_number(const char *text)
-{
-  return isdigit((unsigned char)*text) || (*text == '-' && text[1] != '\0') || strcmp(text, "nan") == 0
-         || strcmp(text, "inf") == 0;
-}
-
+/* cells: NULL, the units, which stand below the names */
 static void print_row(const struct aligned *a, FILE *file, const char *const *cells)
 {
   for (int i = 0; i < a->columns; i++) {
-    const char *cell = cells ? cells[i] : a->column[i].meaning.unit; /* below their names */
+    const char *cell = cells ? cells[i] : a->column[i].meaning.unit;
     bool last = i + 1 == a->columns;
     int width = a->column[i].width;
     fprintf(file, "%*s%s", a->column[i].is_number ? width : last ? 0 : -width, cell, last ? "" : "  ");
   }
   fputc('\n', file);
-}
-
-/* Widens the columns to what is kept; of the first block, which begins with the names, also finds those of numbers. */
-static void measure(struct aligned *a, const char *const *cells)
-{
-  const bool first = !a->has_begun;
-  for (int i = 0; i < a->columns; i++) {
-    struct aligned_column *c = &a->column[i];
-    for (long k = 0; k < a->rows; k++) {
-      const char *cell = cells[k * a->columns + i]; /* NOLINT(clang-analyzer-core.uninitialized.Assign): all are set */
-      int length = (int)strlen(cell);
-      c->width = length > c->width ? length : c->width;
-      c->is_number = c->is_number && (!first || k == 0 || is_number(cell));
-      c->has_parts = c->has_parts || (!(first && k == 0) && strstr(cell, " | "));
-    }
-  }
 }
 
 static void print_rows(const struct aligned *a, const char *const *cells, FILE *file)
@@ -124,19 +133,7 @@ static void print_legend(const struct aligned *a, const char *const *names, FILE
     if (a->column[i].meaning.has_symbols) {
       fprintf(file, "%s: ", names[i]);
       print_meaning(file, &a->column[i]);
-      fputc('\n', file);
     }
-}
-
-static void begin_columns(struct aligned *a, const char *const *names, column_meaning *meaning)
-{
-  for (int i = 0; i < a->columns; i++) {
-    struct aligned_column *c = &a->column[i];
-    const struct column_meaning *known = meaning ? meaning(names[i]) : NULL;
-    *c = (struct aligned_column){ .meaning = { .unit = "", .sentence = "" }, .is_number = a->rows > 1 };
-    c->meaning = known ? *known : c->meaning;
-    c->width = (int)strlen(c->meaning.unit);
-  }
 }
 
 bool aligned_print(struct aligned *a, const char *const *names, FILE *file, column_meaning *meaning, bool last)
@@ -147,14 +144,10 @@ bool aligned_print(struct aligned *a, const char *const *names, FILE *file, colu
   const char *cell = a->text;
   for (long i = 0; cells && i < count; i++, cell += strlen(cell) + 1)
     cells[i] = cell;
-  if (cells && !a->has_begun)
-    begin_columns(a, names, meaning);
-  if (cells)
-    measure(a, cells);
-  if (cells && upright)
-    print_upright(a, cells, file);
-  else if (cells)
-    print_rows(a, cells, file);
+  if (cells) {
+    measure(a, cells, meaning);
+    (upright ? print_upright : print_rows)(a, cells, file);
+  }
   const bool whole = count == 0 || cells, has_begun = a->has_begun || cells;
   if (whole && last && !upright && has_begun)
     print_legend(a, names, file);

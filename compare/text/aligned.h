@@ -1,7 +1,6 @@
-/* Text for people. A table: cells are kept, and printed in columns of equal width; a single row is printed upright, its
- * long texts in several lines. Of a long table the first ALIGNED_ROWS rows decide how wide columns are and which hold
- * numbers; further rows come in blocks of as many, and a column is wider from the block on that needs it. And prose, in
- * the columns of the terminal. */
+/* Text for people. Cells are kept, and printed in columns of equal width; a single row is printed upright, its long
+ * texts in several lines. Of a long table the first ALIGNED_ROWS rows decide how wide columns are and which hold
+ * numbers; further rows come in blocks of as many, and a column is wider from the block on that needs it. */
 #ifndef SCALLOP_COMPARE_TEXT_ALIGNED_H
 #define SCALLOP_COMPARE_TEXT_ALIGNED_H
 
@@ -23,7 +22,7 @@ struct aligned {
   FILE *kept; /* cells of rows that are not yet printed, each ended by a NUL; NULL: there are none */
   char *text; /* what it writes to                                                               */
   size_t size;
-  long rows;      /* that are kept          */
+  long rows;      /* that are kept, with that of the names */
   bool has_begun; /* some rows are printed  */
   int columns;
   struct aligned_column {
@@ -37,7 +36,7 @@ struct aligned {
  * memory. */
 FILE *aligned_begin_row(struct aligned *a, int columns);
 /* Is a whole block of rows kept, to be printed? */
-bool aligned_is_full(const struct aligned *a);
+static inline bool aligned_is_full(const struct aligned *a) { return a->rows > ALIGNED_ROWS - a->has_begun; }
 /* Prints the rows that are kept, of columns of these names. last: the legend behind them, and forgets all; else more
  * rows are to come. meaning may be NULL. False: memory ran out. */
 bool aligned_print(struct aligned *a, const char *const *names, FILE *file, column_meaning *meaning, bool last);

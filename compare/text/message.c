@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* vasprintf */
 #include "compare/text/message.h"
 
 #include <ctype.h>
@@ -7,16 +8,15 @@
 #include <string.h>
 
 #include "compare/text/progress.h"
+#include "compare/text/shipped.h"
 
 char *printed_line(const char *format, va_list arguments, const char *kept)
 {
-  char *text = NULL;
-  size_t size;
-  FILE *stream = open_memstream(&text, &size);
-  if (!stream || vfprintf(stream, format, arguments) < 0 || fclose(stream) != 0)
+  char *text;
+  if (vasprintf(&text, format, arguments) < 0)
     return NULL;
   for (char *c = text; *c; c++)
-    if (((unsigned char)*c < ' ' || *c == 0x7f) && !strchr(kept, *c))
+    if (iscntrl((unsigned char)*c) && !strchr(kept, *c))
       *c = '?';
   return text;
 }
@@ -96,6 +96,13 @@ const char *nearest_in(const char *word, const void *list, size_t size)
     }
   }
   return best;
+}
+
+const char *shipped_text(const struct shipped *list, const char *name)
+{
+  while (list->name && strcmp(list->name, name) != 0)
+    list++;
+  return list->text;
 }
 
 const char *nearest(const char *word, const char *const *names) { return nearest_in(word, names, sizeof *names); }

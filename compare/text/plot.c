@@ -90,13 +90,14 @@ static bool give_units(const struct plot *p)
 {
   char *line = NULL, *units = NULL, *rest = NULL;
   size_t room = 0, size;
-  const struct column_meaning *meaning;
   FILE *table = fopen(p->table, "r"), *lines = open_memstream(&units, &size);
   while (table && getline(&line, &room, table) > 0 && *line == '#')
     ;
-  for (char *name = line ? strtok_r(line, "\t\n", &rest) : NULL; name && lines; name = strtok_r(NULL, "\t\n", &rest))
-    if (p->meaning && (meaning = p->meaning(name)))
+  for (char *name = line ? strtok_r(line, "\t\n", &rest) : NULL; name && lines; name = strtok_r(NULL, "\t\n", &rest)) {
+    const struct column_meaning *meaning = p->meaning ? p->meaning(name) : NULL;
+    if (meaning)
       fprintf(lines, "%s\t%s\n", name, meaning->unit);
+  }
   bool given = lines && fclose(lines) == 0 && give("units", units);
   if (table)
     fclose(table);
@@ -109,11 +110,8 @@ static bool give_all(const struct plot *p, const char *command, const char *outp
 {
   bool given = give("command", command) && give("output", output) && give("log_x", p->log_x ? "1" : NULL)
                && give("log_y", p->log_y ? "1" : NULL) && give_units(p);
-  for (const struct text *t = texts; t < texts + TEXTS; t++) {
-    const char *text;
-    memcpy(&text, (const char *)p + t->at, sizeof text);
-    given = given && give(t->name, text);
-  }
+  for (const struct text *t = texts; t < texts + TEXTS; t++)
+    given = given && give(t->name, *(const char *const *)(const void *)((const char *)p + t->at));
   for (const struct shipped *part = shipped_scripts; part->name; part++)
     given = given && give(part->name, part->text);
   return given;

@@ -6,8 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/time.h>
-#include <time.h>
 #include <unistd.h>
+
+#include "compare/text/stopwatch.h"
 
 enum { LEAST = 2 };              /* seconds, of work that is told of */
 static const double again = 0.5; /* seconds, from one line to the next */
@@ -17,14 +18,7 @@ static struct {
   char what[100];
   long done, all;
 } work;
-static volatile sig_atomic_t is_changing, is_written;
-
-static double now(void)
-{
-  struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
+static volatile sig_atomic_t is_written;
 
 static void put(const char *line)
 {
@@ -36,15 +30,15 @@ static void put(const char *line)
 static void tick(int signal)
 {
   const int error = errno;
-  const double time = now(), passed = time - work.begun;
+  const double time = stopwatch_now(), passed = time - work.begun;
+  const long done = work.done, all = work.all;
   char line[300], count[50] = "", left[50] = "";
   (void)signal;
-  if (is_changing || passed < LEAST || time < work.next)
+  if (passed < LEAST || time < work.next)
     return;
-  if (work.done > 0 && work.done <= work.all) {
-    snprintf(count, sizeof count, " %ld of %ld,", work.done, work.all);
-    snprintf(left, sizeof left, ", about %ld s left",
-             (long)(passed * (double)(work.all - work.done) / (double)work.done + 0.5));
+  if (done > 0 && done <= all) {
+    snprintf(count, sizeof count, " %ld of %ld,", done, all);
+    snprintf(left, sizeof left, ", about %ld s left", (long)(passed * (double)(all - done) / (double)done + 0.5));
   }
   snprintf(line, sizeof line, "\r\033[Kscallop:%s%s%s %ld s%s", *work.what ? " " : "", work.what, count, (long)passed,
            left);
@@ -58,27 +52,24 @@ void progress_begin(bool quiet)
 {
   const struct itimerval timer = { { 0, 100000 }, { 1, 0 } };
   const struct sigaction action = { .sa_handler = tick, .sa_flags = SA_RESTART };
-  work.begun = now();
+  work.begun = stopwatch_now();
   if (!quiet && isatty(STDERR_FILENO) && sigaction(SIGVTALRM, &action, NULL) == 0)
     setitimer(ITIMER_VIRTUAL, &timer, NULL);
 }
 
+/* A line that comes while these change is made of old and new, and soon replaced. */
 void progress_show(const char *format, ...)
 {
   va_list arguments;
-  is_changing = true;
   va_start(arguments, format);
   vsnprintf(work.what, sizeof work.what, format, arguments);
   va_end(arguments);
-  is_changing = false;
 }
 
 void progress_count(long done, long all)
 {
-  is_changing = true;
   work.done = done;
   work.all = all;
-  is_changing = false;
 }
 
 bool progress_is_counted(void) { return work.all > 0; }
@@ -89,7 +80,7 @@ void progress_clear(void)
     return;
   put("\r\033[K");
   is_written = false;
-  work.next = now() + again;
+  work.next = stopwatch_now() + again;
 }
 
 void progress_end(void)

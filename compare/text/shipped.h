@@ -12,10 +12,7 @@ extern const struct shipped shipped_scripts[];    /* gnuplot scripts of scripts/
 extern const struct shipped shipped_completion[]; /* scripts/dev/completion.bash alone */
 extern const struct shipped shipped_help[];       /* docs/help/ */
 
-/* The text called name ("figure4"), or NULL. */
+/* The text called name ("figure4"), or NULL: message.c. */
 const char *shipped_text(const struct shipped *list, const char *name);
-
-/* The name of one that is near, or NULL. */
-const char *shipped_near(const struct shipped *list, const char *name);
 
 #endif

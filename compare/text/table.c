@@ -1,3 +1,4 @@
+#define _GNU_SOURCE /* asprintf */
 #include "compare/text/table.h"
 
 #include <errno.h>
@@ -61,9 +62,7 @@ bool table_open(struct table *t, const struct style *style)
   s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
               : style->digits <= DBL_DECIMAL_DIG              ? style->digits
                                                               : 0;
-  t->notes = open_memstream(&t->note_text, &t->note_size);
-  bool open = (t->notes || complain(style->command, "out of memory")) && open_sink(t, style->output)
-              && (!style->plot.file || open_sink(t, style->plot.file));
+  bool open = open_sink(t, style->output) && (!style->plot.file || open_sink(t, style->plot.file));
   if (!open)
     table_abandon(t);
   return open;
@@ -78,30 +77,31 @@ static void print_aligned(struct table *t, struct sink *s, bool last)
 
 static void write_notes(struct table *t)
 {
-  if (fflush(t->notes) != 0)
-    note_error(t->sink, errno);
-  for (struct sink *s = t->sink; s < t->sink + t->sinks && t->note_size > 0; s++) {
+  for (struct sink *s = t->sink; s < t->sink + t->sinks && t->notes; s++) {
     if (!marks[s->format].has_notes || s->error != 0)
       continue;
     if (s->format == FORMAT_TABLE)
       print_aligned(t, s, true);
     progress_clear();
-    if (fwrite(t->note_text, 1, t->note_size, s->out.stream) < t->note_size)
+    if (fputs(t->notes, s->out.stream) < 0)
       note_error(s, errno);
   }
-  rewind(t->notes);
+  free(t->notes);
+  t->notes = NULL;
 }
 
 void table_note(struct table *t, const char *format, ...)
 {
   va_list arguments;
   va_start(arguments, format);
-  char *note = printed_line(format, arguments, ""); /* a line break in a name would begin a row */
+  char *note = printed_line(format, arguments, ""), *notes; /* a line break in a name would begin a row */
   va_end(arguments);
-  if (!note)
-    return note_error(t->sink, ENOMEM);
-  fprintf(t->notes, "# %s\n", note);
+  bool is_kept = note && asprintf(&notes, "%s# %s\n", t->notes ? t->notes : "", note) >= 0;
   free(note);
+  if (!is_kept)
+    return note_error(t->sink, ENOMEM);
+  free(t->notes);
+  t->notes = notes;
   if (t->names)
     write_notes(t);
 }
@@ -131,36 +131,33 @@ static void put_text(FILE *to, enum format format, const char *text, bool carrie
 static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
 {
   char number[NUMBER_TEXT];
-  bool json = s->format == FORMAT_JSON, is_number = c->kind == CELL_NUMBER || c->kind == CELL_ROUNDED;
-  bool is_carried = c->kind == CELL_CARRIED;
-  if (json && is_number && !isfinite(c->value))
-    put(to, isnan(c->value) || c->kind == CELL_ROUNDED ? "null" : c->value > 0 ? "1e999" : "-1e999");
-  else if (c->kind == CELL_NUMBER)
-    number_text(number, c->value, s->digits), put(to, number);
-  else if (json && is_carried && strcmp(c->text, "nan") == 0)
-    put(to, "null");
-  else if (c->kind == CELL_TEXT || (is_carried && !(json && json_takes_number(c->text))))
-    put_text(to, s->format, c->text, is_carried);
+  const bool json = s->format == FORMAT_JSON, is_number = c->kind == CELL_NUMBER, is_carried = c->kind == CELL_CARRIED;
+  const char *text = is_number ? number : c->text;
+  if (is_number)
+    number_text(number, c->value, s->digits);
+  if (json && c->kind != CELL_TEXT && (isinf(c->value) || strcmp(text, "nan") == 0))
+    put(to, !is_number || isnan(c->value) ? "null" : c->value > 0 ? "1e999" : "-1e999");
+  else if (c->kind == CELL_TEXT || (is_carried && !(json && json_takes_number(text))))
+    put_text(to, s->format, text, is_carried);
   else
-    put(to, c->text);
+    put(to, text);
 }
 
-/* Writes a row to a sink, or the names of the columns where there are no cells. */
+/* Writes a row, or the names of the columns, to a sink. */
 static void emit(struct table *t, struct sink *s, const struct table_cell *cells, int count)
 {
-  bool aligned = s->format == FORMAT_TABLE, json = s->format == FORMAT_JSON;
+  bool aligned = s->format == FORMAT_TABLE;
   FILE *to = aligned ? aligned_begin_row(&s->aligned, count) : s->out.stream;
   if (!to)
     return note_error(s, ENOMEM);
   progress_clear();
   for (int i = 0; i < count; i++) {
     put(to, i == 0 ? marks[s->format].begin : marks[s->format].between);
-    if (json || !cells)
+    if (s->format == FORMAT_JSON) {
       put_text(to, s->format, t->names[i], true);
-    if (json)
       put(to, ": ");
-    if (cells)
-      put_cell(to, s, &cells[i]);
+    }
+    put_cell(to, s, &cells[i]);
     if (aligned)
       putc('\0', to);
   }
@@ -176,16 +173,19 @@ void table_begin_rows(struct table *t)
   struct table_choice *choice = t->style->choice;
   const char *wrong = choice ? choice->begin(choice, t->columns, t->count) : NULL;
   const int count = choice ? choice->count : t->count;
+  struct table_cell names[TABLE_COLUMNS];
   if (wrong) {
     complain(t->style->command, "--columns: %s", wrong);
     choice->refused = true;
     return note_error(t->sink, EINVAL);
   }
   t->names = choice ? choice->names : t->columns;
+  for (int i = 0; i < count; i++)
+    names[i] = (struct table_cell){ .kind = CELL_CARRIED, .text = (char *)t->names[i] };
   write_notes(t);
   for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
     if (s->format != FORMAT_JSON)
-      emit(t, s, NULL, count);
+      emit(t, s, names, count);
     for (int i = 0; s->format == FORMAT_MARKDOWN && i < count; i++)
       fputs(i + 1 < count ? "| --- " : "| --- |\n", s->out.stream);
   }
@@ -225,9 +225,9 @@ static void keep(struct table *t, enum cell_kind kind, double value, const char 
 }
 
 void table_number(struct table *t, double value) { keep(t, CELL_NUMBER, value, NULL); }
-void table_digits(struct table *t, const char *number) { keep(t, CELL_DIGITS, 0, number); }
-void table_text(struct table *t, const char *text) { keep(t, CELL_TEXT, 0, text); }
-void table_carried(struct table *t, const char *text) { keep(t, CELL_CARRIED, 0, text); }
+void table_digits(struct table *t, const char *number) { keep(t, CELL_DIGITS, NAN, number); }
+void table_text(struct table *t, const char *text) { keep(t, CELL_TEXT, NAN, text); }
+void table_carried(struct table *t, const char *text) { keep(t, CELL_CARRIED, NAN, text); }
 void table_count(struct table *t, long count) { table_rounded(t, (double)count, "%.0f"); }
 
 void table_repeat(struct table *t, const struct table *row)
@@ -241,7 +241,7 @@ void table_rounded(struct table *t, double value, const char *format)
   char text[40];
   snprintf(text, sizeof text, format, value);
   bool is_minus_zero = text[0] == '-' && text[1 + strspn(text + 1, "0.")] == '\0'; /* -0.00 */
-  keep(t, CELL_ROUNDED, value, isnan(value) ? "nan" : text + is_minus_zero);
+  keep(t, CELL_DIGITS, value, isnan(value) ? "nan" : text + is_minus_zero);
 }
 
 #define MEMBER(type) (*(type const *)(const void *)((const char *)row + c->at))
@@ -309,9 +309,7 @@ static bool draw(const struct table *t)
 /* Gives up the sinks from this one on, and the memory. */
 static void release(struct table *t, int from)
 {
-  if (t->notes)
-    fclose(t->notes);
-  free(t->note_text);
+  free(t->notes);
   for (struct sink *s = t->sink + from; s < t->sink + t->sinks; s++) {
     aligned_free(&s->aligned);
     file_close(&s->out, false);

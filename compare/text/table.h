@@ -18,13 +18,13 @@
 enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };
 extern const char *const format_names[FORMATS + 1]; /* NULL-terminated */
 
-/* A cell of a row: a number, one with fewer digits, a number as it stands, a text, or a cell of another table */
-enum cell_kind { CELL_NUMBER, CELL_ROUNDED, CELL_DIGITS, CELL_TEXT, CELL_CARRIED };
+/* A cell of a row: a number, a number as it stands, a text, or a cell of another table */
+enum cell_kind { CELL_NUMBER, CELL_DIGITS, CELL_TEXT, CELL_CARRIED };
 struct table_cell {
   enum cell_kind kind;
-  double value; /* of CELL_NUMBER and CELL_ROUNDED */
-  char *text;   /* of all but CELL_NUMBER          */
-  size_t room;  /* of text                         */
+  double value; /* of a number; nan: only the text says it */
+  char *text;   /* of all but CELL_NUMBER */
+  size_t room;  /* of text                */
 };
 
 /* A choice of columns (compare/columns): what it shows of each row takes the place of the row. */
@@ -51,23 +51,18 @@ struct style {
   struct plot plot;            /* a picture of what is written; of file NULL: none */
 };
 
-/* Where rows are written to, and how */
-struct sink {
-  struct file out;
-  enum format format;
-  long digits;
-  struct aligned aligned; /* rows of a FORMAT_TABLE                                               */
-  int error;              /* of the first write that failed                                       */
-};
-
 struct table {
   const struct style *style;
-  const char *of;      /* what kind of table its picture is of: the command, where that does not say another */
-  struct sink sink[2]; /* the output, and a copy in TSV of which a picture is drawn */
+  const char *of; /* what kind of table its picture is of: the command, where that does not say another */
+  struct sink {   /* the output, and a copy in TSV of which a picture is drawn */
+    struct file out;
+    enum format format;
+    long digits;
+    struct aligned aligned; /* rows of a FORMAT_TABLE */
+    int error;              /* of the first write that failed */
+  } sink[2];
   int sinks;
-  FILE *notes;     /* '#' lines that wait until the choice of columns is found good */
-  char *note_text; /* what they are written to                                      */
-  size_t note_size;
+  char *notes; /* '#' lines that wait until the choice of columns is found good */
   const char *columns[TABLE_COLUMNS];
   int count, at;                        /* columns; the next one in this row */
   struct table_cell row[TABLE_COLUMNS]; /* so far                            */
@@ -77,11 +72,11 @@ struct table {
 /* Opens the output of the style, which must outlive the table; if it has a plot, the rows are kept in TSV too, beside
  * the picture, until table_close. False: the message is on stderr, exit with EXIT_FILE. */
 bool table_open(struct table *table, const struct style *style);
-/* Opens it and writes table_command. */
-#define table_head(table, style, ...) (table_open((table), (style)) && (table_command((table), __VA_ARGS__), true))
-/* What all tables begin with: "# scallop VERSION" and "# command: ...", as printf writes it. */
+/* What all tables begin with: "# scallop VERSION" and "# command: ...", as printf writes it; table_head opens it too.
+ */
 #define table_command(table, ...) \
   (table_note((table), "scallop " SCALLOP_VERSION), table_note((table), "command: " __VA_ARGS__))
+#define table_head(table, style, ...) (table_open((table), (style)) && (table_command((table), __VA_ARGS__), true))
 /* Will the table be an aligned one? */
 bool table_is_for_people(const struct style *style);
 /* A '#' line before the columns or after the rows of a TSV or an aligned table; nothing in the other formats. */
@@ -90,16 +85,16 @@ void table_note(struct table *table, const char *format, ...) __attribute__((for
 void table_columns(struct table *table, const char *const *names);
 /* A choice of columns that are not there is refused on stderr, with nothing else written: the table has then failed. */
 void table_begin_rows(struct table *table);
+
 /* The cells of a row in the order of the columns. A row ends by itself with its last cell. */
 void table_number(struct table *table, double value);
 void table_count(struct table *table, long count);
 void table_rounded(struct table *table, double value, const char *format); /* fewer digits, always */
 void table_digits(struct table *table, const char *number);                /* a number as it stands, of any length */
 void table_text(struct table *table, const char *text);
+void table_carried(struct table *table, const char *text); /* of another table: in JSON a number where it is one */
 /* The row that was written last into a table that was never opened, as a row of this one. */
 void table_repeat(struct table *table, const struct table *row);
-/* A cell of another table: its bytes, and in JSON a number where it is one. */
-void table_carried(struct table *table, const char *text);
 
 /* A table as a list of columns, each with its name and what it writes of a row; the last has name NULL. put writes one
  * cell. The functions below take the member of the row that lies `at`: { TABLE_COLUMN("order", column_number,
@@ -109,8 +104,7 @@ struct table_column {
   void (*put)(struct table *table, const struct table_column *column, const void *row);
   size_t at;
   const char *format; /* of column_rounded */
-  const char
-      *blank; /* stands for the value in a row that has none, "nan" for a number; NULL: put writes it there too */
+  const char *blank;  /* in a row that has no values, "nan" for a number; NULL: put writes it there too */
 };
 #define TABLE_COLUMN(named, puts, where) .name = (named), .put = (puts), .at = (where)
 void column_number(struct table *table, const struct table_column *column, const void *row);  /* a double       */
@@ -131,7 +125,7 @@ bool table_begin_anew(struct table *table);
 FILE *table_page(struct table *table);
 /* Has writing failed already? Then nothing more is worth its time: table_close says why. */
 bool table_failed(const struct table *table);
-/* Writes out what has been kept back, to the disk. False: writing has failed, and table_close says why. */
+/* Writes out what has been kept back, to the disk. False: writing has failed. */
 bool table_flush(struct table *table);
 /* Closes, puts the file in its place, and draws the plot of the style. False: the message is on stderr, exit with
  * EXIT_FILE; an earlier file stays, but where only the picture has failed the table is written. */

@@ -58,18 +58,6 @@ static bool read_line(struct tsv *tsv)
   return found;
 }
 
-/* The line without a byte order mark, which some programs write at the head of a UTF-8 file; and what is wrong with
- * it */
-static char *judged_line(struct tsv *tsv)
-{
-  static const char mark[] = "\xef\xbb\xbf";
-  const size_t size = sizeof mark - 1;
-  tsv->fault = strlen(tsv->buffer) < tsv->length ? "this is not a text file"
-               : tsv->length == LONGEST_LINE     ? "this line is too long: more than a million characters"
-                                                 : NULL;
-  return tsv->buffer + (tsv->number == 1 && strncmp(tsv->buffer, mark, size) == 0 ? size : 0);
-}
-
 static char *trimmed(char *text, const char *around)
 {
   text += strspn(text, around);
@@ -101,7 +89,12 @@ bool tsv_next(struct tsv *tsv)
 {
   const bool words = tsv->style != TSV_TABS;
   while (read_line(tsv)) {
-    char *text = judged_line(tsv);
+    char *text = tsv->buffer;
+    if (tsv->number == 1 && strncmp(text, "\xef\xbb\xbf", 3) == 0) /* a mark that some programs write before UTF-8 */
+      text += 3;
+    tsv->fault = strlen(tsv->buffer) < tsv->length ? "this is not a text file"
+                 : tsv->length == LONGEST_LINE     ? "this line is too long: more than a million characters"
+                                                   : NULL;
     if (words && !tsv->fault)
       text = trimmed(text, " \t");
     if (*text == '#' || (*text == '\0' && !tsv->fault))

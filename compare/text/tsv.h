@@ -29,12 +29,12 @@ struct tsv {
   const char *fault; /* of the current row: why it cannot be read, or NULL */
   int count;         /* cells of the current row */
   char *cell[TSV_CELLS];
-  int columns;                 /* of the header, 0: none was read */
-  char *column[TSV_CELLS + 1]; /* NULL-terminated */
-  char *header;                /* what they point into */
-  char *buffer;                /* the current line        */
-  size_t length;               /* of what was read of it  */
-  bool ended_by_return;        /* likewise                */
+  int columns;                       /* of the header, 0: none was read */
+  const char *column[TSV_CELLS + 1]; /* NULL-terminated */
+  char *header;                      /* what they point into */
+  char *buffer;                      /* the current line        */
+  size_t length;                     /* of what was read of it  */
+  bool ended_by_return;              /* likewise                */
 };
 
 /* Opens a file, or for "-" standard input. False: tsv_error says why. Whichever it is, tsv_close ends it. */
@@ -51,8 +51,6 @@ const char *tsv_error(struct tsv *tsv);
 
 /* Takes the current row as the header: names of columns, without blanks and quotes around them. False: out of memory */
 bool tsv_take_header(struct tsv *tsv);
-
-static inline const char *const *tsv_columns(const struct tsv *tsv) { return (const char *const *)tsv->column; }
 
 /* "FILE:LINE: text", or "FILE: text" for line 0: a wrong_text. */
 const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)

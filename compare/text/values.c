@@ -3,7 +3,6 @@
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
-#include <regex.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,12 +30,10 @@ bool read_number(const char *text, double *value)
 
 bool json_takes_number(const char *text)
 {
-  static regex_t form;
-  static bool is_made;
+  const char *digits = text + (*text == '-'), *point = digits + strspn(digits, "0123456789");
+  bool begins = isdigit((unsigned char)*digits) && (*digits != '0' || point == digits + 1);
   double x;
-  if (!is_made)
-    is_made = regcomp(&form, "^-?(0|[1-9][0-9]*)([.][0-9]+)?([eE][-+]?[0-9]+)?$", REG_EXTENDED | REG_NOSUB) == 0;
-  return is_made && regexec(&form, text, 0, NULL, 0) == 0 && read_number(text, &x);
+  return begins && (*point != '.' || isdigit((unsigned char)point[1])) && !strpbrk(text, "xX") && read_number(text, &x);
 }
 
 bool read_count(const char *text, long low, long high, long *value)

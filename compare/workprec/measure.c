@@ -1,16 +1,69 @@
+#include <assert.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/text/values.h"
 #include "compare/workprec/setting.h"
 #include "model/exact/scoped.h"
 
-enum { ERROR_DIGITS = 3 };
+enum { ERROR_DIGITS = 3, REFERENCE_DIGITS = 250 };
 
 /* Of the limit, for the repetitions of one setting: what takes longer than half of it is not repeated. */
 static const double budget_share = 0.5;
+
+const enum quantity_id compared[COMPARED] = { [VELOCITY] = Q_V_START, [DISPLACEMENT] = Q_DISPLACEMENT };
+
+const struct setting_answer no_answer = {
+  .value = { NAN, NAN }, .gait_evaluations = NAN, .events = NAN, .root_iterations = NAN, .periods = NAN
+};
+
+const char *reference_init(struct reference *t, const struct scallop_crawler *crawler)
+{
+  struct scallop_scaled scaled;
+  enum scallop_status status = scallop_scale(crawler, &scaled);
+  *t = (struct reference){ .crawler = *crawler };
+  scallop_rational_init(&t->exact);
+  ball_answer_init(&t->steady);
+  if (status != SCALLOP_OK)
+    return scallop_status_text(status);
+  t->eps = scaled.eps;
+  /* more than the certified rows have, and beyond what the longest series leaves, which goes as eps^(terms/2) */
+  t->digits = REFERENCE_DIGITS + (scaled.eps < 1 ? (long)(-log10(scaled.eps) * MOST_TERMS / 2) : 0);
+  scallop_rational_of(&t->exact, crawler);
+  if (!answer_in_balls(&t->steady, &t->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, t->digits))
+    return t->steady.why ? t->steady.why : scallop_status_text(t->steady.status);
+  return NULL;
+}
+
+void reference_clear(struct reference *t)
+{
+  scallop_rational_clear(&t->exact);
+  ball_answer_clear(&t->steady);
+}
+
+struct setting *settings_add(struct settings *settings, const struct reference *reference, const char *method,
+                             enum method_kind kind, setting_solve *solve, const char *format, ...)
+{
+  va_list arguments;
+  assert(settings->count < MOST_SETTINGS);
+  struct setting *s = &settings->list[settings->count++];
+  *s = (struct setting){ .kind = kind, .solve = solve, .reference = reference, .answer = no_answer };
+  snprintf(s->method, sizeof s->method, "%s", method);
+  va_start(arguments, format);
+  vsnprintf(s->text, sizeof s->text, format, arguments);
+  va_end(arguments);
+  return s;
+}
+
+void settings_clear(struct settings *settings)
+{
+  for (int i = 0; i < settings->count; i++)
+    if (settings->list[i].release && settings->list[i].memory)
+      settings->list[i].release(settings->list[i].memory);
+  settings->count = 0;
+}
 
 bool setting_has(const struct setting *s, int quantity)
 {
@@ -24,12 +77,9 @@ double printed_seconds(double seconds)
   return strtod(text, NULL);
 }
 
-static bool is_finite(const struct setting_answer *answer)
+static bool is_infinite(const struct setting_answer *a, int quantity)
 {
-  for (int i = 0; i < COMPARED; i++)
-    if (!answer->ball[i] && isinf(answer->value[i]))
-      return false;
-  return true;
+  return !a->ball[quantity] && isinf(a->value[quantity]);
 }
 
 /* The first time, with the limit. */
@@ -57,7 +107,7 @@ static void try_once(struct setting *s, double seconds)
     snprintf(s->status, sizeof s->status, "cut off after %g s, in its first period", seconds);
   else if (s->outcome < 0)
     snprintf(s->status, sizeof s->status, "%s", scallop_status_text(s->outcome));
-  else if (!is_finite(&s->answer))
+  else if (is_infinite(&s->answer, VELOCITY) || is_infinite(&s->answer, DISPLACEMENT))
     snprintf(s->status, sizeof s->status, "not a finite number");
   else {
     s->solved = true;
@@ -96,23 +146,6 @@ static bool is_due(const struct setting *s, int round)
   return s->taken < s->repetitions && round * s->repetitions / SETTING_SAMPLES >= s->taken;
 }
 
-static void time_in_turns(struct settings *settings)
-{
-  for (int round = 0; round < SETTING_SAMPLES; round++)
-    for (int i = 0; i < settings->count; i++) {
-      struct setting *s = &settings->list[i];
-      if (is_due(s, round))
-        s->samples[s->taken++] = stopwatch_batch(solve_again, s, s->passes) / (double)s->passes;
-    }
-}
-
-static void conclude_time(struct setting *s)
-{
-  s->time = stopwatch_spread(s->samples, s->taken);
-  if (!s->solved)
-    s->time.median = s->time.least = s->first;
-}
-
 /* |answer - certified| / |certified|, or over L/T and L where the certified value is 0; from the far end of both
  * balls. */
 static void find_error(struct setting *s, int quantity)
@@ -146,12 +179,9 @@ static void find_error(struct setting *s, int quantity)
 double printed_error_log10(const char *text)
 {
   char mantissa[SETTING_TEXT];
-  size_t length = strcspn(text, "eE");
-  double m = NAN, exponent = 0;
-  snprintf(mantissa, sizeof mantissa, "%.*s", (int)length, text);
-  bool sound = read_number(mantissa, &m) && m >= 0
-               && (text[length] == '\0' || read_number(text + length + 1, &exponent));
-  return sound ? log10(m) + exponent : NAN;
+  double exponent = 0;
+  bool is_number = sscanf(text, "%63[0-9.]%*1[eE]%lf", mantissa, &exponent) > 0;
+  return is_number ? log10(strtod(mantissa, NULL)) + exponent : NAN;
 }
 
 static void find_errors(struct setting *s)
@@ -164,24 +194,21 @@ static void find_errors(struct setting *s)
   }
 }
 
-static bool may_lead(const struct setting *s, int quantity) { return s->solved && !isnan(s->error_log10[quantity]); }
-
-/* Whether a is no worse than b in both, and better in one. */
+/* Whether a is solved, no worse than b in both, and better in one. */
 static bool beats(const struct setting *a, const struct setting *b, int quantity)
 {
   double error_a = a->error_log10[quantity], error_b = b->error_log10[quantity];
   double time_a = printed_seconds(a->time.median), time_b = printed_seconds(b->time.median);
-  return error_a <= error_b && time_a <= time_b && (error_a < error_b || time_a < time_b);
+  return a->solved && error_a <= error_b && time_a <= time_b && (error_a < error_b || time_a < time_b);
 }
 
 static void find_front(struct settings *settings, int quantity)
 {
   for (int i = 0; i < settings->count; i++) {
     struct setting *s = &settings->list[i];
-    s->front[quantity] = may_lead(s, quantity);
+    s->front[quantity] = s->solved && !isnan(s->error_log10[quantity]);
     for (int k = 0; k < settings->count && s->front[quantity]; k++)
-      if (may_lead(&settings->list[k], quantity) && beats(&settings->list[k], s, quantity))
-        s->front[quantity] = false;
+      s->front[quantity] = !beats(&settings->list[k], s, quantity);
   }
 }
 
@@ -195,10 +222,15 @@ void settings_measure(struct settings *settings, const struct stopwatch_clock *c
     try_once(s, limit);
     plan(s, long_enough, budget_share * limit);
   }
-  time_in_turns(settings);
-  for (int i = 0; i < settings->count; i++) {
-    conclude_time(&settings->list[i]);
-    find_errors(&settings->list[i]);
+  for (int round = 0; round < SETTING_SAMPLES; round++)
+    for (struct setting *s = settings->list; s < settings->list + settings->count; s++)
+      if (is_due(s, round))
+        s->samples[s->taken++] = stopwatch_batch(solve_again, s, s->passes) / (double)s->passes;
+  for (struct setting *s = settings->list; s < settings->list + settings->count; s++) {
+    s->time = stopwatch_spread(s->samples, s->taken);
+    if (!s->solved)
+      s->time.median = s->time.least = s->first;
+    find_errors(s);
   }
   for (int quantity = 0; quantity < COMPARED; quantity++)
     find_front(settings, quantity);

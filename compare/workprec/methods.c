@@ -7,9 +7,9 @@
 #include "compare/workprec/setting.h"
 #include "model/exact/scoped.h"
 
-static int place(const struct scallop_formula *formula)
+static int place(const struct scallop_formula *f)
 {
-  return formula->quantity == SCALLOP_STEADY_VELOCITY ? VELOCITY : DISPLACEMENT;
+  return f->quantity == SCALLOP_STEADY_VELOCITY ? VELOCITY : DISPLACEMENT;
 }
 
 /* What methods in balls work with, and their answers, which live as long as the setting */
@@ -211,30 +211,24 @@ static const struct method {
   { "moreau", "%ld steps", METHOD_ROOT, solve_rival, make_moreau, release_rival, steps, 5, 1, 2, NULL },
 };
 
-static void describe(char text[SETTING_TEXT], const struct method *m, const struct accuracy *a)
-{
-  if (a->delta > 0)
-    snprintf(text, SETTING_TEXT, "delta %g, tolerance %g", a->delta, a->tolerance);
-  else if (a->tolerance > 0)
-    snprintf(text, SETTING_TEXT, "tolerance %g", a->tolerance);
-  else
-    snprintf(text, SETTING_TEXT, m->text, a->number);
-}
-
 /* a: NULL where the method is left out. */
 static void add(struct settings *settings, const struct reference *reference, const struct method *m,
                 enum method_kind kind, const struct accuracy *a)
 {
   const char *way = kind == METHOD_ROOT ? ", root" : kind == METHOD_SIMULATION ? ", simulated" : "";
-  char name[SETTING_TEXT], text[SETTING_TEXT] = "-";
+  char name[SETTING_TEXT];
   snprintf(name, sizeof name, "%s%s", m->name, way);
-  if (a)
-    describe(text, m, a);
-  struct setting *s = settings_add(settings, reference, name, kind, a ? m->solve : NULL, "%s", text);
+  struct setting *s = settings_add(settings, reference, name, kind, a ? m->solve : NULL, "-");
   if (!a) {
     snprintf(s->status, sizeof s->status, "left out: built without SUNDIALS");
     return;
   }
+  if (a->delta > 0)
+    snprintf(s->text, SETTING_TEXT, "delta %g, tolerance %g", a->delta, a->tolerance);
+  else if (a->tolerance > 0)
+    snprintf(s->text, SETTING_TEXT, "tolerance %g", a->tolerance);
+  else
+    snprintf(s->text, SETTING_TEXT, m->text, a->number);
   s->number = a->number;
   s->tolerance = a->tolerance;
   s->delta = a->delta;

@@ -14,6 +14,10 @@ static const char *const columns[] = { "method",   "kind",        "setting",    
                                        "time_q3",  "repetitions", "gait_evaluations", "events",   "root_iterations",
                                        "periods",  "pareto",      "status",           NULL };
 
+static const char *const kind_words[] = {
+  [METHOD_FORMULA] = "formula", [METHOD_EXACT] = "exact", [METHOD_ROOT] = "root", [METHOD_SIMULATION] = "simulation"
+};
+
 struct run {
   const struct workprec_options *options;
   struct reference references[MOST_REFERENCES];

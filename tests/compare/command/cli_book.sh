@@ -166,7 +166,7 @@ option "--formula: the steady state has no v0" --formula "v0" --of v_start --cla
 option "--formula: v_start is a quantity of the steady state: give it start = \"steady\"" --formula T --of v_start --claimed 3 --start rest
 option "--formula: the steady state has both phases: leave phase out" --formula T --of v_mid --claimed 3 --phase contraction
 for claimed in 0 -1 2.5 1000 99999999999 Equality; do
-  option "--claimed: '$claimed' is not allowed here: it takes n of the claim + O(T^n), from 1 to 999, or equality" --formula T --of v_end --claimed $claimed
+  option '--formula: claimed is the power of T in "+ O(T^n)", from 1 to 999, or "equality"' --formula T --of v_end --claimed $claimed
 done
 option "--start: 'end' is not allowed here: it takes rest, v0 or steady" --formula T --of v_end --claimed 3 --start end
 option "--phase: 'both' is not allowed here: it takes extension or contraction" --formula T --of v_end --claimed 3 --phase both

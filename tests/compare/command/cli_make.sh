@@ -29,7 +29,7 @@ for goal in help clean uninstall size gates; do
 done
 finish "what compiles nothing needs no compiler"
 
-object=$scratch/checked/compare/config/member.o
+object=$scratch/checked/compare/config/config.o
 (cd "$root" && "${MAKE:-make}" B="$scratch/checked" CFLAGS='-O1 -fsanitize=address,undefined' "$object") >out 2>err || note "$(grep -m 1 error err)"
 finish "the sanitizers of gcc at -O1 bring no warning"
 
