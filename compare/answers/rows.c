@@ -155,7 +155,8 @@ static void note_held(struct rows *r)
 
 static bool is_of_start(const struct quantity *q)
 {
-  return q->motion == OF_PHASE || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+  return q->motion == OF_PHASE || (q->kind == QUANTITY_NUMBER && q->which == PLACE_OF_V0)
+         || q->kind == QUANTITY_PHASE_NAME;
 }
 
 /* What quantities of a phase are about, where a row has any */

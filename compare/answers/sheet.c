@@ -21,18 +21,18 @@ static const char *own_text(const struct sheet *s, const char *name, const char 
   return NULL;
 }
 
-static int quantity_place(void *sheet, const char *name)
-{
-  return quantity_named(&((struct sheet *)sheet)->asked->quantities, name);
-}
-
-/* An own name that is a formula of quantities becomes a quantity too, so that other formulas can take it. */
 static int place_of(void *sheet, const char *name)
 {
-  struct sheet *s = sheet;
-  const char *meaning, *text = own_text(s, name, &meaning);
-  int place = quantity_named(&s->asked->quantities, text ? meaning : name);
-  return place < 0 && text ? quantity_of_text(&s->asked->quantities, text, meaning) : place;
+  const struct sheet *s = sheet;
+  const char *meaning;
+  return quantity_named(&s->asked->quantities, own_text(s, name, &meaning) ? meaning : name);
+}
+
+/* What is no quantity but a formula of such, in the table of quantities or as an own name, is read in its place. */
+static const char *part_of(void *sheet, const char *name)
+{
+  const char *meaning;
+  return own_text(sheet, name, &meaning) ? meaning : quantity_formula(name);
 }
 
 static const char *near_to(void *sheet, const char *name, const char *const *functions)
@@ -58,7 +58,7 @@ const char *sheet_formula(struct asked *asked, struct formula *formula, const ch
 {
   static char wrong[FORMULA_MESSAGE];
   struct sheet plain = { .asked = asked };
-  const struct formula_names names = { .place = quantity_place, .nearest = near_to, .context = &plain };
+  const struct formula_names names = { place_of, near_to, part_of, &plain };
   return formula_read(formula, text, &names, wrong);
 }
 
@@ -108,9 +108,8 @@ static bool is_status(const struct quantity *q) { return q->kind == QUANTITY_STA
 const char *sheet_add(struct sheet *s, const char *text)
 {
   const char *meaning, *own = own_text(s, text, &meaning);
-  /* in the meaning of an own name there are no own names */
-  const struct column_names names = { { .place = own ? quantity_place : place_of, .nearest = near_to, .context = s },
-                                      missing };
+  struct sheet plain = { .asked = s->asked }; /* in the meaning of an own name there are no own names */
+  const struct column_names names = { { place_of, near_to, part_of, own ? &plain : s }, missing };
   text = own ? own : text;
   s->early_status |= sheet_takes(s, is_status);
   const char *wrong = column_add(&s->columns, text, &names);
@@ -125,47 +124,24 @@ void sheet_head(const struct sheet *s, struct table *t)
     table_columns(t, (const char *const[]){ s->columns.item[i].name, NULL });
 }
 
-/* A parameter with all the digits that were given */
-static void put_as_written(struct table *t, const struct at *at, const struct quantity *q, double value)
-{
-  const char *written = at->place.point.written[q->kind == QUANTITY_V0 ? PLACE_OF_V0 : q->which];
-  char text[NUMBER_TEXT];
-  number_text(text, value, 0); /* --digits is of what is proven */
-  table_carried(t, written && !at->place.is_unread ? written : text);
-}
-
 static void put(const struct sheet *s, struct table *t, struct at *at, const struct column *c)
 {
-  const struct quantity *q = c->place >= 0 ? &s->asked->quantities.item[c->place] : NULL;
-  if (!q || !quantity_is_text(q)) {
-    double x = q ? at_number(at, c->place) : at_formula(at, c->formula);
-    if (q && s->as_written && (q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_V0))
-      put_as_written(t, at, q, x);
-    else if (q && q->kind == QUANTITY_ESTIMATE)
-      table_rounded(t, x, "%.3g");
-    else
-      table_number(t, x);
-    return;
-  }
-  const char *text = at_text(at, c->place, s->digits);
-  if (q->kind == QUANTITY_CARRIED)
-    table_carried(t, text);
-  else if (q->kind != QUANTITY_CERTIFIED)
-    table_text(t, text);
-  else if (strcmp(text, "nan") == 0)
-    table_number(t, NAN);
+  const struct quantity *q = c->formula ? NULL : &s->asked->quantities.item[c->place];
+  bool is_text = q && quantity_is_text(q);
+  const char *text = is_text ? at_text(at, c->place, s->digits) : NULL;
+  double x = is_text ? NAN : q ? at_number(at, c->place) : at_formula(at, c->formula);
+  char shortest[NUMBER_TEXT];
+  if (q && q->kind == QUANTITY_NUMBER && s->as_written) {
+    /* with all the digits that were given: --digits is of what is proven */
+    const char *written = at->place.is_unread ? NULL : at->place.point.written[q->which];
+    number_text(shortest, x, 0);
+    table_carried(t, written ? written : shortest);
+  } else if (q && q->kind == QUANTITY_ESTIMATE)
+    table_rounded(t, x, "%.3g");
+  else if (!is_text || (q->kind == QUANTITY_CERTIFIED && strcmp(text, "nan") == 0))
+    table_number(t, x);
   else
-    table_digits(t, text);
-}
-
-static void compute(const struct sheet *s, struct at *at, const struct column *c)
-{
-  if (c->formula)
-    at_formula(at, c->formula);
-  else if (quantity_is_text(&s->asked->quantities.item[c->place]))
-    at_text(at, c->place, s->digits);
-  else
-    at_number(at, c->place);
+    (q->kind == QUANTITY_CERTIFIED ? table_digits : q->kind == QUANTITY_CARRIED ? table_carried : table_text)(t, text);
 }
 
 void sheet_row(const struct sheet *s, struct table *t, struct at *at)
@@ -173,7 +149,7 @@ void sheet_row(const struct sheet *s, struct table *t, struct at *at)
   const struct column *end = s->columns.item + s->columns.count;
   at->as_written = s->as_written;
   for (const struct column *c = s->columns.item; s->early_status && c < end; c++)
-    compute(s, at, c);
+    c->formula ? at_formula(at, c->formula) : at_number(at, c->place);
   for (const struct column *c = s->columns.item; c < end; c++)
     put(s, t, at, c);
   count_add(COUNT_ROWS, 1);

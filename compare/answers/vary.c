@@ -90,8 +90,8 @@ const char *vary_list(struct request *r, struct sweep_variable v, const char *co
 /* Is the quantity known before anything is solved at a point? */
 static bool is_of_parameters(const struct quantity *q)
 {
-  return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_ONSET || q->kind == QUANTITY_FROUDE
-         || q->kind == QUANTITY_RATIO;
+  return (q->kind == QUANTITY_NUMBER && q->which != PLACE_OF_V0) || q->kind == QUANTITY_RATIO
+         || q->kind == QUANTITY_ONSET;
 }
 
 const char *vary_end(const struct request *r, const char *text, struct sweep_end *end)
