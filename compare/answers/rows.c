@@ -44,7 +44,7 @@ void rows_free(struct rows *r)
 static const char *add_all(struct sheet *s, const char *const *texts, int count)
 {
   const char *wrong = NULL;
-  for (int i = 0; i < count && texts && texts[i] && !wrong; i++)
+  for (int i = 0; i < count && texts[i] && !wrong; i++)
     wrong = sheet_add(s, texts[i]);
   return wrong;
 }
@@ -75,38 +75,40 @@ static const char *settle(struct rows *r)
 /* What is drawn and not among the usual columns stands behind them; among chosen ones it has to be. */
 static const char *add_drawn(struct rows *r, bool are_chosen)
 {
-  static char message[400];
   const struct plot *plot = &r->request->style.plot;
-  const char *const lists[] = { plot->x, plot->y, plot->by }, *const options[] = { "x", "y", "by" };
+  const char *const lists[] = { plot->x, plot->y, plot->by }, *const options[] = { "x", "y", "by" }, *wrong = NULL;
   char name[QUANTITY_NAME];
   for (int i = 0; i < 3 && plot->file; i++)
     for (const char *rest = lists[i]; next_item(name, sizeof name, &rest);) {
-      const char *wrong = column_list_has(&r->sheet.columns, name) ? NULL
-                          : are_chosen                             ? wrong_text("the table has no column %s", name)
-                                                                   : sheet_add(&r->sheet, name);
-      if (wrong) {
-        snprintf(message, sizeof message, "--plot-%s: %.350s", options[i], wrong);
-        return message;
-      }
+      if (!column_list_has(&r->sheet.columns, name))
+        wrong = are_chosen ? wrong_text("the table has no column %s", name) : sheet_add(&r->sheet, name);
+      if (wrong)
+        return wrong_text("--plot-%s: %.350s", options[i], wrong);
     }
   return NULL;
 }
 
 static const char *add_columns(struct rows *r)
 {
+  const char *const *own = (const char *const *)r->own, *wrong = NULL;
+  const struct quantities *all = &r->sheet.asked->quantities;
   const struct table_choice *choice = r->choice ? r->choice : r->request->style.choice;
+  const struct {
+    const char *const *texts;
+    int count;
+  } usual[] = { { all->label, all->labels },
+                { crawler_parameters, r->has_parameters ? TABLE_COLUMNS : 0 },
+                { r->extra, ROWS_EXTRA },
+                { all->carried, all->carries },
+                { own, own ? TABLE_COLUMNS : 0 } };
   if (r->behind)
     choice = NULL; /* of all columns of the table */
-  const struct quantities *all = &r->sheet.asked->quantities;
-  r->sheet.own = (const char *const *)r->own;
-  const char *wrong = choice ? add_all(&r->sheet, choice->names, choice->count)
-                             : add_all(&r->sheet, all->label, all->labels);
+  r->sheet.own = own;
   if (choice)
-    return wrong ? wrong : add_drawn(r, true);
-  const char *const *const lists[] = { crawler_parameters, r->extra, all->carried, (const char *const *)r->own };
-  for (size_t i = r->has_parameters ? 0 : 1; i < sizeof lists / sizeof *lists && !wrong; i++)
-    wrong = add_all(&r->sheet, lists[i], lists[i] == all->carried ? all->carries : TABLE_COLUMNS);
-  return wrong || r->behind ? wrong : add_drawn(r, false);
+    wrong = add_all(&r->sheet, choice->names, choice->count);
+  for (size_t i = 0; i < sizeof usual / sizeof *usual && !choice && !wrong; i++)
+    wrong = add_all(&r->sheet, usual[i].texts, usual[i].count);
+  return wrong || r->behind ? wrong : add_drawn(r, choice != NULL);
 }
 
 const char *rows_columns(struct rows *r)
@@ -126,23 +128,27 @@ static bool is_renamed(const struct rows *r, const char *parameter)
   return false;
 }
 
-/* What was given on the command line in place of the scene's; false: nothing was. */
+/* Notes the parameters that were given on the command line in place of the scene's. False: none was. */
 static bool note_given(struct rows *r)
 {
   const struct point *p = r->request->scene->given;
-  char text[1024];
-  size_t used = 0;
-  for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
-    const char *given = i < CRAWLER_NUMBERS ? p->written[i] : p->has_gait ? p->crawler.gait->name : NULL;
-    const char *which = is_renamed(r, crawler_parameters[i]) ? " (of the crawler, not the column)" : "";
-    if (given)
-      used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given, which);
+  const char *not_given[CRAWLER_NUMBERS + 2] = { NULL };
+  char text[PARAMETERS_TEXT];
+  bool renamed = false;
+  int count = 0;
+  for (int i = 0; i <= CRAWLER_NUMBERS; i++) {
+    bool given = i < CRAWLER_NUMBERS ? p->written[i] != NULL : p->has_gait;
+    renamed |= given && is_renamed(r, crawler_parameters[i]);
+    if (!given)
+      not_given[count++] = crawler_parameters[i];
   }
-  if (used > 0)
-    table_note(&r->table, "in place of what the scene says of them:%s", text);
-  return used > 0;
+  if (count <= CRAWLER_NUMBERS)
+    table_note(&r->table, "in place of what the scene says of them:%s%s", parameters_text(text, p, not_given, true),
+               renamed ? " (of the crawler, not the column)" : "");
+  return count <= CRAWLER_NUMBERS;
 }
 
+/* Notes the parameters that are the same in all rows; a column of that name may be something else. */
 static void note_held(struct rows *r)
 {
   const char *not_held[CRAWLER_NUMBERS + 2] = { NULL };

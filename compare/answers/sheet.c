@@ -1,8 +1,8 @@
-#include "compare/answers/sheet.h"
+/* The columns of tables by the texts that ask for them, and their cells at a point. */
+#include "compare/answers/rows.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "compare/book/book.h"
@@ -74,32 +74,19 @@ bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantity *))
 
 static bool is_derived(const struct quantity *q) { return q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT; }
 
-/* NULL, or why rows of this sheet have no such quantity */
-static const char *refusal(const struct sheet *s, const struct quantity *q)
+/* NULL, or why the column cannot have that quantity */
+static const char *refusal(const struct sheet *s, const struct column *column, const struct quantity *q)
 {
+  const struct quantity *series = q->of >= 0 ? &s->asked->quantities.item[q->of] : q;
+  bool is_number = !quantity_is_text(q) || q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_CARRIED;
+  if (column->formula && !is_number)
+    return "is a text, which stands alone in a column";
   if (q->kind == QUANTITY_SAMPLE && !s->of_samples)
     return "is a quantity of a trajectory";
   if (q->kind == QUANTITY_STATUS && s->of_samples)
     return "is nothing that a trajectory has: it ends where it cannot go on";
-  if (s->asked->from_steady && q->motion == OF_PHASE && is_derived(q->of >= 0 ? &s->asked->quantities.item[q->of] : q))
+  if (s->asked->from_steady && q->motion == OF_PHASE && is_derived(series))
     return "is derived for a start that stays the same as T falls: from rest, or from a velocity";
-  return NULL;
-}
-
-/* The same of each quantity that the column takes */
-static const char *refused(const struct sheet *s, const struct column *column, const char *text)
-{
-  int places[FORMULA_STEPS];
-  for (int i = column_places(column, places); i-- > 0;) {
-    const struct quantity *q = &s->asked->quantities.item[places[i]];
-    const char *why = refusal(s, q);
-    if (column->formula && quantity_is_text(q) && q->kind != QUANTITY_CERTIFIED && q->kind != QUANTITY_CARRIED)
-      why = "is a text, which stands alone in a column";
-    if (why && strcmp(text, q->name) == 0)
-      return wrong_text("%s %s", q->name, why);
-    if (why)
-      return wrong_text("'%.100s': %s %s", text, q->name, why);
-  }
   return NULL;
 }
 
@@ -107,13 +94,21 @@ static bool is_status(const struct quantity *q) { return q->kind == QUANTITY_STA
 
 const char *sheet_add(struct sheet *s, const char *text)
 {
-  const char *meaning, *own = own_text(s, text, &meaning);
+  const char *meaning, *own = own_text(s, text, &meaning), *why;
   struct sheet plain = { .asked = s->asked }; /* in the meaning of an own name there are no own names */
   const struct column_names names = { { place_of, near_to, part_of, own ? &plain : s }, missing };
+  int places[FORMULA_STEPS];
   text = own ? own : text;
   s->early_status |= sheet_takes(s, is_status);
   const char *wrong = column_add(&s->columns, text, &names);
-  return wrong ? wrong : refused(s, &s->columns.item[s->columns.count - 1], text);
+  const struct column *added = &s->columns.item[s->columns.count - 1];
+  for (int i = wrong ? 0 : column_places(added, places); i-- > 0;) {
+    const struct quantity *q = &s->asked->quantities.item[places[i]];
+    if ((why = refusal(s, added, q)))
+      return strcmp(text, q->name) == 0 ? wrong_text("%s %s", text, why)
+                                        : wrong_text("'%.100s': %s %s", text, q->name, why);
+  }
+  return wrong;
 }
 
 void sheet_free(struct sheet *s) { column_list_free(&s->columns); }
@@ -124,24 +119,34 @@ void sheet_head(const struct sheet *s, struct table *t)
     table_columns(t, (const char *const[]){ s->columns.item[i].name, NULL });
 }
 
-static void put(const struct sheet *s, struct table *t, struct at *at, const struct column *c)
+static void put_text(const struct sheet *s, struct table *t, struct at *at, int quantity)
 {
-  const struct quantity *q = c->formula ? NULL : &s->asked->quantities.item[c->place];
-  bool is_text = q && quantity_is_text(q);
-  const char *text = is_text ? at_text(at, c->place, s->digits) : NULL;
-  double x = is_text ? NAN : q ? at_number(at, c->place) : at_formula(at, c->formula);
+  const char *text = at_text(at, quantity, s->digits);
+  enum quantity_kind kind = s->asked->quantities.item[quantity].kind;
+  if (kind == QUANTITY_CARRIED)
+    table_carried(t, text);
+  else if (kind != QUANTITY_CERTIFIED)
+    table_text(t, text);
+  else if (strcmp(text, "nan") == 0)
+    table_number(t, NAN);
+  else
+    table_digits(t, text);
+}
+
+static void put_number(const struct sheet *s, struct table *t, struct at *at, int quantity)
+{
+  const struct quantity *q = &s->asked->quantities.item[quantity];
+  double x = at_number(at, quantity);
   char shortest[NUMBER_TEXT];
-  if (q && q->kind == QUANTITY_NUMBER && s->as_written) {
-    /* with all the digits that were given: --digits is of what is proven */
+  if (q->kind == QUANTITY_ESTIMATE)
+    table_rounded(t, x, "%.3g");
+  else if (q->kind != QUANTITY_NUMBER || !s->as_written)
+    table_number(t, x);
+  else { /* with all the digits that were given: --digits is of what is proven */
     const char *written = at->place.is_unread ? NULL : at->place.point.written[q->which];
     number_text(shortest, x, 0);
     table_carried(t, written ? written : shortest);
-  } else if (q && q->kind == QUANTITY_ESTIMATE)
-    table_rounded(t, x, "%.3g");
-  else if (!is_text || (q->kind == QUANTITY_CERTIFIED && strcmp(text, "nan") == 0))
-    table_number(t, x);
-  else
-    (q->kind == QUANTITY_CERTIFIED ? table_digits : q->kind == QUANTITY_CARRIED ? table_carried : table_text)(t, text);
+  }
 }
 
 void sheet_row(const struct sheet *s, struct table *t, struct at *at)
@@ -151,6 +156,9 @@ void sheet_row(const struct sheet *s, struct table *t, struct at *at)
   for (const struct column *c = s->columns.item; s->early_status && c < end; c++)
     c->formula ? at_formula(at, c->formula) : at_number(at, c->place);
   for (const struct column *c = s->columns.item; c < end; c++)
-    put(s, t, at, c);
+    if (c->formula)
+      table_number(t, at_formula(at, c->formula));
+    else
+      (quantity_is_text(&s->asked->quantities.item[c->place]) ? put_text : put_number)(s, t, at, c->place);
   count_add(COUNT_ROWS, 1);
 }
