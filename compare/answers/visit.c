@@ -7,184 +7,171 @@
 #include "compare/points/point_file.h"
 #include "compare/text/progress.h"
 
-/* The rows of the point in at->place; or, of the only table, the cells of its row. why: the first thing that could not
- * be done, or "" */
-static void make_rows(struct rows_run *run, struct at *at, struct table *cells, char why[POINT_STATUS])
+enum { BLOCK = 64 };
+
+/* One of the points that are computed together. Of a point by itself the place is that of its at, and its cells go
+ * where they belong. */
+struct row {
+  struct sweep_place *place;
+  struct table *cells;    /* of the only table, never opened: what is written into it is kept; or NULL */
+  char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
+};
+struct shared {
+  struct sweep_place place;
+  struct table cells;
+};
+
+/* The points of a sweep or of a file, one after another, in blocks */
+struct tour {
+  struct rows_run *run;
+  const struct sweep_product *product;
+  long points;      /* how many there are; 0: that is not known */
+  int block, count; /* points that are computed together, and those of them that are there */
+  int threads;
+  struct at *at[BLOCK]; /* one for each thread */
+  struct row row[BLOCK];
+  struct shared *shared; /* BLOCK of them; NULL: points are computed by themselves */
+};
+
+static void compute_row(struct at *at, int i, void *tour)
 {
-  *why = '\0';
+  struct tour *t = tour;
+  struct row *row = &t->row[i];
+  if (row->cells)
+    sweep_place_copy(&at->place, row->place);
+  row->why[0] = '\0';
   at_move(at);
-  for (struct rows *r = run->rows; r < run->rows + run->count; r++) {
+  for (struct rows *r = t->run->rows; r < t->run->rows + t->run->count; r++) {
     at_begin_row(at);
     if (r->visit)
       r->visit(r, at);
     else
-      sheet_row(&r->sheet, cells ? cells : &r->table, at);
-    if (!*why)
-      memcpy(why, at->why, sizeof at->why);
+      sheet_row(&r->sheet, row->cells ? row->cells : &r->table, at);
+    if (row->why[0] == '\0' && at->why[0] != '\0')
+      memcpy(row->why, at->why, sizeof at->why);
   }
 }
 
-/* Counts a point whose rows are written. False: a table can no longer be written. */
-static bool end_point(struct rows_run *run, const char *why)
+/* False: a table can no longer be written. */
+static bool end_block(struct tour *t)
 {
+  struct rows_run *run = t->run;
   bool fine = true;
-  run->points++;
-  if (*why && run->unsolved++ == 0)
-    snprintf(run->why, sizeof run->why, "%s", why);
+  /* the first of them: of points that are computed together no worker counts anything else */
+  progress_count(run->points + (t->threads == 1), t->points);
+  if (t->threads > 1)
+    at_flint->share(t->at, t->threads, t->count, compute_row, t);
+  else if (t->count > 0)
+    compute_row(t->at[0], 0, t);
+  for (const struct row *row = t->row; row < t->row + t->count; row++) {
+    if (row->cells)
+      table_repeat(&run->rows->table, row->cells);
+    run->points++;
+    if (row->why[0] != '\0' && run->unsolved++ == 0)
+      memcpy(run->why, row->why, sizeof row->why);
+  }
+  t->count = 0;
   for (const struct rows *r = run->rows; r < run->rows + run->count; r++)
     fine &= !r->is_open || !table_failed(&r->table);
   return fine;
 }
 
-/* points: how many there are, 0: that is not known */
-static bool visit_point(struct rows_run *run, struct at *at, long points)
+/* Where a sweep is worth it, one table whose columns need FLINT, points are computed together. */
+static void share_out(struct tour *t)
 {
-  char why[POINT_STATUS];
-  progress_count(run->points + 1, points);
-  make_rows(run, at, NULL, why);
-  return end_point(run, why);
-}
-
-enum { BLOCK = 64 };
-
-struct block { /* of points of the only table */
-  struct rows_run *run;
-  int count, threads;
-  struct at *at[BLOCK]; /* one for each thread */
-  struct row {
-    struct sweep_place place;
-    struct table cells; /* never opened: what is written into it is kept */
-    char why[POINT_STATUS];
-  } row[BLOCK];
-};
-
-static void compute_row(struct at *at, int i, void *block)
-{
-  struct block *b = block;
-  sweep_place_copy(&at->place, &b->row[i].place);
-  make_rows(b->run, at, &b->row[i].cells, b->row[i].why);
-}
-
-static bool end_block(struct block *b)
-{
-  struct rows *rows = b->run->rows;
-  bool fine = true;
-  progress_count(b->run->points, sweep_points(&rows->request->sweep)); /* so that no worker counts anything else */
-  at_flint->share(b->at, b->threads, b->count, compute_row, b);
-  for (const struct row *row = b->row; row < b->row + b->count; row++) {
-    table_repeat(&rows->table, &row->cells);
-    fine = end_point(b->run, row->why);
+  const struct rows *r = t->run->rows;
+  bool takes_long = t->run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked) && t->points >= 8;
+  int threads = takes_long ? at_flint->threads(BLOCK) : 1;
+  t->shared = threads > 1 ? calloc(BLOCK, sizeof *t->shared) : NULL;
+  if (!t->shared)
+    return;
+  while (t->threads < threads && (t->at[t->threads] = at_new(r->sheet.asked)))
+    t->threads++;
+  t->block = BLOCK;
+  for (int i = 0; i < BLOCK; i++) {
+    t->row[i] = (struct row){ &t->shared[i].place, &t->shared[i].cells, "" };
+    t->row[i].cells->style = &r->style;
+    sheet_head(&r->sheet, t->row[i].cells);
   }
-  b->count = 0;
-  return fine;
 }
 
-/* Where a sweep is worth it, one table whose columns need FLINT; else NULL, as where there is no memory. */
-static struct block *block_begin(struct rows_run *run, struct at *at)
+static void tour_free(struct tour *t)
 {
-  const struct rows *r = run->rows;
-  bool takes_long = run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked);
-  int threads = takes_long && sweep_points(&r->request->sweep) >= 8 ? at_flint->threads(BLOCK) : 1;
-  struct block *b = threads > 1 ? calloc(1, sizeof *b) : NULL;
-  if (!b)
-    return NULL;
-  b->run = run;
-  b->at[b->threads++] = at;
-  while (b->threads < threads && (b->at[b->threads] = at_new(r->sheet.asked)))
-    b->threads++;
-  for (struct row *row = b->row; row < b->row + BLOCK; row++) {
-    row->cells = (struct table){ .style = &r->style };
-    sheet_head(&r->sheet, &row->cells);
-  }
-  return b;
+  for (int i = 0; i < t->threads; i++)
+    at_free(t->at[i]);
+  for (int i = 0; i < BLOCK && t->shared; i++)
+    table_abandon(&t->shared[i].cells);
+  free(t->shared);
+  free(t);
 }
 
-static void block_free(struct block *b)
-{
-  for (int i = 1; i < b->threads; i++)
-    at_free(b->at[i]);
-  for (int i = 0; i < BLOCK; i++)
-    table_abandon(&b->row[i].cells);
-  free(b);
-}
-
-/* The points of a sweep, one after another */
-struct tour {
-  struct rows_run *run;
-  struct at *at;
-  struct block *block; /* or NULL */
-  const struct sweep_product *product;
-};
-
-/* False: no more are wanted. */
-static bool visit_place(struct tour *t, const struct sweep_place *place)
-{
-  struct block *b = t->block;
-  sweep_place_copy(b ? &b->row[b->count++].place : &t->at->place, place);
-  if (!b)
-    return visit_point(t->run, t->at, sweep_points(&t->run->rows->request->sweep));
-  return b->count < BLOCK || end_block(b);
-}
-
-/* All points from a place where the groups in front of group g are set */
+/* All points from a place where the groups in front of group g are set. False: no more are wanted. */
 static bool tour_from(struct tour *t, const struct sweep_place *so_far, int g)
 {
   struct sweep_place place;
   bool more = true;
-  if (!t->product || g == t->product->groups)
-    return visit_place(t, so_far);
+  if (!t->product || g == t->product->groups) {
+    sweep_place_copy(t->row[t->count++].place, so_far);
+    return t->count < t->block || end_block(t);
+  }
   for (long i = 0; i < t->product->group[g].count && more; i++) {
     sweep_place_copy(&place, so_far);
-    sweep_step(&place, t->product, g, i, at_formula_so_far, t->at);
+    sweep_step(&place, t->product, g, i, at_formula_so_far, t->at[0]);
     more = tour_from(t, &place, g + 1);
   }
   return more;
 }
 
-static void visit_sweep(struct rows_run *run, struct at *at)
+static void tour_sweep(struct tour *t)
 {
-  const struct request *r = run->rows->request;
-  struct tour t = { .run = run, .at = at, .block = block_begin(run, at) };
+  const struct request *r = t->run->rows->request;
   struct sweep_place place;
+  t->points = sweep_points(&r->sweep);
+  share_out(t);
   sweep_place_set(&place, &r->point);
-  bool more = r->sweep.products > 0 || tour_from(&t, &place, 0);
+  bool more = r->sweep.products > 0 || tour_from(t, &place, 0);
   for (int p = 0; p < r->sweep.products && more; p++) {
-    t.product = &r->sweep.product[p];
-    more = tour_from(&t, &place, 0);
+    t->product = &r->sweep.product[p];
+    more = tour_from(t, &place, 0);
   }
-  if (t.block && more)
-    end_block(t.block);
-  if (t.block)
-    block_free(t.block);
+  if (more && t->count > 0)
+    end_block(t);
 }
 
-static void visit_file(struct rows_run *run, struct at *at, struct point_file *file)
+static void tour_file(struct tour *t, struct point_file *file)
 {
-  bool fine = true;
-  while (fine && point_file_next(file, &at->place, &run->rows->request->point))
-    fine = visit_point(run, at, point_file_rows(file, run->points + 1));
+  bool more = true;
+  while (more && point_file_next(file, t->row[0].place, &t->run->rows->request->point)) {
+    t->points = point_file_rows(file, t->run->points + 1);
+    t->count = 1;
+    more = end_block(t);
+  }
 }
 
 enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
 {
-  const struct style *style = &run->rows->request->style;
-  struct at *at = at_new(run->rows->sheet.asked);
-  enum exit_code code = at ? EXIT_FILE : EXIT_UNSOLVED;
-  bool open = at != NULL;
+  const char *command = run->rows->request->style.command, *error = NULL;
+  struct tour *t = calloc(1, sizeof *t);
+  bool open = t && (t->at[0] = at_new(run->rows->sheet.asked)), fine = open;
+  if (!t)
+    complain(command, "out of memory");
+  if (!open)
+    return free(t), EXIT_UNSOLVED;
+  t->run = run;
+  t->block = t->threads = 1;
+  t->row[0].place = &t->at[0]->place;
   for (int i = 0; i < run->count && open; i++)
     open = run->rows[i].opens_late || rows_open(&run->rows[i]);
-  if (open) {
-    if (file)
-      visit_file(run, at, file);
-    else
-      visit_sweep(run, at);
-    const char *error = file ? tsv_error(&file->tsv) : NULL;
-    code = error ? complain(style->command, "%s", error), EXIT_FILE : EXIT_DONE;
-    for (int i = 0; i < run->count; i++)
-      code = run->rows[i].cannot_open || (run->rows[i].is_open && !table_flush(&run->rows[i].table)) ? EXIT_FILE : code;
-  }
-  at_free(at);
-  return code;
+  if (open && file)
+    tour_file(t, file);
+  else if (open)
+    tour_sweep(t);
+  if (open && file && (error = tsv_error(&file->tsv)))
+    complain(command, "%s", error);
+  for (struct rows *r = run->rows; r < run->rows + run->count && open; r++)
+    fine &= !r->cannot_open && (!r->is_open || table_flush(&r->table));
+  tour_free(t);
+  return open && fine && !error ? EXIT_DONE : EXIT_FILE;
 }
 
 bool rows_close(struct rows_run *run, bool keep)
