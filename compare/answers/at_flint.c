@@ -34,22 +34,12 @@ struct at_flint {
   struct kept_series kept[KEPT];
   int series; /* that were derived so far: each takes the place of the oldest */
   char *text;
-  long order[2]; /* of series, by enum quantity_of: terms below T^order */
 };
 #define POINT_PARTS(of) \
   of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(fmpq, s->start) of(fmpq, s->T) \
       of(ball_answer, &s->certified[0]) of(ball_answer, &s->certified[1]) of(ball_answer, &s->certified[2]) \
           of(ball_answer, &s->certified[3]) of(ball_answer, &s->certified[4])
 SCOPED_PARTS(at_flint, struct at_flint, POINT_PARTS)
-
-/* The most that is asked for; of the limit so many that they hold the first term, as some begin with T^3 */
-static void find_orders(struct at_flint *f, const struct quantities *all)
-{
-  for (const struct quantity *q = all->item; q < all->item + all->count; q++) {
-    long order = q->kind == QUANTITY_DERIVED ? q->order : q->kind != QUANTITY_LIMIT ? 0 : q->motion == OF_PHASE ? 8 : 1;
-    f->order[q->motion] = order > f->order[q->motion] ? order : f->order[q->motion];
-  }
-}
 
 static void flint_end(struct at_flint *f)
 {
@@ -70,7 +60,6 @@ static struct at_flint *look_at(struct at *s, enum motion_of_point m)
   if (!s->flint) {
     s->flint = flint_calloc(1, sizeof *s->flint);
     at_flint_init(s->flint);
-    find_orders(s->flint, &s->asked->quantities);
   }
   struct at_flint *f = s->flint;
   if (f->move != s->moves) {
@@ -113,17 +102,28 @@ static slong bits_of(const struct at *s, long order)
   return (slong)(3.33 * (double)(digits > SUM_DIGITS ? digits : SUM_DIGITS)) + GUARD_BITS + order;
 }
 
+/* The most that is asked for; of the limit so many that they hold the first term, as some begin with T^3 */
+static long order_of_series(const struct quantities *all, enum quantity_of of)
+{
+  long most = 0;
+  for (const struct quantity *q = all->item; q < all->item + all->count; q++) {
+    long order = q->kind == QUANTITY_DERIVED ? q->order : q->kind != QUANTITY_LIMIT ? 0 : of == OF_PHASE ? 8 : 1;
+    most = q->motion == of && order > most ? order : most;
+  }
+  return most;
+}
+
 /* The series of a motion, derived if they are not kept */
 static const struct series_answer *series_at(struct at *s, enum motion_of_point m)
 {
   struct at_flint *f = look_at(s, m);
-  long order = f->order[kind_of(m)];
   for (const struct kept_series *k = f->kept; k < f->kept + KEPT && k < f->kept + f->series; k++)
     if (k->motion == m && same_but_T(&k->crawler, &f->crawler) && fmpq_cmp(k->v0, f->start) == 0)
       return &k->answer;
   struct kept_series *k = &f->kept[f->series % KEPT];
   if (f->series++ < KEPT)
     kept_series_init(k);
+  long order = order_of_series(&s->asked->quantities, kind_of(m));
   k->motion = m;
   scallop_rational_copy(&k->crawler, &f->crawler);
   fmpq_set(k->v0, f->start);

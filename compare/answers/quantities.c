@@ -56,7 +56,7 @@ const struct quantity_row quantity_rows[] = {
     .kind = QUANTITY_ONSET },
   { "status", NULL, "ok, or why there is no answer", .kind = QUANTITY_STATUS },
   { "regime", .kind = QUANTITY_REGIME },
-  { "modes", .kind = QUANTITY_MODES },
+  { "modes", "1", "directions of bodies 1 and 2: + forward, - backward, 0 stuck", .kind = QUANTITY_MODES },
   { "motion", NULL, "the modes in words, with their times", .kind = QUANTITY_WORDS },
   { "phase_regime", .of = OF_PHASE, .kind = QUANTITY_REGIME },
   { "phase_modes", .of = OF_PHASE, .kind = QUANTITY_MODES },
@@ -96,15 +96,14 @@ enum quantity_id quantity_of_name(const char *name)
 
 const struct column_meaning *quantity_meaning(const char *name)
 {
-  static const struct column_meaning modes = { "", "directions of bodies 1 and 2: + forward, - backward, 0 stuck", true,
-                                               "| ends the extension" };
   static struct column_meaning meaning;
   const struct quantity_row *row = row_named(name);
-  if (strcmp(name, "modes") == 0)
-    return &modes;
-  if (row->unit)
-    meaning = (struct column_meaning){ strcmp(row->unit, "1") == 0 ? "" : row->unit, row->sentence, false, NULL };
-  return row->unit ? &meaning : NULL;
+  bool is_modes = row->kind == QUANTITY_MODES;
+  if (!row->unit)
+    return NULL;
+  meaning = (struct column_meaning){ strcmp(row->unit, "1") == 0 ? "" : row->unit, row->sentence, is_modes,
+                                     is_modes ? "| ends the extension" : NULL };
+  return &meaning;
 }
 
 /* What formulas are about, in an extension and in a contraction: the bodies exchange their roles. */

@@ -20,25 +20,19 @@ const char *rows_own(struct rows *r, const char *format, ...)
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  while (r->own && r->own[count])
-    if (strcmp(r->own[count++], text) == 0)
+  for (; r->own[count]; count++)
+    if (strcmp(r->own[count], text) == 0)
       return NULL;
-  char **grown = realloc(r->own, (size_t)(count + 2) * sizeof *grown), *copy = strdup(text);
-  r->own = grown ? grown : r->own;
-  if (!grown || !copy)
-    return free(copy), rows_no_memory;
-  grown[count] = copy;
-  grown[count + 1] = NULL;
-  return NULL;
+  r->own[count] = count < TABLE_COLUMNS ? strdup(text) : NULL;
+  return r->own[count] ? NULL : rows_no_memory;
 }
 
 void rows_free(struct rows *r)
 {
-  for (char **own = r->own; own && *own; own++)
+  for (char **own = r->own; *own; own++)
     free(*own);
-  free(r->own);
   free(r->context);
-  sheet_free(&r->sheet);
+  column_list_free(&r->sheet.columns);
 }
 
 static const char *add_all(struct sheet *s, const char *const *texts, int count)
@@ -100,7 +94,7 @@ static const char *add_columns(struct rows *r)
                 { crawler_parameters, r->has_parameters ? TABLE_COLUMNS : 0 },
                 { r->extra, ROWS_EXTRA },
                 { all->carried, all->carries },
-                { own, own ? TABLE_COLUMNS : 0 } };
+                { own, TABLE_COLUMNS } };
   if (r->behind)
     choice = NULL; /* of all columns of the table */
   r->sheet.own = own;

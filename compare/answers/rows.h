@@ -25,7 +25,6 @@ struct sheet {
 const char *sheet_add(struct sheet *sheet, const char *text);
 /* Does any column take a quantity of which that holds? */
 bool sheet_takes(const struct sheet *sheet, bool (*holds)(const struct quantity *));
-void sheet_free(struct sheet *sheet);
 
 /* The names of the columns go into the head of the table, and the values at the point into a row of it. */
 void sheet_head(const struct sheet *sheet, struct table *table);
@@ -44,7 +43,7 @@ struct rows { /* a table with a row for each point, as it is planned; zero but f
   bool notes_parameters;             /* those that hold in all rows stand in the head; of a scene they always do */
   bool has_parameters;               /* the crawler's stand in front of its own columns, where none are chosen */
   const char *extra[ROWS_EXTRA];     /* parameters beyond the crawler's, which also stand there, NULL-terminated */
-  char **own;                        /* the texts of its own columns, NULL-terminated */
+  char *own[TABLE_COLUMNS + 1];      /* the texts of its own columns, NULL-terminated */
   const char *const *behind;         /* names of columns behind those of the sheet, which visit writes; or NULL */
   bool has_errors;                   /* visit asks for errors of series, too */
   const struct table_choice *choice; /* of columns; NULL: that of the request */

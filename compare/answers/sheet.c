@@ -111,8 +111,6 @@ const char *sheet_add(struct sheet *s, const char *text)
   return wrong;
 }
 
-void sheet_free(struct sheet *s) { column_list_free(&s->columns); }
-
 void sheet_head(const struct sheet *s, struct table *t)
 {
   for (int i = 0; i < s->columns.count; i++)

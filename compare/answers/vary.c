@@ -130,18 +130,6 @@ const char *vary_range(struct request *r, struct sweep_variable v, const char *f
   return wrong ? wrong : add(r, &v);
 }
 
-/* Adds a label, whose name is kept. */
-static const char *add_label(struct quantities *all, const char *name)
-{
-  if (strlen(name) >= QUANTITY_NAME || all->labels == QUANTITY_LABELS)
-    return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
-  if (quantity_named(all, name) >= 0)
-    return wrong_text("a label cannot be called %s, which is a quantity", name);
-  const char *copy = all->label[all->labels] = strdup(name);
-  all->labels += copy != NULL;
-  return copy ? NULL : no_memory;
-}
-
 const char *vary_label(struct request *r, const char *name, struct sweep_variable *label)
 {
   struct quantities *all = r->asked ? &r->asked->quantities : NULL;
@@ -150,10 +138,18 @@ const char *vary_label(struct request *r, const char *name, struct sweep_variabl
     return "labels are columns of rows of points";
   while (place < all->labels && strcmp(all->label[place], name) != 0)
     place++;
-  const char *wrong = place == all->labels ? add_label(all, name) : NULL;
+  if (place == all->labels) { /* a new one, whose name is kept */
+    if (strlen(name) >= QUANTITY_NAME || place == QUANTITY_LABELS)
+      return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
+    if (quantity_named(all, name) >= 0)
+      return wrong_text("a label cannot be called %s, which is a quantity", name);
+    if (!(all->label[place] = strdup(name)))
+      return no_memory;
+    all->labels++;
+  }
   name = all->label[place];
   *label = (struct sweep_variable){ .target = TARGET_LABEL, .place = place, .name = name, .sets = name };
-  return wrong;
+  return NULL;
 }
 
 /* Where the value that text begins with ends: at a comma, or at the end. A gait has commas of its own, so that there
