@@ -92,14 +92,15 @@ bool answer_with_errors(struct answer *a, const struct motion *m, double errors[
 {
   struct solved s;
   struct solved_errors e;
-  bool steady = m->of == OF_STEADY, solved = solve(a, m, &s);
-  enum scallop_status status = a->status;
-  if (solved)
-    status = steady ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
-                    : scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e.phase);
+  enum scallop_status status = SCALLOP_EDOMAIN;
+  if (solve(a, m, &s))
+    status = m->of == OF_STEADY ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
+                                : scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e.phase);
   for (int q = 0; q < QUANTITIES; q++)
-    errors[q] = status >= 0 && quantity_rows[q].of == m->of ? *(const double *)value_at(&e, places[q].error) : NAN;
-  return solved;
+    errors[q] = NAN;
+  for (int q = quantity_first(m->of); q < (int)quantity_end(m->of) && status >= 0; q++)
+    errors[q] = *(const double *)value_at(&e, places[q].error);
+  return a->status >= 0;
 }
 
 bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width width)

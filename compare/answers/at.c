@@ -180,12 +180,13 @@ static double published(struct at *s, const struct quantity *q, enum motion_of_p
 {
   const struct scallop_crawler *c = &s->place.point.crawler;
   const struct motion motion = { q->motion, *c, phase_kind(m), start_of(s, m) };
-  bool takes_given = formula_takes_given(q->formula);
-  if (takes_given)
+  const struct answer *given = NULL;
+  if (formula_takes_given(q->formula)) {
     solve_for(s, m, formula_takes(q->formula, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT);
-  if (takes_given && !solve(s, m))
-    return NAN;
-  double value = published_value(q->formula, &motion, takes_given ? &s->solved[m].answer : NULL);
+    if (!(given = solve(s, m)))
+      return NAN;
+  }
+  double value = published_value(q->formula, &motion, given);
   count_add(COUNT_FORMULAS, 1);
   if (!isfinite(value) && !gait_has_ends(c->gait))
     return at_fail(s, gait_no_ends);
@@ -263,6 +264,7 @@ static double compute(struct at *s, int place)
   case QUANTITY_EXACT: return compared(s, q->of)->exact;
   case QUANTITY_ERROR: return compared(s, q->of)->error;
   case QUANTITY_RELATIVE: return compared(s, q->of)->error / fabs(compared(s, q->of)->exact);
+  case QUANTITY_FORMULA: return at_formula(s, q->own);
   case QUANTITY_STUDIED: return at_study->number(s, q);
   default: return NAN; /* what only a trajectory has */
   }

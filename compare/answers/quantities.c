@@ -38,7 +38,7 @@ const struct quantity_row quantity_rows[] = {
                             .has_series = true },
 
   { "mean_power", "force length/time", "friction_work / T: the power that friction takes", OF_STEADY,
-    .formula = "friction_work/T" },
+    .kind = QUANTITY_FORMULA, .formula = "friction_work/T" },
 
   { "m1", .kind = QUANTITY_NUMBER, .which = 0 },
   { "m2", .kind = QUANTITY_NUMBER, .which = 1 },
@@ -63,7 +63,7 @@ const struct quantity_row quantity_rows[] = {
   { "phase_motion", .of = OF_PHASE, .kind = QUANTITY_WORDS },
   { "first_event", NULL, "along T, as `breakdown` has it", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_EVENT },
   { "first_event_T", .kind = QUANTITY_STUDIED, .which = STUDIED_EVENT_T },
-  { "first_event_froude", .formula = "(m1 + m2)/(F1 + F2)*L/first_event_T/first_event_T" },
+  { "first_event_froude", .kind = QUANTITY_FORMULA, .formula = "(m1 + m2)/(F1 + F2)*L/first_event_T/first_event_T" },
   { "reversals", NULL, "likewise", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_REVERSALS },
   { "best_order", NULL, "the terms below T^best_order have the least error of the displacement at this T",
     .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ORDER },
@@ -267,7 +267,8 @@ static int place_among(const char *const *names, int count, const char *name)
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
 {
   const struct quantity_row *row = row_named(name);
-  bool gives_way = !row->name || row->kind == QUANTITY_ANSWER || row->kind == QUANTITY_SAMPLE || row->formula;
+  bool gives_way = !row->name || row->kind == QUANTITY_ANSWER || row->kind == QUANTITY_SAMPLE
+                   || row->kind == QUANTITY_FORMULA;
   int label = place_among(all->label, all->labels, name), carried = place_among(all->carried, all->carries, name);
   if (gives_way && (label >= 0 || carried >= 0)) {
     q->kind = label >= 0 ? QUANTITY_LABEL : QUANTITY_CARRIED;
@@ -287,28 +288,54 @@ bool quantity_is_other(const char *name)
   return prefix_of(name)->text || (plain_named(&q, &none, name) && q.kind != QUANTITY_PUBLISHED);
 }
 
+static int place_in(const struct quantities *all, const char *name)
+{
+  int i = all->count - 1;
+  while (i >= 0 && strcmp(all->item[i].name, name) != 0)
+    i--;
+  return i;
+}
+
+/* Returns its place, or -2: there is no room. */
+static int add(struct quantities *all, const struct quantity *q)
+{
+  if (all->count == MOST_QUANTITIES)
+    return -2;
+  all->item[all->count] = *q;
+  return all->count++;
+}
+
+static int place_of(void *quantities, const char *name) { return quantity_named(quantities, name); }
+
+int quantity_of_text(struct quantities *all, const char *name, const char *text)
+{
+  const struct formula_names names = { .place = place_of, .context = all };
+  struct quantity q = { .kind = QUANTITY_FORMULA, .of = -1, .phase = -1, .own = malloc(sizeof *q.own) };
+  char wrong[FORMULA_MESSAGE];
+  snprintf(q.name, sizeof q.name, "%s", name);
+  int place = place_in(all, q.name);
+  if (place < 0 && q.own && !formula_read(q.own, text, &names, wrong))
+    place = add(all, &q);
+  if (place < 0 || all->item[place].own != q.own)
+    free(q.own);
+  return place;
+}
+
 int quantity_named(struct quantities *all, const char *name)
 {
   struct quantity q = { .of = -1, .phase = -1 };
   const struct prefix *prefix = prefix_of(name);
-  for (int i = 0; i < all->count; i++)
-    if (strcmp(all->item[i].name, name) == 0)
-      return i;
-  if (strlen(name) >= QUANTITY_NAME)
-    return -1;
+  int place = place_in(all, name);
+  if (place >= 0 || strlen(name) >= QUANTITY_NAME)
+    return place;
   strcpy(q.name, name);
   int found = prefix->text && place_among(all->carried, all->carries, name) < 0
                   ? prefixed_named(&q, all, prefix, name + strlen(prefix->text))
                   : (int)plain_named(&q, all, name) - 1;
-  if (found < 0 || (q.kind == QUANTITY_ANSWER && q.which >= NAMED_QUANTITIES))
-    return found < 0 ? found : -1;
-  if (all->count == MOST_QUANTITIES)
-    return -2;
-  all->item[all->count] = q;
-  return all->count++;
+  if (found < 0)
+    return found;
+  return q.kind == QUANTITY_FORMULA ? quantity_of_text(all, name, row_named(name)->formula) : add(all, &q);
 }
-
-const char *quantity_formula(const char *name) { return row_named(name)->formula; }
 
 const char *quantity_near(const struct quantities *all, const char *name)
 {
@@ -342,6 +369,8 @@ struct asked *asked_nothing(const char *command)
 
 void asked_free(struct asked *asked)
 {
+  for (int i = 0; asked && i < asked->quantities.count; i++)
+    free(asked->quantities.item[i].own);
   for (int i = 0; asked && i < asked->quantities.labels; i++)
     free((char *)asked->quantities.label[i]);
   free(asked);

@@ -65,6 +65,7 @@ enum quantity_kind {
   QUANTITY_ESTIMATE, /* of the error of an answer */
   QUANTITY_SAMPLE,   /* enum sample_value */
   QUANTITY_STUDIED,  /* enum studied */
+  QUANTITY_FORMULA,  /* of other quantities */
   QUANTITY_EXACT,    /* what a series should be */
   QUANTITY_ERROR,
   QUANTITY_RELATIVE,
@@ -145,6 +146,7 @@ struct quantity {
   int of;                  /* what is about a series: its place in the list; else -1 */
   double tolerance;        /* of a reach */
   const struct scallop_formula *formula; /* published */
+  struct formula *own;                   /* of QUANTITY_FORMULA */
 };
 
 /* The quantities that tables ask for, each once. */
@@ -156,11 +158,11 @@ struct quantities {
   struct quantity item[MOST_QUANTITIES]; /* last, and of those that are not used not even the memory */
 };
 
-/* The place of the quantity called name, which is added if it is new; -1: there is none of that name, or it is a formula
- * of others; -2: no room for more. */
+/* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for
+ * more. */
 int quantity_named(struct quantities *all, const char *name);
-/* The formula of quantities that the name stands for, if it is none itself; else NULL */
-const char *quantity_formula(const char *name);
+/* The same of a formula of quantities, which is called name from then on; negative also where the formula is wrong. */
+int quantity_of_text(struct quantities *all, const char *name, const char *formula);
 /* Is it the name of a quantity, or what names of quantities begin with, but not that of a formula? */
 bool quantity_is_other(const char *name);
 /* The known name nearest to one that is none, or NULL. */

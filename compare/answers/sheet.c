@@ -21,18 +21,13 @@ static const char *own_text(const struct sheet *s, const char *name, const char 
   return NULL;
 }
 
+/* An own name that is a formula of quantities becomes a quantity too, so that other formulas can take it. */
 static int place_of(void *sheet, const char *name)
 {
-  const struct sheet *s = sheet;
-  const char *meaning;
-  return quantity_named(&s->asked->quantities, own_text(s, name, &meaning) ? meaning : name);
-}
-
-/* What is no quantity but a formula of such, in the table of quantities or as an own name, is read in its place. */
-static const char *part_of(void *sheet, const char *name)
-{
-  const char *meaning;
-  return own_text(sheet, name, &meaning) ? meaning : quantity_formula(name);
+  struct quantities *all = &((struct sheet *)sheet)->asked->quantities;
+  const char *meaning, *own = own_text(sheet, name, &meaning);
+  int place = quantity_named(all, own ? meaning : name);
+  return place < 0 && own ? quantity_of_text(all, own, meaning) : place;
 }
 
 static const char *near_to(void *sheet, const char *name, const char *const *functions)
@@ -58,7 +53,7 @@ const char *sheet_formula(struct asked *asked, struct formula *formula, const ch
 {
   static char wrong[FORMULA_MESSAGE];
   struct sheet plain = { .asked = asked };
-  const struct formula_names names = { place_of, near_to, part_of, &plain };
+  const struct formula_names names = { .place = place_of, .nearest = near_to, .context = &plain };
   return formula_read(formula, text, &names, wrong);
 }
 
@@ -96,7 +91,7 @@ const char *sheet_add(struct sheet *s, const char *text)
 {
   const char *meaning, *own = own_text(s, text, &meaning), *why;
   struct sheet plain = { .asked = s->asked }; /* in the meaning of an own name there are no own names */
-  const struct column_names names = { { place_of, near_to, part_of, own ? &plain : s }, missing };
+  const struct column_names names = { { place_of, near_to, NULL, own ? &plain : s }, missing };
   int places[FORMULA_STEPS];
   text = own ? own : text;
   s->early_status |= sheet_takes(s, is_status);
