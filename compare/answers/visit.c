@@ -61,8 +61,8 @@ static bool end_block(struct tour *t)
   progress_count(run->points + (t->threads == 1), t->points);
   if (t->threads > 1)
     at_flint->share(t->at, t->threads, t->count, compute_row, t);
-  else if (t->count > 0)
-    compute_row(t->at[0], 0, t);
+  for (int i = 0; i < t->count && t->threads == 1; i++)
+    compute_row(t->at[0], i, t);
   for (const struct row *row = t->row; row < t->row + t->count; row++) {
     if (row->cells)
       table_repeat(&run->rows->table, row->cells);
