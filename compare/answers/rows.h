@@ -21,11 +21,6 @@ struct sheet {
   bool early_status;          /* a status stands before other columns: these are asked for first */
 };
 
-/* Adds a column. NULL, or what is wrong with the text: that lives until the next call. */
-const char *sheet_add(struct sheet *sheet, const char *text);
-/* Does any column take a quantity of which that holds? */
-bool sheet_takes(const struct sheet *sheet, bool (*holds)(const struct quantity *));
-
 /* The names of the columns go into the head of the table, and the values at the point into a row of it. */
 void sheet_head(const struct sheet *sheet, struct table *table);
 void sheet_row(const struct sheet *sheet, struct table *table, struct at *at);
