@@ -1,29 +1,15 @@
 #include "compare/answers/answer.h"
-#include "compare/book/book.h"
 
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "numerics/numerics.h"
+#include "compare/book/book.h"
 #include "compare/text/digits.h"
-#include "compare/text/table.h"
+#include "numerics/numerics.h"
 
-struct motion motion_of(const struct point *p, enum quantity_of of)
-{
-  return (struct motion){ .of = of, .crawler = p->crawler, .phase = p->phase, .v0 = p->v0 };
-}
-
-static void forget(struct answer *a, enum scallop_status status)
-{
-  *a = (struct answer){ .status = status, .v_low = NAN, .v_high = NAN };
-  for (int q = 0; q < ALL_QUANTITIES; q++)
-    a->value[q].high = NAN;
-}
-
-/* What the solver gives, what the wider walk gives, and the estimates of the error: of a motion one of the two is
- * filled in. */
+/* What the solver, the wider walk and the estimates of the errors give: of a motion one member is filled in. */
 struct solved {
   struct scallop_steady_result steady;
   struct scallop_phase_result phase;
@@ -59,9 +45,13 @@ static const struct {
   [Q_DXC] = PLACES(phase.dxC, phase.dxC),
 };
 
-static void copy_from(const void *results, size_t place, void *number, size_t size)
+static const void *value_at(const void *results, size_t place) { return (const char *)results + place; }
+
+static void forget(struct answer *a, enum scallop_status status)
 {
-  memcpy(number, (const char *)results + place, size);
+  *a = (struct answer){ .status = status, .v_low = NAN, .v_high = NAN };
+  for (int q = 0; q < ALL_QUANTITIES; q++)
+    a->value[q].high = NAN;
 }
 
 static void take_modes(struct answer *a, enum scallop_regime regime, const struct scallop_modes *modes, int phases)
@@ -72,18 +62,17 @@ static void take_modes(struct answer *a, enum scallop_regime regime, const struc
 
 static bool solve(struct answer *a, const struct motion *m, struct solved *s)
 {
-  const struct scallop_period_result *period = &s->steady.period;
   bool steady = m->of == OF_STEADY;
   forget(a, steady ? scallop_steady(&m->crawler, &s->steady) : scallop_phase(&m->crawler, m->phase, m->v0, &s->phase));
   if (a->status < 0)
     return false;
   for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
-    copy_from(s, places[q].solved, &a->value[q].high, sizeof a->value[q].high);
+    a->value[q].high = *(const double *)value_at(s, places[q].solved);
   if (steady) {
     a->v_low = s->steady.v_low;
     a->v_high = s->steady.v_high;
     a->work = s->steady.work;
-    take_modes(a, period->regime, period->modes, 2);
+    take_modes(a, s->steady.period.regime, s->steady.period.modes, 2);
   } else {
     a->value[Q_CHANGE].high = s->phase.v_end - m->v0;
     a->value[Q_TURNING].high = isnan(s->phase.dT) ? NAN : 0;
@@ -99,37 +88,99 @@ bool answer_in_double(struct answer *a, const struct motion *m)
   return solve(a, m, &s);
 }
 
-/* Positions of the rear body, from its start and in L, at the first and at the last change of mode. */
-struct turning {
-  double mu_front, stroke; /* stroke: l gained over the phase, +1 or -1 */
-  struct scallop_mode mode;
-  bool started;
+bool answer_with_errors(struct answer *a, const struct motion *m, double errors[QUANTITIES])
+{
+  struct solved s;
+  struct solved_errors e;
+  enum scallop_status status = SCALLOP_EDOMAIN;
+  if (solve(a, m, &s))
+    status = m->of == OF_STEADY ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
+                                : scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e.phase);
+  for (int q = 0; q < QUANTITIES; q++)
+    errors[q] = NAN;
+  for (int q = quantity_first(m->of); q < (int)quantity_end(m->of) && status >= 0; q++)
+    errors[q] = *(const double *)value_at(&e, places[q].error);
+  return a->status >= 0;
+}
+
+bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width width)
+{
+  struct solved_wide s;
+  bool steady = m->of == OF_STEADY;
+  forget(a, steady ? scallop_wide_steady(width, &m->crawler, &s.steady)
+                   : scallop_wide_phase(width, &m->crawler, m->phase, m->v0, &s.phase));
+  if (a->status < 0)
+    return false;
+  for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
+    a->value[q] = *(const struct scallop_wide *)value_at(&s, places[q].wide);
+  if (steady) {
+    a->value[Q_FRICTION_WORK] = s.steady.friction_work;
+    a->value[Q_COST_OF_TRANSPORT] = s.steady.cost_of_transport;
+    take_modes(a, s.steady.period.regime, s.steady.period.modes, 2);
+  } else
+    take_modes(a, s.phase.regime, &s.phase.modes, 1);
+  return true;
+}
+
+/* A walk through the phases of a motion: its stretches, as they are met, and where the rear body is, from its start and
+ * in L, when the mode changes for the first and for the last time */
+struct walk {
+  struct stretch *stretch;
+  int count;
+  const struct scallop_crawler *crawler;
+  enum scallop_phase_kind phase;
+  double since; /* when the phase begins */
+  struct stretch now;
   double first, last;
 };
 
-static void note_turning(void *context, const struct scallop_interval *i)
+static double rear_position(const struct walk *w, const struct scallop_interval *i)
 {
-  struct turning *t = context;
-  if (t->started && (i->mode.s1 != t->mode.s1 || i->mode.s2 != t->mode.s2)) {
-    double way = i->piece->anchor == SCALLOP_FROM_END ? t->stroke : 0;
-    t->last = i->x_begin - t->mu_front * t->stroke * (way + i->piece->curve->length(i->piece, i->u_begin));
-    if (isnan(t->first))
-      t->first = t->last;
+  bool extension = w->phase == SCALLOP_EXTENSION;
+  double stroke = extension ? 1 : -1, way = i->piece->anchor == SCALLOP_FROM_END ? stroke : 0;
+  double mu_front = (extension ? w->crawler->m2 : w->crawler->m1) / (w->crawler->m1 + w->crawler->m2);
+  return i->x_begin - mu_front * stroke * (way + i->piece->curve->length(i->piece, i->u_begin));
+}
+
+static void note_interval(void *context, const struct scallop_interval *i)
+{
+  struct walk *w = context;
+  const struct scallop_span span = scallop_interval_span(i, w->crawler, w->phase);
+  const struct scallop_mode was = w->now.mode;
+  bool goes_on = w->count > 0 && w->now.phase == w->phase && was.s1 == span.mode.s1 && was.s2 == span.mode.s2;
+  if (w->count > 0 && !goes_on) {
+    w->last = rear_position(w, i);
+    w->first = isnan(w->first) ? w->last : w->first;
   }
-  t->mode = i->mode;
-  t->started = true;
+  if (!goes_on)
+    w->now = (struct stretch){ w->phase, w->since + span.t_begin, 0, span.mode, i->piece };
+  w->now.until = w->since + span.t_end;
+  w->count += !goes_on;
+  if (w->count <= MOST_STRETCHES)
+    w->stretch[w->count - 1] = w->now;
+}
+
+int stretches_of(struct stretch stretches[MOST_STRETCHES], const struct motion *m, const struct answer *answer)
+{
+  const double v0[] = { answer->value[Q_V_START].high, answer->value[Q_V_MID].high };
+  struct walk w = { .stretch = stretches, .crawler = &m->crawler, .phase = m->phase };
+  if (m->of == OF_PHASE)
+    scallop_phase_intervals(w.crawler, w.phase, m->v0, note_interval, &w);
+  for (int kind = 0; kind < 2 && m->of == OF_STEADY; kind++) {
+    w.phase = (enum scallop_phase_kind)kind;
+    scallop_phase_intervals(w.crawler, w.phase, v0[kind], note_interval, &w);
+    w.since = scallop_phase_duration(w.crawler, SCALLOP_EXTENSION);
+  }
+  return w.count;
 }
 
 static enum scallop_status find_turnings(struct answer *a, const struct motion *m)
 {
-  const struct scallop_crawler *c = &m->crawler;
-  bool extension = m->phase == SCALLOP_EXTENSION;
-  struct turning t = {
-    .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
-  };
-  enum scallop_status status = scallop_phase_intervals(c, m->phase, m->v0, note_turning, &t);
-  a->value[Q_AT_FIRST].high = t.first * c->L;
-  a->value[Q_AT_LAST].high = t.last * c->L;
+  struct stretch stretches[MOST_STRETCHES];
+  struct walk w = { .stretch = stretches, .crawler = &m->crawler, .phase = m->phase, .first = NAN, .last = NAN };
+  enum scallop_status status = scallop_phase_intervals(w.crawler, w.phase, m->v0, note_interval, &w);
+  a->value[Q_AT_FIRST].high = w.first * m->crawler.L;
+  a->value[Q_AT_LAST].high = w.last * m->crawler.L;
   return status;
 }
 
@@ -179,43 +230,6 @@ double published_value(const struct scallop_formula *formula, const struct motio
     values.of[SCALLOP_SYMBOL_x_switch] = given->value[Q_AT_LAST].high;
   }
   return read ? scallop_formula_value(read, formula, motion->phase, &values) : NAN;
-}
-
-bool answer_with_errors(struct answer *a, const struct motion *m, double errors[QUANTITIES])
-{
-  struct solved s;
-  struct solved_errors e;
-  bool solved = solve(a, m, &s);
-  enum scallop_status status = !solved ? a->status
-                               : m->of == OF_STEADY
-                                   ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
-                                   : scallop_phase_error(&m->crawler, m->phase, m->v0, &s.phase, &e.phase);
-  for (int q = 0; q < QUANTITIES; q++) {
-    errors[q] = NAN;
-    if (status >= 0 && quantity_rows[q].of == m->of)
-      copy_from(&e, places[q].error, &errors[q], sizeof errors[q]);
-  }
-  return solved;
-}
-
-bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width width)
-{
-  struct solved_wide s;
-  const struct scallop_wide_period *period = &s.steady.period;
-  bool steady = m->of == OF_STEADY;
-  forget(a, steady ? scallop_wide_steady(width, &m->crawler, &s.steady)
-                   : scallop_wide_phase(width, &m->crawler, m->phase, m->v0, &s.phase));
-  if (a->status < 0)
-    return false;
-  for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
-    copy_from(&s, places[q].wide, &a->value[q], sizeof a->value[q]);
-  if (steady) {
-    a->value[Q_FRICTION_WORK] = s.steady.friction_work;
-    a->value[Q_COST_OF_TRANSPORT] = s.steady.cost_of_transport;
-    take_modes(a, period->regime, period->modes, 2);
-  } else
-    take_modes(a, s.phase.regime, &s.phase.modes, 1);
-  return true;
 }
 
 const char *motion_modes_text(char text[MOTION_MODES_TEXT], enum quantity_of of, const struct scallop_modes modes[2])
@@ -269,42 +283,6 @@ const char *mode_in_words(char text[MODE_WORDS], struct scallop_mode mode)
   else
     snprintf(text, MODE_WORDS, "body 1 %s, body 2 %s", ways[mode.s1 + 1], ways[mode.s2 + 1]);
   return text;
-}
-
-/* The stretches so far, while the intervals of a phase are visited */
-struct stretching {
-  struct stretch *stretch;
-  int count;
-  const struct scallop_crawler *crawler;
-  enum scallop_phase_kind phase;
-  double since; /* when the phase begins */
-};
-
-static void stretch_on(void *context, const struct scallop_interval *interval)
-{
-  struct stretching *s = context;
-  const struct scallop_span span = scallop_interval_span(interval, s->crawler, s->phase);
-  const struct stretch now = { s->phase, s->since + span.t_begin, s->since + span.t_end, span.mode, interval->piece };
-  const int n = s->count;
-  if (n > 0 && n <= MOST_STRETCHES && s->stretch[n - 1].phase == now.phase && s->stretch[n - 1].mode.s1 == now.mode.s1
-      && s->stretch[n - 1].mode.s2 == now.mode.s2)
-    s->stretch[n - 1].until = now.until;
-  else if (++s->count <= MOST_STRETCHES)
-    s->stretch[n] = now;
-}
-
-int stretches_of(struct stretch stretches[MOST_STRETCHES], const struct motion *m, const struct answer *answer)
-{
-  const double v0[] = { answer->value[Q_V_START].high, answer->value[Q_V_MID].high };
-  struct stretching s = { .stretch = stretches, .crawler = &m->crawler, .phase = m->phase };
-  if (m->of == OF_PHASE)
-    scallop_phase_intervals(s.crawler, s.phase, m->v0, stretch_on, &s);
-  for (int kind = 0; kind < 2 && m->of == OF_STEADY; kind++) {
-    s.phase = (enum scallop_phase_kind)kind;
-    scallop_phase_intervals(s.crawler, s.phase, v0[kind], stretch_on, &s);
-    s.since = scallop_phase_duration(s.crawler, SCALLOP_EXTENSION);
-  }
-  return s.count;
 }
 
 const char *motion_in_words(char text[MOTION_WORDS], const struct motion *m, const struct answer *answer, int digits)

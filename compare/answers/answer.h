@@ -17,7 +17,10 @@ struct motion {
   enum scallop_phase_kind phase;
   double v0;
 };
-struct motion motion_of(const struct point *point, enum quantity_of of);
+static inline struct motion motion_of(const struct point *p, enum quantity_of of)
+{
+  return (struct motion){ of, p->crawler, p->phase, p->v0 };
+}
 
 struct answer {
   enum scallop_status status;                /* negative: nothing of what follows holds */
@@ -29,13 +32,12 @@ struct answer {
 };
 /* Returns whether there is an answer. */
 bool answer_in_double(struct answer *answer, const struct motion *motion);
-/* Of a solved motion in double the numbers that take a second walk as well: of a phase the positions Q_AT_FIRST and
- * Q_AT_LAST, of a steady state Q_FRICTION_WORK and Q_COST_OF_TRANSPORT. */
-enum scallop_status answer_by_second_walk(struct answer *answer, const struct motion *motion);
 bool answer_in_wide(struct answer *answer, const struct motion *motion, enum scallop_width width);
-/* The answer in double, and for each of its numbers an estimate of the error (numerics/wide/wide.h); nan where there is
- * none. */
+/* In double, and how wrong its numbers are, as numerics/wide estimates it; nan: there is no estimate. */
 bool answer_with_errors(struct answer *answer, const struct motion *motion, double errors[QUANTITIES]);
+/* Fills in what an answer in double has not without a second walk through the motion: the work of friction, and of a
+ * phase the positions of the rear body at the changes of mode. */
+enum scallop_status answer_by_second_walk(struct answer *answer, const struct motion *motion);
 
 /* The longest period at which an extension from rest does not stick, to the last bit; nan: no body ever sticks. The
  * crawler's T is not used. */

@@ -24,7 +24,6 @@ struct at *at_new(const struct asked *asked)
     return complain(asked->command, "out of memory"), NULL;
   memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
   s->asked = asked;
-  s->onset = 1;
   s->certified_errors = asked_certifies_errors(asked);
   return s;
 }
@@ -46,41 +45,31 @@ double at_fail(struct at *s, const char *why)
   return NAN;
 }
 
-static double check(struct at *s, enum scallop_status status, double value)
+static bool succeeds(struct at *s, enum scallop_status status)
 {
-  return status < 0 ? at_fail(s, scallop_status_text(status)) : value;
-}
-
-/* Is this done for the first time at this point? Then it is counted. */
-static bool is_first(bool *done, enum count stage)
-{
-  bool first = !*done;
-  *done = true;
-  count_add(stage, first);
-  return first;
+  if (status < 0)
+    at_fail(s, scallop_status_text(status));
+  return status >= 0;
 }
 
 static void forget(struct at *s)
 {
   const size_t count = (size_t)s->asked->quantities.count;
-  for (int m = 0; m < POINT_MOTIONS; m++) {
-    struct solved *a = &s->solved[m];
-    a->in_double = a->with_errors = a->with_second_walk = false;
-  }
+  for (int m = 0; m < POINT_MOTIONS; m++)
+    s->solved[m].in_double = s->solved[m].with_errors = s->solved[m].with_second_walk = false;
   memset(s->has, 0, count * sizeof *s->has);
   memset(s->comparison, 0, count * sizeof *s->comparison);
-  s->is_outside = s->tells_steady = false;
+  s->is_outside = false;
   s->why[0] = '\0';
 }
 
 void at_move(struct at *s)
 {
-  const char *wrong = s->place.why[0] != '\0' ? s->place.why : NULL;
   forget(s);
+  s->is_outside = s->place.why[0] != '\0';
+  if (s->is_outside)
+    at_fail(s, s->place.why);
   s->place.point.has_v0 |= !s->asked->from_steady;
-  if (wrong)
-    at_fail(s, wrong);
-  s->is_outside = wrong != NULL;
   s->moves++;
   count_add(COUNT_POINTS, 1);
 }
@@ -95,13 +84,11 @@ double at_formula_so_far(void *at, const struct sweep_place *place, const struct
 
 void at_begin_row(struct at *s)
 {
-  s->tells_steady = false;
   if (!s->is_outside)
     s->why[0] = '\0';
 }
 
-/* The phase of a kind from the start of the point, or from rest */
-static enum motion_of_point motion_from(const struct at *s, enum scallop_phase_kind phase, bool from_rest)
+static enum motion_of_point phase_from(const struct at *s, enum scallop_phase_kind phase, bool from_rest)
 {
   const struct point *p = &s->place.point;
   bool rests = from_rest || (p->has_v0 && p->v0 == 0);
@@ -111,9 +98,8 @@ static enum motion_of_point motion_from(const struct at *s, enum scallop_phase_k
 /* The motion that a quantity is of: a formula of a phase from rest is of that, wherever the point's phase begins. */
 static enum motion_of_point motion_of_quantity(const struct at *s, const struct quantity *q)
 {
-  if (q->motion == OF_STEADY)
-    return STEADY_STATE;
-  return motion_from(s, q->phase >= 0 ? (enum scallop_phase_kind)q->phase : s->place.point.phase, q->from_rest);
+  enum scallop_phase_kind phase = q->phase >= 0 ? (enum scallop_phase_kind)q->phase : s->place.point.phase;
+  return q->motion == OF_STEADY ? STEADY_STATE : phase_from(s, phase, q->from_rest);
 }
 
 static const struct answer *solve(struct at *s, enum motion_of_point m);
@@ -129,40 +115,38 @@ static double start_of(struct at *s, enum motion_of_point m)
   return a ? a->value[phase_kind(m) == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high : NAN;
 }
 
+static bool has_start(struct at *s, enum motion_of_point m) { return !isnan(start_of(s, m)); }
+
+double at_v0(struct at *s) { return start_of(s, phase_from(s, s->place.point.phase, false)); }
+
 /* The answer in double; NULL: there is none, and s->why says why. */
 static const struct answer *solve(struct at *s, enum motion_of_point m)
 {
   struct solved *a = &s->solved[m];
-  double v0 = a->in_double ? a->motion.v0 : start_of(s, m);
-  if (isnan(v0))
-    return NULL;
-  if (is_first(&a->in_double, m == STEADY_STATE ? COUNT_STEADY : COUNT_PHASES)) {
-    a->motion = (struct motion){ m == STEADY_STATE ? OF_STEADY : OF_PHASE, s->place.point.crawler, phase_kind(m), v0 };
+  if (!a->in_double) {
+    enum quantity_of of = m == STEADY_STATE ? OF_STEADY : OF_PHASE;
+    a->motion = (struct motion){ of, s->place.point.crawler, phase_kind(m), start_of(s, m) };
+    if (isnan(a->motion.v0))
+      return NULL;
+    a->in_double = true;
+    count_add(m == STEADY_STATE ? COUNT_STEADY : COUNT_PHASES, 1);
     if (answer_in_double(&a->answer, &a->motion))
       count_work(&a->answer.work);
   }
-  return check(s, a->answer.status, 0) == 0 ? &a->answer : NULL;
+  return succeeds(s, a->answer.status) ? &a->answer : NULL;
 }
 
-static bool has_start(struct at *s, enum motion_of_point m) { return !isnan(start_of(s, m)); }
-
-double at_v0(struct at *s) { return start_of(s, motion_from(s, s->place.point.phase, false)); }
-
-/* The answer, with those of its numbers that take another walk, which is only done where one of them is asked for */
-static const struct answer *solve_for(struct at *s, enum motion_of_point m, int quantity)
+/* A number of it, some of which take another walk: that is done where one of them is asked for. */
+static double solve_for(struct at *s, enum motion_of_point m, int quantity)
 {
   struct solved *a = &s->solved[m];
   if (!solve(s, m))
-    return NULL;
-  bool by_second_walk = quantity >= Q_FRICTION_WORK && quantity <= Q_AT_LAST;
-  if (by_second_walk && !a->with_second_walk) {
+    return NAN;
+  if (quantity >= Q_FRICTION_WORK && quantity <= Q_AT_LAST && !a->with_second_walk) {
     count_add(COUNT_PHASES, m != STEADY_STATE);
-    a->second_walk = answer_by_second_walk(&a->answer, &a->motion);
-    a->with_second_walk = true;
+    a->with_second_walk = succeeds(s, answer_by_second_walk(&a->answer, &a->motion));
   }
-  if (by_second_walk)
-    check(s, a->second_walk, 0);
-  return &a->answer;
+  return a->answer.value[quantity].high;
 }
 
 static double estimate(struct at *s, const struct quantity *q)
@@ -174,8 +158,7 @@ static double estimate(struct at *s, const struct quantity *q)
   if (!solve(s, m))
     return NAN;
   if (!a->with_errors)
-    check(s, answer_with_errors(&again, &a->motion, a->estimate) ? SCALLOP_OK : again.status, 0);
-  a->with_errors = true;
+    a->with_errors = answer_with_errors(&again, &a->motion, a->estimate);
   return rounded_up * a->estimate[q->which];
 }
 
@@ -193,19 +176,17 @@ static double onset_of_sticking(struct at *s)
   return s->onset;
 }
 
-static double published(struct at *s, const struct quantity *q)
+static double published(struct at *s, const struct quantity *q, enum motion_of_point m)
 {
-  const struct scallop_formula *f = q->formula;
   const struct scallop_crawler *c = &s->place.point.crawler;
-  enum motion_of_point m = motion_of_quantity(s, q);
   const struct motion motion = { q->motion, *c, phase_kind(m), start_of(s, m) };
   const struct answer *given = NULL;
-  if (formula_takes_given(f)) {
-    given = solve_for(s, m, formula_takes(f, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT);
-    if (!given)
+  if (formula_takes_given(q->formula)) {
+    solve_for(s, m, formula_takes(q->formula, SCALLOP_SYMBOL_x_switch) ? Q_AT_LAST : Q_DT);
+    if (!(given = solve(s, m)))
       return NAN;
   }
-  double value = published_value(f, &motion, given);
+  double value = published_value(q->formula, &motion, given);
   count_add(COUNT_FORMULAS, 1);
   if (!isfinite(value) && !gait_has_ends(c->gait))
     return at_fail(s, gait_no_ends);
@@ -213,105 +194,90 @@ static double published(struct at *s, const struct quantity *q)
 }
 
 /* A series beside what it should be, in balls or by the double solver */
-static void compare(struct at *s, struct series_error *c, const struct quantity *series, int place)
+static const struct series_error *compared(struct at *s, int place)
 {
-  bool is_published = series->kind == QUANTITY_PUBLISHED;
+  const struct quantity *series = &s->asked->quantities.item[place];
+  struct series_error *c = &s->comparison[place];
   enum motion_of_point m = motion_of_quantity(s, series);
-  int quantity = is_published ? (int)quantity_of_formula(series->formula, phase_kind(m)) : series->which;
+  int quantity = series->formula ? (int)quantity_of_formula(series->formula, phase_kind(m)) : series->which;
+  long before = s->failures;
+  if (c->done)
+    return c;
   *c = (struct series_error){ .error = NAN, .value = NAN, .exact = NAN };
-  if (!s->certified_errors) {
-    const struct answer *a = solve_for(s, m, quantity);
-    c->exact = a ? a->value[quantity].high : NAN;
+  if (s->certified_errors && has_start(s, m))
+    *c = at_flint->compare(s, series, quantity, m);
+  else if (!s->certified_errors) {
+    c->exact = solve_for(s, m, quantity);
     c->value = at_number(s, place);
     c->error = c->value - c->exact;
     if (fabs(c->error) < s->asked->accuracy * fabs(c->exact))
       c->error = 0;
-    return;
   }
-  if (has_start(s, m))
-    *c = at_flint->compare(s, series, quantity, m);
-}
-
-static const struct series_error *compared(struct at *s, int place)
-{
-  struct series_error *c = &s->comparison[place];
-  long before = s->failures;
-  if (!c->done)
-    compare(s, c, &s->asked->quantities.item[place], place);
   c->done = s->failures == before;
   return c;
 }
 
-/* What it was set to, or to the bit what the solver says */
-static double froude(struct at *s)
+/* What it was set to; or what follows from the parameters, of the Froude number to the bit what the solver says */
+static double ratio(struct at *s, enum ratio_place which)
 {
+  const struct scallop_crawler *c = &s->place.point.crawler;
   struct scallop_scaled scaled;
-  if (s->place.point.ratio[FROUDE] > 0)
-    return s->place.point.ratio[FROUDE];
-  return check(s, scallop_scale(&s->place.point.crawler, &scaled), 0) == 0 ? 1 / scaled.eps : NAN;
+  if (s->place.point.ratio[which] > 0)
+    return s->place.point.ratio[which];
+  if (which == FROUDE)
+    return succeeds(s, scallop_scale(c, &scaled)) ? 1 / scaled.eps : NAN;
+  return which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
 }
 
-static double ratio(const struct point *p, enum ratio_place which)
+static double parameter(struct at *s, int place)
 {
-  const struct scallop_crawler *c = &p->crawler;
-  return p->ratio[which] > 0 ? p->ratio[which] : which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
+  if (place != PLACE_OF_V0)
+    return crawler_number(&s->place.point.crawler, place);
+  return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
 }
 
 /* Can it be told although the parameters are no point? */
 static bool is_known_outside(const struct at *s, const struct quantity *q)
 {
-  return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_V0
-         || (q->kind == QUANTITY_RATIO && s->place.point.ratio[q->which] > 0);
+  return q->kind == QUANTITY_NUMBER || (q->kind == QUANTITY_RATIO && s->place.point.ratio[q->which] > 0);
 }
 
-static double compute(struct at *s, const struct quantity *q)
+static double compute(struct at *s, int place)
 {
-  static const struct series_error none = { .value = NAN, .exact = NAN, .error = NAN };
+  const struct quantity *q = &s->asked->quantities.item[place];
   enum motion_of_point m = motion_of_quantity(s, q);
-  const struct answer *a;
+  if (quantity_is_text(q))
+    return text_number(at_text(s, place, 0));
   if (s->place.is_unread || (s->is_outside && !is_known_outside(s, q)))
     return NAN; /* the point has no such thing */
   if (s->certified_errors && q->is_compared)
-    return compared(s, (int)(q - s->asked->quantities.item))->value; /* rounded from the one that the error is of */
-  const struct series_error *series = quantity_is_comparison(q) ? compared(s, q->of) : &none;
+    return compared(s, place)->value; /* rounded from the one that the error is of */
   switch (q->kind) {
-  case QUANTITY_NUMBER: return crawler_number(&s->place.point.crawler, q->which);
-  case QUANTITY_V0: return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
-  case QUANTITY_FROUDE: return froude(s);
-  case QUANTITY_RATIO: return ratio(&s->place.point, (enum ratio_place)q->which);
+  case QUANTITY_ANSWER: return solve_for(s, m, q->which);
+  case QUANTITY_NUMBER: return parameter(s, q->which);
+  case QUANTITY_RATIO: return ratio(s, (enum ratio_place)q->which);
   case QUANTITY_ONSET: return onset_of_sticking(s);
-  case QUANTITY_ANSWER: a = solve_for(s, m, q->which); return a ? a->value[q->which].high : NAN;
   case QUANTITY_ESTIMATE: return estimate(s, q);
-  case QUANTITY_PUBLISHED: return published(s, q);
+  case QUANTITY_PUBLISHED: return published(s, q, m);
   case QUANTITY_DERIVED:
   case QUANTITY_LIMIT: return has_start(s, m) ? at_flint->sum(s, q, m) : NAN;
-  case QUANTITY_EXACT: return series->exact;
-  case QUANTITY_ERROR: return series->error;
-  case QUANTITY_RELATIVE: return series->error / fabs(series->exact);
-  case QUANTITY_STUDIED: return at_study->number(s, q);
+  case QUANTITY_EXACT: return compared(s, q->of)->exact;
+  case QUANTITY_ERROR: return compared(s, q->of)->error;
+  case QUANTITY_RELATIVE: return compared(s, q->of)->error / fabs(compared(s, q->of)->exact);
   case QUANTITY_FORMULA: return at_formula(s, q->own);
-  default: return NAN; /* texts, and what only a trajectory has */
+  case QUANTITY_STUDIED: return at_study->number(s, q);
+  default: return NAN; /* what only a trajectory has */
   }
-}
-
-/* What is asked for, of which the row then tells something */
-static const struct quantity *ask(struct at *s, int quantity)
-{
-  const struct quantity *q = &s->asked->quantities.item[quantity];
-  bool answered = q->kind == QUANTITY_ANSWER || q->kind == QUANTITY_REGIME || q->kind == QUANTITY_MODES;
-  s->tells_steady |= (answered || quantity_is_comparison(q)) && q->motion == OF_STEADY;
-  return q;
 }
 
 double at_number(struct at *s, int quantity)
 {
-  const struct quantity *q = ask(s, quantity);
-  if (s->has[quantity])
-    return s->value[quantity];
   long before = s->failures;
-  double x = quantity_is_text(q) ? text_number(at_text(s, quantity, 0)) : compute(s, q);
-  s->has[quantity] = s->failures == before; /* a failure is told in each row; solutions are kept */
-  return s->value[quantity] = x;
+  if (!s->has[quantity]) {
+    s->value[quantity] = compute(s, quantity);
+    s->has[quantity] = s->failures == before; /* a failure is told in each row; solutions are kept */
+  }
+  return s->value[quantity];
 }
 
 static const char *status_text(struct at *s)
@@ -321,58 +287,41 @@ static const char *status_text(struct at *s)
     return s->why;
   if (s->as_written)
     return "certified";
-  return s->tells_steady && steady->in_double ? answer_status_text(s->text, &steady->answer) : "ok";
+  return steady->in_double ? answer_status_text(s->text, &steady->answer) : "ok";
 }
 
-/* The regime or the modes, in double or proven */
-static const char *how(struct at *s, const struct quantity *q)
-{
-  enum motion_of_point m = motion_of_quantity(s, q);
-  struct answer proven;
-  const struct answer *a = &proven;
-  if (s->is_outside)
-    return "-";
-  if (!s->as_written)
-    a = solve(s, m);
-  else if (!has_start(s, m) || !at_flint->modes(s, m, &proven.regime, proven.modes))
-    a = NULL;
-  return !a                           ? "-"
-         : q->kind == QUANTITY_REGIME ? scallop_regime_text(a->regime)
-                                      : motion_modes_text(s->text, q->motion, a->modes);
-}
-
-/* In double, whatever else is certified; "-" is no failure */
-static const char *in_words(struct at *s, enum motion_of_point m)
+/* The regime, the modes, or these in words: in double, or proven */
+static const char *how(struct at *s, const struct quantity *q, enum motion_of_point m)
 {
   enum { SHOWN = 6 };
-  long failures = s->failures;
-  bool had_why = s->why[0] != '\0';
-  const struct answer *a = s->is_outside || had_why ? NULL : solve(s, m);
-  if (!had_why && s->as_written) {
-    s->why[0] = '\0';
-    s->failures = failures;
-  }
-  return a ? motion_in_words(s->text, &s->solved[m].motion, a, SHOWN) : "-";
+  if (s->as_written && q->kind != QUANTITY_WORDS)
+    return has_start(s, m) ? at_flint->text(s, q, 0, m) : "-";
+  const struct answer *a = q->kind == QUANTITY_WORDS && s->why[0] != '\0' ? NULL : solve(s, m);
+  if (!a)
+    return "-";
+  if (q->kind == QUANTITY_REGIME)
+    return scallop_regime_text(a->regime);
+  return q->kind == QUANTITY_MODES ? motion_modes_text(s->text, q->motion, a->modes)
+                                   : motion_in_words(s->text, &s->solved[m].motion, a, SHOWN);
 }
 
 const char *at_text(struct at *s, int quantity, long digits)
 {
-  const struct quantity *q = ask(s, quantity);
+  const struct quantity *q = &s->asked->quantities.item[quantity];
   const struct point *p = &s->place.point;
+  const char *label = q->kind == QUANTITY_LABEL ? s->place.label[q->which] : NULL;
   enum motion_of_point m = motion_of_quantity(s, q);
   switch (q->kind) {
   case QUANTITY_GAIT: return s->place.is_unread ? "-" : p->crawler.gait->name;
-  case QUANTITY_LABEL: return s->place.label[q->which] ? s->place.label[q->which] : "-";
-  case QUANTITY_CARRIED: return s->place.carried[q->which];
   case QUANTITY_PHASE_NAME:
     return s->place.is_unread ? "-" : p->phase == SCALLOP_EXTENSION ? "extension" : "contraction";
-  case QUANTITY_REGIME:
-  case QUANTITY_MODES: return how(s, q);
-  case QUANTITY_WORDS: return in_words(s, m);
+  case QUANTITY_LABEL: return label ? label : "-";
+  case QUANTITY_CARRIED: return s->place.carried[q->which];
+  case QUANTITY_STATUS: return status_text(s);
   case QUANTITY_STUDIED_TEXT: return s->is_outside ? "-" : at_study->text(s, q);
   case QUANTITY_CERTIFIED:
     return !s->is_outside && has_start(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
-  default: return status_text(s);
+  default: return s->is_outside ? "-" : how(s, q, m);
   }
 }
 

@@ -20,7 +20,6 @@ static inline enum scallop_phase_kind phase_kind(enum motion_of_point m)
 
 struct solved { /* one of them, as far as it has been asked for */
   bool in_double, with_errors, with_second_walk;
-  enum scallop_status second_walk; /* where there was one */
   struct motion motion;
   struct answer answer;
   double estimate[QUANTITIES]; /* of the errors of the numbers of the answer */
@@ -42,7 +41,6 @@ struct at {
   struct at_study *study; /* likewise */
   bool is_outside;        /* the parameters are no point: nothing but they can be told */
   bool as_written;        /* regime, modes and status are those of certified answers: set for each row */
-  bool tells_steady;      /* the row has something of the steady state in doubles */
   struct solved solved[POINT_MOTIONS];
   double onset;
   struct scallop_crawler onset_of;
@@ -75,9 +73,9 @@ double at_formula(struct at *at, const struct formula *formula);
 /* The start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series, which are kept for the last crawlers. Motions are those
- * of the point, and their start velocities known. NULL until the part of the program that needs FLINT is there
- * (answers/flint.h), which such quantities take for granted. */
+/* What a point needs FLINT for: certified answers, and series. Motions are those of the point, and their start
+ * velocities known. NULL until the part of the program that needs FLINT is there (answers/flint.h), which such
+ * quantities take for granted. */
 typedef void at_work(struct at *at, int i, void *context);
 struct at_flint_functions {
   void (*free)(struct at_flint *flint);
@@ -85,10 +83,8 @@ struct at_flint_functions {
   double (*sum)(struct at *at, const struct quantity *series, enum motion_of_point m);
   /* Of a series and the quantity of the certified answer that it is to be; the error is 0 below the accuracy. */
   struct series_error (*compare)(struct at *at, const struct quantity *series, int quantity, enum motion_of_point m);
-  /* A certified value with so many digits; it lives until the next call. */
+  /* A certified value with so many digits, or the certified regime or modes; it lives until the next call. */
   const char *(*text)(struct at *at, const struct quantity *q, long digits, enum motion_of_point m);
-  /* The regime and the modes of the certified answer; false: there is none. */
-  bool (*modes)(struct at *at, enum motion_of_point m, enum scallop_regime *regime, struct scallop_modes modes[2]);
   /* How many threads are worth it for so many items; work for each i < count shared out among so many, each with an at
    * of its own */
   int (*threads)(long items);

@@ -13,13 +13,12 @@
 #include "model/exact/scoped.h"
 #include "numerics/threads.h"
 
-/* Series that do not depend on T are kept for so many crawlers: those derived last. */
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
 
+/* Series do not depend on T: those of the last KEPT crawlers are kept, whatever varies fastest. */
 struct kept_series {
-  bool used;
   enum motion_of_point motion;
-  struct scallop_rational_crawler crawler; /* but for its T */
+  struct scallop_rational_crawler crawler;
   fmpq_t v0;
   struct series_answer answer;
 };
@@ -27,49 +26,24 @@ struct kept_series {
 SCOPED_PARTS(kept_series, struct kept_series, KEPT_PARTS)
 
 struct at_flint {
-  struct kept_series kept[KEPT];
-  int next;  /* the series that makes room for a new one */
-  long move; /* of the point whose crawler and v0 these are */
   struct scallop_rational_crawler crawler;
   fmpq_t v0, start, T; /* v0 as it is written; start and T of the motion looked at, the period or a phase's duration */
-  bool certified[POINT_MOTIONS];
-  struct ball_answer answer[POINT_MOTIONS];
+  long move;           /* of the point that these are of */
+  bool is_certified[POINT_MOTIONS];
+  struct ball_answer certified[POINT_MOTIONS];
+  struct kept_series kept[KEPT];
+  int series; /* that were derived so far: each takes the place of the oldest */
   char *text;
-  long order[2]; /* of series, by enum quantity_of: terms below T^order */
 };
 #define POINT_PARTS(of) \
-  of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(fmpq, s->start) of(fmpq, s->T) of(ball_answer, &s->answer[0]) \
-      of(ball_answer, &s->answer[1]) of(ball_answer, &s->answer[2]) of(ball_answer, &s->answer[3]) \
-          of(ball_answer, &s->answer[4])
+  of(scallop_rational, &s->crawler) of(fmpq, s->v0) of(fmpq, s->start) of(fmpq, s->T) \
+      of(ball_answer, &s->certified[0]) of(ball_answer, &s->certified[1]) of(ball_answer, &s->certified[2]) \
+          of(ball_answer, &s->certified[3]) of(ball_answer, &s->certified[4])
 SCOPED_PARTS(at_flint, struct at_flint, POINT_PARTS)
-
-/* The most that is asked for; of the limit so many that they hold the first term, as some begin with T^3 */
-static void find_orders(struct at_flint *f, const struct quantities *all)
-{
-  for (int i = 0; i < all->count; i++) {
-    const struct quantity *q = &all->item[i];
-    if (q->kind != QUANTITY_DERIVED && q->kind != QUANTITY_LIMIT)
-      continue;
-    enum quantity_of of = quantity_rows[q->which].of;
-    long order = q->kind == QUANTITY_DERIVED ? q->order : of == OF_PHASE ? 8 : 1;
-    f->order[of] = order > f->order[of] ? order : f->order[of];
-  }
-}
-
-/* What is kept for the point, and begun with the first thing that is asked of it */
-static struct at_flint *flint_of(struct at *s)
-{
-  if (!s->flint) {
-    s->flint = flint_calloc(1, sizeof *s->flint);
-    at_flint_init(s->flint);
-    find_orders(s->flint, &s->asked->quantities);
-  }
-  return s->flint;
-}
 
 static void flint_end(struct at_flint *f)
 {
-  for (int i = 0; i < KEPT && f->kept[i].used; i++)
+  for (int i = 0; i < KEPT && i < f->series; i++)
     kept_series_clear(&f->kept[i]);
   at_flint_clear(f);
   flint_free(f->text);
@@ -80,12 +54,17 @@ static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STA
 
 /* Sets the crawler and v0 as they are written, start and T. A start velocity that is a steady one is the double that it
  * is. */
-static void look_at(struct at *s, enum motion_of_point m)
+static struct at_flint *look_at(struct at *s, enum motion_of_point m)
 {
-  struct at_flint *f = flint_of(s);
+  const struct scallop_wide *steady = s->solved[STEADY_STATE].answer.value;
+  if (!s->flint) {
+    s->flint = flint_calloc(1, sizeof *s->flint);
+    at_flint_init(s->flint);
+  }
+  struct at_flint *f = s->flint;
   if (f->move != s->moves) {
     rational_point(&f->crawler, f->v0, &s->place.point);
-    memset(f->certified, 0, sizeof f->certified);
+    memset(f->is_certified, 0, sizeof f->is_certified);
     f->move = s->moves;
   }
   if (m == STEADY_STATE)
@@ -97,8 +76,8 @@ static void look_at(struct at *s, enum motion_of_point m)
   else if (s->place.point.has_v0)
     fmpq_set(f->start, f->v0);
   else
-    scallop_rational_set_double(
-        f->start, s->solved[STEADY_STATE].answer.value[phase_kind(m) == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high);
+    scallop_rational_set_double(f->start, steady[phase_kind(m) == SCALLOP_EXTENSION ? Q_V_START : Q_V_MID].high);
+  return f;
 }
 
 static bool same_but_T(const struct scallop_rational_crawler *a, const struct scallop_rational_crawler *b)
@@ -110,10 +89,10 @@ static bool same_but_T(const struct scallop_rational_crawler *a, const struct sc
 /* Digits that certified answers need: for texts, and for errors where these are certified */
 static long certified_digits(const struct at *s)
 {
-  long of_texts = s->asked->digits + TEXT_DIGITS < SCALLOP_MOST_DIGITS ? s->asked->digits + TEXT_DIGITS
-                                                                       : SCALLOP_MOST_DIGITS;
+  long of_texts = s->asked->digits + TEXT_DIGITS;
   long of_errors = s->certified_errors ? (long)ceil(-log10(s->asked->accuracy) + SPARE_DIGITS) : 0;
-  return of_texts > of_errors ? of_texts : of_errors;
+  long most = of_texts > of_errors ? of_texts : of_errors;
+  return most < SCALLOP_MOST_DIGITS ? most : SCALLOP_MOST_DIGITS;
 }
 
 /* For series: beyond the digits as many bits as there are terms */
@@ -123,33 +102,39 @@ static slong bits_of(const struct at *s, long order)
   return (slong)(3.33 * (double)(digits > SUM_DIGITS ? digits : SUM_DIGITS)) + GUARD_BITS + order;
 }
 
-/* The series of a motion that is looked at, derived if they are not kept */
-static const struct series_answer *series_at(const struct at *s, enum motion_of_point m)
+/* The most that is asked for; of the limit so many that they hold the first term, as some begin with T^3 */
+static long order_of_series(const struct quantities *all, enum quantity_of of)
 {
-  struct at_flint *f = s->flint;
-  for (int i = 0; i < KEPT; i++) {
-    const struct kept_series *k = &f->kept[i];
-    if (k->used && k->motion == m && same_but_T(&k->crawler, &f->crawler) && fmpq_equal(k->v0, f->start))
-      return &k->answer;
+  long most = 0;
+  for (const struct quantity *q = all->item; q < all->item + all->count; q++) {
+    long order = q->kind == QUANTITY_DERIVED ? q->order : q->kind != QUANTITY_LIMIT ? 0 : of == OF_PHASE ? 8 : 1;
+    most = q->motion == of && order > most ? order : most;
   }
-  long order = f->order[kind_of(m)];
-  struct kept_series *k = &f->kept[f->next++ % KEPT];
-  if (k->used)
-    kept_series_clear(k);
-  kept_series_init(k);
-  k->used = true;
+  return most;
+}
+
+/* The series of a motion, derived if they are not kept */
+static const struct series_answer *series_at(struct at *s, enum motion_of_point m)
+{
+  struct at_flint *f = look_at(s, m);
+  for (const struct kept_series *k = f->kept; k < f->kept + KEPT && k < f->kept + f->series; k++)
+    if (k->motion == m && same_but_T(&k->crawler, &f->crawler) && fmpq_cmp(k->v0, f->start) == 0)
+      return &k->answer;
+  struct kept_series *k = &f->kept[f->series % KEPT];
+  if (f->series++ < KEPT)
+    kept_series_init(k);
+  long order = order_of_series(&s->asked->quantities, kind_of(m));
   k->motion = m;
   scallop_rational_copy(&k->crawler, &f->crawler);
   fmpq_set(k->v0, f->start);
   count_add(COUNT_EXPANSIONS, 1);
-  answer_in_series(&k->answer, &k->crawler, kind_of(m), phase_kind(m), k->v0, order, bits_of(s, order));
+  answer_in_series(&k->answer, &f->crawler, kind_of(m), phase_kind(m), f->start, order, bits_of(s, order));
   return &k->answer;
 }
 
 /* The sum of a derived series. False: there is none, and s->why says why, unless the motion has no such quantity. */
 static bool derived_value(arb_t value, struct at *s, const struct quantity *q, enum motion_of_point m, slong precision)
 {
-  look_at(s, m);
   const struct series_answer *a = series_at(s, m);
   const struct series *series = a->value[q->which];
   if (a->status != SCALLOP_OK)
@@ -174,26 +159,30 @@ static double sum(struct at *s, const struct quantity *series, enum motion_of_po
 /* The certified answer; NULL: there is none, and s->why says why. */
 static const struct ball_answer *certified(struct at *s, enum motion_of_point m)
 {
-  char text[POINT_STATUS];
-  look_at(s, m);
-  struct ball_answer *a = &s->flint->answer[m];
-  if (!s->flint->certified[m]) {
+  struct at_flint *f = look_at(s, m);
+  struct ball_answer *a = &f->certified[m];
+  char why[POINT_STATUS];
+  if (!f->is_certified[m]) {
     long digits = certified_digits(s);
     count_add(COUNT_CERTIFIED, 1);
     count_add(COUNT_CERTIFIED_DIGITS, digits);
-    answer_in_balls(a, &s->flint->crawler, kind_of(m), phase_kind(m), s->flint->start, digits);
-    s->flint->certified[m] = true;
+    answer_in_balls(a, &f->crawler, kind_of(m), phase_kind(m), f->start, digits);
+    f->is_certified[m] = true;
   }
   if (a->status == SCALLOP_OK)
     return a;
-  snprintf(text, sizeof text, "%s%s%s", scallop_status_text(a->status), a->why ? ": " : "", a->why ? a->why : "");
-  at_fail(s, text);
+  snprintf(why, sizeof why, "%s%s%s", scallop_status_text(a->status), a->why ? ": " : "", a->why ? a->why : "");
+  at_fail(s, why);
   return NULL;
 }
 
 static const char *text(struct at *s, const struct quantity *q, long digits, enum motion_of_point m)
 {
   const struct ball_answer *a = certified(s, m);
+  if (q->kind != QUANTITY_CERTIFIED)
+    return !a                          ? "-"
+           : q->kind == QUANTITY_MODES ? motion_modes_text(s->text, q->motion, a->modes)
+                                       : scallop_regime_text(a->regime);
   if (!a || !a->value[q->which])
     return "nan";
   flint_free(s->flint->text);
@@ -208,9 +197,8 @@ static bool formula_value(arb_t value, struct at *s, const struct scallop_formul
   const struct ball_answer *given = formula_takes_given(f) ? certified(s, m) : NULL;
   if (formula_takes_given(f) && (!given || !given->phase.switches))
     return false;
-  look_at(s, m);
-  bool found = published_in_balls(value, f, &s->flint->crawler, phase_kind(m), s->flint->start, s->flint->T, given,
-                                  precision);
+  const struct at_flint *a = look_at(s, m);
+  bool found = published_in_balls(value, f, &a->crawler, phase_kind(m), a->start, a->T, given, precision);
   if (gait_has_ends(s->place.point.crawler.gait) || (found && !formula_takes(f, SCALLOP_SYMBOL_L_kin)))
     return found;
   at_fail(s, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
@@ -232,25 +220,15 @@ static struct series_error compare(struct at *s, const struct quantity *series, 
   const struct ball_answer *answer = certified(s, m);
   const arb_struct *exact = answer ? answer->value[quantity] : NULL;
   SCOPED(arb, value);
-  count_add(series->kind == QUANTITY_PUBLISHED ? COUNT_FORMULAS : COUNT_SUMS, 1);
-  bool found = series->kind == QUANTITY_PUBLISHED ? formula_value(value, s, series->formula, m, precision)
-                                                  : derived_value(value, s, series, m, precision);
+  count_add(series->formula ? COUNT_FORMULAS : COUNT_SUMS, 1);
+  bool found = series->formula ? formula_value(value, s, series->formula, m, precision)
+                               : derived_value(value, s, series, m, precision);
   struct series_error c = { .value = found ? middle(value) : NAN, .exact = exact ? middle(exact) : NAN, .error = NAN };
   if (found && exact) {
     arb_sub(value, value, exact, precision);
     c.error = is_below(value, exact, s->asked->accuracy) ? 0 : middle(value);
   }
   return c;
-}
-
-static bool modes(struct at *s, enum motion_of_point m, enum scallop_regime *regime, struct scallop_modes modes[2])
-{
-  const struct ball_answer *a = certified(s, m);
-  if (a) {
-    *regime = a->regime;
-    memcpy(modes, a->modes, sizeof a->modes);
-  }
-  return a != NULL;
 }
 
 static int threads(long items) { return threads_for(0, items); }
@@ -272,7 +250,7 @@ static void share(struct at *const *at, int workers, int count, at_work *work, v
   }
 }
 
-static const struct at_flint_functions functions = { flint_end, sum, compare, text, modes, threads, share };
+static const struct at_flint_functions functions = { flint_end, sum, compare, text, threads, share };
 
 /* When it is loaded, or, where a program is linked with it, before main */
 static void __attribute__((constructor)) offer(void) { at_flint = &functions; }

@@ -1,16 +1,16 @@
 #include "compare/answers/quantities.h"
-#include "compare/book/book.h"
 
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/book/book.h"
 #include "compare/points/point.h"
 #include "compare/text/message.h"
 
 const struct quantity_row quantity_rows[] = {
-  [Q_FROUDE] = { "froude", "1", "M L / (T^2 (F1 + F2))", .kind = QUANTITY_FROUDE },
+  [Q_FROUDE] = { "froude", "1", "M L / (T^2 (F1 + F2))", .kind = QUANTITY_RATIO, .which = FROUDE },
   [Q_V_START] = { "v_start", "length/time", "velocity of both bodies at the start of the extension", OF_STEADY,
                   .has_series = true },
   [Q_V_MID] = { "v_mid", "length/time", "velocity of both bodies at the start of the contraction", OF_STEADY,
@@ -47,7 +47,7 @@ const struct quantity_row quantity_rows[] = {
   { "L", .kind = QUANTITY_NUMBER, .which = 4 },
   { "T", .kind = QUANTITY_NUMBER, .which = 5 },
   { "alpha", .kind = QUANTITY_NUMBER, .which = 6 },
-  { "v0", .kind = QUANTITY_V0 },
+  { "v0", .kind = QUANTITY_NUMBER, .which = PLACE_OF_V0 },
   { "F1_over_F2", .kind = QUANTITY_RATIO, .which = F1_OVER_F2 },
   { "m1_over_m2", .kind = QUANTITY_RATIO, .which = M1_OVER_M2 },
   { "gait", .kind = QUANTITY_GAIT },
@@ -56,7 +56,7 @@ const struct quantity_row quantity_rows[] = {
     .kind = QUANTITY_ONSET },
   { "status", NULL, "ok, or why there is no answer", .kind = QUANTITY_STATUS },
   { "regime", .kind = QUANTITY_REGIME },
-  { "modes", .kind = QUANTITY_MODES },
+  { "modes", "1", "directions of bodies 1 and 2: + forward, - backward, 0 stuck", .kind = QUANTITY_MODES },
   { "motion", NULL, "the modes in words, with their times", .kind = QUANTITY_WORDS },
   { "phase_regime", .of = OF_PHASE, .kind = QUANTITY_REGIME },
   { "phase_modes", .of = OF_PHASE, .kind = QUANTITY_MODES },
@@ -79,9 +79,6 @@ const struct quantity_row quantity_rows[] = {
   { .name = NULL }
 };
 
-enum quantity_id quantity_first(enum quantity_of of) { return of == OF_STEADY ? Q_FROUDE : FIRST_OF_PHASE; }
-enum quantity_id quantity_end(enum quantity_of of) { return of == OF_STEADY ? FIRST_OF_PHASE : QUANTITIES; }
-
 /* The row of this name, or the last, which has none. */
 static const struct quantity_row *row_named(const char *name)
 {
@@ -99,15 +96,14 @@ enum quantity_id quantity_of_name(const char *name)
 
 const struct column_meaning *quantity_meaning(const char *name)
 {
-  static const struct column_meaning modes = { "", "directions of bodies 1 and 2: + forward, - backward, 0 stuck", true,
-                                               "| ends the extension" };
   static struct column_meaning meaning;
   const struct quantity_row *row = row_named(name);
-  if (strcmp(name, "modes") == 0)
-    return &modes;
-  if (row->unit)
-    meaning = (struct column_meaning){ strcmp(row->unit, "1") == 0 ? "" : row->unit, row->sentence, false, NULL };
-  return row->unit ? &meaning : NULL;
+  bool is_modes = row->kind == QUANTITY_MODES;
+  if (!row->unit)
+    return NULL;
+  meaning = (struct column_meaning){ strcmp(row->unit, "1") == 0 ? "" : row->unit, row->sentence, is_modes,
+                                     is_modes ? "| ends the extension" : NULL };
+  return &meaning;
 }
 
 /* What formulas are about, in an extension and in a contraction: the bodies exchange their roles. */
@@ -149,57 +145,102 @@ bool formula_takes_given(const struct scallop_formula *f)
          || formula_takes(f, SCALLOP_SYMBOL_x_switch);
 }
 
-enum { MOST_ORDER = 1000, MOST_NAMES = 160 };
-
-/* What a name begins with, if it is about a row of the table or about a series */
-static const struct {
+/* What a name begins with, and what the rest of it has to be: a number of a motion, or a series */
+static const struct prefix {
   const char *text;
   enum quantity_kind kind;
   int which;
-} prefixes[] = { { "exact.", QUANTITY_EXACT, 0 },
-                 { "error.", QUANTITY_ERROR, 0 },
-                 { "relative.", QUANTITY_RELATIVE, 0 },
-                 { "certified.", QUANTITY_CERTIFIED, 0 },
-                 { "limit.", QUANTITY_LIMIT, 0 },
-                 { "derived_", QUANTITY_DERIVED, 0 },
-                 { "reach_", QUANTITY_STUDIED, STUDIED_REACH },
-                 { "value.", QUANTITY_STUDIED, STUDIED_VALUE },
-                 { "deviation.", QUANTITY_STUDIED, STUDIED_DEVIATION },
-                 { "error_limit.", QUANTITY_STUDIED, STUDIED_ERROR_LIMIT },
-                 { "verdict.", QUANTITY_STUDIED_TEXT, STUDIED_VERDICT },
-                 { "order.", QUANTITY_STUDIED, STUDIED_ORDER } };
-enum { PREFIXES = sizeof prefixes / sizeof *prefixes };
+  enum { OF_ANSWER, OF_SERIES, OF_STEADY_SERIES, OF_STEADY_FORMULA } of;
+} prefixes[] = {
+  { "certified.", QUANTITY_CERTIFIED, 0, OF_ANSWER },
+  { "derived_", QUANTITY_DERIVED, 0, OF_ANSWER }, /* and the order, which a dot ends */
+  { "limit.", QUANTITY_LIMIT, 0, OF_ANSWER },
+  { "exact.", QUANTITY_EXACT, 0, OF_SERIES },
+  { "error.", QUANTITY_ERROR, 0, OF_SERIES },
+  { "relative.", QUANTITY_RELATIVE, 0, OF_SERIES },
+  { "reach_", QUANTITY_STUDIED, STUDIED_REACH, OF_STEADY_SERIES }, /* likewise the tolerance */
+  { "value.", QUANTITY_STUDIED, STUDIED_VALUE, OF_STEADY_SERIES },
+  { "deviation.", QUANTITY_STUDIED, STUDIED_DEVIATION, OF_STEADY_SERIES },
+  { "error_limit.", QUANTITY_STUDIED, STUDIED_ERROR_LIMIT, OF_STEADY_SERIES },
+  { "verdict.", QUANTITY_STUDIED_TEXT, STUDIED_VERDICT, OF_STEADY_FORMULA },
+  { "order.", QUANTITY_STUDIED, STUDIED_ORDER, OF_STEADY_FORMULA },
+  { .text = NULL },
+};
 
-/* The place of the prefix that the name begins with, or PREFIXES */
-static int prefix_of(const char *name)
+/* The one that the name begins with, or the last, which has no text */
+static const struct prefix *prefix_of(const char *name)
 {
-  int i = 0;
-  while (i < PREFIXES && strncmp(name, prefixes[i].text, strlen(prefixes[i].text)) != 0)
-    i++;
-  return i;
+  const struct prefix *p = prefixes;
+  while (p->text && strncmp(name, p->text, strlen(p->text)) != 0)
+    p++;
+  return p;
+}
+
+/* Takes the number that a prefix ends with. Returns what is behind its dot, or NULL. */
+static const char *read_number_of(struct quantity *q, const char *text)
+{
+  enum { MOST_ORDER = 1000 };
+  char *end;
+  double x = strtod(text, &end);
+  if (*text < '0' || *text > '9')
+    return NULL;
+  end -= end[-1] == '.'; /* that of "8." is no part of the number */
+  bool fits = x > 0;
+  if (q->kind == QUANTITY_DERIVED) {
+    q->order = x <= MOST_ORDER ? (long)x : 0;
+    fits = q->order > 0 && x == (double)q->order;
+  } else
+    q->tolerance = x;
+  return fits && *end == '.' ? end + 1 : NULL;
+}
+
+/* The quantity with this prefix and the rest of its name. Returns 0, or what quantity_named returns where there is
+ * none. */
+static int prefixed_named(struct quantity *q, struct quantities *all, const struct prefix *p, const char *rest)
+{
+  q->kind = p->kind;
+  q->which = p->which;
+  if (p->text[strlen(p->text) - 1] == '_' && !(rest = read_number_of(q, rest)))
+    return -1;
+  if (p->of == OF_ANSWER) {
+    const struct quantity_row *row = &quantity_rows[q->which = (int)quantity_of_name(rest)];
+    q->motion = row->of;
+    return q->which < NAMED_QUANTITIES && (row->has_series || q->kind == QUANTITY_CERTIFIED) ? 0 : -1;
+  }
+  q->of = quantity_named(all, rest);
+  if (q->of < 0)
+    return q->of;
+  struct quantity *series = &all->item[q->of];
+  q->motion = series->motion;
+  q->phase = series->phase;
+  q->from_rest = series->from_rest;
+  bool fits = quantity_is_series(series) && (p->of == OF_SERIES || series->motion == OF_STEADY)
+              && (p->of != OF_STEADY_FORMULA || series->kind == QUANTITY_PUBLISHED);
+  series->is_compared |= fits && p->of == OF_SERIES;
+  return fits ? 0 : -1;
 }
 
 /* "v_start_error" */
 static bool estimate_named(struct quantity *q, const char *name)
 {
   char of[QUANTITY_NAME];
-  size_t length = strlen(name);
-  bool is = length > 6 && length < QUANTITY_NAME && strcmp(name + length - 6, "_error") == 0;
-  snprintf(of, sizeof of, "%.*s", is ? (int)length - 6 : 0, name);
+  int length = (int)strlen(name) - (int)strlen("_error");
+  if (length < 0 || strcmp(name + length, "_error") != 0)
+    return false;
+  snprintf(of, sizeof of, "%.*s", length, name);
   q->kind = QUANTITY_ESTIMATE;
   q->which = (int)quantity_of_name(of);
-  q->motion = is && q->which < QUANTITIES ? quantity_rows[q->which].of : OF_STEADY;
-  return is && q->which < QUANTITIES;
+  q->motion = quantity_rows[q->which].of;
+  return q->which < QUANTITIES;
 }
 
 /* "rest_dT:contraction", of a formula that both phases have; others are of the one that they are printed for */
 static bool published_named(struct quantity *q, const char *name)
 {
-  static const char *const phases[] = { [SCALLOP_EXTENSION] = ":extension", [SCALLOP_CONTRACTION] = ":contraction" };
+  static const char *const phases[] = { "extension", "contraction", NULL };
   char text[QUANTITY_NAME];
   const char *colon = strrchr(name, ':');
-  for (int i = 0; colon && i < 2 && q->phase < 0; i++)
-    q->phase = strcmp(colon, phases[i]) == 0 ? i : -1;
+  q->phase = colon ? word_place(colon + 1, phases) : -1;
   snprintf(text, sizeof text, "%.*s", q->phase < 0 ? (int)strlen(name) : (int)(colon - name), name);
   const struct scallop_formula *f = formula_named(text);
   if (!f || (q->phase >= 0 && f->setting != SCALLOP_AT_REST_START))
@@ -213,99 +254,49 @@ static bool published_named(struct quantity *q, const char *name)
   return true;
 }
 
-/* The place of the name in a list, or count */
+/* The place of the name in a list of so many, or -1 */
 static int place_among(const char *const *names, int count, const char *name)
 {
-  int i = 0;
-  while (i < count && strcmp(names[i], name) != 0)
-    i++;
+  int i = count - 1;
+  while (i >= 0 && strcmp(names[i], name) != 0)
+    i--;
   return i;
 }
 
-/* A column of a file takes the place of a number of a motion, and not that of a parameter. */
+/* A label or a column of a file takes the place of a number of a motion, and not that of a parameter. */
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
 {
   const struct quantity_row *row = row_named(name);
+  bool gives_way = !row->name || row->kind == QUANTITY_ANSWER || row->kind == QUANTITY_SAMPLE
+                   || row->kind == QUANTITY_FORMULA;
   int label = place_among(all->label, all->labels, name), carried = place_among(all->carried, all->carries, name);
-  bool gives_way = !row->name || row->kind == QUANTITY_ANSWER || row->kind == QUANTITY_SAMPLE || row->formula;
+  if (gives_way && (label >= 0 || carried >= 0)) {
+    q->kind = label >= 0 ? QUANTITY_LABEL : QUANTITY_CARRIED;
+    q->which = label >= 0 ? label : carried;
+    return true;
+  }
   q->kind = row->kind;
   q->which = row->kind == QUANTITY_ANSWER ? (int)(row - quantity_rows) : row->which;
   q->motion = row->of;
-  if (gives_way && label < all->labels) {
-    q->kind = QUANTITY_LABEL;
-    q->which = label;
-  } else if (gives_way && carried < all->carries) {
-    q->kind = QUANTITY_CARRIED;
-    q->which = carried;
-  } else if (!row->name)
-    return published_named(q, name) || estimate_named(q, name);
-  return true;
+  return row->name || published_named(q, name) || estimate_named(q, name);
 }
 
 bool quantity_is_other(const char *name)
 {
   static const struct quantities none = { .count = 0 };
   struct quantity q = { .phase = -1 };
-  return prefix_of(name) < PREFIXES || (plain_named(&q, &none, name) && q.kind != QUANTITY_PUBLISHED);
+  return prefix_of(name)->text || (plain_named(&q, &none, name) && q.kind != QUANTITY_PUBLISHED);
 }
 
-/* Past the N. of derived_N., or NULL */
-static const char *read_order(struct quantity *q, const char *text)
+static int place_in(const struct quantities *all, const char *name)
 {
-  char *end;
-  if (*text < '1' || *text > '9')
-    return NULL;
-  q->order = strtol(text, &end, 10);
-  return *end == '.' && q->order <= MOST_ORDER ? end + 1 : NULL;
+  int i = all->count - 1;
+  while (i >= 0 && strcmp(all->item[i].name, name) != 0)
+    i--;
+  return i;
 }
 
-/* Past the tolerance of a reach, or NULL */
-static const char *read_tolerance(struct quantity *q, const char *text)
-{
-  char *end = NULL;
-  q->tolerance = strtod(text, &end);
-  if (*text < '0' || *text > '9')
-    return NULL;
-  return q->tolerance > 0 && *end == '.' ? end + 1 : NULL;
-}
-
-/* What is about a series: a study of one of the steady state, or what it should be and how far it is off */
-static int about_series(struct quantity *q, struct quantities *all, const char *rest)
-{
-  bool is_studied = quantity_is_studied(q), is_reach = is_studied && q->which == STUDIED_REACH;
-  bool of_formula = is_studied && (q->which == STUDIED_VERDICT || q->which == STUDIED_ORDER);
-  if (is_reach && !(rest = read_tolerance(q, rest)))
-    return -1;
-  q->of = quantity_named(all, rest);
-  if (q->of < 0)
-    return q->of;
-  const struct quantity *series = &all->item[q->of];
-  q->motion = series->motion;
-  q->phase = series->phase;
-  q->from_rest = series->from_rest;
-  bool fits = quantity_is_series(series) && (!is_studied || series->motion == OF_STEADY)
-              && (!of_formula || series->kind == QUANTITY_PUBLISHED);
-  return fits ? 0 : -1;
-}
-
-/* The quantity of this kind about the one with the rest of the name. Returns 0, or what quantity_named returns where
- * there is none. */
-static int named_about(struct quantity *q, struct quantities *all, const char *rest)
-{
-  if (quantity_is_comparison(q) || quantity_is_studied(q))
-    return about_series(q, all, rest);
-  if (q->kind == QUANTITY_DERIVED && !(rest = read_order(q, rest)))
-    return -1;
-  q->which = (int)quantity_of_name(rest);
-  if (q->which == NAMED_QUANTITIES || (q->kind != QUANTITY_CERTIFIED && !quantity_rows[q->which].has_series))
-    return -1;
-  q->motion = quantity_rows[q->which].of;
-  return 0;
-}
-
-static int place_of(void *quantities, const char *name) { return quantity_named(quantities, name); }
-
-/* Its place in the list; -2: there is no room. */
+/* Returns its place, or -2: there is no room. */
 static int add(struct quantities *all, const struct quantity *q)
 {
   if (all->count == MOST_QUANTITIES)
@@ -314,26 +305,18 @@ static int add(struct quantities *all, const struct quantity *q)
   return all->count++;
 }
 
-static int place_in(const struct quantities *all, const char *name)
-{
-  int i = 0;
-  while (i < all->count && strcmp(all->item[i].name, name) != 0)
-    i++;
-  return i;
-}
+static int place_of(void *quantities, const char *name) { return quantity_named(quantities, name); }
 
 int quantity_of_text(struct quantities *all, const char *name, const char *text)
 {
   const struct formula_names names = { .place = place_of, .context = all };
-  struct quantity q = { .kind = QUANTITY_FORMULA, .of = -1, .phase = -1 };
+  struct quantity q = { .kind = QUANTITY_FORMULA, .of = -1, .phase = -1, .own = malloc(sizeof *q.own) };
   char wrong[FORMULA_MESSAGE];
   snprintf(q.name, sizeof q.name, "%s", name);
   int place = place_in(all, q.name);
-  if (place < all->count)
-    return place;
-  q.own = malloc(sizeof *q.own);
-  place = q.own && !formula_read(q.own, text, &names, wrong) ? add(all, &q) : -1;
-  if (place < 0)
+  if (place < 0 && q.own && !formula_read(q.own, text, &names, wrong))
+    place = add(all, &q);
+  if (place < 0 || all->item[place].own != q.own)
     free(q.own);
   return place;
 }
@@ -341,29 +324,22 @@ int quantity_of_text(struct quantities *all, const char *name, const char *text)
 int quantity_named(struct quantities *all, const char *name)
 {
   struct quantity q = { .of = -1, .phase = -1 };
-  int prefix = prefix_of(name), found = 0, place = place_in(all, name);
-  if (place < all->count)
+  const struct prefix *prefix = prefix_of(name);
+  int place = place_in(all, name);
+  if (place >= 0 || strlen(name) >= QUANTITY_NAME)
     return place;
-  if (strlen(name) >= QUANTITY_NAME)
-    return -1;
-  snprintf(q.name, sizeof q.name, "%s", name);
-  if (prefix < PREFIXES && place_among(all->carried, all->carries, name) == all->carries) {
-    q.kind = prefixes[prefix].kind;
-    q.which = prefixes[prefix].which;
-    found = named_about(&q, all, name + strlen(prefixes[prefix].text));
-  } else
-    found = plain_named(&q, all, name) ? 0 : -1;
+  strcpy(q.name, name);
+  int found = prefix->text && place_among(all->carried, all->carries, name) < 0
+                  ? prefixed_named(&q, all, prefix, name + strlen(prefix->text))
+                  : (int)plain_named(&q, all, name) - 1;
   if (found < 0)
     return found;
-  if (q.kind == QUANTITY_FORMULA)
-    return quantity_of_text(all, name, row_named(name)->formula);
-  if (quantity_is_comparison(&q))
-    all->item[q.of].is_compared = true;
-  return add(all, &q);
+  return q.kind == QUANTITY_FORMULA ? quantity_of_text(all, name, row_named(name)->formula) : add(all, &q);
 }
 
 const char *quantity_near(const struct quantities *all, const char *name)
 {
+  enum { MOST_NAMES = 160 };
   const char *names[MOST_NAMES + 1], *dot = strrchr(name, '.');
   const struct scallop_formula *f;
   int n = 0;
@@ -417,7 +393,7 @@ const char *asked_needs_flint(const struct asked *asked)
   bool certifies = asked_certifies_errors(asked);
   for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++)
     if (q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT
-        || quantity_is_studied(q) || (certifies && quantity_is_comparison(q)))
+        || q->kind == QUANTITY_STUDIED || q->kind == QUANTITY_STUDIED_TEXT || (certifies && quantity_is_comparison(q)))
       return q->name;
   return NULL;
 }

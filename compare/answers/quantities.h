@@ -1,8 +1,8 @@
 /* Quantities: what can be asked of a point, by name, and in which words and units.
  *
- * All plain names stand in one table, quantity_rows. A new number of a motion is a row there and its value in each of
- * the arithmetics that have it (answer.c, answer_flint.c); a formula of others is a row there, and no more. Beside
- * these there are the labels of a sweep, the columns of a file of points, and
+ * All plain names stand in one table, quantity_rows: a number of a motion, with its value in each of the arithmetics
+ * that have it (answer.c, answer_flint.c); or a formula of others, which is a row there and no more. Beside these there
+ * are the labels of a sweep, the columns of a file of points, and
  *
  *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it; of a phase from rest
  *     rest_dT:contraction                         that of the contraction, whatever the point's phase is
@@ -44,8 +44,7 @@ enum quantity_id {
   Q_DX2,
   Q_DXC,
   QUANTITIES,
-  /* Columns where their names are asked for: in double they take a second walk. */
-  Q_FRICTION_WORK = QUANTITIES,
+  Q_FRICTION_WORK = QUANTITIES, /* columns where their names are asked for: in double they take a second walk */
   Q_COST_OF_TRANSPORT,
   NAMED_QUANTITIES,
   /* No columns, but what formulas of the paper are about: the position of the rear body, from its start, at the first
@@ -57,51 +56,46 @@ enum quantity_id {
   ALL_QUANTITIES
 };
 
+/* How a quantity is taken; `which` of them: */
 enum quantity_kind {
-  /* numbers */
-  QUANTITY_ANSWER, /* which: enum quantity_id                                                     */
-  QUANTITY_NUMBER, /* which: its place among the crawler's numbers                                */
-  QUANTITY_V0,
-  QUANTITY_FROUDE,
-  QUANTITY_RATIO, /* which: enum ratio_place, but for the Froude number                         */
-  QUANTITY_ONSET,
-  QUANTITY_ESTIMATE, /* which: the quantity whose error is estimated                                */
-  QUANTITY_SAMPLE,   /* which: enum sample_value                                                    */
-  QUANTITY_STUDIED,  /* which: enum studied                                                         */
-  QUANTITY_FORMULA,  /* own: of other quantities                                                    */
-  QUANTITY_EXACT,    /* of: the series                                                              */
+  QUANTITY_ANSWER,   /* enum quantity_id; likewise of estimates, derived series, limits and what is certified */
+  QUANTITY_NUMBER,   /* its place among the numbers of a point */
+  QUANTITY_RATIO,    /* enum ratio_place */
+  QUANTITY_ONSET,    /* of sticking */
+  QUANTITY_ESTIMATE, /* of the error of an answer */
+  QUANTITY_SAMPLE,   /* enum sample_value */
+  QUANTITY_STUDIED,  /* enum studied */
+  QUANTITY_FORMULA,  /* of other quantities */
+  QUANTITY_EXACT,    /* what a series should be */
   QUANTITY_ERROR,
   QUANTITY_RELATIVE,
-  /* series */
-  QUANTITY_PUBLISHED,
-  QUANTITY_DERIVED, /* which: as QUANTITY_ANSWER                                                   */
-  QUANTITY_LIMIT,   /* likewise                                                                    */
-  /* texts */
-  QUANTITY_GAIT,
+  QUANTITY_PUBLISHED, /* series: of the paper, or of a book */
+  QUANTITY_DERIVED,
+  QUANTITY_LIMIT,
+  QUANTITY_GAIT, /* texts */
   QUANTITY_PHASE_NAME,
-  QUANTITY_LABEL,   /* which                                                                       */
-  QUANTITY_CARRIED, /* which: a cell of a file of points                                           */
+  QUANTITY_LABEL,   /* its place among them */
+  QUANTITY_CARRIED, /* its place among the cells of a file of points */
   QUANTITY_REGIME,
   QUANTITY_MODES,
-  QUANTITY_WORDS, /* the modes with their times                                                  */
+  QUANTITY_WORDS, /* the modes with their times */
   QUANTITY_STATUS,
-  QUANTITY_CERTIFIED,   /* which: as QUANTITY_ANSWER                                                   */
-  QUANTITY_STUDIED_TEXT /* which: enum studied                                                         */
+  QUANTITY_CERTIFIED,
+  QUANTITY_STUDIED_TEXT /* enum studied */
 };
 
-/* What takes a study of the crawler along T (compare/summary/studied.c) */
-enum studied {
-  STUDIED_REACH,
-  STUDIED_VALUE,
-  STUDIED_DEVIATION,
-  STUDIED_ERROR_LIMIT,
-  STUDIED_ORDER,
-  STUDIED_EVENT_T,
-  STUDIED_BEST_ORDER,
-  STUDIED_BEST_ERROR,
-  STUDIED_VERDICT,
-  STUDIED_EVENT,
-  STUDIED_REVERSALS
+enum studied { /* what takes a study of the crawler along T (compare/summary/studied.c) */
+               STUDIED_REACH,
+               STUDIED_VALUE,
+               STUDIED_DEVIATION,
+               STUDIED_ERROR_LIMIT,
+               STUDIED_ORDER,
+               STUDIED_EVENT_T,
+               STUDIED_BEST_ORDER,
+               STUDIED_BEST_ERROR,
+               STUDIED_VERDICT,
+               STUDIED_EVENT,
+               STUDIED_REVERSALS
 };
 
 enum sample_value { SAMPLE_T, SAMPLE_X1, SAMPLE_X2, SAMPLE_XC, SAMPLE_V1, SAMPLE_V2, SAMPLE_L, SAMPLE_VALUES };
@@ -110,7 +104,7 @@ enum sample_value { SAMPLE_T, SAMPLE_X1, SAMPLE_X2, SAMPLE_XC, SAMPLE_V1, SAMPLE
 struct quantity_row {
   const char *name;
   const char *unit;     /* in words, of the parameters' units; 1: a number without one; NULL: it is not told */
-  const char *sentence; /* what it is                                         */
+  const char *sentence; /* what it is */
   enum quantity_of of;
   bool has_series; /* in powers of T */
   enum quantity_kind kind;
@@ -120,18 +114,20 @@ struct quantity_row {
 extern const struct quantity_row quantity_rows[]; /* the last without a name */
 
 /* The columns of a motion: the first, and the one after the last; they stand together. */
-enum quantity_id quantity_first(enum quantity_of of);
-enum quantity_id quantity_end(enum quantity_of of);
+static inline enum quantity_id quantity_first(enum quantity_of of) { return of == OF_STEADY ? 0 : FIRST_OF_PHASE; }
+static inline enum quantity_id quantity_end(enum quantity_of of)
+{
+  return of == OF_STEADY ? FIRST_OF_PHASE : QUANTITIES;
+}
 
 /* What the column of this name is, for people, in their units; NULL: it is none of these. */
 const struct column_meaning *quantity_meaning(const char *name);
-
 /* That of this name, or NAMED_QUANTITIES. */
 enum quantity_id quantity_of_name(const char *name);
 
-/* What a formula of the paper is about, in a phase of this kind. */
+/* What a formula of the paper is about, in a phase of this kind; and the same in the paper's symbols and the names of
+ * the bodies of that phase: "x1(T-dT)", "dT". */
 enum quantity_id quantity_of_formula(const struct scallop_formula *formula, enum scallop_phase_kind kind);
-/* The same in the paper's symbols and the names of the bodies of that phase: "x1(T-dT)", "dT". */
 const char *formula_quantity_text(const struct scallop_formula *formula, enum scallop_phase_kind kind);
 /* Does the formula take switching times, or a position at one, as given? */
 bool formula_takes_given(const struct scallop_formula *formula);
@@ -142,18 +138,18 @@ struct quantity {
   char name[QUANTITY_NAME];
   enum quantity_kind kind;
   int which;
-  enum quantity_of motion; /* that it is about                                                              */
-  int phase;               /* of a formula, and what is compared with one: that it is of; -1: that of the point */
-  bool from_rest;          /* likewise: whatever the start of the point is                                  */
-  bool is_compared;        /* a series with what it should be                                               */
-  long order;              /* derived: of the terms below T^order                                           */
-  int of;                  /* what is about a series: its place in the list; else -1                        */
-  double tolerance;        /* of a reach                                                                    */
-  const struct scallop_formula *formula; /* published                                                             */
-  struct formula *own; /* of QUANTITY_FORMULA; without a row its name is its text                               */
+  enum quantity_of motion; /* that it is about */
+  int phase;               /* of a formula, and of what is about one: that it is of; -1: that of the point */
+  bool from_rest;          /* likewise: whatever the start of the point is */
+  bool is_compared;        /* a series with what it should be */
+  long order;              /* derived: of the terms below T^order */
+  int of;                  /* what is about a series: its place in the list; else -1 */
+  double tolerance;        /* of a reach */
+  const struct scallop_formula *formula; /* published */
+  struct formula *own;                   /* of QUANTITY_FORMULA */
 };
 
-/* The quantities that a scene uses, each once. */
+/* The quantities that tables ask for, each once. */
 struct quantities {
   int count, labels;
   const char *label[QUANTITY_LABELS]; /* freed with it */
@@ -165,8 +161,7 @@ struct quantities {
 /* The place of the quantity called name, which is added if it is new; -1: there is none of that name; -2: no room for
  * more. */
 int quantity_named(struct quantities *all, const char *name);
-/* The place of a formula of quantities as a quantity, which is called name and is found by it where no quantity has
- * that name; negative: as above, or the formula is wrong. */
+/* The same of a formula of quantities, which is called name from then on; negative also where the formula is wrong. */
 int quantity_of_text(struct quantities *all, const char *name, const char *formula);
 /* Is it the name of a quantity, or what names of quantities begin with, but not that of a formula? */
 bool quantity_is_other(const char *name);
@@ -178,17 +173,13 @@ static inline bool quantity_is_comparison(const struct quantity *q)
 {
   return q->kind >= QUANTITY_EXACT && q->kind <= QUANTITY_RELATIVE;
 }
-static inline bool quantity_is_studied(const struct quantity *q)
-{
-  return q->kind == QUANTITY_STUDIED || q->kind == QUANTITY_STUDIED_TEXT;
-}
 /* Is it a series: published, derived, or the limit? */
 static inline bool quantity_is_series(const struct quantity *q)
 {
   return q->kind >= QUANTITY_PUBLISHED && q->kind <= QUANTITY_LIMIT;
 }
 
-enum { DIGITS_OF_DOUBLE = 17, MOST_CERTIFIED_DIGITS = 10000 };
+enum { DIGITS_OF_DOUBLE = 17 };
 /* Errors against doubles are told down to this part of the exact value. */
 #define ACCURACY_OF_DOUBLES 1e-10
 

@@ -3,8 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-bool has_many_points(const struct request *request) { return request->points || request->sweep.products > 0; }
-
 /* L, T and alpha are not among gaits of which a measured one brings its own. */
 bool is_held(const struct request *r, const char *parameter)
 {
@@ -21,30 +19,29 @@ bool is_held(const struct request *r, const char *parameter)
   return true;
 }
 
-void parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const char *const *not_held, bool as_written)
+const char *parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const char *const *not_held,
+                            bool as_written)
 {
   size_t used = 0;
   *text = '\0';
-  for (int i = 0; crawler_parameters[i]; i++) {
-    const char *name = crawler_parameters[i], *written = as_written && i < CRAWLER_NUMBERS ? p->written[i] : NULL;
+  for (int i = 0; i <= CRAWLER_NUMBERS; i++) {
+    const char *written = i == CRAWLER_NUMBERS ? p->crawler.gait->name : as_written ? p->written[i] : NULL;
     char number[NUMBER_TEXT];
-    if (name_among(not_held, name))
+    if (name_among(not_held, crawler_parameters[i]))
       continue;
-    if (i < CRAWLER_NUMBERS)
+    if (!written)
       number_text(number, crawler_number(&p->crawler, i), 0);
-    used += (size_t)snprintf(text + used, PARAMETERS_TEXT - used, " %s=%s", name,
-                             written               ? written
-                             : i < CRAWLER_NUMBERS ? number
-                                                   : p->crawler.gait->name);
+    used += (size_t)snprintf(text + used, PARAMETERS_TEXT - used, " %s=%s", crawler_parameters[i],
+                             written ? written : number);
   }
+  return text;
 }
 
 void note_parameters(struct table *t, const struct point *p, const char *const *not_held, bool as_written)
 {
-  char line[PARAMETERS_TEXT];
-  parameters_text(line, p, not_held, as_written);
-  if (*line)
-    table_note(t, "parameters:%s", line);
+  char text[PARAMETERS_TEXT];
+  if (*parameters_text(text, p, not_held, as_written))
+    table_note(t, "parameters:%s", text);
 }
 
 void point_tell_noise(const struct point *p, const struct style *style)
@@ -54,7 +51,6 @@ void point_tell_noise(const struct point *p, const struct style *style)
   if (reversals > 0 && !style->quiet)
     fprintf(stderr,
             "scallop %s: note: in %.200s l' changes its sign %d times within the phases. If that is noise, smooth the "
-            "table: "
-            "the spline goes through every point\n",
+            "table: the spline goes through every point\n",
             style->command, gait->name + 9, reversals);
 }

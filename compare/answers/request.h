@@ -33,17 +33,16 @@ struct request {
 };
 
 /* Are there, or may there be, many points? */
-bool has_many_points(const struct request *request);
+static inline bool has_many_points(const struct request *r) { return r->points || r->sweep.products > 0; }
 /* Is the parameter the same in all rows? */
 bool is_held(const struct request *request, const char *parameter);
 
-/* " m1=1 ...": the parameters without those in not_held; as below */
+/* " m1=1 ...": the crawler's parameters but those in not_held (NULL-terminated, or NULL: none), which vary or are not
+ * used. as_written: numbers with all the digits that were given; else doubles. Returns text. */
 enum { PARAMETERS_TEXT = CRAWLER_NUMBERS * (NUMBER_LENGTH + 8) + GAIT_TEXT };
-void parameters_text(char text[PARAMETERS_TEXT], const struct point *point, const char *const *not_held,
-                     bool as_written);
-/* "# parameters: m1=1 ...": the parameters that hold in every row. Left out are those in not_held (NULL-terminated, or
- * NULL: none), which vary or are not used. as_written: numbers with all the digits that were given; else doubles. No
- * line where nothing holds. */
+const char *parameters_text(char text[PARAMETERS_TEXT], const struct point *point, const char *const *not_held,
+                            bool as_written);
+/* "# parameters: m1=1 ...", or no line where there is none. */
 void note_parameters(struct table *table, const struct point *point, const char *const *not_held, bool as_written);
 
 /* Prints a note where the gait is a noisy measurement: its spline goes through every point. */

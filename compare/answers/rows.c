@@ -1,14 +1,168 @@
+/* The columns of a table by the texts that ask for them, their cells at a point, and the head of the table. */
 #include "compare/answers/rows.h"
 
+#include <math.h>
 #include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/book/book.h"
+#include "compare/points/counts.h"
 #include "compare/points/defaults.h"
 #include "compare/text/tsv.h"
 #include "compare/text/values.h"
 
 _Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
+
+/* The text that gives the sheet's own name, or NULL; *meaning: what it stands for */
+static const char *own_text(const struct sheet *s, const char *name, const char **meaning)
+{
+  for (const char *const *own = s->own; own && *own; own++) {
+    int length;
+    *meaning = column_formula(*own, &length);
+    if ((int)strlen(name) == length && strncmp(*own, name, (size_t)length) == 0)
+      return *own;
+  }
+  return NULL;
+}
+
+/* An own name that is a formula of quantities becomes a quantity too, so that other formulas can take it. */
+static int place_of(void *sheet, const char *name)
+{
+  struct quantities *all = &((struct sheet *)sheet)->asked->quantities;
+  const char *meaning, *own = own_text(sheet, name, &meaning);
+  int place = quantity_named(all, own ? meaning : name);
+  return place < 0 && own ? quantity_of_text(all, own, meaning) : place;
+}
+
+static const char *near_to(void *sheet, const char *name, const char *const *functions)
+{
+  return functions ? nearest(name, functions) : quantity_near(&((struct sheet *)sheet)->asked->quantities, name);
+}
+
+const char *sheet_no_quantity(const struct asked *asked, const char *name)
+{
+  const char *near = quantity_near(&asked->quantities, name);
+  return wrong_text("there is no quantity '%.80s'%s", name,
+                    *name == '(' ? formula_instead(name)
+                    : near       ? did_you_mean(near)
+                                 : " (docs/scenes.md lists them)");
+}
+
+static const char *missing(void *sheet, const char *name)
+{
+  return sheet_no_quantity(((struct sheet *)sheet)->asked, name);
+}
+
+const char *sheet_formula(struct asked *asked, struct formula *formula, const char *text)
+{
+  static char wrong[FORMULA_MESSAGE];
+  struct sheet plain = { .asked = asked };
+  const struct formula_names names = { .place = place_of, .nearest = near_to, .context = &plain };
+  return formula_read(formula, text, &names, wrong);
+}
+
+/* Does any column take a quantity of which that holds? */
+static bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantity *))
+{
+  int places[FORMULA_STEPS];
+  for (int i = 0; i < s->columns.count; i++)
+    for (int k = column_places(&s->columns.item[i], places); k-- > 0;)
+      if (holds(&s->asked->quantities.item[places[k]]))
+        return true;
+  return false;
+}
+
+static bool is_derived(const struct quantity *q) { return q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT; }
+
+/* NULL, or why the column cannot have that quantity */
+static const char *refusal(const struct sheet *s, const struct column *column, const struct quantity *q)
+{
+  const struct quantity *series = q->of >= 0 ? &s->asked->quantities.item[q->of] : q;
+  bool is_number = !quantity_is_text(q) || q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_CARRIED;
+  if (column->formula && !is_number)
+    return "is a text, which stands alone in a column";
+  if (q->kind == QUANTITY_SAMPLE && !s->of_samples)
+    return "is a quantity of a trajectory";
+  if (q->kind == QUANTITY_STATUS && s->of_samples)
+    return "is nothing that a trajectory has: it ends where it cannot go on";
+  if (s->asked->from_steady && q->motion == OF_PHASE && is_derived(series))
+    return "is derived for a start that stays the same as T falls: from rest, or from a velocity";
+  return NULL;
+}
+
+static bool is_status(const struct quantity *q) { return q->kind == QUANTITY_STATUS; }
+
+/* Adds a column. NULL, or what is wrong with the text: that lives until the next call. */
+static const char *sheet_add(struct sheet *s, const char *text)
+{
+  const char *meaning, *own = own_text(s, text, &meaning), *why;
+  struct sheet plain = { .asked = s->asked }; /* in the meaning of an own name there are no own names */
+  const struct column_names names = { { place_of, near_to, NULL, own ? &plain : s }, missing };
+  int places[FORMULA_STEPS];
+  text = own ? own : text;
+  s->early_status |= sheet_takes(s, is_status);
+  const char *wrong = column_add(&s->columns, text, &names);
+  const struct column *added = &s->columns.item[s->columns.count - 1];
+  for (int i = wrong ? 0 : column_places(added, places); i-- > 0;) {
+    const struct quantity *q = &s->asked->quantities.item[places[i]];
+    if ((why = refusal(s, added, q)))
+      return strcmp(text, q->name) == 0 ? wrong_text("%s %s", text, why)
+                                        : wrong_text("'%.100s': %s %s", text, q->name, why);
+  }
+  return wrong;
+}
+
+void sheet_head(const struct sheet *s, struct table *t)
+{
+  for (int i = 0; i < s->columns.count; i++)
+    table_columns(t, (const char *const[]){ s->columns.item[i].name, NULL });
+}
+
+static void put_text(const struct sheet *s, struct table *t, struct at *at, int quantity)
+{
+  const char *text = at_text(at, quantity, s->digits);
+  enum quantity_kind kind = s->asked->quantities.item[quantity].kind;
+  if (kind == QUANTITY_CARRIED)
+    table_carried(t, text);
+  else if (kind != QUANTITY_CERTIFIED)
+    table_text(t, text);
+  else if (strcmp(text, "nan") == 0)
+    table_number(t, NAN);
+  else
+    table_digits(t, text);
+}
+
+static void put_number(const struct sheet *s, struct table *t, struct at *at, int quantity)
+{
+  const struct quantity *q = &s->asked->quantities.item[quantity];
+  double x = at_number(at, quantity);
+  char shortest[NUMBER_TEXT];
+  if (q->kind == QUANTITY_ESTIMATE)
+    table_rounded(t, x, "%.3g");
+  else if (q->kind != QUANTITY_NUMBER || !s->as_written)
+    table_number(t, x);
+  else { /* with all the digits that were given: --digits is of what is proven */
+    const char *written = at->place.is_unread ? NULL : at->place.point.written[q->which];
+    number_text(shortest, x, 0);
+    table_carried(t, written ? written : shortest);
+  }
+}
+
+void sheet_row(const struct sheet *s, struct table *t, struct at *at)
+{
+  const struct column *end = s->columns.item + s->columns.count;
+  at->as_written = s->as_written;
+  for (const struct column *c = s->columns.item; s->early_status && c < end; c++)
+    c->formula ? at_formula(at, c->formula) : at_number(at, c->place);
+  for (const struct column *c = s->columns.item; c < end; c++)
+    if (c->formula)
+      table_number(t, at_formula(at, c->formula));
+    else
+      (quantity_is_text(&s->asked->quantities.item[c->place]) ? put_text : put_number)(s, t, at, c->place);
+  count_add(COUNT_ROWS, 1);
+}
 
 const char rows_no_memory[] = "out of memory";
 
@@ -20,31 +174,25 @@ const char *rows_own(struct rows *r, const char *format, ...)
   va_start(arguments, format);
   vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
-  while (r->own && r->own[count])
-    if (strcmp(r->own[count++], text) == 0)
+  for (; r->own[count]; count++)
+    if (strcmp(r->own[count], text) == 0)
       return NULL;
-  char **grown = realloc(r->own, (size_t)(count + 2) * sizeof *grown), *copy = strdup(text);
-  r->own = grown ? grown : r->own;
-  if (!grown || !copy)
-    return free(copy), rows_no_memory;
-  grown[count] = copy;
-  grown[count + 1] = NULL;
-  return NULL;
+  r->own[count] = count < TABLE_COLUMNS ? strdup(text) : NULL;
+  return r->own[count] ? NULL : rows_no_memory;
 }
 
 void rows_free(struct rows *r)
 {
-  for (char **own = r->own; own && *own; own++)
+  for (char **own = r->own; *own; own++)
     free(*own);
-  free(r->own);
   free(r->context);
-  sheet_free(&r->sheet);
+  column_list_free(&r->sheet.columns);
 }
 
 static const char *add_all(struct sheet *s, const char *const *texts, int count)
 {
   const char *wrong = NULL;
-  for (int i = 0; i < count && texts && texts[i] && !wrong; i++)
+  for (int i = 0; i < count && texts[i] && !wrong; i++)
     wrong = sheet_add(s, texts[i]);
   return wrong;
 }
@@ -75,38 +223,40 @@ static const char *settle(struct rows *r)
 /* What is drawn and not among the usual columns stands behind them; among chosen ones it has to be. */
 static const char *add_drawn(struct rows *r, bool are_chosen)
 {
-  static char message[400];
   const struct plot *plot = &r->request->style.plot;
-  const char *const lists[] = { plot->x, plot->y, plot->by }, *const options[] = { "x", "y", "by" };
+  const char *const lists[] = { plot->x, plot->y, plot->by }, *const options[] = { "x", "y", "by" }, *wrong = NULL;
   char name[QUANTITY_NAME];
   for (int i = 0; i < 3 && plot->file; i++)
     for (const char *rest = lists[i]; next_item(name, sizeof name, &rest);) {
-      const char *wrong = column_list_has(&r->sheet.columns, name) ? NULL
-                          : are_chosen                             ? wrong_text("the table has no column %s", name)
-                                                                   : sheet_add(&r->sheet, name);
-      if (wrong) {
-        snprintf(message, sizeof message, "--plot-%s: %.350s", options[i], wrong);
-        return message;
-      }
+      if (!column_list_has(&r->sheet.columns, name))
+        wrong = are_chosen ? wrong_text("the table has no column %s", name) : sheet_add(&r->sheet, name);
+      if (wrong)
+        return wrong_text("--plot-%s: %.350s", options[i], wrong);
     }
   return NULL;
 }
 
 static const char *add_columns(struct rows *r)
 {
+  const char *const *own = (const char *const *)r->own, *wrong = NULL;
+  const struct quantities *all = &r->sheet.asked->quantities;
   const struct table_choice *choice = r->choice ? r->choice : r->request->style.choice;
+  const struct {
+    const char *const *texts;
+    int count;
+  } usual[] = { { all->label, all->labels },
+                { crawler_parameters, r->has_parameters ? TABLE_COLUMNS : 0 },
+                { r->extra, ROWS_EXTRA },
+                { all->carried, all->carries },
+                { own, TABLE_COLUMNS } };
   if (r->behind)
     choice = NULL; /* of all columns of the table */
-  const struct quantities *all = &r->sheet.asked->quantities;
-  r->sheet.own = (const char *const *)r->own;
-  const char *wrong = choice ? add_all(&r->sheet, choice->names, choice->count)
-                             : add_all(&r->sheet, all->label, all->labels);
+  r->sheet.own = own;
   if (choice)
-    return wrong ? wrong : add_drawn(r, true);
-  const char *const *const lists[] = { crawler_parameters, r->extra, all->carried, (const char *const *)r->own };
-  for (size_t i = r->has_parameters ? 0 : 1; i < sizeof lists / sizeof *lists && !wrong; i++)
-    wrong = add_all(&r->sheet, lists[i], lists[i] == all->carried ? all->carries : TABLE_COLUMNS);
-  return wrong || r->behind ? wrong : add_drawn(r, false);
+    wrong = add_all(&r->sheet, choice->names, choice->count);
+  for (size_t i = 0; i < sizeof usual / sizeof *usual && !choice && !wrong; i++)
+    wrong = add_all(&r->sheet, usual[i].texts, usual[i].count);
+  return wrong || r->behind ? wrong : add_drawn(r, choice != NULL);
 }
 
 const char *rows_columns(struct rows *r)
@@ -126,23 +276,27 @@ static bool is_renamed(const struct rows *r, const char *parameter)
   return false;
 }
 
-/* What was given on the command line in place of the scene's; false: nothing was. */
+/* Notes the parameters that were given on the command line in place of the scene's. False: none was. */
 static bool note_given(struct rows *r)
 {
   const struct point *p = r->request->scene->given;
-  char text[1024];
-  size_t used = 0;
-  for (int i = 0; i <= CRAWLER_NUMBERS && used < sizeof text; i++) {
-    const char *given = i < CRAWLER_NUMBERS ? p->written[i] : p->has_gait ? p->crawler.gait->name : NULL;
-    const char *which = is_renamed(r, crawler_parameters[i]) ? " (of the crawler, not the column)" : "";
-    if (given)
-      used += (size_t)snprintf(text + used, sizeof text - used, " %s=%s%s", crawler_parameters[i], given, which);
+  const char *not_given[CRAWLER_NUMBERS + 2] = { NULL };
+  char text[PARAMETERS_TEXT];
+  bool renamed = false;
+  int count = 0;
+  for (int i = 0; i <= CRAWLER_NUMBERS; i++) {
+    bool given = i < CRAWLER_NUMBERS ? p->written[i] != NULL : p->has_gait;
+    renamed |= given && is_renamed(r, crawler_parameters[i]);
+    if (!given)
+      not_given[count++] = crawler_parameters[i];
   }
-  if (used > 0)
-    table_note(&r->table, "in place of what the scene says of them:%s", text);
-  return used > 0;
+  if (count <= CRAWLER_NUMBERS)
+    table_note(&r->table, "in place of what the scene says of them:%s%s", parameters_text(text, p, not_given, true),
+               renamed ? " (of the crawler, not the column)" : "");
+  return count <= CRAWLER_NUMBERS;
 }
 
+/* Notes the parameters that are the same in all rows; a column of that name may be something else. */
 static void note_held(struct rows *r)
 {
   const char *not_held[CRAWLER_NUMBERS + 2] = { NULL };
@@ -155,7 +309,8 @@ static void note_held(struct rows *r)
 
 static bool is_of_start(const struct quantity *q)
 {
-  return q->motion == OF_PHASE || q->kind == QUANTITY_V0 || q->kind == QUANTITY_PHASE_NAME;
+  return q->motion == OF_PHASE || (q->kind == QUANTITY_NUMBER && q->which == PLACE_OF_V0)
+         || q->kind == QUANTITY_PHASE_NAME;
 }
 
 /* What quantities of a phase are about, where a row has any */

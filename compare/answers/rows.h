@@ -1,10 +1,34 @@
 /* The one loop: points times quantities are tables. A command plans a table, its columns and what it does at a point;
- * the tables of a scene share their points, so that what several ask for is computed once. */
+ * the tables of a scene share their points, so that what several ask for is computed once.
+ *
+ * The columns are a sheet, by the texts that ask for them. A text is QUANTITY, NAME = FORMULA or FORMULA, of names of
+ * quantities (quantities.h) and of the sheet's own names, which come first: "regime = phase_regime" makes regime mean
+ * that of the phase. */
 #ifndef SCALLOP_COMPARE_ANSWERS_ROWS_H
 #define SCALLOP_COMPARE_ANSWERS_ROWS_H
 
+#include "compare/answers/at.h"
 #include "compare/answers/request.h"
-#include "compare/answers/sheet.h"
+#include "compare/columns/columns.h"
+
+struct sheet {
+  struct asked *asked;        /* grows with each column */
+  struct column_list columns; /* their places: of quantities */
+  const char *const *own;     /* texts that give the sheet's own names, NULL-terminated, or NULL */
+  bool of_samples;            /* the rows are those of a trajectory */
+  bool as_written;            /* --certified: parameters with all their digits, regime and modes as they are proven */
+  long digits;                /* of certified values */
+  bool early_status;          /* a status stands before other columns: these are asked for first */
+};
+
+/* The names of the columns go into the head of the table, and the values at the point into a row of it. */
+void sheet_head(const struct sheet *sheet, struct table *table);
+void sheet_row(const struct sheet *sheet, struct table *table, struct at *at);
+
+/* NULL, or what is wrong with a formula of quantities */
+const char *sheet_formula(struct asked *asked, struct formula *formula, const char *text);
+/* What is said where there is no such quantity */
+const char *sheet_no_quantity(const struct asked *asked, const char *name);
 
 enum { ROWS_EXTRA = 3 };
 
@@ -14,7 +38,7 @@ struct rows { /* a table with a row for each point, as it is planned; zero but f
   bool notes_parameters;             /* those that hold in all rows stand in the head; of a scene they always do */
   bool has_parameters;               /* the crawler's stand in front of its own columns, where none are chosen */
   const char *extra[ROWS_EXTRA];     /* parameters beyond the crawler's, which also stand there, NULL-terminated */
-  char **own;                        /* the texts of its own columns, NULL-terminated */
+  char *own[TABLE_COLUMNS + 1];      /* the texts of its own columns, NULL-terminated */
   const char *const *behind;         /* names of columns behind those of the sheet, which visit writes; or NULL */
   bool has_errors;                   /* visit asks for errors of series, too */
   const struct table_choice *choice; /* of columns; NULL: that of the request */

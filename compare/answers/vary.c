@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/sheet.h"
+#include "compare/answers/rows.h"
 
 static const char no_memory[] = "out of memory";
 
@@ -90,8 +90,8 @@ const char *vary_list(struct request *r, struct sweep_variable v, const char *co
 /* Is the quantity known before anything is solved at a point? */
 static bool is_of_parameters(const struct quantity *q)
 {
-  return q->kind == QUANTITY_NUMBER || q->kind == QUANTITY_ONSET || q->kind == QUANTITY_FROUDE
-         || q->kind == QUANTITY_RATIO;
+  return (q->kind == QUANTITY_NUMBER && q->which != PLACE_OF_V0) || q->kind == QUANTITY_RATIO
+         || q->kind == QUANTITY_ONSET;
 }
 
 const char *vary_end(const struct request *r, const char *text, struct sweep_end *end)
@@ -130,18 +130,6 @@ const char *vary_range(struct request *r, struct sweep_variable v, const char *f
   return wrong ? wrong : add(r, &v);
 }
 
-/* Adds a label, whose name is kept. */
-static const char *add_label(struct quantities *all, const char *name)
-{
-  if (strlen(name) >= QUANTITY_NAME || all->labels == QUANTITY_LABELS)
-    return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
-  if (quantity_named(all, name) >= 0)
-    return wrong_text("a label cannot be called %s, which is a quantity", name);
-  const char *copy = all->label[all->labels] = strdup(name);
-  all->labels += copy != NULL;
-  return copy ? NULL : no_memory;
-}
-
 const char *vary_label(struct request *r, const char *name, struct sweep_variable *label)
 {
   struct quantities *all = r->asked ? &r->asked->quantities : NULL;
@@ -150,13 +138,19 @@ const char *vary_label(struct request *r, const char *name, struct sweep_variabl
     return "labels are columns of rows of points";
   while (place < all->labels && strcmp(all->label[place], name) != 0)
     place++;
-  const char *wrong = place == all->labels ? add_label(all, name) : NULL;
+  if (place == all->labels) { /* a new one, whose name is kept */
+    if (strlen(name) >= QUANTITY_NAME || place == QUANTITY_LABELS)
+      return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
+    if (quantity_named(all, name) >= 0)
+      return wrong_text("a label cannot be called %s, which is a quantity", name);
+    if (!(all->label[place] = strdup(name)))
+      return no_memory;
+    all->labels++;
+  }
   name = all->label[place];
   *label = (struct sweep_variable){ .target = TARGET_LABEL, .place = place, .name = name, .sets = name };
-  return wrong;
+  return NULL;
 }
-
-static bool has_ranges(const struct sweep_variable *v) { return v->target <= TARGET_FROUDE; }
 
 /* Where the value that text begins with ends: at a comma, or at the end. A gait has commas of its own, so that there
  * only one counts behind which the name of a family stands. */
@@ -168,20 +162,10 @@ static const char *end_of_value(const struct sweep_variable *v, const char *text
   return comma ? comma : text + strlen(text);
 }
 
-/* Is text several values, or has the point no such parameter? */
-static bool is_many(const char *name, const char *text)
-{
-  struct sweep_variable v;
-  if (!sweep_variable_of_name(&v, name))
-    return strcmp(name, "label") == 0;
-  bool is_ratio = v.target >= TARGET_F1_OVER_F2 && v.target <= TARGET_FROUDE;
-  return is_ratio || *end_of_value(&v, text) || (has_ranges(&v) && strchr(text, ':'));
-}
-
 /* The values of a list between commas, which are cut off in text */
 static const char *list_of_text(struct request *r, const struct sweep_variable *v, char *text)
 {
-  const char **texts = calloc(strlen(text) + 1, sizeof *texts), *wrong = no_memory;
+  const char **texts = calloc(strlen(text) + 1, sizeof *texts);
   long count = 0;
   for (bool more = texts != NULL; more;) {
     char *end = text + (end_of_value(v, text) - text);
@@ -190,25 +174,27 @@ static const char *list_of_text(struct request *r, const struct sweep_variable *
     texts[count++] = text;
     text = end + 1;
   }
-  if (texts)
-    wrong = vary_list(r, *v, texts, count);
+  const char *wrong = texts ? vary_list(r, *v, texts, count) : no_memory;
   free(texts);
   return wrong;
 }
 
-/* FROM:TO:COUNT or FROM:TO:COUNT:SPACING, which are cut apart in text. "": it is neither. */
-static const char *range_of_text(struct request *r, const struct sweep_variable *v, char *text)
+/* FROM:TO:COUNT or FROM:TO:COUNT:SPACING; copy: the same, which is cut apart */
+static const char *range_of_text(struct request *r, const struct sweep_variable *v, const char *text, char *copy)
 {
   static const char *const spacings[] = { "linear", "log", NULL };
-  char *part[4] = { text };
+  char *part[4] = { copy };
   int parts = 1;
   long count;
   for (char *colon; parts < 4 && (colon = strchr(part[parts - 1], ':')); part[parts++] = colon + 1)
     *colon = '\0';
   int spacing = word_place(parts == 4 ? part[3] : "linear", spacings);
-  if (parts < 3 || spacing < 0 || !read_count(part[2], strcmp(text, part[1]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
-    return "";
-  return vary_range(r, *v, text, part[1], count, spacing == 1);
+  if (parts >= 3 && spacing >= 0 && read_count(part[2], strcmp(copy, part[1]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
+    return vary_range(r, *v, copy, part[1], count, spacing == 1);
+  return wrong_text(
+      "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
+      "or 1 where FROM = TO; both ends belong to it",
+      text, SWEEP_RANGE);
 }
 
 /* Drops the values that the parameter has in the last product. */
@@ -236,19 +222,21 @@ static const char *label_of_text(struct request *r, struct sweep_variable *label
   return vary_label(r, name, label);
 }
 
-/* Adds what a copy of the text says, which is cut apart. "": it is no range. */
-static const char *add_values(struct request *r, const char *name, char *values)
+/* A group of the variable, or for NULL of a label; copy: of the text, which is cut apart */
+static const char *add_values(struct request *r, const struct sweep_variable *parameter, const char *text, char *copy)
 {
   struct sweep_variable v;
-  const char *wrong = sweep_variable_of_name(&v, name) ? NULL : label_of_text(r, &v, &values);
+  const char *wrong = parameter ? NULL : label_of_text(r, &v, &copy);
   if (wrong)
     return wrong;
+  if (parameter)
+    v = *parameter;
   hold(r, v.name);
   wrong = vary_group(r);
   if (wrong)
     return wrong;
-  bool is_range = has_ranges(&v) && strchr(values, ':');
-  wrong = (is_range ? range_of_text : list_of_text)(r, &v, values);
+  bool is_range = v.target <= TARGET_FROUDE && strchr(copy, ':');
+  wrong = is_range ? range_of_text(r, &v, text, copy) : list_of_text(r, &v, copy);
   last_product(r)->groups -= wrong != NULL;
   r->point.has_v0 |= v.target == TARGET_V0 && !wrong; /* for blocks of rows where it does not vary */
   return wrong;
@@ -256,17 +244,17 @@ static const char *add_values(struct request *r, const char *name, char *values)
 
 const char *vary_text(struct request *r, const char *name, const char *text)
 {
-  if (!is_many(name, text)) {
+  struct sweep_variable v;
+  bool has = sweep_variable_of_name(&v, name), is_number = has && v.target <= TARGET_FROUDE;
+  bool is_ratio = is_number && v.target >= TARGET_F1_OVER_F2; /* which the point has no number for */
+  bool is_many = has ? is_ratio || *end_of_value(&v, text) || (is_number && strchr(text, ':'))
+                     : strcmp(name, "label") == 0;
+  if (!is_many) {
     hold(r, name);
     return point_set(&r->point, name, text);
   }
   char *copy = strdup(text);
-  const char *wrong = copy ? add_values(r, name, copy) : no_memory;
+  const char *wrong = copy ? add_values(r, has ? &v : NULL, text, copy) : no_memory;
   free(copy);
-  if (!wrong || *wrong)
-    return wrong;
-  return wrong_text(
-      "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
-      "or 1 where FROM = TO; both ends belong to it",
-      text, SWEEP_RANGE);
+  return wrong;
 }

@@ -1,5 +1,5 @@
 /* Columns by the texts that ask for them: "NAME", or "NAME = FORMULA", or "FORMULA", then also the name of its column
- * (asymptotics/formula.h), of names that mean columns of a table, or quantities (answers/sheet.h).
+ * (asymptotics/formula.h), of names that mean columns of a table, or quantities (answers/rows.h).
  *
  * Of a table: "a, b, c = F1/F2" chooses columns by their names, in that order, and adds new ones by formulas of the
  * columns that it has. Commas within parentheses are those of functions. A formula takes the double behind a cell,
