@@ -103,13 +103,6 @@ const char *read_digits(void *options, const struct option *o, const char *text)
   return read_count(text, 1, (long)o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
 }
 
-bool digits_hold(const struct style *style, bool proven, const char *range)
-{
-  char number[24];
-  snprintf(number, sizeof number, "%ld", style->digits);
-  return proven || style->digits <= DOUBLE_DIGITS || complain(style->command, "--digits: %s", no_digits(number, range));
-}
-
 const char *read_output(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;

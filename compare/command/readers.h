@@ -91,8 +91,4 @@ extern const char *const reference_words[];
 #define OPTIONS_LAST OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS), OPTIONS_LAST
 
-/* Are there as many digits as the numbers have, of doubles unless they are proven? False: the message is on stderr.
- * range: DIGITS_PROVEN. */
-bool digits_hold(const struct style *style, bool proven, const char *range);
-
 #endif

@@ -5,8 +5,6 @@
 
 #include "compare/points/point_flint.h"
 
-enum { ERROR_DIGITS = 3 };
-
 static bool is_python(const struct report *r) { return r->language == &language_python; }
 
 /* A line about what follows: a comment, or a note of the table. A name of a file in it ends no comment. */
@@ -23,53 +21,49 @@ static void __attribute__((format(printf, 2, 3))) remark(struct report *r, const
   free(text);
 }
 
-/* The options that say the same again */
-static void remark_command(struct report *r)
-{
-  const struct series_options *o = r->options;
-  bool has_source = !o->bound && !(o->symbolic && is_from(o, "derived"));
-  bool has_order = o->symbolic ? !is_from(o, "closed") : !is_from(o, "limit");
-  char order[32] = "";
-  if (has_order)
-    snprintf(order, sizeof order, " --order %ld", o->order.value);
-  remark(r, "command: series%s%s%s%s",
-         o->symbolic ? " --symbolic"
-         : o->bound  ? " --bound"
-                     : "",
-         has_source ? " --source " : "", has_source ? o->source.value : "", order);
-}
-
 static bool cannot_write(const struct style *style, int error)
 {
   return complain(style->command, "cannot write %s: %s", style->output ? style->output : "standard output",
                   file_error(error));
 }
 
-bool report_open(struct report *r, const char *of, const char *const *columns, const char *note, const char *more)
+static void remark_names(struct report *r)
+{
+  const char *equation = r->kind->has_phases || !r->kind->has_order ? NULL : symbolic_limit_equation(r->crawler);
+  remark(
+      r,
+      "M = m1 + m2; L is the amplitude; l0/T^2, l3_0/T^3, k0/T^4, l5_0/T^5, ... are the second, third, fourth, "
+      "fifth, ... derivative of l at the start of a phase of duration T, lT/T^2, l3_T/T^3, ... those at its end.%s%s%s",
+      equation ? " U is v_start T for T -> 0, the root of " : "", equation ? equation : "", equation ? "." : "");
+}
+
+bool report_open(struct report *r)
 {
   static const char *const varied[] = { "T", NULL };
   const struct request *request = &r->options->request;
-  char parameters[PARAMETERS_TEXT];
+  char parameters[PARAMETERS_TEXT], order[32] = "";
   int error = r->language ? file_open(&r->out, request->style.output) : 0;
   if (error != 0)
     return cannot_write(&request->style, error);
   if (!r->language && !table_open(&r->table, &request->style))
     return false;
+  if (r->kind->has_order)
+    snprintf(order, sizeof order, " --order %ld", r->options->order.value);
   remark(r, "scallop " SCALLOP_VERSION);
-  remark_command(r);
+  remark(r, "command: series %s%s", r->kind->options, order);
   parameters_text(parameters, &request->point, r->language ? varied : NULL, true);
   remark(r, "parameters:%s", parameters);
   if (request->point.has_v0)
     remark(r, "v0: %s", request->point.written[PLACE_OF_V0]);
-  if (note)
-    remark(r, "%s", note);
+  if (r->options->symbolic)
+    remark_names(r);
   if (r->language)
     remark(r, "T is the duration of the phase, or the period in the steady state.");
-  else if (more)
-    remark(r, "%s", more);
+  else if (r->kind->meaning)
+    remark(r, "%s", r->kind->meaning);
   if (!r->language) {
-    r->table.of = of;
-    table_columns(&r->table, columns);
+    r->table.of = r->kind->of;
+    table_columns(&r->table, r->kind->columns);
     table_begin_rows(&r->table);
   }
   return true;
@@ -87,44 +81,52 @@ enum exit_code report_close(struct report *r, bool done)
   return done ? EXIT_DONE : EXIT_UNSOLVED;
 }
 
-static void write_names(struct table *t, const struct reported_motion *motion, const char *quantity)
+void report_ball(struct table *t, const arb_struct *x, long digits)
 {
-  table_text(t, motion->phase);
-  table_text(t, motion->start);
-  table_text(t, quantity);
+  char *text = x ? decimal_text(x, digits) : NULL;
+  if (text)
+    table_digits(t, text);
+  else
+    table_number(t, NAN);
+  flint_free(text);
+}
+
+/* power: NULL, there is none; sum: so far, NULL where there are no numbers */
+static void write_row(struct report *r, const struct reported_sum *s, const char *power, const char *term,
+                      const arb_struct *sum)
+{
+  enum { ERROR_DIGITS = 3 };
+  struct table *t = &r->table;
+  table_text(t, s->motion->phase);
+  table_text(t, s->motion->start);
+  table_text(t, s->quantity);
+  if (r->options->symbolic) {
+    table_text(t, power ? power : "-");
+    table_text(t, term);
+    table_text(t, s->modes);
+    return;
+  }
+  SCOPED(arb, error);
+  if (sum && s->exact)
+    arb_sub(error, sum, s->exact, s->precision);
+  table_digits(t, power ? power : "nan");
+  table_text(t, term);
+  report_ball(t, sum, r->digits);
+  report_ball(t, sum && s->exact ? error : NULL, ERROR_DIGITS);
+  table_text(t, s->status);
 }
 
 bool report_failure(struct report *r, const struct reported_motion *motion, enum scallop_status status, const char *why)
 {
-  bool formulas = r->options->symbolic;
   char text[sizeof r->why + 16];
   why = why ? why : scallop_status_text(status);
   if (!*r->why) /* it may stand in what ends with the motion */
     snprintf(r->why, sizeof r->why, "%s", why);
-  if (r->language)
-    return false;
-  snprintf(text, sizeof text, "no %s: %s", formulas ? "formula" : "series", why);
-  write_names(&r->table, motion, "-");
-  for (const char *kind = formulas ? "--" : "n-nn"; *kind; kind++)
-    if (*kind == 'n')
-      table_number(&r->table, NAN);
-    else
-      table_text(&r->table, "-");
-  table_text(&r->table, text);
+  snprintf(text, sizeof text, "no %s: %s", r->options->symbolic ? "formula" : "series", why);
+  if (!r->language)
+    write_row(r, &(struct reported_sum){ .motion = motion, .quantity = "-", .modes = text, .status = text }, NULL, "-",
+              NULL);
   return false;
-}
-
-void report_ball(struct table *t, const arb_t x, long digits)
-{
-  char *text = decimal_text(x, digits);
-  table_digits(t, text);
-  flint_free(text);
-}
-
-bool report_error(arb_t error, const arb_t sum, const arb_t exact, slong precision)
-{
-  arb_sub(error, sum, exact, precision);
-  return arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12;
 }
 
 /* As a fraction, where it is one and no digits are asked for. In a program both of its sides must be doubles. */
@@ -143,8 +145,8 @@ static struct written term_of(const struct report *r, const struct reported_sum 
   slong shown = !r->language || s->small || s->is_closed ? 0 : power;
   SCOPED(fmpq, q);
   SCOPED(arb, x);
-  if (s->term)
-    return symbolic_written(s->symbols, s->term[power - s->first], shown, language);
+  if (r->options->symbolic)
+    return symbolic_written(s->symbols, symbolic_coefficient(s->symbols, s->series, power), shown, language);
   if (is_fraction(q, r, s->series, power))
     return symbolic_written(s->symbols, symbolic_fraction(s->symbols, q), shown, language);
   series_coefficient(x, s->series, power, bits_of_digits(r->digits) + 32);
@@ -154,105 +156,62 @@ static struct written term_of(const struct report *r, const struct reported_sum 
   return written;
 }
 
-static bool is_zero(const struct reported_sum *s, slong power)
+static void put_row(struct report *r, const struct reported_sum *s, slong power, struct written term)
 {
-  return s->term ? ratio_is_zero(s->term[power - s->first]) : series_coefficient_is_zero(s->series, power);
-}
-
-/* With all digits that the exact value has */
-static slong precision_of(const struct report *r, const struct reported_sum *s)
-{
-  slong accuracy = s->exact ? arb_rel_accuracy_bits(s->exact) : 0, precision = bits_of_digits(r->digits) + 128;
-  return accuracy < WORD_MAX / 4 && accuracy + 64 > precision ? accuracy + 64 : precision;
-}
-
-static void add_term(arb_t sum, const struct reported_sum *s, slong power, slong precision)
-{
-  SCOPED(arb, T, term);
-  arb_set_fmpq(T, s->T, precision);
-  series_coefficient(term, s->series, power, precision);
-  arb_pow_ui(T, T, (ulong)labs(power), precision);
-  if (power < 0)
-    arb_inv(T, T, precision);
-  arb_addmul(sum, term, T, precision);
-}
-
-/* sum: of a series, with this term */
-static void write_row(struct report *r, const struct reported_sum *s, slong power, struct written term, const arb_t sum)
-{
-  struct table *t = &r->table;
-  char number[24];
-  snprintf(number, sizeof number, "%ld", (long)power);
-  char *text = flint_malloc(strlen(term.text) + 2);
+  char number[24], *text = flint_malloc(strlen(term.text) + 2);
+  SCOPED(arb, sum);
   sprintf(text, "%s%s", term.negative ? "-" : "", term.text);
-  write_names(t, s->motion, s->quantity);
-  (s->term ? table_text : table_digits)(t, s->is_closed ? "-" : number);
-  table_text(t, text);
+  snprintf(number, sizeof number, "%ld", (long)(series_coefficient_is_zero(s->series, power) ? 0 : power));
+  if (!r->options->symbolic)
+    series_value(sum, s->series, s->T, power + 1, s->precision);
+  write_row(r, s, s->is_closed ? NULL : number, text, sum);
   flint_free(text);
-  if (s->term) {
-    table_text(t, s->modes);
-    return;
-  }
-  SCOPED(arb, error);
-  report_ball(t, sum, r->digits);
-  if (s->exact) {
-    report_error(error, sum, s->exact, precision_of(r, s));
-    report_ball(t, error, ERROR_DIGITS);
-  } else
-    table_number(t, NAN);
-  table_text(t, s->status);
 }
 
-static bool uses(const struct reported_sum *s, const bool *used, enum symbol_meaning meaning)
+/* A name with the arguments of a function, which are the symbols in it, or what M and beta are made of; and M */
+static void begin_function(FILE *out, const struct reported_sum *s, bool is_symbolic)
 {
-  bool found = false;
-  for (int i = 0; i < s->symbols->count; i++)
-    found |= used[i] && s->symbols->list[i].meaning == meaning;
-  return found;
-}
-
-/* M and beta are not arguments, but what they are made of is. */
-static bool is_argument(const struct reported_sum *s, const bool *used, int i)
-{
-  enum symbol_meaning meaning = s->symbols->list[i].meaning;
-  bool of_mass = meaning == NAMED_m1 || meaning == NAMED_m2;
-  if (meaning == NAMED_M || meaning == NAMED_beta || meaning == NAMED_T)
-    return false;
-  return used[i] || (of_mass && uses(s, used, NAMED_M)) || (meaning == NAMED_alpha && uses(s, used, NAMED_beta));
-}
-
-/* A name with the arguments of a function, and what is computed first */
-static void begin_function(FILE *out, const struct reported_sum *s)
-{
+  static const enum symbol_meaning made[][2] = { { NAMED_M, NAMED_m1 },
+                                                 { NAMED_M, NAMED_m2 },
+                                                 { NAMED_beta, NAMED_alpha } };
   const char *gap = "";
-  bool used[MOST_SYMBOLS] = { false };
-  for (slong k = s->first; s->term && k < s->below; k++)
-    symbolic_uses(s->term[k - s->first], s->symbols, used);
-  fprintf(out, "def %s_%s_%s(", s->motion->phase, s->motion->start, s->quantity);
+  bool used[MOST_SYMBOLS] = { false }, has_M = false;
+  for (slong k = s->first; is_symbolic && k < s->below; k++)
+    symbolic_uses(symbolic_coefficient(s->symbols, s->series, k), s->symbols, used);
   for (int i = 0; i < s->symbols->count; i++)
-    if (is_argument(s, used, i)) {
-      fprintf(out, "%s%s", gap, s->symbols->list[i].name);
-      gap = ", ";
-    }
-  if (!s->small)
-    fprintf(out, "%sT", gap);
-  fprintf(out, "):\n%s    return (", uses(s, used, NAMED_M) ? "    M = m1 + m2\n" : "");
+    for (int k = 0; k < 3; k++)
+      if (used[i] && s->symbols->list[i].meaning == made[k][0])
+        used[symbols_place(s->symbols, made[k][1], 0, SCALLOP_EXTENSION)] = true;
+  fprintf(out, "def %s_%s_%s(", s->motion->phase, s->motion->start, s->quantity);
+  for (int i = 0; i < s->symbols->count; i++) {
+    enum symbol_meaning meaning = s->symbols->list[i].meaning;
+    has_M |= used[i] && meaning == NAMED_M;
+    if (!used[i] || meaning == NAMED_M || meaning == NAMED_beta || meaning == NAMED_T)
+      continue;
+    fprintf(out, "%s%s", gap, s->symbols->list[i].name);
+    gap = ", ";
+  }
+  fprintf(out, "%s%s):\n%s    return (", s->small ? "" : gap, s->small ? "" : "T", has_M ? "    M = m1 + m2\n" : "");
 }
 
-/* t1, dT, dx1, v_end: a letter with an index, perhaps a difference; other names as they are */
-static void begin_formula(FILE *out, const char *name)
+static void begin_formula(FILE *out, const char *quantity)
 {
-  bool difference = *name == 'd' && (name[1] == 'T' || name[1] == 'x');
-  const char *letter = name + difference, *index = letter + 1 + (letter[1] == '_');
-  bool has_index = strchr("txTUv", *letter) && !strchr(index, '_');
-  fprintf(out, "\\begin{align*}\n  ");
-  if (has_index)
-    fprintf(out, *index ? "%s%c_{%s}" : "%s%c", difference ? "\\Delta " : "", *letter, index);
-  else
-    fprintf(out, "\\text{");
-  for (; !has_index && *name; name++)
-    fputc(*name == '_' ? ' ' : *name, out);
-  fprintf(out, has_index ? " &= " : "} &= ");
+  static const char *const names[][2] = {
+    { "t1", "t_{1}" },
+    { "dT", "\\Delta T" },
+    { "v_end", "v_{end}" },
+    { "dx1", "\\Delta x_{1}" },
+    { "dx2", "\\Delta x_{2}" },
+    { "dxC", "\\Delta x_{C}" },
+    { "v_start", "v_{start}" },
+    { "v_mid", "v_{mid}" },
+    { "displacement", "\\text{displacement}" },
+    { "mean_velocity", "\\text{mean velocity}" },
+  };
+  const char *name = quantity;
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    name = strcmp(quantity, names[i][0]) == 0 ? names[i][1] : name;
+  fprintf(out, "\\begin{align*}\n  %s &= ", name);
 }
 
 static void begin_sum(struct report *r, const struct reported_sum *s)
@@ -265,7 +224,7 @@ static void begin_sum(struct report *r, const struct reported_sum *s)
   remark(r, "%s, %s %s%s: %smodes %s", s->quantity, s->motion->phase, s->motion->of == OF_PHASE ? "from " : "",
          s->motion->start, below, s->modes);
   if (is_python(r))
-    begin_function(r->out.stream, s);
+    begin_function(r->out.stream, s, r->options->symbolic);
   else
     begin_formula(r->out.stream, s->quantity);
 }
@@ -288,21 +247,18 @@ static void end_sum(const struct report *r, const struct reported_sum *s, bool h
 
 void report_sum(struct report *r, const struct reported_sum *s)
 {
-  SCOPED(arb, sum);
   bool any = false;
   if (r->language)
     begin_sum(r, s);
   for (slong k = s->first; k < s->below; k++) {
-    bool zero = is_zero(s, k), alone = !any && (s->is_closed || (!r->language && k == s->below - 1));
-    if (zero && !alone)
+    bool stands_alone = !any && !r->language && k == s->below - 1;
+    if (series_coefficient_is_zero(s->series, k) && !stands_alone)
       continue;
     struct written term = term_of(r, s, k);
-    if (s->series)
-      add_term(sum, s, k, precision_of(r, s));
     if (r->language)
       put_term(r, term, !any);
     else
-      write_row(r, s, zero ? 0 : k, term, sum);
+      put_row(r, s, k, term);
     free(term.text);
     any = true;
   }

@@ -1,149 +1,121 @@
-/* series --source derived|limit, --symbolic and --bound. */
+/* series --source derived|limit, --symbolic and --bound: each is a row of kinds[]. */
 #include <math.h>
 
 #include "compare/answers/answer_flint.h"
 #include "compare/command/report_flint.h"
 #include "compare/points/point_flint.h"
 
-enum { BOUND_PRECISION = 128 };
-
 struct numbers { /* the expansion of a motion, and its certified values */
   const struct report *report;
   const struct reported_motion *motion;
+  long order;
   fmpq_t T; /* of the phase, or the period */
   struct series_answer derived;
   struct ball_answer exact;
-  char status[2 * SCALLOP_MODES_TEXT + 240];
+  /* of sums with the digits that their errors take */
+  slong precision;
+  arb_t at; /* T */
 };
-#define NUMBERS(of) of(fmpq, s->T) of(series_answer, &s->derived) of(ball_answer, &s->exact)
+#define NUMBERS(of) of(fmpq, s->T) of(series_answer, &s->derived) of(ball_answer, &s->exact) of(arb, s->at)
 SCOPED_PARTS(numbers, struct numbers, NUMBERS)
 
-static bool derive(struct numbers *n, long order, slong precision)
-{
-  const struct reported_motion *m = n->motion;
-  return answer_in_series(&n->derived, n->report->crawler, m->of, m->kind, m->v0, order, precision);
-}
-
-/* Whether every coefficient below T^order is exact or has the digits. */
-static bool is_precise(const struct numbers *n, long order)
+/* Is every coefficient exact, or has it the digits? */
+static bool is_precise(const struct numbers *n)
 {
   bool precise = true;
   SCOPED(arb, x);
-  for (int q = 0; q < QUANTITIES; q++)
-    for (slong k = n->derived.value[q] ? n->derived.value[q]->first : order; k < order && precise; k++) {
-      const struct series *s = n->derived.value[q];
-      if (s->kind != SERIES_BALLS || series_coefficient_is_zero(s, k))
-        continue;
+  for (int q = 0; q < QUANTITIES; q++) {
+    const struct series *s = n->derived.value[q];
+    for (slong k = s ? s->first : n->order; k < n->order && s->kind == SERIES_BALLS && precise; k++) {
       series_coefficient(x, s, k, 64);
       precise = arb_rel_accuracy_bits(x) > bits_of_digits(n->report->digits) + 4 || arb_contains_zero(x);
     }
+  }
   return precise;
 }
 
-/* With so many bits, or as many more as the digits of the coefficients take. */
-static bool expand(struct numbers *n, long order)
-{
-  enum { TRIES = 6 };
-  slong precision = bits_of_digits(n->report->digits) + 128 + order;
-  for (int i = 0; i < TRIES; i++, precision *= 2) {
-    bool done = derive(n, order, precision);
-    if (n->derived.status == SCALLOP_EDOMAIN || (done && is_precise(n, order)))
-      break;
-  }
-  return n->derived.status == SCALLOP_OK;
-}
-
-/* Certified values with so many digits; without an answer the errors are nan. */
-static bool solve(struct numbers *n, long digits)
-{
-  const struct reported_motion *m = n->motion;
-  char modes[MOTION_MODES_TEXT];
-  bool solved = answer_in_balls(&n->exact, n->report->crawler, m->of, m->kind, m->v0, digits);
-  if (!solved)
-    snprintf(n->status, sizeof n->status, "not certified: %s",
-             n->exact.why ? n->exact.why : scallop_status_text(n->exact.status));
-  else if (strcmp(motion_modes_text(modes, m->of, n->exact.modes), n->derived.modes) != 0)
-    snprintf(n->status, sizeof n->status, "not of this motion: its modes are %s", modes);
-  else
-    snprintf(n->status, sizeof n->status, "ok");
-  return solved;
-}
-
-/* Has the exact value of each quantity the digits that the error of its series takes? */
-static bool errors_are_seen(const struct numbers *n, long order, slong precision)
+/* Have the exact values the digits that the errors of all sums take? */
+static bool errors_are_seen(const struct numbers *n)
 {
   bool seen = true;
-  SCOPED(arb, T, sum, error);
-  arb_set_fmpq(T, n->T, precision);
+  SCOPED(arb, error);
   for (int q = 0; q < QUANTITIES; q++)
     if (n->derived.value[q] && n->exact.value[q]) {
-      series_value(sum, n->derived.value[q], T, order, precision);
-      seen = report_error(error, sum, n->exact.value[q], precision) && seen;
+      series_value(error, n->derived.value[q], n->at, n->order, n->precision);
+      arb_sub(error, error, n->exact.value[q], n->precision);
+      seen = seen && (arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12);
     }
   return seen;
 }
 
-/* As many digits of the exact value, and of the coefficients, as the smallest error takes, within reason. */
-static bool solve_well(struct numbers *n, long order)
+/* Expands the motion and, for a table, solves it, with as many digits as the coefficients and the errors take, within
+ * reason. False: it has no series. */
+static bool expand(struct numbers *n)
 {
-  enum { TRIES = 9, MOST = 10000 };
-  bool solved = false, enough = false;
-  int main_quantity = n->motion->of == OF_STEADY ? Q_V_START : Q_V_END;
+  enum { TRIES = 9, MOST_FAILURES = 6, MOST = 10000 };
+  const struct reported_motion *m = n->motion;
+  const struct scallop_rational_crawler *c = n->report->crawler;
+  bool derived = false, enough = false;
   for (long i = 0, more = n->report->digits + 20; i < TRIES && !enough; i++, more *= 2) {
     long digits = more < MOST ? more : MOST;
-    slong precision = 4 * digits + 128 + order;
-    solved = solve(n, digits);
-    if (solved && i > 0 && n->derived.value[main_quantity]->kind == SERIES_BALLS && !derive(n, order, precision))
-      break;
-    enough = !solved || digits == MOST || errors_are_seen(n, order, precision);
+    n->precision = 4 * digits + 128 + n->order;
+    arb_set_fmpq(n->at, n->T, n->precision);
+    if (!derived || n->derived.value[m->of == OF_STEADY ? Q_V_START : Q_V_END]->kind == SERIES_BALLS)
+      derived = answer_in_series(&n->derived, c, m->of, m->kind, m->v0, n->order, n->precision);
+    if (!derived && (n->derived.status == SCALLOP_EDOMAIN || i + 1 == MOST_FAILURES))
+      return false;
+    enough = derived && (is_precise(n) || i + 1 == TRIES)
+             && (n->report->language || !answer_in_balls(&n->exact, c, m->of, m->kind, m->v0, digits) || digits == MOST
+                 || errors_are_seen(n));
   }
-  return solved;
+  return derived;
 }
 
-static bool report_numbers(struct report *r, const struct reported_motion *m)
+/* Is the series, whose modes are those for T -> 0, about the motion? */
+static void say_status(char *text, size_t size, const struct numbers *n)
+{
+  char modes[MOTION_MODES_TEXT];
+  if (n->exact.status != SCALLOP_OK)
+    snprintf(text, size, "not certified: %s", n->exact.why ? n->exact.why : scallop_status_text(n->exact.status));
+  else if (strcmp(motion_modes_text(modes, n->motion->of, n->exact.modes), n->derived.modes) != 0)
+    snprintf(text, size, "not of this motion: its modes are %s", modes);
+  else
+    snprintf(text, size, "ok");
+}
+
+static bool write_numbers(struct report *r, const struct reported_motion *m)
 {
   bool limit = is_from(r->options, "limit");
-  long order = limit ? 1 : r->options->order.value;
-  struct symbols T;
+  char status[2 * SCALLOP_MODES_TEXT + 240];
+  ENDED_BY(symbols_end) struct symbols T;
+  symbols_init(&T);
+  symbols_add(&T, NAMED_T, 0, SCALLOP_EXTENSION);
+  symbols_begin(&T);
   SCOPED(numbers, n);
   n.report = r;
   n.motion = m;
+  n.order = limit ? 1 : r->options->order.value;
   if (m->of == OF_STEADY)
     fmpq_set(n.T, r->crawler->T);
   else
     scallop_rational_duration(n.T, r->crawler, m->kind);
-  if (!expand(&n, order))
+  if (!expand(&n))
     return report_failure(r, m, n.derived.status, n.derived.why);
-  bool solved = !r->language && solve_well(&n, order);
-  symbols_init(&T);
-  symbols_add(&T, NAMED_T, 0, SCALLOP_EXTENSION);
-  symbols_begin(&T);
-  struct reported_sum sum = { .motion = m, .modes = n.derived.modes, .symbols = &T, .T = n.T, .status = n.status };
+  say_status(status, sizeof status, &n);
+  struct reported_sum sum = { m,         .modes = n.derived.modes, .symbols = &T, .precision = n.precision,
+                              .T = n.at, .status = status };
   for (int q = 0; q < QUANTITIES; q++)
     if ((sum.series = n.derived.value[q])) {
       sum.quantity = quantity_rows[q].name;
       sum.first = sum.series->first < 0 ? sum.series->first : 0;
-      sum.below = limit && sum.first < 0 ? 0 : order;
-      sum.exact = solved ? n.exact.value[q] : NULL;
+      sum.below = limit && sum.first < 0 ? 0 : n.order;
+      sum.exact = n.exact.status == SCALLOP_OK ? n.exact.value[q] : NULL;
       report_sum(r, &sum);
     }
-  symbols_end(&T);
   return true;
 }
 
-/* A row of terms for a series in formulas */
-static void report_formula(struct report *r, struct reported_sum sum, const char *quantity, const struct series *series)
-{
-  symbolic term[SYMBOLIC_ORDERS + 1]; /* velocities of the steady state begin with 1/T */
-  sum.quantity = quantity;
-  sum.term = term;
-  sum.below = r->options->order.value;
-  for (slong k = sum.first; k < sum.below; k++)
-    term[k - sum.first] = symbolic_coefficient(sum.symbols, series, k);
-  report_sum(r, &sum);
-}
-
-static bool report_phase(struct report *r, const struct reported_motion *m)
+static bool write_phase(struct report *r, const struct reported_motion *m)
 {
   const char *why = NULL;
   ENDED_BY(symbols_end) struct symbols s;
@@ -153,21 +125,16 @@ static bool report_phase(struct report *r, const struct reported_motion *m)
                                                      &why);
   if (status != SCALLOP_OK)
     return report_failure(r, m, status, why);
-  const struct reported_sum sum = { .motion = m, .modes = phase.modes, .symbols = &s };
-  report_formula(r, sum, "t1", &phase.t1);
-  report_formula(r, sum, "dT", &phase.dT);
-  report_formula(r, sum, "v_end", &phase.v_end);
-  report_formula(r, sum, "dx1", &phase.dx1);
-  report_formula(r, sum, "dx2", &phase.dx2);
-  report_formula(r, sum, "dxC", &phase.dxC);
+  const struct series *const values[] = { &phase.t1, &phase.dT, &phase.v_end, &phase.dx1, &phase.dx2, &phase.dxC };
+  for (int i = 0; i < 6; i++)
+    report_sum(r, &(struct reported_sum){ m, quantity_rows[Q_T1 + i].name, phase.modes, values[i],
+                                          .below = r->options->order.value, .symbols = &s });
   return true;
 }
 
 /* As series in T, or in closed form */
-static bool report_steady(struct report *r, const struct reported_motion *m)
+static bool write_steady(struct report *r, const struct reported_motion *m)
 {
-  static const char *const names[] = { "v_start", "v_mid", "displacement" };
-  bool closed = is_from(r->options, "closed");
   struct symbolic_steady steady;
   const char *why = NULL;
   ENDED_BY(symbols_end) struct symbols s;
@@ -178,82 +145,48 @@ static bool report_steady(struct report *r, const struct reported_motion *m)
     return report_failure(r, m, status, why);
   const symbolic values[] = { steady.v_start, steady.v_mid, steady.displacement };
   for (int i = 0; i < 3; i++) {
-    struct reported_sum sum = { .motion = m, .modes = steady.modes, .symbols = &s };
-    if (closed) {
-      sum.quantity = names[i];
-      sum.is_closed = true;
-      sum.term = &values[i];
-      sum.below = 1;
-      report_sum(r, &sum);
-    } else {
-      sum.first = i < 2 ? -1 : 0;
+    struct reported_sum sum = { m, quantity_rows[Q_V_START + i].name, steady.modes, &series, .symbols = &s };
+    sum.is_closed = is_from(r->options, "closed");
+    sum.first = sum.is_closed || i == 2 ? 0 : -1;
+    sum.below = sum.is_closed ? 1 : r->options->order.value;
+    if (sum.is_closed)
+      series_set_ratio(&series, values[i]);
+    else
       symbolic_in_T(&series, &s, values[i], r->options->order.value + 1);
-      report_formula(r, sum, names[i], &series);
-    }
+    report_sum(r, &sum);
   }
   return true;
 }
 
-/* The limit T -> 0 in powers of what makes it small */
-static bool report_limit(struct report *r, enum limit_parameter in)
+static bool write_formulas(struct report *r, const struct reported_motion *m)
+{
+  return (m->of == OF_PHASE ? write_phase : write_steady)(r, m);
+}
+
+/* The limit T -> 0 in powers of each parameter that makes it small */
+static bool write_limit(struct report *r, const struct reported_motion *m)
 {
   static const char *const names[] = { "product", "alpha", "friction" };
   static const char *const small[] = { "(F1 - F2)*(2*alpha - 1)/(F1 + F2)", "2*alpha - 1", "(F1 - F2)/(F1 + F2)" };
-  const struct reported_motion m = { "period", r->language ? names[in] : small[in], .of = OF_STEADY };
-  const char *why = NULL;
-  ENDED_BY(symbols_end) struct symbols s;
-  symbols_init(&s);
-  SCOPED(symbolic_limit, limit);
-  enum scallop_status status = symbolic_expand_limit(&s, r->crawler, in, r->options->order.value, &limit, &why);
-  if (status != SCALLOP_OK)
-    return report_failure(r, &m, status, why);
-  const struct reported_sum sum = { .motion = &m, .modes = limit.modes, .small = small[in], .symbols = &s };
-  report_formula(r, sum, "U", &limit.term);
-  return true;
-}
-
-static bool open_numbers(struct report *r)
-{
-  static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient",
-                                         "sum",   "error", "status",   NULL };
-  return report_open(r, "derived", columns, NULL,
-                     "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; "
-                     "error: sum - exact");
-}
-
-static bool open_formulas(struct report *r)
-{
-  static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient", "modes", NULL };
-  static const char *const limit_columns[] = { "phase", "in", "quantity", "power", "term", "modes", NULL };
-  static const char names[] = "M = m1 + m2; L is the amplitude; l0/T^2, l3_0/T^3, k0/T^4, l5_0/T^5, ... are the "
-                              "second, third, fourth, fifth, ... derivative of l at the start of a phase of duration "
-                              "T, lT/T^2, l3_T/T^3, ... those at its end.";
-  bool limit = is_from(r->options, "limit");
-  const char *equation = limit ? symbolic_limit_equation(r->crawler) : NULL;
-  char note[800];
-  snprintf(note, sizeof note, "%s%s%s%s", names, equation ? " U is v_start T for T -> 0, the root of " : "",
-           equation ? equation : "", equation ? "." : "");
-  return report_open(r, NULL, limit ? limit_columns : columns, note,
-                     limit ? NULL : "power: of T, the duration of the phase, or the period in the steady state");
-}
-
-/* What is asked for of the steady state, and of each phase, from rest and from v0. Had everything a series? */
-static bool report_motions(struct report *r, const fmpq *rest, const fmpq *v0)
-{
-  const struct reported_motion steady = { "period", "steady", .of = OF_STEADY, .v0 = rest };
-  bool formulas = r->options->symbolic, limit = is_from(r->options, "limit"), done = true;
-  for (int in = 0; formulas && limit && in < LIMIT_PARAMETERS; in++)
-    done = report_limit(r, (enum limit_parameter)in) && done;
-  for (int i = 0; i < 4 && !limit && !is_from(r->options, "closed"); i++) {
-    const struct reported_motion phase = { i < 2 ? "extension" : "contraction", i % 2 == 0 ? "rest" : "v0", OF_PHASE,
-                                           i < 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION, i % 2 == 0 ? rest : v0 };
-    if (i % 2 == 0 || !fmpq_is_zero(v0))
-      done = (formulas ? report_phase : report_numbers)(r, &phase) && done;
+  bool done = true;
+  for (int in = 0; in < LIMIT_PARAMETERS; in++) {
+    const struct reported_motion in_powers = { m->phase, r->language ? names[in] : small[in], .of = OF_STEADY };
+    const char *why = NULL;
+    ENDED_BY(symbols_end) struct symbols s;
+    symbols_init(&s);
+    SCOPED(symbolic_limit, limit);
+    enum scallop_status status = symbolic_expand_limit(&s, r->crawler, (enum limit_parameter)in,
+                                                       r->options->order.value, &limit, &why);
+    if (status == SCALLOP_OK)
+      report_sum(r, &(struct reported_sum){ &in_powers, "U", limit.modes, &limit.term, .below = r->options->order.value,
+                                            .small = small[in], .symbols = &s });
+    else
+      done = report_failure(r, &in_powers, status, why);
   }
-  if (formulas && limit)
-    return done;
-  return (formulas ? report_steady : report_numbers)(r, &steady) && done;
+  return done;
 }
+
+enum { BOUND_PRECISION = 128 };
 
 /* Four digits, rounded away from what is claimed: C and the bound up, times down. */
 static void write_rounded(struct table *t, const arb_t x, int direction)
@@ -270,14 +203,14 @@ static void write_bound(struct report *r, const struct scallop_bound *b, const c
 {
   struct table *t = &r->table;
   SCOPED(arb, T, here);
-  table_text(t, quantity);
-  table_rounded(t, (double)r->options->order.value, "%.0f");
-  write_rounded(t, b->C, 1);
-  table_rounded(t, b->power, "%.0f");
-  write_rounded(t, b->T0, -1);
   arb_set_fmpq(T, r->crawler->T, BOUND_PRECISION);
   arb_pow_ui(here, T, (ulong)b->power, BOUND_PRECISION);
   arb_mul(here, here, b->C, BOUND_PRECISION);
+  table_text(t, quantity);
+  table_count(t, r->options->order.value);
+  write_rounded(t, b->C, 1);
+  table_count(t, b->power);
+  write_rounded(t, b->T0, -1);
   if (arb_le(T, b->T0))
     write_rounded(t, here, 1);
   else
@@ -294,21 +227,60 @@ SCOPED_PARTS(bounds, struct bounds, BOUNDS)
 
 static enum exit_code report_bounds(struct report *r)
 {
-  static const char *const columns[] = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends", NULL };
   const char *why = NULL;
   SCOPED(bounds, bounds);
   enum scallop_status status = scallop_steady_bounds(r->crawler, r->options->order.value, BOUND_PRECISION, bounds.of,
                                                      &why);
-  if (status != SCALLOP_OK) {
-    complain("series", "no bound: %s", why ? why : scallop_status_text(status));
-    return EXIT_UNSOLVED;
-  }
-  if (!report_open(r, "bounds", columns, NULL,
-                   "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T"))
+  if (status != SCALLOP_OK)
+    return complain("series", "no bound: %s", why ? why : scallop_status_text(status)), EXIT_UNSOLVED;
+  if (!report_open(r))
     return EXIT_FILE;
   write_bound(r, &bounds.of[0], "v_start");
   write_bound(r, &bounds.of[1], "displacement");
   return report_close(r, true);
+}
+
+static const struct report_kind kinds[] = {
+#define NUMBERS_OF_TERMS \
+  .of = "derived", .write = write_numbers, \
+  .columns = { "phase", "start", "quantity", "power", "coefficient", "sum", "error", "status" }, \
+  .meaning = \
+      "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; error: sum - " \
+      "exact"
+  { "--source derived", true, .has_phases = true, NUMBERS_OF_TERMS },
+  { "--source limit", false, NUMBERS_OF_TERMS },
+#define FORMULAS \
+  .write = write_formulas, .columns = { "phase", "start", "quantity", "power", "coefficient", "modes" }, \
+  .meaning = "power: of T, the duration of the phase, or the period in the steady state"
+  { "--symbolic", true, .has_phases = true, FORMULAS },
+  { "--symbolic --source closed", false, FORMULAS },
+  { "--symbolic --source limit", true, .write = write_limit,
+    .columns = { "phase", "in", "quantity", "power", "term", "modes" } },
+  { "--bound", true, .of = "bounds", .columns = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends" },
+    .meaning = "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T" },
+};
+
+static const struct report_kind *kind_of(const struct series_options *o)
+{
+  bool limit = is_from(o, "limit");
+  return &kinds[o->bound ? 5 : !o->symbolic ? limit : limit ? 4 : is_from(o, "closed") ? 3 : 2];
+}
+
+/* What is asked for of each phase, from rest and from v0, and of the steady state. Had everything a series? */
+static bool write_motions(struct report *r, const fmpq *rest, const fmpq *v0)
+{
+  const struct reported_motion motions[] = {
+    { "extension", "rest", OF_PHASE, SCALLOP_EXTENSION, rest },
+    { "extension", "v0", OF_PHASE, SCALLOP_EXTENSION, v0 },
+    { "contraction", "rest", OF_PHASE, SCALLOP_CONTRACTION, rest },
+    { "contraction", "v0", OF_PHASE, SCALLOP_CONTRACTION, v0 },
+    { "period", "steady", .of = OF_STEADY, .v0 = rest },
+  };
+  bool done = true;
+  for (const struct reported_motion *m = motions; m < motions + 5; m++)
+    if (m->of == OF_STEADY || (r->kind->has_phases && (m->v0 == rest || !fmpq_is_zero(v0))))
+      done = r->kind->write(r, m) && done;
+  return done;
 }
 
 enum exit_code series_report(const struct series_options *o)
@@ -316,7 +288,8 @@ enum exit_code series_report(const struct series_options *o)
   enum { DEFAULT_DIGITS = 17 };
   SCOPED(scallop_rational, crawler);
   SCOPED(fmpq, rest, v0);
-  struct report r = { .options = o,
+  struct report r = { .kind = kind_of(o),
+                      .options = o,
                       .crawler = &crawler,
                       .digits = o->request.style.digits > 0 ? o->request.style.digits : DEFAULT_DIGITS,
                       .language = strcmp(o->emit.value, "latex") == 0    ? &language_latex
@@ -325,7 +298,5 @@ enum exit_code series_report(const struct series_options *o)
   rational_point(&crawler, v0, &o->request.point);
   if (o->bound)
     return report_bounds(&r);
-  if (!(o->symbolic ? open_formulas : open_numbers)(&r))
-    return EXIT_FILE;
-  return report_close(&r, report_motions(&r, rest, v0));
+  return report_open(&r) ? report_close(&r, write_motions(&r, rest, v0)) : EXIT_FILE;
 }
