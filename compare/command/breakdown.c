@@ -9,12 +9,9 @@
 /* What an axis may be, as maps and as scenes call it, and what varies where nothing is said */
 static const struct axis_choice {
   const char *name, *variable, *range;
-} axes[] = { { "F1/F2", "F1_over_F2", "0.01:100:41" },
-             { "m1/m2", "m1_over_m2", "0.01:100:41" },
-             { "alpha", "alpha", "0.01:0.99:41:linear" },
-             { "T", "T", "0.01:100:41" },
-             { "froude", "froude", "0.01:100:41" } };
-enum { AXES = sizeof axes / sizeof *axes };
+} axes[] = { { "F1/F2", "F1_over_F2", "0.01:100:41" },    { "m1/m2", "m1_over_m2", "0.01:100:41" },
+             { "alpha", "alpha", "0.01:0.99:41:linear" }, { "T", "T", "0.01:100:41" },
+             { "froude", "froude", "0.01:100:41" },       { NULL } };
 static const char *const sources[] = { "book", "published", "derived", "limit", NULL };
 static const char *const quantities[] = { "v_start", "v_mid", "displacement", "mean_velocity", "t1", "dT",
                                           "v_end",   "dx1",   "dx2",          "dxC",           NULL };
@@ -34,7 +31,7 @@ static const struct option options_of_breakdown[] = {
   OPTION("map", read_text, OPTION_FIELD(breakdown_options, map), .values = 2, .allowed = "the name of what varies"),
   OPTION_TEXT("x", breakdown_options, range[0], "FROM:TO:COUNT"),
   OPTION_TEXT("y", breakdown_options, range[1], "FROM:TO:COUNT"),
-  OPTION_T,
+  OPTION_POINT("T"),
   OPTION_FLAG("boundaries", breakdown_options, boundaries),
   OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
@@ -67,18 +64,9 @@ static const struct breakdown_options initial = { .source = { "published", false
 static const struct axis_choice *axis_called(const char *name)
 {
   const struct axis_choice *axis = axes;
-  while (axis < axes + AXES && strcmp(name, axis->name) != 0 && strcmp(name, axis->variable) != 0)
+  while (axis->name && strcmp(name, axis->name) != 0 && strcmp(name, axis->variable) != 0)
     axis++;
-  return axis < axes + AXES ? axis : NULL;
-}
-
-static const char *no_axis(const char *name)
-{
-  const char *names[AXES + 1] = { NULL };
-  for (int i = 0; i < AXES; i++)
-    names[i] = axes[i].name;
-  return wrong_text("--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s", name,
-                    did_you_mean(nearest(name, names)));
+  return axis->name ? axis : NULL;
 }
 
 /* Adds a group of what varies. With :log unless it is said, but for alpha. NULL, or what is wrong */
@@ -121,7 +109,8 @@ static const char *complete(void *options)
     o->request.style.format = FORMAT_TABLE;
   for (int i = 0; o->map[0] && i < 2; i++)
     if (!axis_called(o->map[i]))
-      return no_axis(o->map[i]);
+      return wrong_text("--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s", o->map[i],
+                        did_you_mean(nearest_in(o->map[i], axes, sizeof *axes)));
   if (!o->map[0])
     return NULL;
   if (axis_called(o->map[0]) == axis_called(o->map[1]))

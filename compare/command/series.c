@@ -73,7 +73,8 @@ static bool has_rows(const void *options)
   return series_are_rows(o) || (!o->symbolic && is_from(o, "published"));
 }
 
-static bool is_sound(const void *options)
+/* What no rule says of the options */
+static const char *complete(void *options)
 {
   const struct series_options *o = options;
   /* bounds and formulas of higher orders take minutes */
@@ -84,9 +85,10 @@ static bool is_sound(const void *options)
                         : o->request.reference.given ? "reference"
                                                      : NULL;
   if (o->order.value > most)
-    return complain("series", "--%s takes an --order from 1 to %ld", what, most);
-  return !of_rows || series_are_rows(o)
-         || complain("series", "--%s is about rows of points: give --rows, or a list or a range", of_rows);
+    return wrong_text("--%s takes an --order from 1 to %ld", what, most);
+  if (of_rows && !series_are_rows(o))
+    return wrong_text("--%s is about rows of points: give --rows, or a list or a range", of_rows);
+  return NULL;
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
@@ -105,7 +107,7 @@ const struct command command_series = {
   .size = sizeof(struct series_options),
   .initial = &initial,
   .rules = rules,
-  .is_sound = is_sound,
+  .complete = complete,
   .plan = series_plan,
   .has_rows = has_rows,
   .run = run,
