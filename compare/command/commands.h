@@ -59,8 +59,8 @@ enum exit_code command_make(const struct arguments *arguments);
 void options_initial(struct arguments *arguments, const struct command *command);
 /* NULL: the command does not take it. */
 const struct option *option_of(const struct command *command, const char *name);
-/* Takes one more value of an option of the command. NULL, or what is wrong, until the next call. */
-const char *option_take(struct arguments *arguments, const struct option *option, const char *text);
+/* Takes the values of an option of the command. NULL, or what is wrong, until the next call. */
+const char *option_take(struct arguments *arguments, const struct option *option, const char *const *texts, int count);
 /* What is wrong with the name of an option that the command does not take; argument: as it is written */
 const char *option_unknown(const struct arguments *arguments, const char *name, const char *argument);
 /* What to use in place of an option, or of a value of it, that was there before this version; NULL: it never was. command:

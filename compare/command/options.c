@@ -74,72 +74,67 @@ const char *option_unknown(const struct arguments *a, const char *name, const ch
                     near ? did_you_mean(wrong_text("--%s", near)) : "", command);
 }
 
-const char *option_take(struct arguments *a, const struct option *o, const char *text)
+const char *option_take(struct arguments *a, const struct option *o, const char *const *texts, int count)
 {
-  const char *wrong = o->read(&a->options, o, text);
-  const char *instead = wrong && text ? option_instead(a->command->name, o->name, text) : NULL;
+  static const char *const takes[] = { "takes no value", "needs a value", "needs two values" };
+  const char *wrong = NULL, *text = NULL;
+  int values = option_values(o);
+  if (count != values)
+    return wrong_text("--%s %s", o->name, takes[values]);
+  for (int i = 0; i < (values == 0 ? 1 : values) && !wrong; i++) {
+    text = values == 0 ? NULL : texts[i];
+    wrong = o->read(&a->options, o, text);
+  }
   a->given |= 1UL << (o - a->command->options);
+  const char *instead = wrong && text ? option_instead(a->command->name, o->name, text) : NULL;
   if (instead)
     return wrong_text("--%s %s is no longer there: %s", o->name, text, instead);
   return wrong ? wrong_text("--%s: %s", o->name, wrong) : NULL;
 }
 
-/* The values of an option; text: the one behind '=', or NULL. False: the message is on stderr. */
-static bool read_values(struct arguments *a, const struct option *o, const char *text)
+/* An option, and its values: of the first the text behind '=', if there is one. NULL, or what is wrong */
+static const char *read_option(struct arguments *a)
 {
-  const char *command = a->command->name;
-  int values = option_values(o);
-  if (values == 0 && text)
-    return complain(command, "--%s takes no value", o->name);
-  for (int i = 0; i < (values == 0 ? 1 : values); i++) {
-    bool is_here = values == 0 || (i == 0 && text);
-    if (!is_here && a->place + 1 == a->count)
-      return complain(command, "--%s needs %s (see scallop %s --help)", o->name, i == 0 ? "a value" : "two values",
-                      command);
-    const char *wrong = option_take(a, o, is_here ? text : a->all[++a->place]);
-    if (wrong)
-      return complain(command, "%s", wrong);
-  }
-  return true;
-}
-
-static bool read_option(struct arguments *a)
-{
-  const char *argument = a->all[a->place];
+  const char *argument = a->all[a->place], *texts[MOST_VALUES];
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
   char before[2 * OPTION_VALUE]; /* the value behind '=' */
   size_t length = strcspn(argument, two_dashes ? "=" : "");
   snprintf(before, sizeof before, "%.*s", (int)length, argument);
   const char *name = is_o ? "output" : before + (two_dashes ? 2 : 0);
   const struct option *o = two_dashes || is_o ? option_of(a->command, name) : NULL;
-  return o ? read_values(a, o, argument[length] == '=' ? argument + length + 1 : NULL)
-           : complain(a->command->name, "%s", option_unknown(a, name, before));
+  int count = argument[length] == '=';
+  if (!o)
+    return option_unknown(a, name, before);
+  if (count > 0)
+    texts[0] = argument + length + 1;
+  while (count < option_values(o) && a->place + 1 < a->count)
+    texts[count++] = a->all[++a->place];
+  return option_take(a, o, texts, count);
 }
 
-static bool take_operand(struct arguments *a, const char *text)
+static const char *take_operand(struct arguments *a)
 {
   const struct command *c = a->command;
   bool takes_many = c->operand && strstr(c->operand, "...");
   if (!takes_many && a->operand_count == (c->operand ? 1 : 0))
-    return complain(c->name, "unexpected argument '%s' (see scallop %s --help)", text, c->name);
-  a->operands[a->operand_count++] = text;
-  return true;
+    return wrong_text("unexpected argument '%.400s' (see scallop %s --help)", a->all[a->place], c->name);
+  a->operands[a->operand_count++] = a->all[a->place];
+  return NULL;
 }
 
 static enum reading read_all(struct arguments *a)
 {
   const struct command *c = a->command;
-  for (a->place = 2; a->place < a->count; a->place++) {
-    char *argument = a->all[a->place];
+  const char *wrong = NULL;
+  for (a->place = 2; a->place < a->count && !wrong; a->place++) {
+    const char *argument = a->all[a->place];
     if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0)
       return READ_HELP;
-    bool is_option = argument[0] == '-' && argument[1] != '\0';
-    if (!(is_option ? read_option(a) : take_operand(a, argument)))
-      return READ_REFUSED;
+    wrong = (argument[0] == '-' && argument[1] != '\0' ? read_option : take_operand)(a);
   }
-  if (c->operand && a->operand_count == 0)
-    complain(c->name, "an argument is missing: scallop %s %s", c->name, c->operand);
-  return c->operand && a->operand_count == 0 ? READ_REFUSED : READ_RUN;
+  if (!wrong && c->operand && a->operand_count == 0)
+    wrong = wrong_text("an argument is missing: scallop %s %s", c->name, c->operand);
+  return wrong ? complain(c->name, "%s", wrong), READ_REFUSED : READ_RUN;
 }
 
 /* Is the option in a list of names, or of NAME=VALUE with the value that it has? */

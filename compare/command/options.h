@@ -12,7 +12,7 @@
 #include "compare/text/values.h"
 
 /* --digits: of doubles, and where they are proven. */
-enum { DOUBLE_DIGITS = 17, MOST_DIGITS = 10000, OPTION_VALUE = 48 };
+enum { DOUBLE_DIGITS = 17, MOST_DIGITS = 10000, OPTION_VALUE = 48, MOST_VALUES = 2 };
 
 /* Called for each value of an option. Returns NULL, or what is wrong; the message lives until the next call. */
 struct option;

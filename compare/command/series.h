@@ -32,5 +32,8 @@ const char *series_plan(const void *options, struct rows *rows);
 
 /* series_flint.c: --source derived|limit, --symbolic and --bound */
 enum exit_code series_report(const struct series_options *options);
+/* series_bound_flint.c: --bound, of the crawler as it was written */
+struct scallop_rational_crawler;
+enum exit_code series_bound(const struct series_options *options, const struct scallop_rational_crawler *crawler);
 
 #endif

@@ -34,24 +34,20 @@ static const struct kind *find_kind(struct scene *s, const config_setting_t *at)
   return place < 0 ? NULL : &kinds[place];
 }
 
-/* A member with the value that the option of that name takes. NULL, or what is wrong */
+/* A member with the value that the option of that name takes; true is that of a flag. NULL, or what is wrong */
 static const char *take_member(struct want *w, struct scene *s, const config_setting_t *at, const struct option *o)
 {
-  const char *name = config_setting_name(at), *wrong = NULL;
-  int values = option_values(o);
-  bool is_bool = config_setting_type(at) == CONFIG_TYPE_BOOL;
-  if (is_bool != (values == 0))
-    return wrong_text("%s %s", name, is_bool ? "takes a value" : "is true or false");
-  if (is_bool)
-    return config_setting_get_bool(at) ? option_take(&w->arguments, o, NULL) : NULL;
-  if (values > 1 && element_count(at) != values)
-    return wrong_text("%s takes %d values", name, values);
-  for (int i = 0; i < values && !wrong; i++) {
-    const char *text = values > 1 ? text_of(&s->config, element_at(at, i)) : scene_text_of_list(s, at);
-    wrong = text && *text ? option_take(&w->arguments, o, text)
-                          : wrong_text("%s takes what it takes on the command line: a number, or a text", name);
+  const char *texts[MOST_VALUES] = { NULL };
+  int values = option_values(o), count = values > 1 ? element_count(at) : 1;
+  if (config_setting_type(at) == CONFIG_TYPE_BOOL)
+    return config_setting_get_bool(at) ? option_take(&w->arguments, o, texts, 0) : NULL;
+  for (int i = 0; i < count && count <= MOST_VALUES; i++) {
+    texts[i] = values > 1 ? text_of(&s->config, element_at(at, i)) : scene_text_of_list(s, at);
+    if (!texts[i] || !*texts[i])
+      return wrong_text("%s takes what it takes on the command line: a number, a text, or true",
+                        config_setting_name(at));
   }
-  return wrong;
+  return option_take(&w->arguments, o, texts, count);
 }
 
 /* "of" names series where the command has no such option. */
@@ -88,6 +84,13 @@ static void take_parameters(struct point *p, const struct point *base)
   point_complete(p);
 }
 
+/* An option of the kind of table */
+static void take_named(struct want *w, const char *name, const char *const *value)
+{
+  const struct option *o = option_of(w->arguments.command, name);
+  option_take(&w->arguments, o, value, option_values(o));
+}
+
 /* The options of the want's command, over what the scene and the command line say. rows: for the want, if it has any */
 static bool read_options(struct want *w, struct scene *s, const config_setting_t *at, const struct kind *kind,
                          const struct style *given, struct rows *rows)
@@ -96,7 +99,7 @@ static bool read_options(struct want *w, struct scene *s, const config_setting_t
   options_initial(&w->arguments, kind->command);
   r->asked = s->request.asked;
   for (int i = 0; i < 2 && kind->option[i][0]; i++)
-    option_take(&w->arguments, option_of(kind->command, kind->option[i][0]), kind->option[i][1]);
+    take_named(w, kind->option[i][0], &kind->option[i][1]);
   if (!take_members(w, s, at))
     return false;
   bool has_own_points = kind->command == &command_breakdown;
