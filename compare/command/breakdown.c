@@ -106,7 +106,7 @@ static const char *complete(void *options)
   const char *wrong = add_axis(o, 1);
   wrong = wrong ? wrong : add_axis(o, 0);
   if (!wrong && (o->request.sweep.product->groups != 2 || sweep_set_twice(o->request.sweep.product)))
-    return "--map: a map needs two axes that can vary apart, and T and froude set the same";
+    return "--map: a map needs two different axes that can vary apart: T and froude set the same";
   return wrong;
 }
 

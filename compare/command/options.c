@@ -95,7 +95,7 @@ const char *option_take(struct arguments *a, const struct option *o, const char 
 /* An option, and its values: of the first the text behind '=', if there is one. NULL, or what is wrong */
 static const char *read_option(struct arguments *a)
 {
-  const char *argument = a->all[a->place], *texts[MOST_VALUES];
+  const char *argument = a->all[a->place], *texts[MOST_VALUES] = { NULL };
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
   char before[2 * OPTION_VALUE]; /* the value behind '=' */
   size_t length = strcspn(argument, two_dashes ? "=" : "");

@@ -216,9 +216,9 @@ enum exit_code wanted_read(struct wanted *all, const struct scene_source *source
 void wanted_free(struct wanted *all)
 {
   for (struct want *w = all->want; w < all->want + all->scene.wants; w++) {
-    struct request *r = &w->arguments.options.request;
-    r->sweep = w->rows ? (struct sweep){ .products = 0 } : r->sweep; /* the scene's */
-    r->asked = NULL;                                                 /* likewise */
+    if (w->rows) /* whose points are the scene's, as what is asked of all */
+      w->arguments.options.request.sweep = (struct sweep){ .products = 0 };
+    w->arguments.options.request.asked = NULL;
     options_free(&w->arguments);
   }
   for (int i = 0; i < all->tables; i++)
