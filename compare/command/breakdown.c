@@ -9,12 +9,9 @@
 /* What an axis may be, as maps and as scenes call it, and what varies where nothing is said */
 static const struct axis_choice {
   const char *name, *variable, *range;
-} axes[] = { { "F1/F2", "F1_over_F2", "0.01:100:41" },
-             { "m1/m2", "m1_over_m2", "0.01:100:41" },
-             { "alpha", "alpha", "0.01:0.99:41:linear" },
-             { "T", "T", "0.01:100:41" },
-             { "froude", "froude", "0.01:100:41" } };
-enum { AXES = sizeof axes / sizeof *axes };
+} axes[] = { { "F1/F2", "F1_over_F2", "0.01:100:41" },    { "m1/m2", "m1_over_m2", "0.01:100:41" },
+             { "alpha", "alpha", "0.01:0.99:41:linear" }, { "T", "T", "0.01:100:41" },
+             { "froude", "froude", "0.01:100:41" },       { NULL } };
 static const char *const sources[] = { "book", "published", "derived", "limit", NULL };
 static const char *const quantities[] = { "v_start", "v_mid", "displacement", "mean_velocity", "t1", "dT",
                                           "v_end",   "dx1",   "dx2",          "dxC",           NULL };
@@ -34,7 +31,7 @@ static const struct option options_of_breakdown[] = {
   OPTION("map", read_text, OPTION_FIELD(breakdown_options, map), .values = 2, .allowed = "the name of what varies"),
   OPTION_TEXT("x", breakdown_options, range[0], "FROM:TO:COUNT"),
   OPTION_TEXT("y", breakdown_options, range[1], "FROM:TO:COUNT"),
-  OPTION_T,
+  OPTION_POINT("T"),
   OPTION_FLAG("boundaries", breakdown_options, boundaries),
   OPTIONS_PLOT,
   OPTIONS_OF_DOUBLES,
@@ -63,45 +60,30 @@ static const struct breakdown_options initial = { .source = { "published", false
                                                   .order = { 8, false },
                                                   .tolerance = { 0.1, false } };
 
-/* NULL: there is none of that name. */
-static const struct axis_choice *axis_called(const char *name)
-{
-  const struct axis_choice *axis = axes;
-  while (axis < axes + AXES && strcmp(name, axis->name) != 0 && strcmp(name, axis->variable) != 0)
-    axis++;
-  return axis < axes + AXES ? axis : NULL;
-}
-
-static const char *no_axis(const char *name)
-{
-  const char *names[AXES + 1] = { NULL };
-  for (int i = 0; i < AXES; i++)
-    names[i] = axes[i].name;
-  return wrong_text("--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s", name,
-                    did_you_mean(nearest(name, names)));
-}
-
 /* Adds a group of what varies. With :log unless it is said, but for alpha. NULL, or what is wrong */
 static const char *add_axis(struct breakdown_options *o, int i)
 {
-  const struct axis_choice *axis = axis_called(o->map[i]);
-  const char *range = o->range[i] ? o->range[i] : axis->range;
-  char text[200];
-  int colons = 0;
+  const struct axis_choice *axis = axes;
+  const char *name = o->map[i];
   struct sweep_variable v;
-  sweep_variable_of_name(&v, axis->variable);
+  int colons = 0;
+  while (axis->name && strcmp(name, axis->name) != 0 && strcmp(name, axis->variable) != 0)
+    axis++;
+  if (!axis->name)
+    return wrong_text("--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s", name,
+                      did_you_mean(nearest_in(name, axes, sizeof *axes)));
+  const char *range = o->range[i] ? o->range[i] : axis->range, *option = i == 0 ? "x" : "y";
   o->map[i] = axis->name;
+  sweep_variable_of_name(&v, axis->variable);
   if (o->request.point.written[crawler_place(v.sets)])
-    return wrong_text("--%s has nothing to do with --map %s %s, where %s sets it", v.sets, o->map[0], o->map[1],
-                      axis->name);
+    return wrong_text("--%s has nothing to do with --map, where %s sets it", v.sets, axis->name);
   for (const char *c = range; *c; c++)
     colons += *c == ':';
-  snprintf(text, sizeof text, "%s%s", range, colons == 2 && strcmp(axis->name, "alpha") != 0 ? ":log" : "");
-  const char *wrong = colons < 2 ? "it takes FROM:TO:COUNT, FROM:TO:COUNT:log or FROM:TO:COUNT:linear"
-                                 : vary_text(&o->request, axis->variable, text);
-  if (wrong)
-    snprintf(text, sizeof text, "%.190s", wrong);
-  return wrong ? wrong_text("--%s: %s", o->range[i] ? i == 0 ? "x" : "y" : "map", text) : NULL;
+  if (colons < 2)
+    return wrong_text("--%s: it takes FROM:TO:COUNT, FROM:TO:COUNT:log or FROM:TO:COUNT:linear", option);
+  bool is_log = colons == 2 && strcmp(axis->name, "alpha") != 0;
+  const char *wrong = vary_text(&o->request, axis->variable, wrong_text("%s%s", range, is_log ? ":log" : ""));
+  return wrong ? wrong_text("--%s: %s", o->range[i] ? option : "map", wrong) : NULL;
 }
 
 /* Is it the page about events and reach? A scene, whose files are tables, sets a format. */
@@ -119,17 +101,12 @@ static const char *complete(void *options)
   struct breakdown_options *o = options;
   if (is_page(o))
     o->request.style.format = FORMAT_TABLE;
-  for (int i = 0; o->map[0] && i < 2; i++)
-    if (!axis_called(o->map[i]))
-      return no_axis(o->map[i]);
   if (!o->map[0])
     return NULL;
-  if (axis_called(o->map[0]) == axis_called(o->map[1]))
-    return "--map: a map needs two different axes";
   const char *wrong = add_axis(o, 1);
   wrong = wrong ? wrong : add_axis(o, 0);
-  if (!wrong && sweep_set_twice(o->request.sweep.product))
-    return "--map: T and froude set the same; a map needs two that can vary apart";
+  if (!wrong && (o->request.sweep.product->groups != 2 || sweep_set_twice(o->request.sweep.product)))
+    return "--map: a map needs two different axes that can vary apart: T and froude set the same";
   return wrong;
 }
 

@@ -1,9 +1,8 @@
-#include "compare/command/commands.h"
-
+/* The commands by name, and what --help prints: texts of docs/help/, and the lists of quantities and gaits, in which
+ * scripts/dev/completion.bash finds names: two blanks, a name, two blanks or more, what it is for. */
 #include <string.h>
 
-#include "compare/points/gaits.h"
-#include "compare/text/message.h"
+#include "compare/command/commands.h"
 #include "compare/text/shipped.h"
 
 const struct command *const commands[] = { &command_phase,
@@ -28,24 +27,15 @@ const struct command *command_named(const char *name)
   return *c;
 }
 
-const char *nearest_command(const char *word)
-{
-  const char *names[sizeof commands / sizeof *commands] = { NULL };
-  for (size_t i = 0; commands[i]; i++)
-    names[i] = commands[i]->name;
-  return nearest(word, names);
-}
-
-enum { HELP_WIDTH = 100, HELP_ITEM = 320 };
-
 /* An item of a list: a name, and from the column on a text in as many lines as it takes */
 static void print_item(FILE *to, const char *name, int column, const char *text)
 {
+  enum { WIDTH = 100 };
   int at = fprintf(to, "  %-*s  ", column - 4, name);
   bool begins = true;
   for (int word; *text; text += word + (text[word] == ' '), begins = false) {
     word = (int)strcspn(text, " ");
-    if (!begins && at + 1 + word > HELP_WIDTH)
+    if (!begins && at + 1 + word > WIDTH)
       at = fprintf(to, "\n%*s", column, "") - 1;
     else if (!begins)
       at += fprintf(to, " ");
@@ -59,25 +49,18 @@ static void list_quantities(FILE *to, int first, int end)
 {
   fputs("\nQuantities (with their units):\n", to);
   for (const struct quantity_row *row = quantity_rows + first;
-       row < quantity_rows + end || (end == NAMED_QUANTITIES && row->formula); row++) {
-    char text[HELP_ITEM];
-    snprintf(text, sizeof text, "%s [%s]", row->sentence, row->unit);
-    print_item(to, row->name, 22, text);
-  }
+       row < quantity_rows + end || (end == NAMED_QUANTITIES && row->formula); row++)
+    print_item(to, row->name, 22, wrong_text("%s [%s]", row->sentence, row->unit));
 }
 
 static void list_gaits(FILE *to)
 {
-  const struct scallop_gait_family *family;
+  const struct scallop_gait_family *f;
   fputs("\nGaits (with their usual numbers):\n", to);
-  for (int i = 0; (family = gait_family(i)) != NULL; i++) {
-    char name[40], text[HELP_ITEM];
-    bool may = family->numbers && family->usual;
-    snprintf(name, sizeof name, "%s%s%s%s%s", family->name, may ? "[" : "", family->numbers ? ":" : "",
-             family->numbers ? family->numbers : "", may ? "]" : "");
-    snprintf(text, sizeof text, "%s%s%s%s", family->sentence, may ? " (" : "", may ? family->usual : "",
-             may ? ")" : "");
-    print_item(to, name, 26, text);
+  for (int i = 0; (f = gait_family(i)) != NULL; i++) {
+    const char *name = !f->numbers ? f->name : wrong_text(f->usual ? "%s[:%s]" : "%s:%s", f->name, f->numbers);
+    bool has_usual = f->numbers && f->usual;
+    print_item(to, name, 26, has_usual ? wrong_text("%s (%s)", f->sentence, f->usual) : f->sentence);
   }
 }
 

@@ -1,24 +1,30 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <stdbool.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include <gsl/gsl_errno.h>
 
-#include "compare/points/counts.h"
 #include "compare/command/commands.h"
+#include "compare/points/counts.h"
 #include "compare/text/progress.h"
-#include "compare/text/message.h"
 #include "compare/text/shipped.h"
 
-static int unknown_command(const char *name)
+/* A message that is about no command */
+static enum exit_code refuse(const char *what)
 {
-  fprintf(stderr, "scallop: unknown command '%s'%s (see scallop --help)\n", name, did_you_mean(nearest_command(name)));
+  fprintf(stderr, "scallop: %s\n", what);
   return EXIT_USAGE;
+}
+
+static enum exit_code refuse_command(const char *name)
+{
+  const char *names[64] = { NULL };
+  for (size_t i = 0; commands[i]; i++)
+    names[i] = commands[i]->name;
+  return refuse(
+      wrong_text("unknown command '%.400s'%s (see scallop --help)", name, did_you_mean(nearest(name, names))));
 }
 
 /* Help and version are output too: a full device is an error. */
@@ -50,59 +56,46 @@ static bool is_help(const char *word)
   return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0;
 }
 
-static int give_help(const char *name)
+/* What does not begin with a command. next: the argument behind it, or NULL */
+static enum exit_code answer(const char *first, const char *next)
 {
-  const struct command *command = name ? command_named(name) : NULL;
-  if (name && !command && !is_help(name))
-    return unknown_command(name);
-  help_of(stdout, command);
-  return flushed();
-}
-
-static int give_completion(const char *shell)
-{
-  if (!shell || strcmp(shell, "bash") != 0) {
-    fprintf(stderr, "scallop: --completion takes the name of a shell, bash, and not '%s'\n", shell ? shell : "");
-    return EXIT_USAGE;
-  }
-  fputs(shipped_completion->text, stdout);
-  return flushed();
-}
-
-/* Is argument option, perhaps with =VALUE? Then *value is that, and otherwise stays. */
-static bool is_request(const char *argument, const char *option, const char **value)
-{
-  size_t length = strlen(option);
-  if (strncmp(argument, option, length) != 0 || (argument[length] != '\0' && argument[length] != '='))
-    return false;
-  if (argument[length] == '=')
-    *value = argument + length + 1;
-  return true;
-}
-
-/* What does not begin with a command; value: the argument behind it, or NULL. */
-static int answer(const char *first, const char *value)
-{
+  char option[OPTION_VALUE];
+  snprintf(option, sizeof option, "%.*s", (int)strcspn(first, "="), first);
+  const char *value = strchr(first, '=') ? strchr(first, '=') + 1 : next;
+  const char *instead = strncmp(option, "--", 2) == 0 ? option_instead("", option + 2, NULL) : NULL;
+  const struct command *command = next ? command_named(next) : NULL;
+  if (instead)
+    return refuse(wrong_text("%s is no longer there: %s", option, instead));
+  if (is_help(first) && next && !command && !is_help(next))
+    return refuse_command(next);
+  if (strcmp(option, "--completion") == 0 && (!value || strcmp(value, "bash") != 0))
+    return refuse(wrong_text("--completion takes the name of a shell, bash, and not '%s'", value ? value : ""));
   if (is_help(first))
-    return give_help(value);
-  if (strcmp(first, "--version") == 0) {
+    help_of(stdout, command);
+  else if (strcmp(first, "--version") == 0)
     puts("scallop " SCALLOP_VERSION);
-    return flushed();
-  }
-  if (is_request(first, "--man", &value)) {
-    fputs("scallop: there is no --man any more: `make install` installs the manual, which `man scallop` and "
-          "`man scallop-steady` show\n",
-          stderr);
-    return EXIT_USAGE;
-  }
-  if (is_request(first, "--completion", &value))
-    return give_completion(value);
-  if (first[0] != '-')
-    return unknown_command(first);
-  fprintf(stderr,
-          "scallop: the command comes first, then options such as '%s': scallop COMMAND %s (see scallop --help)\n",
-          first, first);
-  return EXIT_USAGE;
+  else if (strcmp(option, "--completion") == 0)
+    fputs(shipped_completion->text, stdout);
+  else if (first[0] != '-')
+    return refuse_command(first);
+  else
+    return refuse(
+        wrong_text("the command comes first, then options such as '%.80s': scallop COMMAND %.80s (see scallop "
+                   "--help)",
+                   first, first));
+  return flushed();
+}
+
+static enum exit_code run(const struct arguments *a)
+{
+  const struct request *r = &a->options.request;
+  point_tell_noise(&r->point, &r->style);
+  progress_begin(r->style.quiet);
+  enum exit_code code = command_make(a);
+  if (r->stats)
+    counts_print();
+  /* columns may have been named that the table has not */
+  return plot_refused() || (r->style.choice && r->style.choice->refused) ? EXIT_USAGE : code;
 }
 
 int main(int count, char **arguments)
@@ -121,23 +114,15 @@ int main(int count, char **arguments)
   }
   const struct command *command = command_named(arguments[1]);
   if (!command)
-    return answer(arguments[1], arguments[2]);
+    return (int)answer(arguments[1], arguments[2]);
   struct arguments read;
   enum exit_code code;
-  enum reading reading = options_read(&read, command, commands, count, arguments, &code);
+  enum reading reading = options_read(&read, command, count, arguments, &code);
   if (reading == READ_HELP) {
     help_of(stdout, command);
     code = flushed();
-  } else if (reading == READ_RUN) {
-    point_tell_noise(&read.options.request.point, &read.options.request.style);
-    progress_begin(read.options.request.style.quiet);
-    code = command_make(&read);
-    const struct table_choice *choice = read.options.request.style.choice;
-    if (plot_refused() || (choice && choice->refused))
-      code = EXIT_USAGE; /* columns were named that the table has not */
-    if (read.options.request.stats)
-      counts_print();
-  }
+  } else if (reading == READ_RUN)
+    code = run(&read);
   progress_clear();
   options_free(&read);
   return (int)code;

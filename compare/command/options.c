@@ -1,12 +1,11 @@
-#include "compare/command/options.h"
-
-#include <stdio.h>
+/* The arguments of a command: read, completed, and held against its rules. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/answers/vary.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
+#include "compare/command/commands.h"
 
 const struct option *option_of(const struct command *command, const char *name)
 {
@@ -16,7 +15,8 @@ const struct option *option_of(const struct command *command, const char *name)
   return o->name ? o : NULL;
 }
 
-/* What has left since the last version: an option, or "NAME VALUE", a value of one. */
+/* What has left since the last version: an option, or "NAME VALUE", a value of one; of which command, NULL of all. An
+ * option or a value that a command still has is found before it. */
 #define AWK \
   "`LC_ALL=C awk -f cheapest.awk FILE` summarises a table; the script is in scripts/plots/ of the sources, and " \
   "installed in share/scallop/"
@@ -24,7 +24,6 @@ const struct option *option_of(const struct command *command, const char *name)
 #define BY_SYMPY "sympy makes it of the text form in three lines: docs/formulas.md"
 #define LEDGERS \
   "`scallop claims | diff - FILE` compares with any ledger; data/claims.tsv of the sources is the tool's own"
-
 static const struct removed_option {
   const char *name, *command, *instead;
 } removed[] = {
@@ -36,13 +35,13 @@ static const struct removed_option {
   { "explain", "run", COUNTED },
   { "format tap", "order", "`--format junit` is what CI reads" },
   { "from", "workprec", AWK },
+  { "man", "", "`make install` installs the manual, which `man scallop` and `man scallop-steady` show" },
   { "pager", NULL, "`scallop ... --format table | less -S` shows an aligned table page by page" },
   { "summary", "stress", "`scallop stress --stiff | scallop order - --x delta --y v_end_error` measures the orders" },
   { "summary", "workprec", AWK },
 };
 
-/* NULL: it was never there. */
-static const char *removed_option(const char *command, const char *name, const char *value)
+const char *option_instead(const char *command, const char *name, const char *value)
 {
   char asked[OPTION_VALUE];
   snprintf(asked, sizeof asked, "%s%s%s", name, value ? " " : "", value ? value : "");
@@ -52,112 +51,98 @@ static const char *removed_option(const char *command, const char *name, const c
   return NULL;
 }
 
-static char message[640];
-static const struct command *const *all_commands; /* as options_read was given them */
+/* The option that a mistyped name is near to, or that is called so elsewhere; NULL: none */
+static const char *near_option(const struct command *command, const char *name)
+{
+  static const char *const elsewhere[][2] = { { "mass1", "m1" },     { "mass2", "m2" }, { "friction1", "F1" },
+                                              { "friction2", "F2" }, { "stroke", "L" }, { "period", "T" } };
+  for (size_t i = 0; i < sizeof elsewhere / sizeof *elsewhere; i++)
+    if (strcmp(name, elsewhere[i][0]) == 0 && option_of(command, elsewhere[i][1]))
+      return elsewhere[i][1];
+  return nearest_in(name + strspn(name, "-"), command->options, sizeof *command->options);
+}
 
-/* Another command's option, a mistyped one, or none */
 const char *option_unknown(const struct arguments *a, const char *name, const char *argument)
 {
-  enum { MOST = 80 };
-  const char *names[MOST + 2] = { NULL }, *command = a->command->name;
-  int count = 0;
-  const char *instead = removed_option(command, name, NULL);
-  for (const struct command *const *c = all_commands; *c && !instead; c++)
-    if (option_of(*c, name)) {
-      snprintf(message, sizeof message, "this command does not take the option '%s' (see scallop %s --help)", argument,
-               command);
-      return message;
-    }
-  for (const struct option *o = a->command->options; o->name && count < MOST; o++) {
-    names[count++] = o->name;
-    names[count++] = o->also ? o->also : "";
-  }
-  const char *near = nearest(name + strspn(name, "-"), names);
-  for (const struct option *o = a->command->options; near && o->name; o++)
-    near = near == o->also ? o->name : near;
+  const char *command = a->command->name, *instead = option_instead(command, name, NULL);
   if (instead)
-    snprintf(message, sizeof message, "--%s is no longer there: %s", name, instead);
-  else
-    snprintf(message, sizeof message, "unknown option '%s'%s%s%s (see scallop %s --help)", argument,
-             near ? ": did you mean '--" : "", near ? near : "", near ? "'?" : "", command);
-  return message;
+    return wrong_text("--%s is no longer there: %s", name, instead);
+  for (const struct command *const *c = commands; *c; c++)
+    if (option_of(*c, name))
+      return wrong_text("this command does not take the option '%s' (see scallop %s --help)", argument, command);
+  const char *near = near_option(a->command, name);
+  return wrong_text("unknown option '%s'%s (see scallop %s --help)", argument,
+                    near ? did_you_mean(wrong_text("--%s", near)) : "", command);
 }
 
-const char *option_take(struct arguments *a, const struct option *o, const char *text)
+const char *option_take(struct arguments *a, const struct option *o, const char *const *texts, int count)
 {
-  const char *wrong = o->read(&a->options, o, text);
-  const char *instead = wrong && text ? removed_option(a->command->name, o->name, text) : NULL;
-  a->given |= 1UL << (o - a->command->options);
-  if (instead)
-    snprintf(message, sizeof message, "--%s %s is no longer there: %s", o->name, text, instead);
-  else if (wrong)
-    snprintf(message, sizeof message, "--%s: %s", o->name, wrong);
-  return wrong ? message : NULL;
-}
-
-/* The values of an option; text: the one behind '=', or NULL. False: the message is on stderr. */
-static bool read_values(struct arguments *a, const struct option *o, const char *text)
-{
-  const char *command = a->command->name;
+  static const char *const takes[] = { "takes no value", "needs a value", "needs two values" };
+  const char *wrong = NULL, *text = NULL;
   int values = option_values(o);
-  if (values == 0 && text)
-    return complain(command, "--%s takes no value", o->name);
-  for (int i = 0; i < (values == 0 ? 1 : values); i++) {
-    bool is_here = values == 0 || (i == 0 && text);
-    if (!is_here && a->place + 1 == a->count)
-      return complain(command, "--%s needs %s (see scallop %s --help)", o->name, i == 0 ? "a value" : "two values",
-                      command);
-    const char *wrong = option_take(a, o, is_here ? text : a->all[++a->place]);
-    if (wrong)
-      return complain(command, "%s", wrong);
+  if (count != values)
+    return wrong_text("--%s %s", o->name, takes[values]);
+  for (int i = 0; i < (values == 0 ? 1 : values) && !wrong; i++) {
+    text = values == 0 ? NULL : texts[i];
+    wrong = o->read(&a->options, o, text);
   }
-  return true;
+  a->given |= 1UL << (o - a->command->options);
+  const char *instead = wrong && text ? option_instead(a->command->name, o->name, text) : NULL;
+  if (instead)
+    return wrong_text("--%s %s is no longer there: %s", o->name, text, instead);
+  return wrong ? wrong_text("--%s: %s", o->name, wrong) : NULL;
 }
 
-static bool read_option(struct arguments *a)
+/* An option, and its values: of the first the text behind '=', if there is one. NULL, or what is wrong */
+static const char *read_option(struct arguments *a)
 {
-  const char *argument = a->all[a->place];
+  const char *argument = a->all[a->place], *texts[MOST_VALUES] = { NULL };
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
   char before[2 * OPTION_VALUE]; /* the value behind '=' */
   size_t length = strcspn(argument, two_dashes ? "=" : "");
   snprintf(before, sizeof before, "%.*s", (int)length, argument);
   const char *name = is_o ? "output" : before + (two_dashes ? 2 : 0);
   const struct option *o = two_dashes || is_o ? option_of(a->command, name) : NULL;
-  return o ? read_values(a, o, argument[length] == '=' ? argument + length + 1 : NULL)
-           : complain(a->command->name, "%s", option_unknown(a, name, before));
+  int count = argument[length] == '=';
+  if (!o)
+    return option_unknown(a, name, before);
+  if (count > 0)
+    texts[0] = argument + length + 1;
+  while (count < option_values(o) && a->place + 1 < a->count)
+    texts[count++] = a->all[++a->place];
+  return option_take(a, o, texts, count);
 }
 
-static bool take_operand(struct arguments *a, const char *text)
+static const char *take_operand(struct arguments *a)
 {
   const struct command *c = a->command;
   bool takes_many = c->operand && strstr(c->operand, "...");
   if (!takes_many && a->operand_count == (c->operand ? 1 : 0))
-    return complain(c->name, "unexpected argument '%s' (see scallop %s --help)", text, c->name);
-  a->operands[a->operand_count++] = text;
-  return true;
+    return wrong_text("unexpected argument '%.400s' (see scallop %s --help)", a->all[a->place], c->name);
+  a->operands[a->operand_count++] = a->all[a->place];
+  return NULL;
 }
 
 static enum reading read_all(struct arguments *a)
 {
-  for (a->place = 2; a->place < a->count; a->place++) {
-    char *argument = a->all[a->place];
+  const struct command *c = a->command;
+  const char *wrong = NULL;
+  for (a->place = 2; a->place < a->count && !wrong; a->place++) {
+    const char *argument = a->all[a->place];
     if (strcmp(argument, "--help") == 0 || strcmp(argument, "-h") == 0)
       return READ_HELP;
-    bool is_option = argument[0] == '-' && argument[1] != '\0';
-    if (!(is_option ? read_option(a) : take_operand(a, argument)))
-      return READ_REFUSED;
+    wrong = (argument[0] == '-' && argument[1] != '\0' ? read_option : take_operand)(a);
   }
-  if (!a->command->operand || a->operand_count > 0)
-    return READ_RUN;
-  complain(a->command->name, "an argument is missing: scallop %s %s", a->command->name, a->command->operand);
-  return READ_REFUSED;
+  if (!wrong && c->operand && a->operand_count == 0)
+    wrong = wrong_text("an argument is missing: scallop %s %s", c->name, c->operand);
+  return wrong ? complain(c->name, "%s", wrong), READ_REFUSED : READ_RUN;
 }
 
 /* Is the option in a list of names, or of NAME=VALUE with the value that it has? */
 static bool is_listed(const struct arguments *a, const struct option *o, const char *names)
 {
   char both[2 * OPTION_VALUE];
-  const struct given_word *word = o->read == read_word ? (const void *)((const char *)&a->options + o->field) : NULL;
+  const struct given_word *word = o->read == read_word ? (const void *)(a->options.room + o->field) : NULL;
   snprintf(both, sizeof both, "%s=%s", o->name, word && word->value ? word->value : "");
   for (size_t length; *names; names += length + (names[length] == ' ')) {
     length = strcspn(names, " ");
@@ -175,51 +160,47 @@ const struct option *given_option(const struct arguments *a, const char *names)
   return NULL;
 }
 
-static bool rules_hold(const struct arguments *a)
+/* NULL, or what is wrong: an option that has no effect beside another, or without it */
+static const char *broken_rule(const struct arguments *a, const struct option_rule *rules)
 {
-  for (const struct option_rule *r = a->command->rules; r && r->names; r++) {
+  for (const struct option_rule *r = rules; r && r->names; r++) {
     const struct option *idle = given_option(a, r->names), *other = given_option(a, r->others);
     if (!idle || (other != NULL) == (r->when == RULE_WITHOUT))
       continue;
     if (r->message)
-      return complain(a->command->name, "--%s %s", idle->name, r->message);
-    return complain(a->command->name, "--%s has nothing to do %s --%s", idle->name, other ? "with" : "without",
-                    other ? other->name : r->others);
+      return wrong_text("--%s %s", idle->name, r->message);
+    return wrong_text("--%s has nothing to do %s --%s", idle->name, other ? "with" : "without",
+                      other ? other->name : r->others);
   }
-  return true;
+  return NULL;
 }
 
 /* Lists and ranges are for commands that take many points, and stand in place of a file of them. */
-static bool sweep_holds(const struct arguments *a)
+static const char *idle_sweep(const struct arguments *a)
 {
   const struct request *r = &a->options.request;
   const struct sweep_variable *v = sweep_variable(&r->sweep, 0);
-  if (!v || (command_has_rows(a->command, &a->options) && !r->points))
-    return true;
-  if (r->points)
-    return complain(a->command->name,
-                    "--%s: a list or a range and --points exclude each other: the file has a row for each point",
+  if (!v || (command_has_rows(a->command, r) && !r->points))
+    return NULL;
+  return wrong_text(r->points ? "--%s: a list or a range and --points exclude each other: the file has a row for each "
+                                "point"
+                              : "--%s: this command takes one value: a list or a range is for steady, phase, series "
+                                "and trajectory, which print rows for each point",
                     v->name);
-  return complain(a->command->name,
-                  "--%s: this command takes one value: a list or a range is for steady, phase, series and trajectory, "
-                  "which print rows "
-                  "for each point",
-                  v->name);
 }
 
 bool options_are_sound(struct arguments *a)
 {
-  if (!sweep_holds(a))
-    return false;
-  const char *wrong = a->command->complete ? a->command->complete(&a->options) : NULL;
-  if (wrong)
-    return complain(a->command->name, "%s", wrong);
-  const struct style *style = &a->options.request.style;
-  const struct option *of_plot = given_option(a,
-                                              "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size");
-  if (of_plot && !style->plot.file)
-    return complain(a->command->name, "--%s has nothing to do without --plot", of_plot->name);
-  return rules_hold(a) && (!a->command->is_sound || a->command->is_sound(&a->options));
+  static const struct option_rule of_plots[] = {
+    { "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size", RULE_WITHOUT, "plot", NULL },
+    { NULL, RULE_WITH, NULL, NULL }
+  };
+  const struct command *c = a->command;
+  const char *wrong = idle_sweep(a);
+  wrong = wrong ? wrong : broken_rule(a, of_plots);
+  wrong = wrong ? wrong : broken_rule(a, c->rules);
+  wrong = wrong || !c->complete ? wrong : c->complete(&a->options);
+  return !wrong || complain(c->name, "%s", wrong);
 }
 
 void options_initial(struct arguments *a, const struct command *command)
@@ -234,26 +215,23 @@ void options_initial(struct arguments *a, const struct command *command)
                         .point = point_initial(command->defaults) };
 }
 
-enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *commands,
-                          int count, char **all, enum exit_code *code)
+enum reading options_read(struct arguments *a, const struct command *command, int count, char **all,
+                          enum exit_code *code)
 {
-  all_commands = commands;
+  struct request *r = &a->options.request;
   options_initial(a, command);
   a->all = all;
   a->count = count;
   a->operands = calloc((size_t)count, sizeof *a->operands);
-  a->options.request.asked = asked_nothing(command->name);
+  r->asked = asked_nothing(command->name);
   *code = EXIT_UNSOLVED;
-  if (!a->operands || !a->options.request.asked) {
-    complain(command->name, "out of memory");
-    return READ_REFUSED;
-  }
+  if (!a->operands || !r->asked)
+    return complain(command->name, "out of memory"), READ_REFUSED;
   enum reading reading = read_all(a);
-  struct point *point = &a->options.request.point;
-  *code = reading == READ_HELP ? EXIT_DONE : point->unreadable ? EXIT_FILE : EXIT_USAGE;
-  point_complete(point);
-  if (a->options.request.points && strcmp(a->options.request.points, "-") == 0)
-    a->options.request.style.has_format = true; /* each row appears when its point has come, on a terminal too */
+  *code = reading == READ_HELP ? EXIT_DONE : r->point.unreadable ? EXIT_FILE : EXIT_USAGE;
+  point_complete(&r->point);
+  if (r->points && strcmp(r->points, "-") == 0)
+    r->style.has_format = true; /* each row appears when its point has come, on a terminal too */
   return reading == READ_RUN && !options_are_sound(a) ? READ_REFUSED : reading;
 }
 
@@ -265,20 +243,16 @@ bool command_has_rows(const struct command *c, const void *options)
 enum exit_code command_make(const struct arguments *a)
 {
   const struct request *request = &a->options.request;
-  const char *book = request->book;
-  enum exit_code code = book ? book_read(a->command->name, book, NULL, quantity_is_other) : EXIT_DONE;
+  struct rows rows = { .request = request, .sheet.asked = request->asked };
+  enum exit_code code = request->book ? book_read(a->command->name, request->book, NULL, quantity_is_other) : EXIT_DONE;
   if (code != EXIT_DONE)
     return code;
   if (!command_has_rows(a->command, request))
     return a->command->run(a, request);
-  struct rows rows = { .request = request, .sheet.asked = request->asked };
   const char *wrong = a->command->plan(request, &rows);
-  if (wrong) {
-    if (*wrong)
-      complain(request->style.command, "%s", wrong);
-    code = wrong == rows_no_memory ? EXIT_UNSOLVED : EXIT_USAGE;
-  } else
-    code = rows_table(&rows);
+  if (wrong && *wrong)
+    complain(request->style.command, "%s", wrong);
+  code = !wrong ? rows_table(&rows) : wrong == rows_no_memory ? EXIT_UNSOLVED : EXIT_USAGE;
   rows_free(&rows);
   return code;
 }

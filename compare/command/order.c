@@ -63,14 +63,13 @@ static const struct order_options initial = { .tolerance = { 0.1, false }, .form
 
 static int format_of(const struct order_options *o) { return word_place(o->format.value, report_formats); }
 
-static bool is_sound(const void *options)
+static const char *complete(void *options)
 {
   const struct order_options *o = options;
-  if (format_of(o) < FORMATS)
-    return true;
-  if (o->request.style.choice)
-    return complain("order", "--columns is for tables, and '%s' is none", o->format.value);
-  return !o->rows || complain("order", "--rows: '%s' is a format for verdicts", o->format.value);
+  bool is_table = format_of(o) < FORMATS;
+  if (!is_table && o->request.style.choice)
+    return wrong_text("--columns is for tables, and '%s' is none", o->format.value);
+  return is_table || !o->rows ? NULL : wrong_text("--rows: '%s' is a format for verdicts", o->format.value);
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
@@ -110,6 +109,6 @@ const struct command command_order = {
   .rules = rules,
   .size = sizeof(struct order_options),
   .initial = &initial,
-  .is_sound = is_sound,
+  .complete = complete,
   .run = run,
 };

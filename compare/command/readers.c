@@ -1,11 +1,12 @@
 /* How the values of options are read. */
-#include <stdio.h>
 #include <string.h>
 
 #include "compare/answers/vary.h"
 #include "compare/columns/columns.h"
-#include "compare/command/readers.h"
+#include "compare/command/options.h"
 #include "compare/text/plot.h"
+
+const char *const reference_words[] = { "exact", "certified", NULL };
 
 int option_values(const struct option *o)
 {
@@ -46,27 +47,41 @@ const char *read_real(void *options, const struct option *o, const char *text)
 const char *read_whole(void *options, const struct option *o, const char *text)
 {
   struct given_count *count = field_of(options, o);
-  char allowed[80];
-  snprintf(allowed, sizeof allowed, "a whole number from %.0f to %.0f", o->least, o->most);
   count->given = read_count(text, (long)o->least, (long)o->most, &count->value);
-  return count->given ? NULL : not_allowed(text, allowed);
+  return count->given ? NULL : not_allowed(text, wrong_text("a whole number from %.0f to %.0f", o->least, o->most));
 }
 
-static const char *none_of(const char *text, const char *const *words)
+/* The place of the word, or -1, and what is wrong */
+static int word_among(const char *const *words, const char *text, const char **wrong)
 {
-  char list[400], allowed[600];
-  snprintf(allowed, sizeof allowed, "%s%s", joined(list, sizeof list, words, " or "),
-           did_you_mean(nearest(text, words)));
-  return not_allowed(text, allowed);
+  char list[400];
+  int place = word_place(text, words);
+  *wrong = place < 0 ? not_allowed(
+               text, wrong_text("%s%s", joined(list, sizeof list, words, " or "), did_you_mean(nearest(text, words))))
+                     : NULL;
+  return place;
 }
 
 const char *read_word(void *options, const struct option *o, const char *text)
 {
-  int place = word_place(text, o->words);
-  if (place < 0)
-    return none_of(text, o->words);
-  *(struct given_word *)field_of(options, o) = (struct given_word){ o->words[place], true };
-  return NULL;
+  const char *wrong;
+  int place = word_among(o->words, text, &wrong);
+  if (!wrong)
+    *(struct given_word *)field_of(options, o) = (struct given_word){ o->words[place], true };
+  return wrong;
+}
+
+const char *read_format(void *options, const struct option *o, const char *text)
+{
+  struct request *r = options;
+  const char *wrong;
+  int place = word_among(format_names, text, &wrong);
+  (void)o;
+  if (!wrong) {
+    r->style.format = (enum format)place;
+    r->style.has_format = true;
+  }
+  return wrong;
 }
 
 const char *read_text(void *options, const struct option *o, const char *text)
@@ -78,36 +93,11 @@ const char *read_text(void *options, const struct option *o, const char *text)
   return *text == '\0' ? not_allowed(text, o->allowed) : NULL;
 }
 
-const char *read_format(void *options, const struct option *o, const char *text)
-{
-  struct request *r = options;
-  int place = word_place(text, format_names);
-  (void)o;
-  if (place < 0)
-    return none_of(text, format_names);
-  r->style.format = (enum format)place;
-  r->style.has_format = true;
-  return NULL;
-}
-
-static const char *no_digits(const char *text, const char *range)
-{
-  char allowed[120];
-  snprintf(allowed, sizeof allowed, "a whole number %s", range);
-  return not_allowed(text, allowed);
-}
-
 const char *read_digits(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
-  return read_count(text, 1, (long)o->most, &r->style.digits) ? NULL : no_digits(text, o->allowed);
-}
-
-bool digits_hold(const struct style *style, bool proven, const char *range)
-{
-  char number[24];
-  snprintf(number, sizeof number, "%ld", style->digits);
-  return proven || style->digits <= DOUBLE_DIGITS || complain(style->command, "--digits: %s", no_digits(number, range));
+  bool fine = read_count(text, 1, (long)o->most, &r->style.digits);
+  return fine ? NULL : not_allowed(text, wrong_text("a whole number %s", o->allowed));
 }
 
 const char *read_output(void *options, const struct option *o, const char *text)
@@ -117,9 +107,8 @@ const char *read_output(void *options, const struct option *o, const char *text)
   if (*text == '\0')
     return not_allowed(text, "a file name");
   if (plot_kind(text))
-    return not_allowed(
-        text,
-        "the name of a table, not of a picture, which --plot draws (`scallop run` draws the plots of its scenes)");
+    return not_allowed(text, "the name of a table, not of a picture, which --plot draws (`scallop run` draws the plots "
+                             "of its scenes)");
   r->style.output = strcmp(text, "-") == 0 ? NULL : text;
   r->style.has_output = true;
   return NULL;
@@ -138,5 +127,3 @@ const char *read_choice(void *options, const struct option *o, const char *text)
   columns_free(r->style.choice);
   return columns_read(&r->style.choice, text);
 }
-
-const char *const reference_words[] = { "exact", "certified", NULL };

@@ -1,15 +1,12 @@
+/* run and figure: what scenes want, made. */
 #include <limits.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/command/commands.h"
 #include "compare/command/want.h"
 #include "compare/points/counts.h"
 #include "compare/text/file.h"
-#include "compare/text/plot.h"
-#include "compare/text/shipped.h"
 
 static const struct option options_of_run[] = {
   OPTIONS_CRAWLER,
@@ -25,37 +22,6 @@ static const struct option options_of_run[] = {
 };
 static const struct option_rule rules[] = { { "into", RULE_WITH, "output", "and -o exclude each other" },
                                             { NULL, RULE_WITH, NULL, NULL } };
-
-/* A scene whose wants have been read */
-struct running {
-  struct scene scene;
-  struct want *want; /* scene.wants of them */
-  struct rows *rows; /* those of tables with a row for each point, which share their points */
-};
-
-static void running_free(struct running *r)
-{
-  for (int i = 0; r->want && i < r->scene.wants; i++)
-    want_free(&r->want[i]);
-  free(r->want);
-  free(r->rows);
-  scene_free(&r->scene);
-}
-
-static enum exit_code read_scene(struct running *r, const struct scene_source *source, const struct scene_options *o)
-{
-  enum exit_code code = scene_read(&r->scene, source, &o->request);
-  if (code != EXIT_DONE)
-    return code;
-  r->want = calloc((size_t)r->scene.wants, sizeof *r->want);
-  r->rows = calloc((size_t)r->scene.wants, sizeof *r->rows);
-  if (!r->want || !r->rows)
-    return complain(o->request.style.command, "out of memory"), EXIT_UNSOLVED;
-  for (int i = 0; i < r->scene.wants; i++)
-    if (!want_read(&r->want[i], &r->scene, r->scene.want[i], o))
-      return EXIT_USAGE;
-  return EXIT_DONE;
-}
 
 /* What tells files apart, however their paths are spelled: a file that is there, or a name in a folder. A device or a
  * pipe takes any number of tables, and that a folder is not there opening the file will say: name is NULL. */
@@ -87,13 +53,13 @@ static bool is_same_file(const char *a, const char *b)
 }
 
 /* Do tables and plots of all scenes go to different files, and none to one that is read? */
-static enum exit_code check_files(const struct running *all, int count, const char *command)
+static enum exit_code check_files(const struct wanted *all, int count, const char *command)
 {
   enum { MOST = 2 * SCENE_WANTS * 64 };
   static const char *path[MOST + 2];
   int files = 0;
-  for (int i = 0; i < count; i++)
-    for (const struct want *w = all[i].want; w < all[i].want + all[i].scene.wants && files < MOST; w++) {
+  for (const struct wanted *s = all; s < all + count; s++)
+    for (const struct want *w = s->want; w < s->want + s->scene.wants && files < MOST; w++) {
       path[files++] = w->files.table;
       if (w->files.has_plot)
         path[files++] = w->files.plot.file;
@@ -113,130 +79,107 @@ static enum exit_code check_files(const struct running *all, int count, const ch
 
 static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ? a : b; }
 
-static void tell_written(const struct scene_options *o, const char *file)
+static void tell_written(const struct style *given, const char *file)
 {
-  if (file && !o->request.style.quiet)
-    fprintf(stderr, "scallop %s: wrote %s\n", o->request.style.command, file);
+  if (file && !given->quiet)
+    fprintf(stderr, "scallop %s: wrote %s\n", given->command, file);
 }
 
-/* The tables of commands, each in its place when its command ends */
-static enum exit_code run_commands(struct running *r)
+static enum exit_code draw_plots(const struct wanted *s, const struct style *given)
 {
   enum exit_code code = EXIT_DONE;
-  for (int i = 0; i < r->scene.wants && code != EXIT_FILE; i++)
-    if (!r->want[i].has_rows) {
-      count_add(COUNT_COMMANDS, 1);
-      code = worse(code, command_make(&r->want[i].arguments));
-    }
-  return code;
-}
-
-static enum exit_code draw_plots(const struct running *r, const struct scene_options *o)
-{
-  enum exit_code code = EXIT_DONE;
-  for (int i = 0; i < r->scene.wants; i++) {
-    const struct want *w = &r->want[i];
-    bool drawn = w->files.has_plot && plot_draw(&w->files.plot, o->request.style.command);
+  for (const struct want *w = s->want; w < s->want + s->scene.wants; w++) {
+    bool drawn = w->files.has_plot && plot_draw(&w->files.plot, given->command);
     code = drawn || !w->files.has_plot ? code : EXIT_FILE;
     count_add(COUNT_PLOTS, drawn);
-    if (drawn)
-      tell_written(o, w->files.plot.file);
+    tell_written(given, drawn ? w->files.plot.file : NULL);
   }
   return code;
 }
 
-/* What is said of tables that are in their places, and the exit code */
-static enum exit_code judge(const struct running *r, const struct rows_run *run, enum exit_code code,
-                            const struct scene_options *o)
+/* Of tables that are in their places: what is said of them, their pictures, and the exit code */
+static enum exit_code judge(const struct wanted *s, const struct rows_run *run, enum exit_code code,
+                            const struct style *given)
 {
-  const char *command = o->request.style.command;
   long failed = 0;
+  for (int i = 0; i < s->scene.wants; i++)
+    tell_written(given, s->want[i].files.table);
   for (int i = 0; i < run->count; i++)
     failed += run->rows[i].failed_checks;
   if (run->unsolved > 0)
-    complain(command, "%s: %ld of %ld points could not be solved, the first: %s", r->scene.name, run->unsolved,
+    complain(given->command, "%s: %ld of %ld points could not be solved, the first: %s", s->scene.name, run->unsolved,
              run->points, run->why);
   if (failed > 0)
-    complain(command, "%s: orders that are not as expected: %ld: the column 'verdict' says how", r->scene.name, failed);
-  if (draw_plots(r, o) != EXIT_DONE)
+    complain(given->command, "%s: orders that are not as expected: %ld: the column 'verdict' says how", s->scene.name,
+             failed);
+  if (draw_plots(s, given) != EXIT_DONE)
     return EXIT_FILE;
   return run->unsolved > 0 ? EXIT_UNSOLVED : failed > 0 ? worse(code, EXIT_CHECK_FAILED) : code;
 }
 
-/* All tables are complete before the first takes its place: where something goes wrong the earlier files stay. */
-static enum exit_code run_scene(struct running *r, const struct scene_options *o)
+/* Rows share their points; the table of another command is made, and in its place, when that command ends. All rows are
+ * complete before the first table takes its place: where something goes wrong the earlier files stay. */
+static enum exit_code run_scene(struct wanted *s, const struct style *given)
 {
-  struct rows_run run = { .rows = r->rows };
-  for (int i = 0; i < r->scene.wants; i++)
-    if (r->want[i].has_rows)
-      run.rows[run.count++] = r->want[i].rows;
+  struct rows_run run = { .count = s->tables, .rows = s->rows };
   enum exit_code code = run.count > 0 ? rows_visit(&run, NULL) : EXIT_DONE;
-  code = code == EXIT_DONE ? run_commands(r) : code;
+  bool go_on = code == EXIT_DONE;
+  for (int i = 0; go_on && i < s->scene.wants && code != EXIT_FILE; i++)
+    if (!s->want[i].rows) {
+      count_add(COUNT_COMMANDS, 1);
+      code = worse(code, command_make(&s->want[i].arguments));
+    }
   bool keep = code != EXIT_FILE && code != EXIT_USAGE;
   if (!rows_close(&run, keep))
     return EXIT_FILE;
-  for (int i = 0; keep && i < r->scene.wants; i++)
-    tell_written(o, r->want[i].files.table);
-  return keep ? judge(r, &run, code, o) : code;
+  return keep ? judge(s, &run, code, given) : code;
 }
 
-static enum exit_code run_all(struct running *all, int count, const struct scene_options *o)
+static enum exit_code run_all(struct wanted *all, int count, const struct scene_options *o)
 {
-  const char *command = o->request.style.command;
+  const struct style *given = &o->request.style;
   int wants = 0;
   for (int i = 0; i < count; i++)
     wants += all[i].scene.wants;
-  if (o->request.style.has_output && wants > 1) {
-    complain(command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
+  if (given->has_output && wants > 1) {
+    complain(given->command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
     return EXIT_USAGE;
   }
-  enum exit_code code = check_files(all, count, command);
-  for (int i = 0; i < count && code == EXIT_DONE && o->check_only && !o->request.style.quiet; i++)
-    fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", command, all[i].scene.name,
-            all[i].scene.request.sweep.products > 0 ? sweep_points(&all[i].scene.request.sweep) : 1,
-            all[i].scene.wants);
-  if (code != EXIT_DONE || o->check_only)
-    return code;
-  for (int i = 0; i < count && code != EXIT_FILE; i++)
-    code = worse(code, run_scene(&all[i], o));
+  enum exit_code code = check_files(all, count, given->command);
+  bool is_fine = code == EXIT_DONE;
+  for (struct wanted *s = all; is_fine && s < all + count && code != EXIT_FILE; s++)
+    if (!o->check_only)
+      code = worse(code, run_scene(s, given));
+    else if (!given->quiet)
+      fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", given->command, s->scene.name,
+              s->scene.request.sweep.products > 0 ? sweep_points(&s->scene.request.sweep) : 1, s->scene.wants);
   return code;
 }
 
 /* Reads all scenes, and only then runs them. */
-static enum exit_code run_scenes(const struct scene_options *o, const struct scene_source *sources, int count)
+static enum exit_code run_scenes(const struct scene_options *o, const char *const *names, int count)
 {
-  struct running *all = calloc((size_t)count, sizeof *all);
+  struct wanted *all = calloc((size_t)count, sizeof *all);
   enum exit_code code = EXIT_DONE;
   int read = 0;
   if (!all)
     return complain(o->request.style.command, "out of memory"), EXIT_UNSOLVED;
-  while (code == EXIT_DONE && read < count) {
-    code = read_scene(&all[read], &sources[read], o);
-    read++;
+  for (; read < count && code == EXIT_DONE; read++) {
+    const char *name = strcmp(names[read], "/dev/stdin") == 0 ? "-" : names[read];
+    code = wanted_read(&all[read], &(struct scene_source){ .path = name, .text = shipped_text(shipped_scenes, name) },
+                       o);
   }
   if (code == EXIT_DONE)
     code = run_all(all, count, o);
-  for (int i = 0; i < read; i++)
-    running_free(&all[i]);
+  while (read > 0)
+    wanted_free(&all[--read]);
   free(all);
   return code;
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  struct scene_source *sources = calloc((size_t)arguments->operand_count, sizeof *sources);
-  if (!sources) {
-    complain("run", "out of memory");
-    return EXIT_UNSOLVED;
-  }
-  for (int i = 0; i < arguments->operand_count; i++) {
-    const char *operand = arguments->operands[i];
-    sources[i] = (struct scene_source){ .path = strcmp(operand, "/dev/stdin") == 0 ? "-" : operand,
-                                        .text = shipped_text(shipped_scenes, operand) };
-  }
-  enum exit_code code = run_scenes(options, sources, arguments->operand_count);
-  free(sources);
-  return code;
+  return run_scenes(options, arguments->operands, arguments->operand_count);
 }
 
 const struct command command_run = {
@@ -263,14 +206,13 @@ static enum exit_code run_figure(const struct arguments *arguments, const void *
   const char *figure = arguments->operands[0];
   char name[16];
   snprintf(name, sizeof name, "figure%.4s", figure);
-  const char *scene = strlen(figure) == 1 ? shipped_text(shipped_scenes, name) : NULL;
-  if (!scene) {
+  if (strlen(figure) != 1 || !shipped_text(shipped_scenes, name)) {
     complain("figure", "there is no table for figure '%s': 2, 3, 4 or 5 (figure 1 is a sketch)", figure);
     return EXIT_USAGE;
   }
   o.request.style.has_output = o.no_plots = true;
   plot->picture = plot->x || plot->y || plot->by ? NULL : name;
-  return run_scenes(&o, &(struct scene_source){ .path = name, .text = scene }, 1);
+  return run_scenes(&o, (const char *const[]){ name }, 1);
 }
 
 const struct command command_figure = {

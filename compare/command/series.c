@@ -1,12 +1,8 @@
-#include <stdlib.h>
-#include <string.h>
+#include "compare/command/series.h"
 
 #include "compare/answers/flint.h"
-#include "compare/book/book.h"
 #include "compare/command/commands.h"
-#include "compare/command/series_options.h"
 
-#define DIGITS DIGITS_PROVEN("with --source derived or limit")
 static const char *const sources[] = { "published", "derived", "limit", "closed", NULL };
 static const char *const languages[] = { "text", "latex", "python", NULL };
 static const struct option options_of_series[] = {
@@ -29,95 +25,13 @@ static const struct option options_of_series[] = {
   OPTIONS_ERRORS,
   OPTION_STATS,
   OPTION_FORMAT,
-  OPTION_DIGITS(DIGITS, MOST_DIGITS),
+  OPTION_DIGITS(DIGITS_PROVEN("with --source derived or limit"), MOST_DIGITS),
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };
 static const struct series_options initial = {
   .source = { "published", false }, .order = { 8, false }, .emit = { "text", false }, .tolerance = { 0.1, false }
 };
-static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
-                                       "published", "exact",    "error", NULL };
-
-static void write_formula(struct table *table, const struct series_use *use, double published, double exact)
-{
-  static const char *const motions[] = { "extension", "contraction", "period" };
-  const struct scallop_formula *f = use->formula;
-  char order[32] = "-";
-  if (f->remainder > 0)
-    snprintf(order, sizeof order, f->remainder == 1 ? "O(T)" : "O(T^%d)", f->remainder);
-  const char *const texts[] = { f->name, f->equation, motions[use->of],
-                                formula_quantity_text(f, (enum scallop_phase_kind)(use->of % PERIOD)), order };
-  for (int i = 0; i < 5; i++)
-    table_text(table, texts[i]);
-  table_number(table, published);
-  table_number(table, exact);
-  table_number(table, published - exact);
-}
-
-static bool open_table(struct table *table, const struct request *request)
-{
-  /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
-  static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
-  char v0[80] = "the exact steady velocity at the start of each phase";
-  if (!table_head(table, &request->style, "series"))
-    return false;
-  table->of = "published";
-  note_parameters(table, &request->point, NULL, false);
-  if (request->point.has_v0)
-    number_text(v0, request->point.v0, 0);
-  table_note(table, "v0: %s", v0);
-  if (!gait_has_ends(request->point.crawler.gait)) {
-    table_note(table, "%s", no_ends);
-    if (!request->style.quiet)
-      complain("series", "%s", no_ends);
-  }
-  table_columns(table, columns);
-  table_begin_rows(table);
-  return true;
-}
-
-/* A row for each formula at the one point */
-static enum exit_code write_formulas(struct at *at, const struct series_options *o, int steady,
-                                     const struct series_use *uses, const int places[][2], int count)
-{
-  struct table table;
-  sweep_place_set(&at->place, &o->request.point);
-  at_move(at);
-  at_number(at, steady);
-  if (at->why[0] != '\0')
-    return complain("series", "%s", at->why), EXIT_UNSOLVED;
-  if (!open_table(&table, &o->request))
-    return EXIT_FILE;
-  for (int i = 0; i < count; i++)
-    write_formula(&table, &uses[i], at_number(at, places[i][0]), at_number(at, places[i][1]));
-  return table_close(&table) ? EXIT_DONE : EXIT_FILE;
-}
-
-static enum exit_code run_point(const struct series_options *o)
-{
-  struct asked *asked = o->request.asked;
-  struct series_use uses[MOST_SERIES];
-  int count = series_uses(uses, o), places[MOST_SERIES][2], steady = quantity_named(&asked->quantities, "v_start");
-  asked->from_steady = true;
-  asked->accuracy = 0;
-  for (int i = 0; i < count; i++) {
-    char name[QUANTITY_NAME], exact[2 * QUANTITY_NAME];
-    snprintf(exact, sizeof exact, "exact.%s", series_use_name(name, &uses[i]));
-    places[i][0] = quantity_named(&asked->quantities, name);
-    places[i][1] = quantity_named(&asked->quantities, exact);
-  }
-  struct at *at = at_new(asked);
-  enum exit_code code = at ? write_formulas(at, o, steady, uses, places, count) : EXIT_UNSOLVED;
-  at_free(at);
-  return code;
-}
-
-static bool has_rows(const void *options)
-{
-  const struct series_options *o = options;
-  return o->rows || o->orders || (has_many_points(&o->request) && !o->symbolic && !o->bound);
-}
 
 #define DERIVED "bound source=derived source=limit source=closed"
 static const struct option_rule rules[] = {
@@ -148,53 +62,39 @@ static const struct option_rule rules[] = {
   { NULL, RULE_WITH, NULL, NULL },
 };
 
-/* Bounds and formulas of higher orders take minutes. */
-static long most_order(const struct series_options *o)
+bool series_are_rows(const struct series_options *o)
 {
-  return o->bound ? 60 : !o->symbolic ? o->order.value : is_from(o, "limit") ? 10 : 16;
+  return o->rows || o->orders || (has_many_points(&o->request) && !o->symbolic && !o->bound);
 }
 
-static bool is_sound(const void *options)
+static bool has_rows(const void *options)
 {
   const struct series_options *o = options;
-  bool published = !o->symbolic && is_from(o, "published");
-  if (o->order.value > most_order(o))
-    return complain("series", "--%s takes an --order from 1 to %ld",
-                    o->bound              ? "bound"
-                    : is_from(o, "limit") ? "symbolic --source limit"
-                                          : "symbolic",
-                    most_order(o));
+  return series_are_rows(o) || (!o->symbolic && is_from(o, "published"));
+}
+
+/* What no rule says of the options */
+static const char *complete(void *options)
+{
+  const struct series_options *o = options;
+  /* bounds and formulas of higher orders take minutes */
+  long most = o->bound ? 60 : !o->symbolic ? o->order.value : is_from(o, "limit") ? 10 : 16;
+  const char *what = o->bound ? "bound" : is_from(o, "limit") ? "symbolic --source limit" : "symbolic";
   const char *of_rows = o->parts                     ? "parts"
                         : o->request.accuracy.given  ? "accuracy"
                         : o->request.reference.given ? "reference"
                                                      : NULL;
-  if (of_rows && !has_rows(o))
-    return complain("series", "--%s is about rows of points: give --rows, or a list or a range", of_rows);
-  return has_rows(o) || digits_hold(&o->request.style, !published, DIGITS);
-}
-
-/* Is each item of --only a formula? Books have been read. False: the message is on stderr. */
-static bool only_holds(const char *only)
-{
-  char item[FORMULA_PLACE];
-  while (next_item(item, sizeof item, &only)) {
-    const struct scallop_formula *f = formula_named(item), *listed = NULL;
-    for (int i = 0; f && (listed = listed_formula(i)) && listed != f; i++)
-      ;
-    if (!listed)
-      return complain("series", "--only: there is no formula '%s' here%s", item, formula_instead(item));
-  }
-  return true;
+  if (o->order.value > most)
+    return wrong_text("--%s takes an --order from 1 to %ld", what, most);
+  if (of_rows && !series_are_rows(o))
+    return wrong_text("--%s is about rows of points: give --rows, or a list or a range", of_rows);
+  return NULL;
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct series_options *o = options;
   (void)arguments;
-  if (o->only && !only_holds(o->only))
-    return EXIT_USAGE;
-  if (!o->symbolic && is_from(o, "published"))
-    return run_point(o);
   const struct flint_part *flint = flint_for("series", o->symbolic ? "--symbolic"
                                                        : o->bound  ? "--bound"
                                                                    : "--source derived or limit");
@@ -207,7 +107,7 @@ const struct command command_series = {
   .size = sizeof(struct series_options),
   .initial = &initial,
   .rules = rules,
-  .is_sound = is_sound,
+  .complete = complete,
   .plan = series_plan,
   .has_rows = has_rows,
   .run = run,

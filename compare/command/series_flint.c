@@ -1,333 +1,402 @@
-/* series --source derived|limit, --symbolic and --bound. */
+/* series --source derived|limit and --symbolic: a report of the quantities of motions as sums of terms is a table, or for
+ * each quantity a function of T in Python or a formula in LaTeX. Each kind of report is a row of kinds[]. */
 #include <math.h>
+#include <stdlib.h>
 
-#include "compare/answers/answer_flint.h"
-#include "compare/command/report_flint.h"
+#include "asymptotics/symbolic/language.h"
+#include "compare/command/expansion_flint.h"
+#include "compare/command/series.h"
 #include "compare/points/point_flint.h"
 
-enum { BOUND_PRECISION = 128 };
+static const char *const of_numbers[] = { "phase", "start", "quantity", "power", "coefficient",
+                                          "sum",   "error", "status",   NULL };
+static const char *const of_formulas[] = { "phase", "start", "quantity", "power", "coefficient", "modes", NULL };
+static const char *const of_limit[] = { "phase", "in", "quantity", "power", "term", "modes", NULL };
+static const char power_of_numbers[] =
+    "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; error: sum - exact";
+static const char power_of_formulas[] = "power: of T, the duration of the phase, or the period in the steady state";
 
-struct numbers { /* the expansion of a motion, and its certified values */
-  const struct report *report;
-  const struct reported_motion *motion;
-  fmpq_t T; /* of the phase, or the period */
-  struct series_answer derived;
-  struct ball_answer exact;
-  char status[2 * SCALLOP_MODES_TEXT + 240];
+static const struct kind {
+  bool symbolic;
+  const char *source;
+  bool has_order, has_phases; /* not of the steady state alone */
+  const char *const *columns;
+  const char *meaning; /* of the columns, or NULL */
+  expander *expand;
+} kinds[] = {
+  { false, "derived", true, true, of_numbers, power_of_numbers, expand_numbers },
+  { false, "limit", false, false, of_numbers, power_of_numbers, expand_numbers },
+  { true, "derived", true, true, of_formulas, power_of_formulas, expand_formulas },
+  { true, "closed", false, false, of_formulas, power_of_formulas, expand_formulas },
+  { true, "limit", true, false, of_limit, NULL, expand_limit },
 };
-#define NUMBERS(of) of(fmpq, s->T) of(series_answer, &s->derived) of(ball_answer, &s->exact)
-SCOPED_PARTS(numbers, struct numbers, NUMBERS)
 
-static bool derive(struct numbers *n, long order, slong precision)
-{
-  const struct reported_motion *m = n->motion;
-  return answer_in_series(&n->derived, n->report->crawler, m->of, m->kind, m->v0, order, precision);
-}
-
-/* Whether every coefficient below T^order is exact or has the digits. */
-static bool is_precise(const struct numbers *n, long order)
-{
-  bool precise = true;
-  SCOPED(arb, x);
-  for (int q = 0; q < QUANTITIES; q++)
-    for (slong k = n->derived.value[q] ? n->derived.value[q]->first : order; k < order && precise; k++) {
-      const struct series *s = n->derived.value[q];
-      if (s->kind != SERIES_BALLS || series_coefficient_is_zero(s, k))
-        continue;
-      series_coefficient(x, s, k, 64);
-      precise = arb_rel_accuracy_bits(x) > bits_of_digits(n->report->digits) + 4 || arb_contains_zero(x);
-    }
-  return precise;
-}
-
-/* With so many bits, or as many more as the digits of the coefficients take. */
-static bool expand(struct numbers *n, long order)
-{
-  enum { TRIES = 6 };
-  slong precision = bits_of_digits(n->report->digits) + 128 + order;
-  for (int i = 0; i < TRIES; i++, precision *= 2) {
-    bool done = derive(n, order, precision);
-    if (n->derived.status == SCALLOP_EDOMAIN || (done && is_precise(n, order)))
-      break;
-  }
-  return n->derived.status == SCALLOP_OK;
-}
-
-/* Certified values with so many digits; without an answer the errors are nan. */
-static bool solve(struct numbers *n, long digits)
-{
-  const struct reported_motion *m = n->motion;
-  char modes[MOTION_MODES_TEXT];
-  bool solved = answer_in_balls(&n->exact, n->report->crawler, m->of, m->kind, m->v0, digits);
-  if (!solved)
-    snprintf(n->status, sizeof n->status, "not certified: %s",
-             n->exact.why ? n->exact.why : scallop_status_text(n->exact.status));
-  else if (strcmp(motion_modes_text(modes, m->of, n->exact.modes), n->derived.modes) != 0)
-    snprintf(n->status, sizeof n->status, "not of this motion: its modes are %s", modes);
-  else
-    snprintf(n->status, sizeof n->status, "ok");
-  return solved;
-}
-
-/* Has the exact value of each quantity the digits that the error of its series takes? */
-static bool errors_are_seen(const struct numbers *n, long order, slong precision)
-{
-  bool seen = true;
-  SCOPED(arb, T, sum, error);
-  arb_set_fmpq(T, n->T, precision);
-  for (int q = 0; q < QUANTITIES; q++)
-    if (n->derived.value[q] && n->exact.value[q]) {
-      series_value(sum, n->derived.value[q], T, order, precision);
-      seen = report_error(error, sum, n->exact.value[q], precision) && seen;
-    }
-  return seen;
-}
-
-/* As many digits of the exact value, and of the coefficients, as the smallest error takes, within reason. */
-static bool solve_well(struct numbers *n, long order)
-{
-  enum { TRIES = 9, MOST = 10000 };
-  bool solved = false, enough = false;
-  int main_quantity = n->motion->of == OF_STEADY ? Q_V_START : Q_V_END;
-  for (long i = 0, more = n->report->digits + 20; i < TRIES && !enough; i++, more *= 2) {
-    long digits = more < MOST ? more : MOST;
-    slong precision = 4 * digits + 128 + order;
-    solved = solve(n, digits);
-    if (solved && i > 0 && n->derived.value[main_quantity]->kind == SERIES_BALLS && !derive(n, order, precision))
-      break;
-    enough = !solved || digits == MOST || errors_are_seen(n, order, precision);
-  }
-  return solved;
-}
-
-static bool report_numbers(struct report *r, const struct reported_motion *m)
-{
-  bool limit = is_from(r->options, "limit");
-  long order = limit ? 1 : r->options->order.value;
-  struct symbols T;
-  SCOPED(numbers, n);
-  n.report = r;
-  n.motion = m;
-  if (m->of == OF_STEADY)
-    fmpq_set(n.T, r->crawler->T);
-  else
-    scallop_rational_duration(n.T, r->crawler, m->kind);
-  if (!expand(&n, order))
-    return report_failure(r, m, n.derived.status, n.derived.why);
-  bool solved = !r->language && solve_well(&n, order);
-  symbols_init(&T);
-  symbols_add(&T, NAMED_T, 0, SCALLOP_EXTENSION);
-  symbols_begin(&T);
-  struct reported_sum sum = { .motion = m, .modes = n.derived.modes, .symbols = &T, .T = n.T, .status = n.status };
-  for (int q = 0; q < QUANTITIES; q++)
-    if ((sum.series = n.derived.value[q])) {
-      sum.quantity = quantity_rows[q].name;
-      sum.first = sum.series->first < 0 ? sum.series->first : 0;
-      sum.below = limit && sum.first < 0 ? 0 : order;
-      sum.exact = solved ? n.exact.value[q] : NULL;
-      report_sum(r, &sum);
-    }
-  symbols_end(&T);
-  return true;
-}
-
-/* A row of terms for a series in formulas */
-static void report_formula(struct report *r, struct reported_sum sum, const char *quantity, const struct series *series)
-{
-  symbolic term[SYMBOLIC_ORDERS + 1]; /* velocities of the steady state begin with 1/T */
-  sum.quantity = quantity;
-  sum.term = term;
-  sum.below = r->options->order.value;
-  for (slong k = sum.first; k < sum.below; k++)
-    term[k - sum.first] = symbolic_coefficient(sum.symbols, series, k);
-  report_sum(r, &sum);
-}
-
-static bool report_phase(struct report *r, const struct reported_motion *m)
-{
-  const char *why = NULL;
-  ENDED_BY(symbols_end) struct symbols s;
-  symbols_init(&s);
-  SCOPED(scallop_expansion, phase);
-  enum scallop_status status = symbolic_expand_phase(&s, r->crawler, m->kind, m->v0, r->options->order.value, &phase,
-                                                     &why);
-  if (status != SCALLOP_OK)
-    return report_failure(r, m, status, why);
-  const struct reported_sum sum = { .motion = m, .modes = phase.modes, .symbols = &s };
-  if (phase.switches) {
-    report_formula(r, sum, "t1", &phase.t1);
-    report_formula(r, sum, "dT", &phase.dT);
-  }
-  report_formula(r, sum, "v_end", &phase.v_end);
-  report_formula(r, sum, "dx1", &phase.dx1);
-  report_formula(r, sum, "dx2", &phase.dx2);
-  report_formula(r, sum, "dxC", &phase.dxC);
-  return true;
-}
-
-/* As series in T, or in closed form */
-static bool report_steady(struct report *r, const struct reported_motion *m)
-{
-  static const char *const names[] = { "v_start", "v_mid", "displacement" };
-  bool closed = is_from(r->options, "closed");
-  struct symbolic_steady steady;
-  const char *why = NULL;
-  ENDED_BY(symbols_end) struct symbols s;
-  symbols_init(&s);
-  SCOPED(series, series);
-  enum scallop_status status = symbolic_solve_steady(&s, r->crawler, &steady, &why);
-  if (status != SCALLOP_OK)
-    return report_failure(r, m, status, why);
-  const symbolic values[] = { steady.v_start, steady.v_mid, steady.displacement };
-  for (int i = 0; i < 3; i++) {
-    struct reported_sum sum = { .motion = m, .modes = steady.modes, .symbols = &s };
-    if (closed) {
-      sum.quantity = names[i];
-      sum.is_closed = true;
-      sum.term = &values[i];
-      sum.below = 1;
-      report_sum(r, &sum);
-    } else {
-      sum.first = i < 2 ? -1 : 0;
-      symbolic_in_T(&series, &s, values[i], r->options->order.value + 1);
-      report_formula(r, sum, names[i], &series);
-    }
-  }
-  return true;
-}
-
-/* The limit T -> 0 in powers of what makes it small */
-static bool report_limit(struct report *r, enum limit_parameter in)
-{
-  static const char *const names[] = { "product", "alpha", "friction" };
-  static const char *const small[] = { "(F1 - F2)*(2*alpha - 1)/(F1 + F2)", "2*alpha - 1", "(F1 - F2)/(F1 + F2)" };
-  const struct reported_motion m = { "period", r->language ? names[in] : small[in], .of = OF_STEADY };
-  const char *why = NULL;
-  ENDED_BY(symbols_end) struct symbols s;
-  symbols_init(&s);
-  SCOPED(symbolic_limit, limit);
-  enum scallop_status status = symbolic_expand_limit(&s, r->crawler, in, r->options->order.value, &limit, &why);
-  if (status != SCALLOP_OK)
-    return report_failure(r, &m, status, why);
-  const struct reported_sum sum = { .motion = &m, .modes = limit.modes, .small = small[in], .symbols = &s };
-  report_formula(r, sum, "U", &limit.term);
-  return true;
-}
-
-static bool open_numbers(struct report *r)
-{
-  static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient",
-                                         "sum",   "error", "status",   NULL };
-  return report_open(r, "derived", columns, NULL,
-                     "power: of the duration of the phase, or of the period; sum: of the terms so far at this T; "
-                     "error: sum - exact");
-}
-
-static bool open_formulas(struct report *r)
-{
-  static const char *const columns[] = { "phase", "start", "quantity", "power", "coefficient", "modes", NULL };
-  static const char *const limit_columns[] = { "phase", "in", "quantity", "power", "term", "modes", NULL };
-  static const char names[] = "M = m1 + m2; L is the amplitude; l0/T^2, l3_0/T^3, k0/T^4, l5_0/T^5, ... are the "
-                              "second, third, fourth, fifth, ... derivative of l at the start of a phase of duration "
-                              "T, lT/T^2, l3_T/T^3, ... those at its end.";
-  bool limit = is_from(r->options, "limit");
-  const char *equation = limit ? symbolic_limit_equation(r->crawler) : NULL;
-  char note[800];
-  snprintf(note, sizeof note, "%s%s%s%s", names, equation ? " U is v_start T for T -> 0, the root of " : "",
-           equation ? equation : "", equation ? "." : "");
-  return report_open(r, NULL, limit ? limit_columns : columns, note,
-                     limit ? NULL : "power: of T, the duration of the phase, or the period in the steady state");
-}
-
-/* What is asked for of the steady state, and of each phase, from rest and from v0. Had everything a series? */
-static bool report_motions(struct report *r, const fmpq *rest, const fmpq *v0)
-{
-  const struct reported_motion steady = { "period", "steady", .of = OF_STEADY, .v0 = rest };
-  bool formulas = r->options->symbolic, limit = is_from(r->options, "limit"), done = true;
-  for (int in = 0; formulas && limit && in < LIMIT_PARAMETERS; in++)
-    done = report_limit(r, (enum limit_parameter)in) && done;
-  for (int i = 0; i < 4 && !limit && !is_from(r->options, "closed"); i++) {
-    const struct reported_motion phase = { i < 2 ? "extension" : "contraction", i % 2 == 0 ? "rest" : "v0", OF_PHASE,
-                                           i < 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION, i % 2 == 0 ? rest : v0 };
-    if (i % 2 == 0 || !fmpq_is_zero(v0))
-      done = (formulas ? report_phase : report_numbers)(r, &phase) && done;
-  }
-  if (formulas && limit)
-    return done;
-  return (formulas ? report_steady : report_numbers)(r, &steady) && done;
-}
-
-/* Four digits, rounded away from what is claimed: C and the bound up, times down. */
-static void write_rounded(struct table *t, const arb_t x, int direction)
-{
-  enum { SPARE = 1000, DIGITS = 4 }; /* a thousandth is more than the fourth digit's rounding */
-  SCOPED(arb, shifted);
-  (direction > 0 ? arb_get_ubound_arf : arb_get_lbound_arf)(arb_midref(shifted), x, BOUND_PRECISION);
-  arb_mul_si(shifted, shifted, SPARE + direction, BOUND_PRECISION);
-  arb_div_si(shifted, shifted, SPARE, BOUND_PRECISION);
-  report_ball(t, shifted, DIGITS);
-}
-
-static void write_bound(struct report *r, const struct scallop_bound *b, const char *quantity)
-{
-  struct table *t = &r->table;
-  SCOPED(arb, T, here);
-  table_text(t, quantity);
-  table_rounded(t, (double)r->options->order.value, "%.0f");
-  write_rounded(t, b->C, 1);
-  table_rounded(t, b->power, "%.0f");
-  write_rounded(t, b->T0, -1);
-  arb_set_fmpq(T, r->crawler->T, BOUND_PRECISION);
-  arb_pow_ui(here, T, (ulong)b->power, BOUND_PRECISION);
-  arb_mul(here, here, b->C, BOUND_PRECISION);
-  if (arb_le(T, b->T0))
-    write_rounded(t, here, 1);
-  else
-    table_number(t, NAN);
-  write_rounded(t, b->T_end, -1);
-  table_text(t, b->ends);
-}
-
-struct bounds { /* of v_start and displacement */
-  struct scallop_bound of[2];
+struct report {
+  const struct kind *kind;
+  const struct series_options *options;
+  const struct scallop_rational_crawler *crawler; /* as it was written */
+  long order, digits;                             /* terms below T^order; digits of decimal numbers */
+  const struct language *language;                /* NULL: a table */
+  char why[240];                                  /* the first motion that has no series: the reason */
+  struct table table;
+  struct file out; /* of a language */
 };
-#define BOUNDS(of_type) of_type(scallop_bound, &s->of[0]) of_type(scallop_bound, &s->of[1])
-SCOPED_PARTS(bounds, struct bounds, BOUNDS)
 
-static enum exit_code report_bounds(struct report *r)
+struct motion_in_rows {
+  const char *phase, *start; /* its names there */
+  enum quantity_of of;
+  int which;         /* the kind of phase; of the limit which parameter is small */
+  bool from_v0;      /* else from rest */
+  const char *small; /* what the powers of the limit are of, which stand in its terms; else NULL */
+};
+
+static bool is_python(const struct report *r) { return r->language == &language_python; }
+
+/* A line about what follows: a comment, or a note of the table. A name of a file in it ends no comment. */
+static void __attribute__((format(printf, 2, 3))) remark(struct report *r, const char *format, ...)
 {
-  static const char *const columns[] = { "quantity", "order", "C", "power", "T0", "bound", "T_end", "ends", NULL };
-  const char *why = NULL;
-  SCOPED(bounds, bounds);
-  enum scallop_status status = scallop_steady_bounds(r->crawler, r->options->order.value, BOUND_PRECISION, bounds.of,
-                                                     &why);
-  if (status != SCALLOP_OK) {
-    complain("series", "no bound: %s", why ? why : scallop_status_text(status));
-    return EXIT_UNSOLVED;
-  }
-  if (!report_open(r, "bounds", columns, NULL,
-                   "|exact - terms below T^order| <= C T^power for 0 < T <= T0; bound: C T^power at this T"))
+  va_list arguments;
+  va_start(arguments, format);
+  char *text = printed_line(format, arguments, "");
+  va_end(arguments);
+  if (r->language)
+    fprintf(r->out.stream, "%s %s\n", is_python(r) ? "#" : "%", text ? text : "");
+  else
+    table_note(&r->table, "%s", text ? text : "");
+  free(text);
+}
+
+static bool cannot_write(const struct style *style, int error)
+{
+  return complain(style->command, "cannot write %s: %s", style->output ? style->output : "standard output",
+                  file_error(error));
+}
+
+static void remark_names(struct report *r)
+{
+  const char *equation = r->kind->expand == expand_limit ? symbolic_limit_equation(r->crawler) : NULL;
+  remark(
+      r,
+      "M = m1 + m2; L is the amplitude; l0/T^2, l3_0/T^3, k0/T^4, l5_0/T^5, ... are the second, third, fourth, "
+      "fifth, ... derivative of l at the start of a phase of duration T, lT/T^2, l3_T/T^3, ... those at its end.%s%s%s",
+      equation ? " U is v_start T for T -> 0, the root of " : "", equation ? equation : "", equation ? "." : "");
+}
+
+static bool open_report(struct report *r)
+{
+  static const char *const varied[] = { "T", NULL };
+  const struct request *request = &r->options->request;
+  const struct kind *k = r->kind;
+  bool has_source = !k->symbolic || strcmp(k->source, "derived") != 0;
+  char parameters[PARAMETERS_TEXT], order[32] = "";
+  int error = r->language ? file_open(&r->out, request->style.output) : 0;
+  if (error != 0)
+    return cannot_write(&request->style, error);
+  if (!r->language && !table_open(&r->table, &request->style))
+    return false;
+  if (k->has_order)
+    snprintf(order, sizeof order, " --order %ld", r->order);
+  remark(r, "scallop " SCALLOP_VERSION);
+  remark(r, "command: series%s%s%s%s", k->symbolic ? " --symbolic" : "", has_source ? " --source " : "",
+         has_source ? k->source : "", order);
+  parameters_text(parameters, &request->point, r->language ? varied : NULL, true);
+  remark(r, "parameters:%s", parameters);
+  if (request->point.has_v0)
+    remark(r, "v0: %s", request->point.written[PLACE_OF_V0]);
+  if (k->symbolic)
+    remark_names(r);
+  if (r->language || k->meaning)
+    remark(r, "%s", r->language ? "T is the duration of the phase, or the period in the steady state." : k->meaning);
+  if (r->language)
+    return true;
+  r->table.of = k->symbolic ? NULL : "derived";
+  table_columns(&r->table, k->columns);
+  table_begin_rows(&r->table);
+  return true;
+}
+
+/* done: had everything a series? */
+static enum exit_code close_report(struct report *r, bool done)
+{
+  int error = r->language ? file_close(&r->out, true) : 0;
+  if (error != 0)
+    cannot_write(&r->options->request.style, error);
+  if (error != 0 || (!r->language && !table_close(&r->table)))
     return EXIT_FILE;
-  write_bound(r, &bounds.of[0], "v_start");
-  write_bound(r, &bounds.of[1], "displacement");
-  return report_close(r, true);
+  if (!done)
+    complain("series", r->kind->symbolic ? "no formula: %s" : "a motion has no series in powers of T: %s", r->why);
+  return done ? EXIT_DONE : EXIT_UNSOLVED;
+}
+
+/* A number with so many digits; NULL: there is none */
+static void write_ball(struct table *t, const arb_struct *x, long digits)
+{
+  char *text = x ? decimal_text(x, digits) : NULL;
+  table_digits(t, text ? text : "nan");
+  flint_free(text);
+}
+
+/* power: NULL, there is none; last: the cell in the last column; sum and error: of numbers, or NULL */
+static void write_row(struct report *r, const struct motion_in_rows *m, const char *quantity, const char *power,
+                      const char *term, const char *last, const arb_struct *sum, const arb_struct *error)
+{
+  enum { ERROR_DIGITS = 3 };
+  struct table *t = &r->table;
+  table_text(t, m->phase);
+  table_text(t, m->small ? m->small : m->start);
+  table_text(t, quantity);
+  if (r->kind->symbolic)
+    table_text(t, power ? power : "-");
+  else
+    table_digits(t, power ? power : "nan");
+  table_text(t, term);
+  if (!r->kind->symbolic) {
+    write_ball(t, sum, r->digits);
+    write_ball(t, error, ERROR_DIGITS);
+  }
+  table_text(t, last);
+}
+
+/* A motion of which nothing is known has its reason in the last column. */
+static void write_failure(struct report *r, const struct motion_in_rows *m, const struct series_answer *a)
+{
+  char text[sizeof r->why + 16];
+  const char *why = a->why ? a->why : scallop_status_text(a->status);
+  if (!*r->why) /* it may stand in what ends with the motion */
+    snprintf(r->why, sizeof r->why, "%s", why);
+  snprintf(text, sizeof text, "no %s: %s", r->kind->symbolic ? "formula" : "series", why);
+  if (!r->language)
+    write_row(r, m, "-", NULL, "-", text, NULL, NULL);
+}
+
+struct sum { /* a quantity of a motion: its terms from the power first to below another */
+  const struct motion_in_rows *motion;
+  const char *quantity;
+  const struct expansion *expansion;
+  const struct series *series;
+  slong first, below;
+  const arb_struct *exact; /* NULL: it is not known */
+};
+
+/* As a fraction, where it is one and no digits are asked for. In a program both of its sides must be doubles. */
+static bool is_fraction(fmpq_t q, const struct report *r, const struct series *series, slong power)
+{
+  enum { LONGEST = 900 }; /* bits of a double's range */
+  return r->options->request.style.digits == 0 && series_rational_coefficient(q, series, power)
+         && (!r->language || (fmpz_bits(fmpq_numref(q)) < LONGEST && fmpz_bits(fmpq_denref(q)) < LONGEST));
+}
+
+/* The coefficient of T^power in a table; in a function or a formula, times that power. Where a parameter is small, its
+ * power is part of the term. */
+static struct written term_of(const struct report *r, const struct sum *s, slong power)
+{
+  const struct language *language = r->language ? r->language : &language_text;
+  struct symbols *symbols = s->expansion->symbols;
+  slong shown = !r->language || s->motion->small ? 0 : power;
+  SCOPED(fmpq, q);
+  SCOPED(arb, x);
+  if (r->kind->symbolic)
+    return symbolic_written(symbols, symbolic_coefficient(symbols, s->series, power), shown, language);
+  if (is_fraction(q, r, s->series, power))
+    return symbolic_written(symbols, symbolic_fraction(symbols, q), shown, language);
+  series_coefficient(x, s->series, power, bits_of_digits(r->digits) + 32);
+  char *decimal = decimal_text(x, r->digits);
+  struct written written = decimal_written(decimal, shown, language);
+  flint_free(decimal);
+  return written;
+}
+
+static void write_term(struct report *r, const struct sum *s, slong power, struct written term)
+{
+  const struct expansion *e = s->expansion;
+  char number[24], *text = flint_malloc(strlen(term.text) + 2);
+  SCOPED(arb, sum, error);
+  sprintf(text, "%s%s", term.negative ? "-" : "", term.text);
+  snprintf(number, sizeof number, "%ld", (long)power);
+  if (!r->kind->symbolic)
+    series_value(sum, s->series, e->at, power + 1, e->precision);
+  if (s->exact)
+    arb_sub(error, sum, s->exact, e->precision);
+  write_row(r, s->motion, s->quantity, e->is_closed ? NULL : number, text,
+            r->kind->symbolic ? e->derived.modes : e->status, sum, s->exact ? error : NULL);
+  flint_free(text);
+}
+
+/* A name with the arguments of a function, which are the symbols in it, or what M and beta are made of; and M */
+static void begin_function(FILE *out, const struct sum *s, bool is_symbolic)
+{
+  static const enum symbol_meaning made[][2] = { { NAMED_M, NAMED_m1 },
+                                                 { NAMED_M, NAMED_m2 },
+                                                 { NAMED_beta, NAMED_alpha } };
+  struct symbols *symbols = s->expansion->symbols;
+  const char *gap = "";
+  bool used[MOST_SYMBOLS] = { false }, has_M = false;
+  for (slong k = s->first; is_symbolic && k < s->below; k++)
+    symbolic_uses(symbolic_coefficient(symbols, s->series, k), symbols, used);
+  for (int i = 0; i < symbols->count; i++)
+    for (int k = 0; k < 3; k++)
+      if (used[i] && symbols->list[i].meaning == made[k][0])
+        used[symbols_place(symbols, made[k][1], 0, SCALLOP_EXTENSION)] = true;
+  fprintf(out, "def %s_%s_%s(", s->motion->phase, s->motion->start, s->quantity);
+  for (int i = 0; i < symbols->count; i++) {
+    enum symbol_meaning meaning = symbols->list[i].meaning;
+    has_M |= used[i] && meaning == NAMED_M;
+    if (!used[i] || meaning == NAMED_M || meaning == NAMED_beta || meaning == NAMED_T)
+      continue;
+    fprintf(out, "%s%s", gap, symbols->list[i].name);
+    gap = ", ";
+  }
+  fprintf(out, "%s):\n%s    return (", s->motion->small ? "" : *gap ? ", T" : "T", has_M ? "    M = m1 + m2\n" : "");
+}
+
+static void begin_formula(FILE *out, const char *quantity)
+{
+  static const char *const names[][2] = {
+    { "t1", "t_{1}" },
+    { "dT", "\\Delta T" },
+    { "v_end", "v_{end}" },
+    { "dx1", "\\Delta x_{1}" },
+    { "dx2", "\\Delta x_{2}" },
+    { "dxC", "\\Delta x_{C}" },
+    { "v_start", "v_{start}" },
+    { "v_mid", "v_{mid}" },
+    { "displacement", "\\text{displacement}" },
+    { "mean_velocity", "\\text{mean velocity}" },
+  };
+  const char *name = quantity;
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    name = strcmp(quantity, names[i][0]) == 0 ? names[i][1] : name;
+  fprintf(out, "\\begin{align*}\n  %s &= ", name);
+}
+
+static void begin_sum(struct report *r, const struct sum *s)
+{
+  const struct motion_in_rows *m = s->motion;
+  char below[80] = "";
+  if (!s->expansion->is_closed)
+    snprintf(below, sizeof below, m->small ? "terms below (%s)^%ld, " : "terms below %s^%ld, ",
+             m->small ? m->small : "T", (long)s->below);
+  fputc('\n', r->out.stream);
+  remark(r, "%s, %s %s%s: %smodes %s", s->quantity, m->phase, m->of == OF_PHASE ? "from " : "", m->start, below,
+         s->expansion->derived.modes);
+  if (is_python(r))
+    begin_function(r->out.stream, s, r->kind->symbolic);
+  else
+    begin_formula(r->out.stream, s->quantity);
+}
+
+static void put_term(const struct report *r, struct written term, bool is_first)
+{
+  const char *next = is_python(r) ? "\n           " : " \\\\\n  &\\quad", *sign = term.negative ? "-" : "";
+  if (!is_first)
+    sign = term.negative ? " - " : " + ";
+  fprintf(r->out.stream, "%s%s%s", is_first ? "" : next, sign, term.text);
+}
+
+static void end_sum(const struct report *r, const struct sum *s, bool has_terms)
+{
+  fputs(has_terms ? "" : "0", r->out.stream);
+  if (!s->expansion->is_closed && !s->motion->small && !is_python(r))
+    fprintf(r->out.stream, " + O(T^{%ld})", (long)s->below);
+  fputs(is_python(r) ? ")\n" : "\n\\end{align*}\n", r->out.stream);
+}
+
+/* A row for each term that is not 0, or one row if all are; or a function or a formula */
+static void write_sum(struct report *r, const struct sum *s)
+{
+  bool any = false;
+  if (r->language)
+    begin_sum(r, s);
+  for (slong k = s->first; k < s->below; k++) {
+    bool is_zero = series_coefficient_is_zero(s->series, k), stands_alone = !any && !r->language && k == s->below - 1;
+    if (is_zero && !stands_alone)
+      continue;
+    struct written term = term_of(r, s, k);
+    if (r->language)
+      put_term(r, term, !any);
+    else
+      write_term(r, s, is_zero ? 0 : k, term);
+    free(term.text);
+    any = true;
+  }
+  if (r->language)
+    end_sum(r, s, any);
+}
+
+/* Has it a series? */
+static bool write_motion(struct report *r, const struct motion_in_rows *m, const fmpq *v0)
+{
+  ENDED_BY(symbols_end) struct symbols symbols;
+  symbols_init(&symbols);
+  SCOPED(expansion, e);
+  e.crawler = r->crawler;
+  e.of = m->of;
+  e.kind = m->small ? SCALLOP_EXTENSION : (enum scallop_phase_kind)m->which;
+  e.in = m->small ? (enum limit_parameter)m->which : LIMIT_IN_PRODUCT;
+  e.v0 = v0;
+  e.order = r->order;
+  e.digits = r->digits;
+  e.is_certified = !r->language;
+  e.is_closed = is_from(r->options, "closed");
+  e.symbols = &symbols;
+  r->kind->expand(&e);
+  if (e.derived.status != SCALLOP_OK)
+    return write_failure(r, m, &e.derived), false;
+  for (int q = 0; q < QUANTITIES; q++)
+    if (e.derived.value[q]) {
+      struct sum sum = {
+        m, m->small ? "U" : quantity_rows[q].name, &e, e.derived.value[q], 0, r->order, e.exact.value[q]
+      };
+      sum.first = sum.series->first < 0 ? sum.series->first : 0;
+      if (sum.first < 0 && !r->kind->symbolic && !r->kind->has_order)
+        sum.below = 0; /* the limit is the first term alone */
+      write_sum(r, &sum);
+    }
+  return true;
+}
+
+/* What is asked for of each phase, from rest and from v0, and of the steady state. Had everything a series? */
+static bool write_motions(struct report *r, const fmpq *rest, const fmpq *v0)
+{
+  static const struct motion_in_rows usual[] = {
+    { "extension", "rest", OF_PHASE, SCALLOP_EXTENSION, false, NULL },
+    { "extension", "v0", OF_PHASE, SCALLOP_EXTENSION, true, NULL },
+    { "contraction", "rest", OF_PHASE, SCALLOP_CONTRACTION, false, NULL },
+    { "contraction", "v0", OF_PHASE, SCALLOP_CONTRACTION, true, NULL },
+    { "period", "steady", OF_STEADY, 0, false, NULL },
+    { .phase = NULL },
+  };
+  static const struct motion_in_rows limits[] = {
+    { "period", "product", OF_STEADY, LIMIT_IN_PRODUCT, false, "(F1 - F2)*(2*alpha - 1)/(F1 + F2)" },
+    { "period", "alpha", OF_STEADY, LIMIT_IN_ALPHA, false, "2*alpha - 1" },
+    { "period", "friction", OF_STEADY, LIMIT_IN_FRICTION, false, "(F1 - F2)/(F1 + F2)" },
+    { .phase = NULL },
+  };
+  bool done = true;
+  for (const struct motion_in_rows *m = r->kind->expand == expand_limit ? limits : usual; m->phase; m++)
+    if ((m->of == OF_STEADY || r->kind->has_phases) && (!m->from_v0 || !fmpq_is_zero(v0)))
+      done = write_motion(r, m, m->from_v0 ? v0 : rest) && done;
+  return done;
 }
 
 enum exit_code series_report(const struct series_options *o)
 {
   enum { DEFAULT_DIGITS = 17 };
+  const struct kind *kind = kinds;
+  while (kind->symbolic != o->symbolic || !is_from(o, kind->source))
+    kind++;
   SCOPED(scallop_rational, crawler);
   SCOPED(fmpq, rest, v0);
-  struct report r = { .options = o,
+  struct report r = { .kind = kind,
+                      .options = o,
                       .crawler = &crawler,
+                      .order = kind->has_order ? o->order.value : 1,
                       .digits = o->request.style.digits > 0 ? o->request.style.digits : DEFAULT_DIGITS,
                       .language = strcmp(o->emit.value, "latex") == 0    ? &language_latex
                                   : strcmp(o->emit.value, "python") == 0 ? &language_python
                                                                          : NULL };
   rational_point(&crawler, v0, &o->request.point);
   if (o->bound)
-    return report_bounds(&r);
-  if (!(o->symbolic ? open_formulas : open_numbers)(&r))
-    return EXIT_FILE;
-  return report_close(&r, report_motions(&r, rest, v0));
+    return series_bound(o, &crawler);
+  return open_report(&r) ? close_report(&r, write_motions(&r, rest, v0)) : EXIT_FILE;
 }

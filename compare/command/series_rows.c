@@ -1,111 +1,93 @@
-/* scallop series with a row for each point, or for each row of points along T. */
+/* scallop series at points: a row for each point; for each series the order along T; or, at one point, a row for each
+ * published formula. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "asymptotics/observed/order.h"
 #include "compare/book/book.h"
-#include "compare/command/series_options.h"
+#include "compare/command/series.h"
 #include "compare/points/counts.h"
 
-/* Each formula that is asked for, once for each motion that it is about. Returns how many. */
-int series_uses(struct series_use uses[MOST_SERIES], const struct series_options *o)
-{
-  int n = 0;
-  const struct scallop_formula *f;
-  for (int i = 0; (f = listed_formula(i)) && n <= MOST_SERIES - 2; i++) {
-    if (o->only && !formula_is_listed(o->only, f->name))
-      continue;
-    if (f->setting == SCALLOP_STEADY)
-      uses[n++] = (struct series_use){ f, PERIOD };
-    if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_EXTENSION)
-      uses[n++] = (struct series_use){ f, SCALLOP_EXTENSION };
-    if (f->setting == SCALLOP_AT_REST_START || f->setting == SCALLOP_MOVING_CONTRACTION)
-      uses[n++] = (struct series_use){ f, SCALLOP_CONTRACTION };
-  }
-  return n;
-}
-
-const char *series_use_name(char name[QUANTITY_NAME], const struct series_use *use)
-{
-  bool is_other = use->of == SCALLOP_CONTRACTION && use->formula->setting == SCALLOP_AT_REST_START;
-  snprintf(name, QUANTITY_NAME, "%s%s", use->formula->name, is_other ? ":contraction" : "");
-  return name;
-}
-
-/* Of a scene that says nothing of a phase the formulas of the steady state, else those of its phase and its start that
- * take nothing as given */
-static bool is_of_scene(const struct series_options *o, const struct series_use *use)
-{
-  const struct request *r = &o->request;
-  enum scallop_setting setting = use->formula->setting;
-  if (!r->scene->is_about_phase || setting == SCALLOP_STEADY)
-    return !r->scene->is_about_phase && setting == SCALLOP_STEADY;
-  bool rests = !r->asked->from_steady && r->point.v0 == 0 && is_held(r, "v0");
-  return use->of == (int)r->point.phase && (setting == SCALLOP_AT_REST_START) == rests
-         && !formula_takes_given(use->formula);
-}
-
-enum { SERIES_NAME = 2 * QUANTITY_NAME };
-struct names_of_series {
+enum { MOST_SERIES = 96, SERIES_NAME = 2 * QUANTITY_NAME, MOST_TIMES = 4096 };
+struct series_names {
   int count;
   char name[MOST_SERIES][SERIES_NAME];
 };
 
-/* The names of the series in rows */
-static void usual_names(struct names_of_series *list, const struct series_options *o)
+/* Of a scene that says nothing of a phase the formulas of the steady state, else those of its phase and its start that
+ * take nothing as given */
+static bool is_of_scene(const struct request *r, const struct scallop_formula *f, bool of_contraction)
 {
-  struct series_use uses[MOST_SERIES];
-  bool published = is_from(o, "published");
+  if (!r->scene->is_about_phase || f->setting == SCALLOP_STEADY)
+    return !r->scene->is_about_phase && f->setting == SCALLOP_STEADY;
+  bool rests = !r->asked->from_steady && r->point.v0 == 0 && is_held(r, "v0");
+  return of_contraction == (r->point.phase == SCALLOP_CONTRACTION) && (f->setting == SCALLOP_AT_REST_START) == rests
+         && !formula_takes_given(f);
+}
+
+/* A formula of a phase from rest stands for both phases. */
+static void add_formula(struct series_names *list, const struct series_options *o, const struct scallop_formula *f)
+{
+  const struct request *r = &o->request;
+  int phases = f->setting == SCALLOP_AT_REST_START ? 2 : 1;
+  for (int i = 0; i < phases && list->count < MOST_SERIES; i++)
+    if (!r->scene || is_of_scene(r, f, i == 1 || f->setting == SCALLOP_MOVING_CONTRACTION))
+      snprintf(list->name[list->count++], SERIES_NAME, "%s%s", f->name, i == 1 ? ":contraction" : "");
+}
+
+static void add_derived(struct series_names *list, const struct series_options *o)
+{
+  bool of_phase = o->request.scene ? o->request.scene->is_about_phase : o->request.point.has_v0;
+  enum quantity_of of = of_phase ? OF_PHASE : OF_STEADY;
   char kind[32] = "limit.";
   if (is_from(o, "derived"))
     snprintf(kind, sizeof kind, "derived_%ld.", o->order.value);
-  int count = published ? series_uses(uses, o) : 0;
-  for (int i = 0; i < count; i++)
-    if (!o->request.scene || is_of_scene(o, &uses[i]))
-      series_use_name(list->name[list->count++], &uses[i]);
-  bool of_phase = o->request.scene ? o->request.scene->is_about_phase : o->request.point.has_v0;
-  enum quantity_of of = of_phase ? OF_PHASE : OF_STEADY;
-  for (int q = quantity_first(of); q < (int)quantity_end(of) && !published; q++)
+  for (int q = quantity_first(of); q < (int)quantity_end(of); q++)
     if (quantity_rows[q].has_series)
       snprintf(list->name[list->count++], SERIES_NAME, "%s%s", kind, quantity_rows[q].name);
 }
 
-/* Those of --only: in a scene as they stand; else the formulas as they are listed, those of a phase from rest for both
- * phases, and then the others */
-static void named(struct names_of_series *list, const struct series_options *o)
+static bool has_name(const struct series_names *list, const char *name)
 {
-  struct series_use uses[MOST_SERIES];
-  int count = o->request.scene ? 0 : series_uses(uses, o);
-  for (int i = 0; i < count; i++)
-    series_use_name(list->name[list->count++], &uses[i]);
-  const char *rest = o->only;
-  while (list->count < MOST_SERIES && next_item(list->name[list->count], SERIES_NAME, &rest))
-    list->count += o->request.scene || !formula_named(list->name[list->count]);
+  bool has = false;
+  for (int i = 0; i < list->count; i++)
+    has |= strcmp(list->name[i], name) == 0;
+  return has;
 }
 
-/* NULL, or what is wrong */
+/* The usual ones, or those of --only: in a scene as they stand, else first the formulas as they are listed. */
+static void add_names(struct series_names *list, const struct series_options *o)
+{
+  const char *rest = o->only;
+  const struct scallop_formula *f;
+  bool as_they_stand = o->only && o->request.scene;
+  if (!is_from(o, "published"))
+    add_derived(list, o);
+  else
+    for (int i = 0; !as_they_stand && (f = listed_formula(i)); i++)
+      if (!o->only || formula_is_listed(o->only, f->name))
+        add_formula(list, o, f);
+  while (list->count < MOST_SERIES && next_item(list->name[list->count], SERIES_NAME, &rest)) {
+    f = as_they_stand ? NULL : formula_named(list->name[list->count]);
+    list->count += !f || !has_name(list, f->name);
+  }
+}
+
+/* NULL, or what is wrong: rows of points take any series, and the table of one point formulas. */
 static const char *no_series(const struct series_options *o, const char *name)
 {
-  static char message[320];
   struct quantities *all = &o->request.asked->quantities;
   int place = quantity_named(all, name);
+  if (!series_are_rows(o) && (place < 0 || all->item[place].kind != QUANTITY_PUBLISHED))
+    return wrong_text("--only: there is no formula '%s' here%s", name, formula_instead(name));
   if (place < 0)
     return sheet_no_quantity(o->request.asked, name);
-  snprintf(message, sizeof message,
-           "%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is meant", name);
-  return quantity_is_series(&all->item[place]) ? NULL : message;
-}
-
-static const char *read_names(struct names_of_series *list, const struct series_options *o)
-{
-  const char *wrong = NULL;
-  list->count = 0;
-  (o->only ? named : usual_names)(list, o);
-  for (int i = 0; i < list->count && !wrong; i++)
-    wrong = no_series(o, list->name[i]);
-  return wrong;
+  return quantity_is_series(&all->item[place])
+             ? NULL
+             : wrong_text("%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is "
+                          "meant",
+                          name);
 }
 
 /* Which parts a row has of each series: its value alone, or of those of --only what they should be, too. NULL, or
@@ -124,15 +106,44 @@ static const char *read_parts(bool has[4], const struct series_options *o)
   return NULL;
 }
 
-/* The orders in T at which the errors fall, T being what varies fastest */
+/* A row for each point */
+static const char *plan_points(const struct series_options *o, struct rows *rows, const struct series_names *list)
+{
+  static const char *const prefixes[] = { "", "exact.", "error.", "relative." };
+  bool has[4] = { false };
+  const char *wrong = read_parts(has, o);
+  rows->has_parameters = true;
+  rows->extra[0] = !o->request.scene || o->request.scene->is_about_phase ? "v0" : NULL;
+  for (int i = 0; !wrong && i < list->count; i++)
+    for (int k = 0; k < 4 && !wrong; k++)
+      wrong = has[k] ? rows_own(rows, "%s%s", prefixes[k], list->name[i]) : NULL;
+  return wrong ? wrong : rows_own(rows, "status");
+}
 
-enum { MOST_TIMES = 4096 };
-
-struct orders {                   /* the errors of each series at the T so far */
-  int series, error[MOST_SERIES]; /* as quantities */
-  long times;
-  struct scallop_order_point point[]; /* MOST_TIMES of each series */
+/* Series whose rows are not those of points: for each the quantity that compares it with what it should be */
+struct compared {
+  int count, quantity[MOST_SERIES];
+  int steady;                         /* v_start: without it no formula of the steady state is worth a row */
+  long times;                         /* T so far */
+  struct scallop_order_point point[]; /* of orders, MOST_TIMES of each series: its errors at these */
 };
+
+static const char *begin_compared(struct rows *rows, const struct series_names *list, const char *kind, size_t times)
+{
+  struct quantities *all = &rows->sheet.asked->quantities;
+  struct compared *c = rows->context = calloc(1, sizeof *c + (size_t)list->count * times * sizeof *c->point);
+  char name[SERIES_NAME + 8];
+  if (!c)
+    return rows_no_memory;
+  for (; c->count < list->count; c->count++) {
+    snprintf(name, sizeof name, "%s.%s", kind, list->name[c->count]);
+    c->quantity[c->count] = quantity_named(all, name);
+  }
+  c->steady = quantity_named(all, "v_start");
+  return NULL;
+}
+
+/* The orders in T at which the errors fall, T being what varies fastest */
 
 /* Doubles are wrong by some ulp of what they are the difference of. */
 static double noise(const struct at *at, int error)
@@ -141,12 +152,9 @@ static double noise(const struct at *at, int error)
   return at->certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
 }
 
-static const char *const order_columns[] = { "series", "order",     "order_lo", "order_hi", "interval", "points",
-                                             "expect", "tolerance", "verdict",  "reason",   NULL };
-
 static void write_order(struct rows *rows, struct at *at, int series)
 {
-  struct orders *all = rows->context;
+  struct compared *all = rows->context;
   const struct series_options *o = (const void *)rows->request;
   const struct quantity *item = at->asked->quantities.item;
   const struct scallop_order_wanted wanted = { .order = o->expect.given ? o->expect.value : NAN,
@@ -159,7 +167,7 @@ static void write_order(struct rows *rows, struct at *at, int series)
   if (result.verdict <= SCALLOP_ORDER_MEASURED && isnan(result.order))
     result.verdict = SCALLOP_ORDER_FLOOR_LIMITED;
   sheet_row(&rows->sheet, t, at);
-  table_text(t, item[item[all->error[series]].of].name);
+  table_text(t, item[item[all->quantity[series]].of].name);
   table_rounded(t, result.order, "%.4f");
   table_rounded(t, result.low, "%.4f");
   table_rounded(t, result.high, "%.4f");
@@ -174,18 +182,17 @@ static void write_order(struct rows *rows, struct at *at, int series)
 }
 
 /* Keeps the errors of a point; after the last T come the rows. */
-static void collect(struct rows *rows, struct at *at)
+static void visit_orders(struct rows *rows, struct at *at)
 {
-  struct orders *all = rows->context;
-  for (int i = 0; i < all->series; i++) {
-    double error = at_number(at, all->error[i]);
-    all->point[(long)i * MOST_TIMES + all->times] =
-        (struct scallop_order_point){ .h = at->place.point.crawler.T, .err = error, .noise = noise(at, all->error[i]) };
-  }
+  struct compared *all = rows->context;
+  for (int i = 0; i < all->count; i++)
+    all->point[(long)i * MOST_TIMES + all->times] = (struct scallop_order_point){
+      .h = at->place.point.crawler.T, .err = at_number(at, all->quantity[i]), .noise = noise(at, all->quantity[i])
+    };
   all->times++;
   if (!at->place.ends_group)
     return;
-  for (int i = 0; i < all->series; i++)
+  for (int i = 0; i < all->count; i++)
     write_order(rows, at, i);
   all->times = 0;
 }
@@ -203,56 +210,99 @@ static bool T_varies(const struct sweep *s)
   return fine;
 }
 
-/* The errors of the series, as quantities */
-static const char *begin_orders(struct rows *rows, const struct names_of_series *list)
+static const char *plan_orders(const struct series_options *o, struct rows *rows, const struct series_names *list)
 {
-  char error[SERIES_NAME + 8];
-  struct orders *all = rows->context = calloc(1, sizeof *all + (size_t)list->count * MOST_TIMES * sizeof *all->point);
-  if (!all)
-    return rows_no_memory;
-  for (; all->series < list->count; all->series++) {
-    snprintf(error, sizeof error, "error.%s", list->name[all->series]);
-    all->error[all->series] = quantity_named(&rows->sheet.asked->quantities, error);
-  }
-  return NULL;
-}
-
-static const char *plan_orders(const struct series_options *o, struct rows *rows)
-{
-  static char T_needed[120];
-  struct names_of_series list;
-  snprintf(T_needed, sizeof T_needed,
-           "orders need T to vary, alone, in the last group of what varies, with 3 to %d values", MOST_TIMES);
-  const char *wrong = T_varies(&o->request.sweep) ? read_names(&list, o) : T_needed;
-  wrong = wrong ? wrong : begin_orders(rows, &list);
+  static const char *const columns[] = { "series", "order",     "order_lo", "order_hi", "interval", "points",
+                                         "expect", "tolerance", "verdict",  "reason",   NULL };
+  if (!T_varies(&o->request.sweep))
+    return wrong_text("orders need T to vary, alone, in the last group of what varies, with 3 to %d values",
+                      MOST_TIMES);
+  const char *wrong = begin_compared(rows, list, "error", MOST_TIMES);
   rows->has_errors = true;
-  rows->visit = collect;
-  rows->behind = order_columns;
+  rows->visit = visit_orders;
+  rows->behind = columns;
   for (int i = 0; crawler_parameters[i] && !wrong; i++)
     wrong = strcmp(crawler_parameters[i], "T") == 0 ? NULL : rows_own(rows, "%s", crawler_parameters[i]);
   return wrong;
 }
 
-/* A row for each point */
+/* One point: a row for each formula */
+
+static void head(struct rows *rows)
+{
+  /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
+  static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
+  const struct point *point = &rows->request->point;
+  char v0[80] = "the exact steady velocity at the start of each phase";
+  if (point->has_v0)
+    number_text(v0, point->v0, 0);
+  table_note(&rows->table, "v0: %s", v0);
+  if (gait_has_ends(point->crawler.gait))
+    return;
+  table_note(&rows->table, "%s", no_ends);
+  if (!rows->request->style.quiet)
+    complain("series", "%s", no_ends);
+}
+
+static void write_formula(struct table *table, const struct quantity *series, double published, double exact)
+{
+  static const char *const phases[] = { "extension", "contraction" };
+  const struct scallop_formula *f = series->formula;
+  enum scallop_phase_kind kind = series->phase > 0 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
+  char order[32] = "-";
+  if (f->remainder > 0)
+    snprintf(order, sizeof order, f->remainder == 1 ? "O(T)" : "O(T^%d)", f->remainder);
+  table_text(table, f->name);
+  table_text(table, f->equation);
+  table_text(table, f->setting == SCALLOP_STEADY ? "period" : phases[kind]);
+  table_text(table, formula_quantity_text(f, kind));
+  table_text(table, order);
+  table_number(table, published);
+  table_number(table, exact);
+  table_number(table, published - exact);
+}
+
+static void visit_formulas(struct rows *rows, struct at *at)
+{
+  const struct compared *all = rows->context;
+  const struct quantity *item = at->asked->quantities.item;
+  at_number(at, all->steady);
+  if (at->why[0] != '\0' || !rows_open(rows))
+    return;
+  for (int i = 0; i < all->count; i++) {
+    int exact = all->quantity[i], series = item[exact].of;
+    write_formula(&rows->table, &item[series], at_number(at, series), at_number(at, exact));
+  }
+  at_begin_row(at); /* a formula without a value is no failure of the point */
+}
+
+static const char *plan_formulas(const struct series_options *o, struct rows *rows, const struct series_names *list)
+{
+  static const char *const columns[] = { "formula",   "equation", "phase", "quantity", "remainder",
+                                         "published", "exact",    "error", NULL };
+  if (o->request.style.digits > DIGITS_OF_DOUBLE)
+    return "--digits: a double has 17; with --source derived or limit there are up to 10000";
+  rows->of = "published";
+  rows->opens_late = true;
+  rows->notes_parameters = true;
+  rows->head = head;
+  rows->behind = columns;
+  rows->visit = visit_formulas;
+  return begin_compared(rows, list, "exact", 0);
+}
+
 const char *series_plan(const void *options, struct rows *rows)
 {
-  static const char *const prefixes[] = { "", "exact.", "error.", "relative." };
   const struct series_options *o = options;
-  const struct scene_head *scene = o->request.scene;
-  struct names_of_series list;
-  bool has[4] = { false };
-  if (!scene) {
-    rows->sheet.asked->from_steady = rows->sheet.asked->tells_no_start = !o->request.point.has_v0;
-    rows->sheet.asked->accuracy = 0;
+  struct asked *asked = rows->sheet.asked;
+  struct series_names list = { .count = 0 };
+  const char *wrong = NULL;
+  if (!o->request.scene) {
+    asked->from_steady = asked->tells_no_start = !o->request.point.has_v0;
+    asked->accuracy = 0;
   }
-  if (o->orders)
-    return plan_orders(o, rows);
-  rows->has_parameters = true;
-  rows->extra[0] = !scene || scene->is_about_phase ? "v0" : NULL;
-  const char *wrong = read_parts(has, o);
-  wrong = wrong ? wrong : read_names(&list, o);
-  for (int i = 0; !wrong && i < list.count; i++)
-    for (int k = 0; k < 4 && !wrong; k++)
-      wrong = has[k] ? rows_own(rows, "%s%s", prefixes[k], list.name[i]) : NULL;
-  return wrong ? wrong : rows_own(rows, "status");
+  add_names(&list, o);
+  for (int i = 0; i < list.count && !wrong; i++)
+    wrong = no_series(o, list.name[i]);
+  return wrong ? wrong : (o->orders ? plan_orders : series_are_rows(o) ? plan_points : plan_formulas)(o, rows, &list);
 }

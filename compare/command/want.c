@@ -1,9 +1,6 @@
 #include "compare/command/want.h"
 
-#include <stdlib.h>
 #include <string.h>
-
-#include "compare/command/commands.h"
 
 /* The tables that a scene can want, and the options that their names stand for */
 static const struct kind {
@@ -24,139 +21,124 @@ static const struct kind {
   { "work-precision", &command_workprec, { { NULL } } },
   { "claims", &command_claims, { { NULL } } },
 };
-enum { KINDS = sizeof kinds / sizeof *kinds };
 
 static const struct kind *find_kind(struct scene *s, const config_setting_t *at)
 {
-  const char *names[KINDS + 1] = { NULL }, *text = at ? text_of(&s->config, at) : NULL;
-  char list[200];
-  for (int i = 0; i < KINDS; i++) {
+  enum { KINDS = sizeof kinds / sizeof *kinds };
+  const char *names[KINDS + 1] = { NULL }, *text = text_of(&s->config, at);
+  for (int i = 0; i < KINDS; i++)
     names[i] = kinds[i].what;
-    if (text && strcmp(text, names[i]) == 0)
-      return &kinds[i];
-  }
-  if (text)
-    refuse_at(&s->config, at, "'%.80s' cannot be wanted, but one of %s%s", text, joined(list, sizeof list, names, ", "),
-              did_you_mean(nearest(text, names)));
-  return NULL;
+  int place = text ? word_place(text, names) : -1;
+  if (text && place < 0)
+    refuse_at(&s->config, at, "'%.80s' cannot be wanted%s", text, instead_of(text, names));
+  return place < 0 ? NULL : &kinds[place];
 }
 
-static bool take(struct want *w, struct scene *s, const config_setting_t *at, const struct option *o, const char *text)
+/* A member with the value that the option of that name takes; true is that of a flag. NULL, or what is wrong */
+static const char *take_member(struct want *w, struct scene *s, const config_setting_t *at, const struct option *o)
 {
-  const char *wrong = option_take(&w->arguments, o, text);
-  return !wrong || refuse_at(&s->config, at, "%s", wrong);
-}
-
-/* A member with the value that the option of that name takes */
-static bool take_option(struct want *w, struct scene *s, const config_setting_t *at, const struct option *o)
-{
-  const char *name = config_setting_name(at);
-  int values = option_values(o), count = element_count(at);
+  const char *texts[MOST_VALUES] = { NULL };
+  int values = option_values(o), count = values > 1 ? element_count(at) : 1;
   if (config_setting_type(at) == CONFIG_TYPE_BOOL)
-    return values > 0 ? refuse_at(&s->config, at, "%s takes a value", name)
-                      : !config_setting_get_bool(at) || take(w, s, at, o, NULL);
-  if (values > 1 && count != values)
-    return refuse_at(&s->config, at, "%s takes %d values", name, values);
-  bool fine = true;
-  for (int i = 0; i < values && fine; i++) {
-    const char *text = values > 1 ? text_of(&s->config, element_at(at, i)) : scene_text_of_list(s, at);
-    if (!text || !*text)
-      return refuse_at(&s->config, at, "%s takes what it takes on the command line: a number, a text, or true", name);
-    fine = take(w, s, at, o, text);
+    return config_setting_get_bool(at) ? option_take(&w->arguments, o, texts, 0) : NULL;
+  for (int i = 0; i < count && count <= MOST_VALUES; i++) {
+    texts[i] = values > 1 ? text_of(&s->config, element_at(at, i)) : scene_text_of_list(s, at);
+    if (!texts[i] || !*texts[i])
+      return wrong_text("%s takes what it takes on the command line: a number, a text, or true",
+                        config_setting_name(at));
   }
-  return fine && (values > 0 || refuse_at(&s->config, at, "%s is true or false", name));
+  return option_take(&w->arguments, o, texts, count);
 }
 
-/* The option of a member; "of" names series where the command has no such option. */
-static const struct option *option_of_member(const struct command *command, const char *name)
-{
-  const struct option *o = option_of(command, name);
-  return o || strcmp(name, "of") != 0 ? o : option_of(command, "only");
-}
-
-/* What does not vary is the scene's; what is not written there is the command's own. */
-static void take_parameters(struct request *request, const struct scene *s, bool has_rows)
-{
-  const struct point *base = &s->request.point;
-  struct point *p = &request->point;
-  if (has_rows) {
-    *p = *base;
-    return;
-  }
-  for (int i = 0; i < POINT_NUMBERS; i++)
-    if (base->written[i])
-      point_set_number(p, i, base->written[i]);
-  if (base->has_gait) {
-    p->crawler.gait = base->crawler.gait;
-    p->has_gait = true;
-  }
-  point_complete(p);
-}
-
+/* "of" names series where the command has no such option. */
 static bool take_members(struct want *w, struct scene *s, const config_setting_t *at)
 {
   static const char *const read_elsewhere[] = { "what", "file", "plot", NULL };
+  const struct command *command = w->arguments.command;
   for (int i = 0; i < config_setting_length(at); i++) {
     const config_setting_t *member = member_at(at, i);
     const char *name = config_setting_name(member);
-    const struct option *o = option_of_member(w->arguments.command, name);
+    const struct option *o = option_of(command, name);
     if (name_among(read_elsewhere, name))
       continue;
-    if (name_among(crawler_parameters, name))
-      return refuse_at(&s->config, member, "%s belongs into the crawler", name);
-    if (!o)
-      return refuse_at(&s->config, member, "%s", option_unknown(&w->arguments, name, name));
-    if (!take_option(w, s, member, o))
-      return false;
+    if (!o && strcmp(name, "of") == 0)
+      o = option_of(command, "only");
+    const char *wrong = name_among(crawler_parameters, name) ? wrong_text("%s belongs into the crawler", name)
+                        : o                                  ? take_member(w, s, member, o)
+                                                             : option_unknown(&w->arguments, name, name);
+    if (wrong)
+      return refuse_at(&s->config, member, "%s", wrong);
   }
   return true;
 }
 
-/* The options of the want's command, over what the scene and the command line say */
+/* What the scene says of its point; the rest is the command's own. */
+static void take_parameters(struct point *p, const struct point *base)
+{
+  for (int i = 0; i < POINT_NUMBERS; i++)
+    if (base->written[i])
+      point_set_number(p, i, base->written[i]);
+  if (base->has_gait)
+    p->crawler.gait = base->crawler.gait;
+  p->has_gait |= base->has_gait;
+  point_complete(p);
+}
+
+/* An option of the kind of table */
+static void take_named(struct want *w, const char *name, const char *const *value)
+{
+  const struct option *o = option_of(w->arguments.command, name);
+  option_take(&w->arguments, o, value, option_values(o));
+}
+
+/* The options of the want's command, over what the scene and the command line say. rows: for the want, if it has any */
 static bool read_options(struct want *w, struct scene *s, const config_setting_t *at, const struct kind *kind,
-                         const struct scene_options *o)
+                         const struct style *given, struct rows *rows)
 {
   struct request *r = &w->arguments.options.request;
-  const struct style *given = &o->request.style;
   options_initial(&w->arguments, kind->command);
   r->asked = s->request.asked;
   for (int i = 0; i < 2 && kind->option[i][0]; i++)
-    option_take(&w->arguments, option_of(kind->command, kind->option[i][0]), kind->option[i][1]);
+    take_named(w, kind->option[i][0], &kind->option[i][1]);
   if (!take_members(w, s, at))
     return false;
-  w->has_rows = command_has_rows(kind->command, r) && !kind->command->complete; /* which has points of its own */
-  take_parameters(r, s, w->has_rows);
+  bool has_own_points = kind->command == &command_breakdown;
+  w->rows = command_has_rows(kind->command, r) && !has_own_points ? rows : NULL;
   r->style.quiet |= given->quiet;
   r->style.digits = given->digits > 0 && option_of(kind->command, "digits") ? given->digits : r->style.digits;
-  if (given->has_format)
-    r->style.format = given->format;
+  r->style.format = given->has_format ? given->format : r->style.format;
   r->style.has_format = true;
-  if (w->has_rows) {
+  if (w->rows) {
     r->style.command = given->command;
     r->scene = &s->head;
     r->sweep = s->request.sweep;
-  } else if (s->request.sweep.products > 0)
-    return refuse_at(&s->config, at,
-                     "%s varies, and what = \"%s\" is the whole table of a command, for one crawler: leave out 'vary', "
-                     "and run the command once for each value",
-                     sweep_variable(&s->request.sweep, 0)->name, kind->what);
+    r->point = s->request.point;
+  } else {
+    take_parameters(&r->point, &s->request.point);
+    if (s->request.sweep.products > 0)
+      return refuse_at(&s->config, at,
+                       "%s varies, and what = \"%s\" is the whole table of a command, for one crawler: leave out "
+                       "'vary', and run the command once for each value",
+                       sweep_variable(&s->request.sweep, 0)->name, kind->what);
+  }
   return options_are_sound(&w->arguments)
          || refuse_at(&s->config, at, "the command behind what = \"%s\" refuses these options", kind->what);
 }
 
+/* chosen: the columns that the command line names, or NULL */
 static bool plan_rows(struct want *w, struct scene *s, const config_setting_t *at, const struct table_choice *chosen)
 {
-  const struct command *command = w->arguments.command;
+  const struct request *r = &w->arguments.options.request;
   const config_setting_t *columns = config_setting_get_member(at, "columns");
-  const struct table_choice *own = w->arguments.options.request.style.choice;
-  w->rows = (struct rows){ .request = &w->arguments.options.request, .sheet.asked = s->request.asked };
-  const char *wrong = command->plan(&w->arguments.options, &w->rows);
+  const struct table_choice *own = r->style.choice;
+  *w->rows = (struct rows){ .request = r, .sheet.asked = s->request.asked };
+  const char *wrong = w->arguments.command->plan(r, w->rows);
   for (int i = 0; chosen && own && i < own->count && !wrong; i++) /* among the names that the scene gives, too */
-    wrong = rows_own(&w->rows, "%s", own->names[i]);
-  w->rows.choice = chosen;
+    wrong = rows_own(w->rows, "%s", own->names[i]);
+  w->rows->choice = chosen;
   if (wrong)
     return refuse_at(&s->config, at, "%s", wrong);
-  wrong = rows_columns(&w->rows);
+  wrong = rows_columns(w->rows);
   if (wrong && chosen)
     return complain(s->config.command, "--columns: %s", wrong);
   return !wrong || refuse_at(&s->config, columns ? columns : at, "%s", wrong);
@@ -198,13 +180,14 @@ static bool place_files(struct want *w, struct scene *s, const config_setting_t 
     return false;
   f->has_plot &= f->table && !o->no_plots;
   if (!f->plot.x || !f->plot.y) /* then the picture is that of such a table */
-    f->plot.of = w->rows.of ? w->rows.of : w->arguments.command->name;
+    f->plot.of = w->rows && w->rows->of ? w->rows->of : w->arguments.command->name;
   f->plot.table = w->arguments.options.request.style.output = f->table;
   return true;
 }
 
-bool want_read(struct want *w, struct scene *s, const config_setting_t *at, const struct scene_options *o)
+static bool read_want(struct wanted *all, struct want *w, const config_setting_t *at, const struct scene_options *o)
 {
+  struct scene *s = &all->scene;
   struct style *style = &w->arguments.options.request.style;
   if (!config_setting_is_group(at))
     return refuse_at(&s->config, at, "want is a list of groups: ( { what = \"steady\"; file = \"steady.tsv\"; } )");
@@ -212,19 +195,33 @@ bool want_read(struct want *w, struct scene *s, const config_setting_t *at, cons
   if (!what)
     return refuse_at(&s->config, at, "what is wanted? what = \"steady\", for one");
   const struct kind *kind = find_kind(s, what);
-  if (!kind || !read_options(w, s, at, kind, o) || !scene_read_files(&w->files, s, at, style))
+  if (!kind || !read_options(w, s, at, kind, &o->request.style, &all->rows[all->tables])
+      || !scene_read_files(&w->files, s, at, style))
     return false;
+  all->tables += w->rows != NULL;
   style->plot = w->files.plot; /* the table has its columns, too */
-  bool is_planned = !w->has_rows || plan_rows(w, s, at, o->request.style.choice);
+  bool is_planned = !w->rows || plan_rows(w, s, at, o->request.style.choice);
   style->plot = o->request.style.plot; /* of figure */
   return is_planned && place_files(w, s, at, o);
 }
 
-void want_free(struct want *w)
+enum exit_code wanted_read(struct wanted *all, const struct scene_source *source, const struct scene_options *o)
 {
-  rows_free(&w->rows);
-  if (w->has_rows)
-    w->arguments.options.request.sweep = (struct sweep){ .products = 0 }; /* the scene's */
-  w->arguments.options.request.asked = NULL;
-  options_free(&w->arguments);
+  enum exit_code code = scene_read(&all->scene, source, &o->request);
+  for (int i = 0; i < all->scene.wants && code == EXIT_DONE; i++)
+    code = read_want(all, &all->want[i], all->scene.want[i], o) ? EXIT_DONE : EXIT_USAGE;
+  return code;
+}
+
+void wanted_free(struct wanted *all)
+{
+  for (struct want *w = all->want; w < all->want + all->scene.wants; w++) {
+    if (w->rows) /* whose points are the scene's, as what is asked of all */
+      w->arguments.options.request.sweep = (struct sweep){ .products = 0 };
+    w->arguments.options.request.asked = NULL;
+    options_free(&w->arguments);
+  }
+  for (int i = 0; i < all->tables; i++)
+    rows_free(&all->rows[i]);
+  scene_free(&all->scene);
 }

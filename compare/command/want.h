@@ -2,7 +2,7 @@
 #ifndef SCALLOP_COMPARE_COMMAND_WANT_H
 #define SCALLOP_COMPARE_COMMAND_WANT_H
 
-#include "compare/command/options.h"
+#include "compare/command/commands.h"
 #include "compare/scenes/scene.h"
 
 struct scene_options { /* of run and figure */
@@ -13,13 +13,19 @@ struct scene_options { /* of run and figure */
 
 struct want {
   struct arguments arguments;
-  struct rows rows; /* planned, where the command makes rows */
-  bool has_rows;
+  struct rows *rows; /* planned, where the command makes rows: those of a scene share their points; else NULL */
   struct scene_files files;
 };
 
-/* False: the message is on stderr. To be freed in either case. */
-bool want_read(struct want *want, struct scene *scene, const config_setting_t *at, const struct scene_options *options);
-void want_free(struct want *want);
+struct wanted { /* a scene and its wants, scene.wants of them; begins with zeros */
+  struct scene scene;
+  struct want want[SCENE_WANTS];
+  struct rows rows[SCENE_WANTS];
+  int tables; /* of these rows */
+};
+/* The exit code, the message being on stderr. To be freed in either case. */
+enum exit_code wanted_read(struct wanted *wanted, const struct scene_source *source,
+                           const struct scene_options *options);
+void wanted_free(struct wanted *wanted);
 
 #endif

@@ -14,7 +14,6 @@
 #include <string.h>
 
 #include "compare/command/commands.h"
-#include "compare/command/commands.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

@@ -135,7 +135,7 @@ E2
 refused "1: this command does not take the option 'expect'" <<'E2'
 want = ( { what = "steady"; expect = 4; file = "kept.tsv"; } );
 E2
-refused '1: map takes 2 values' <<'E2'
+refused '1: --map needs two values' <<'E2'
 want = ( { what = "breakdown"; map = [ "a", "b", "c" ]; file = "kept.tsv"; } );
 E2
 refused "2: 'v_start': a formula of" <<'E2'

@@ -7,7 +7,7 @@ struct some_options {
   const char *map[2];
 };
 static const struct option options[] = {
-  OPTION_T,
+  OPTION_POINT("T"),
   OPTION("map", read_text, OPTION_FIELD(some_options, map), .values = 2, .allowed = "a name"),
   OPTION_QUIET,
   NO_MORE_OPTIONS,
@@ -32,7 +32,7 @@ static bool read_words(struct arguments *a, const struct command *command, char 
   int count = 2;
   for (char *word = strtok(text, " "); word && count < MOST; word = strtok(NULL, " "))
     arguments[count++] = word;
-  return options_read(a, command, commands, count, arguments, code) == READ_RUN;
+  return options_read(a, command, count, arguments, code) == READ_RUN;
 }
 
 /* Taken with these operands, in order, or refused with this on standard error */

@@ -1,0 +1,112 @@
+#include "compare/command/expansion_flint.h"
+
+#include <string.h>
+
+/* Is every coefficient exact, or has it the digits? */
+static bool is_precise(const struct expansion *e)
+{
+  bool precise = true;
+  SCOPED(arb, x);
+  for (int q = 0; q < QUANTITIES; q++) {
+    const struct series *s = e->derived.value[q];
+    for (slong k = s ? s->first : e->order; k < e->order && s->kind == SERIES_BALLS && precise; k++) {
+      series_coefficient(x, s, k, 64);
+      precise = arb_rel_accuracy_bits(x) > bits_of_digits(e->digits) + 4 || arb_contains_zero(x);
+    }
+  }
+  return precise;
+}
+
+/* Have the exact values the digits that the errors of all sums take? */
+static bool errors_are_seen(const struct expansion *e)
+{
+  bool seen = true;
+  SCOPED(arb, error);
+  for (int q = 0; q < QUANTITIES; q++)
+    if (e->derived.value[q] && e->exact.value[q]) {
+      series_value(error, e->derived.value[q], e->at, e->order, e->precision);
+      arb_sub(error, error, e->exact.value[q], e->precision);
+      seen = seen && (arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12);
+    }
+  return seen;
+}
+
+/* Is the series, whose modes are those for T -> 0, about the motion? */
+static void say_status(struct expansion *e)
+{
+  char modes[MOTION_MODES_TEXT];
+  if (e->exact.status != SCALLOP_OK)
+    snprintf(e->status, sizeof e->status, "not certified: %s",
+             e->exact.why ? e->exact.why : scallop_status_text(e->exact.status));
+  else if (strcmp(motion_modes_text(modes, e->of, e->exact.modes), e->derived.modes) != 0)
+    snprintf(e->status, sizeof e->status, "not of this motion: its modes are %s", modes);
+  else
+    snprintf(e->status, sizeof e->status, "ok");
+}
+
+/* With as many digits as the coefficients take, and the errors of certified values, within reason */
+void expand_numbers(struct expansion *e)
+{
+  enum { TRIES = 9, MOST_FAILURES = 6, MOST = 10000 };
+  int main_quantity = e->of == OF_STEADY ? Q_V_START : Q_V_END;
+  bool derived = false, enough = false;
+  symbols_add(e->symbols, NAMED_T, 0, SCALLOP_EXTENSION);
+  symbols_begin(e->symbols);
+  if (e->of == OF_STEADY)
+    fmpq_set(e->T, e->crawler->T);
+  else
+    scallop_rational_duration(e->T, e->crawler, e->kind);
+  for (long i = 0, more = e->digits + 20; i < TRIES && !enough; i++, more *= 2) {
+    long digits = more < MOST ? more : MOST;
+    e->precision = 4 * digits + 128 + e->order;
+    arb_set_fmpq(e->at, e->T, e->precision);
+    if (!derived || e->derived.value[main_quantity]->kind == SERIES_BALLS)
+      derived = answer_in_series(&e->derived, e->crawler, e->of, e->kind, e->v0, e->order, e->precision);
+    if (!derived && (e->derived.status == SCALLOP_EDOMAIN || i + 1 == MOST_FAILURES))
+      return;
+    enough = derived && (is_precise(e) || i + 1 == TRIES)
+             && (!e->is_certified || !answer_in_balls(&e->exact, e->crawler, e->of, e->kind, e->v0, digits)
+                 || digits == MOST || errors_are_seen(e));
+  }
+  if (derived)
+    say_status(e);
+}
+
+static void expand_phase(struct expansion *e)
+{
+  struct scallop_phase_expansion *phase = &e->derived.phase;
+  const struct series *const values[] = {
+    &phase->t1, &phase->dT, &phase->v_end, &phase->dx1, &phase->dx2, &phase->dxC
+  };
+  e->derived.status = symbolic_expand_phase(e->symbols, e->crawler, e->kind, e->v0, e->order, phase, &e->derived.why);
+  e->derived.modes = phase->modes;
+  memcpy(e->derived.value + Q_T1, values, sizeof values);
+}
+
+/* As series in T, or in closed form */
+static void expand_steady(struct expansion *e)
+{
+  struct series *const series[] = { &e->derived.steady.v_start, &e->derived.steady.v_mid,
+                                    &e->derived.steady.displacement };
+  e->derived.status = symbolic_solve_steady(e->symbols, e->crawler, &e->closed, &e->derived.why);
+  e->derived.modes = e->closed.modes;
+  if (e->derived.status != SCALLOP_OK)
+    return;
+  const symbolic values[] = { e->closed.v_start, e->closed.v_mid, e->closed.displacement };
+  for (int i = 0; i < 3; i++) {
+    e->derived.value[Q_V_START + i] = series[i];
+    if (e->is_closed)
+      series_set_ratio(series[i], values[i]);
+    else
+      symbolic_in_T(series[i], e->symbols, values[i], e->order + 1);
+  }
+}
+
+void expand_formulas(struct expansion *e) { (e->of == OF_PHASE ? expand_phase : expand_steady)(e); }
+
+void expand_limit(struct expansion *e)
+{
+  e->derived.status = symbolic_expand_limit(e->symbols, e->crawler, e->in, e->order, &e->limit, &e->derived.why);
+  e->derived.modes = e->limit.modes;
+  e->derived.value[Q_V_START] = &e->limit.term;
+}
