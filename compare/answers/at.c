@@ -9,6 +9,7 @@
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/points/counts.h"
+#include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 
 const struct at_flint_functions *at_flint;
@@ -34,6 +35,10 @@ void at_free(struct at *s)
     at_flint->free(s->flint);
   if (s && s->study)
     at_study->free(s->study);
+  if (s && s->data) {
+    at_free(s->data->at);
+    free(s->data);
+  }
   free(s);
 }
 
@@ -61,6 +66,8 @@ static void forget(struct at *s)
   memset(s->comparison, 0, count * sizeof *s->comparison);
   s->is_outside = false;
   s->why[0] = '\0';
+  if (s->data)
+    s->data->done = false;
 }
 
 void at_move(struct at *s)
@@ -236,6 +243,62 @@ static double parameter(struct at *s, int place)
   return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
 }
 
+/* Goes to the same point with another gait, with its own L, T and alpha where the point has none of its own. */
+static void move_to_other(struct at *other, const struct at *s, const struct scallop_measured_gait *gait)
+{
+  const double own[] = { gait->L, gait->T, gait->alpha };
+  sweep_place_copy(&other->place, &s->place);
+  struct point *p = &other->place.point;
+  p->crawler.gait = gait->gait;
+  for (int i = 0; i < 3; i++)
+    if (!p->written[CRAWLER_NUMBERS - 3 + i])
+      *crawler_field(&p->crawler, CRAWLER_NUMBERS - 3 + i) = own[i];
+  forget(other);
+  other->moves++;
+}
+
+static bool is_of_data(const struct at *s, int place)
+{
+  for (int i = 0; i < s->asked->quantities.count; i++)
+    if (s->asked->quantities.item[i].kind == QUANTITY_DATA && s->asked->quantities.item[i].of == place)
+      return true;
+  return false;
+}
+
+/* What the recording does not tell: of all numbers at once, as each other gait is solved once. */
+static bool find_data_errors(struct at *s)
+{
+  const int count = s->asked->quantities.count;
+  double(*others)[SCALLOP_MEASURED_OTHERS] = malloc((size_t)count * sizeof *others);
+  if (!s->data)
+    s->data = calloc(1, sizeof *s->data);
+  if (s->data && !s->data->at)
+    s->data->at = at_new(s->asked);
+  bool works = others && s->data && s->data->at;
+  for (int i = 0; works && i < SCALLOP_MEASURED_OTHERS; i++) {
+    const struct scallop_measured_gait gait = gait_other(s->place.point.crawler.gait, i);
+    if (gait.gait)
+      move_to_other(s->data->at, s, &gait);
+    for (int k = 0; k < count; k++)
+      others[k][i] = gait.gait && is_of_data(s, k) ? at_number(s->data->at, k) : NAN;
+  }
+  for (int k = 0; works && k < count; k++)
+    s->data->error[k] = is_of_data(s, k) ? scallop_measured_error(at_number(s, k), others[k]) : NAN;
+  if (works)
+    s->data->done = true;
+  free(others);
+  return works;
+}
+
+/* nan where the gait is not measured */
+static double data_error(struct at *s, int place)
+{
+  if (!gait_file_of(s->place.point.crawler.gait))
+    return NAN;
+  bool known = (s->data && s->data->done) || find_data_errors(s);
+  return known ? s->data->error[place] : at_fail(s, "out of memory");
+}
+
 /* Can it be told although the parameters are no point? */
 static bool is_known_outside(const struct at *s, const struct quantity *q)
 {
@@ -265,6 +328,7 @@ static double compute(struct at *s, int place)
   case QUANTITY_ERROR: return compared(s, q->of)->error;
   case QUANTITY_RELATIVE: return compared(s, q->of)->error / fabs(compared(s, q->of)->exact);
   case QUANTITY_FORMULA: return at_formula(s, q->own);
+  case QUANTITY_DATA: return at_number(s, q->of) + q->which * data_error(s, q->of);
   case QUANTITY_STUDIED: return at_study->number(s, q);
   default: return NAN; /* what only a trajectory has */
   }

@@ -30,6 +30,13 @@ struct series_error { /* of a series with what it should be */
   double value, exact, error; /* error: 0 below the accuracy that is wanted */
 };
 
+/* What a recording does not tell of the numbers that low. and high. are asked of (scallop_measured_error) */
+struct at_data {
+  struct at *at; /* for points with other gaits */
+  bool done;
+  double error[MOST_QUANTITIES];
+};
+
 struct at {
   const struct asked *asked;
   bool certified_errors;
@@ -39,6 +46,7 @@ struct at {
   long moves;             /* so far: points differ where it does */
   struct at_flint *flint; /* NULL: nothing has needed it yet */
   struct at_study *study; /* likewise */
+  struct at_data *data;   /* likewise */
   bool is_outside;        /* the parameters are no point: nothing but they can be told */
   bool as_written;        /* regime, modes and status are those of certified answers: set for each row */
   struct solved solved[POINT_MOTIONS];

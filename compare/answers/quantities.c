@@ -150,7 +150,7 @@ static const struct prefix {
   const char *text;
   enum quantity_kind kind;
   int which;
-  enum { OF_ANSWER, OF_SERIES, OF_STEADY_SERIES, OF_STEADY_FORMULA } of;
+  enum { OF_ANSWER, OF_NUMBER, OF_SERIES, OF_STEADY_SERIES, OF_STEADY_FORMULA } of;
 } prefixes[] = {
   { "certified.", QUANTITY_CERTIFIED, 0, OF_ANSWER },
   { "derived_", QUANTITY_DERIVED, 0, OF_ANSWER }, /* and the order, which a dot ends */
@@ -158,6 +158,8 @@ static const struct prefix {
   { "exact.", QUANTITY_EXACT, 0, OF_SERIES },
   { "error.", QUANTITY_ERROR, 0, OF_SERIES },
   { "relative.", QUANTITY_RELATIVE, 0, OF_SERIES },
+  { "low.", QUANTITY_DATA, -1, OF_NUMBER },
+  { "high.", QUANTITY_DATA, 1, OF_NUMBER },
   { "reach_", QUANTITY_STUDIED, STUDIED_REACH, OF_STEADY_SERIES }, /* likewise the tolerance */
   { "value.", QUANTITY_STUDIED, STUDIED_VALUE, OF_STEADY_SERIES },
   { "deviation.", QUANTITY_STUDIED, STUDIED_DEVIATION, OF_STEADY_SERIES },
@@ -214,6 +216,8 @@ static int prefixed_named(struct quantity *q, struct quantities *all, const stru
   q->motion = series->motion;
   q->phase = series->phase;
   q->from_rest = series->from_rest;
+  if (p->of == OF_NUMBER)
+    return quantity_is_text(series) ? -1 : 0;
   bool fits = quantity_is_series(series) && (p->of == OF_SERIES || series->motion == OF_STEADY)
               && (p->of != OF_STEADY_FORMULA || series->kind == QUANTITY_PUBLISHED);
   series->is_compared |= fits && p->of == OF_SERIES;

@@ -15,6 +15,7 @@
  *     deviation.S    S/exact - 1 at this T, by binary128; error_limit.S: what its size tends to as T -> 0, if not to 0
  *     verdict.S order.S   of a formula S: is the order that is claimed of its error right, and the one that is proven
  *     v_start_error, ...                          what the double is off by, estimated in wider arithmetic
+ *     low.N high.N   of a number N: between these it is, as far as the recording of a measured gait tells
  */
 #ifndef SCALLOP_COMPARE_ANSWERS_QUANTITIES_H
 #define SCALLOP_COMPARE_ANSWERS_QUANTITIES_H
@@ -69,6 +70,7 @@ enum quantity_kind {
   QUANTITY_EXACT,    /* what a series should be */
   QUANTITY_ERROR,
   QUANTITY_RELATIVE,
+  QUANTITY_DATA,      /* of another quantity: which times what a recording does not tell is added, -1 or 1 */
   QUANTITY_PUBLISHED, /* series: of the paper, or of a book */
   QUANTITY_DERIVED,
   QUANTITY_LIMIT,

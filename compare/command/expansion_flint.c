@@ -74,11 +74,14 @@ void expand_numbers(struct expansion *e)
 
 static void expand_phase(struct expansion *e)
 {
-  struct scallop_phase_expansion *phase = &e->derived.phase;
-  const struct series *const values[] = {
-    &phase->t1, &phase->dT, &phase->v_end, &phase->dx1, &phase->dx2, &phase->dxC
-  };
+  struct scallop_expansion *phase = &e->derived.phase;
   e->derived.status = symbolic_expand_phase(e->symbols, e->crawler, e->kind, e->v0, e->order, phase, &e->derived.why);
+  const struct series *const values[] = { phase->switches ? &phase->t1 : NULL,
+                                          phase->switches ? &phase->dT : NULL,
+                                          &phase->v_end,
+                                          &phase->dx1,
+                                          &phase->dx2,
+                                          &phase->dxC };
   e->derived.modes = phase->modes;
   memcpy(e->derived.value + Q_T1, values, sizeof values);
 }
