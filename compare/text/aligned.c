@@ -43,13 +43,14 @@ static void measure(struct aligned *a, const char *const *cells, column_meaning 
   const bool first = !a->has_begun;
   for (int i = 0; i < a->columns; i++) {
     struct aligned_column *c = &a->column[i];
-    const struct column_meaning *known = first && meaning ? meaning(cells[i]) : NULL;
-    if (first)
-      *c = (struct aligned_column){ .meaning = known ? *known : (struct column_meaning){ .unit = "", .sentence = "" },
-                                    .is_number = a->rows > 1 };
-    c->width = longer(longer(c->width, c->meaning.unit), first ? cells[i] : "");
-    for (long k = first; k < a->rows; k++) {
-      const char *cell = cells[k * a->columns + i];
+    for (long k = 0; k < a->rows; k++) {
+      const char *cell = cells[k * a->columns + i]; /* NOLINT(clang-analyzer-core.uninitialized.Assign): all are set */
+      if (first && k == 0) {
+        const struct column_meaning none = { .unit = "", .sentence = "" }, *known = meaning ? meaning(cell) : NULL;
+        *c = (struct aligned_column){ .meaning = known ? *known : none, .is_number = a->rows > 1 };
+        c->width = longer(longer(0, c->meaning.unit), cell);
+        continue;
+      }
       c->width = longer(c->width, cell);
       c->is_number = c->is_number && (!first || is_number(cell));
       c->has_parts = c->has_parts || strstr(cell, " | ");
