@@ -332,7 +332,7 @@ int quantity_named(struct quantities *all, const char *name)
   int place = place_in(all, name);
   if (place >= 0 || strlen(name) >= QUANTITY_NAME)
     return place;
-  strcpy(q.name, name);
+  snprintf(q.name, sizeof q.name, "%s", name);
   int found = prefix->text && place_among(all->carried, all->carries, name) < 0
                   ? prefixed_named(&q, all, prefix, name + strlen(prefix->text))
                   : (int)plain_named(&q, all, name) - 1;

@@ -225,12 +225,10 @@ static const char *label_of_text(struct request *r, struct sweep_variable *label
 /* A group of the variable, or for NULL of a label; copy: of the text, which is cut apart */
 static const char *add_values(struct request *r, const struct sweep_variable *parameter, const char *text, char *copy)
 {
-  struct sweep_variable v;
+  struct sweep_variable v = parameter ? *parameter : (struct sweep_variable){ .name = "" };
   const char *wrong = parameter ? NULL : label_of_text(r, &v, &copy);
   if (wrong)
     return wrong;
-  if (parameter)
-    v = *parameter;
   hold(r, v.name);
   wrong = vary_group(r);
   if (wrong)
