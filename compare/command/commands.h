@@ -2,7 +2,7 @@
 #ifndef SCALLOP_COMPARE_COMMAND_COMMANDS_H
 #define SCALLOP_COMPARE_COMMAND_COMMANDS_H
 
-#include "compare/command/options.h"
+#include "compare/command/readers.h"
 
 struct arguments;
 
@@ -45,10 +45,11 @@ struct arguments {
   } options;
 };
 enum reading { READ_RUN, READ_HELP, READ_REFUSED };
-/* Reads all[2], ... : the arguments behind the command's name. READ_REFUSED: *code is the exit code, and the message is
- * on stderr. Whichever it is, options_free ends it. */
-enum reading options_read(struct arguments *arguments, const struct command *command, int count, char **all,
-                          enum exit_code *code);
+/* Reads all[2], ... : the arguments behind the command's name. commands: all of them, to tell options of others from
+ * those of none, here and later. READ_REFUSED: *code is the exit code, and the message is on stderr. Whichever it is,
+ * options_free ends it. */
+enum reading options_read(struct arguments *arguments, const struct command *command,
+                          const struct command *const *commands, int count, char **all, enum exit_code *code);
 void options_free(struct arguments *arguments);
 /* Has it a row for each point? */
 bool command_has_rows(const struct command *command, const void *options);
@@ -63,8 +64,8 @@ const struct option *option_of(const struct command *command, const char *name);
 const char *option_take(struct arguments *arguments, const struct option *option, const char *const *texts, int count);
 /* What is wrong with the name of an option that the command does not take; argument: as it is written */
 const char *option_unknown(const struct arguments *arguments, const char *name, const char *argument);
-/* What to use in place of an option, or of a value of it, that was there before this version; NULL: it never was. command:
- * "" of the program */
+/* What to use in place of an option, or of a value of it, that was there before this version; NULL: it never was.
+ * command: "" of the program */
 const char *option_instead(const char *command, const char *name, const char *value);
 /* Completes the options. Do all go together? False: the message is on stderr. */
 bool options_are_sound(struct arguments *arguments);

@@ -1,5 +1,5 @@
-/* A motion in powers of T: its quantities as series whose coefficients are numbers, beside certified values, or formulas.
- * Needs FLINT. */
+/* A motion in powers of T: its quantities as series, whose coefficients are numbers, beside certified values, or
+ * formulas. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_COMMAND_EXPANSION_FLINT_H
 #define SCALLOP_COMPARE_COMMAND_EXPANSION_FLINT_H
 
@@ -7,8 +7,8 @@
 #include "compare/answers/answer_flint.h"
 
 struct expansion {
-  /* Of what: the crawler as it was written, its period or a phase from v0, or the limit T -> 0 in powers of a parameter;
-   * the terms below T^order */
+  /* Of what: the crawler as it was written, its period or a phase from v0, or the limit T -> 0 in powers of a
+   * parameter; the terms below T^order */
   const struct scallop_rational_crawler *crawler;
   enum quantity_of of;
   enum scallop_phase_kind kind;

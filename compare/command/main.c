@@ -117,7 +117,7 @@ int main(int count, char **arguments)
     return (int)answer(arguments[1], arguments[2]);
   struct arguments read;
   enum exit_code code;
-  enum reading reading = options_read(&read, command, count, arguments, &code);
+  enum reading reading = options_read(&read, command, commands, count, arguments, &code);
   if (reading == READ_HELP) {
     help_of(stdout, command);
     code = flushed();

@@ -62,12 +62,14 @@ static const char *near_option(const struct command *command, const char *name)
   return nearest_in(name + strspn(name, "-"), command->options, sizeof *command->options);
 }
 
+static const struct command *const *all_commands; /* as options_read was given them: options are below the list */
+
 const char *option_unknown(const struct arguments *a, const char *name, const char *argument)
 {
   const char *command = a->command->name, *instead = option_instead(command, name, NULL);
   if (instead)
     return wrong_text("--%s is no longer there: %s", name, instead);
-  for (const struct command *const *c = commands; *c; c++)
+  for (const struct command *const *c = all_commands; *c; c++)
     if (option_of(*c, name))
       return wrong_text("this command does not take the option '%s' (see scallop %s --help)", argument, command);
   const char *near = near_option(a->command, name);
@@ -215,9 +217,10 @@ void options_initial(struct arguments *a, const struct command *command)
                         .point = point_initial(command->defaults) };
 }
 
-enum reading options_read(struct arguments *a, const struct command *command, int count, char **all,
-                          enum exit_code *code)
+enum reading options_read(struct arguments *a, const struct command *command, const struct command *const *others,
+                          int count, char **all, enum exit_code *code)
 {
+  all_commands = others;
   struct request *r = &a->options.request;
   options_initial(a, command);
   a->all = all;

@@ -4,7 +4,7 @@
 #include "compare/breakdown/breakdown.h"
 #include "compare/claims/claims.h"
 #include "compare/answers/flint.h"
-#include "compare/command/series.h"
+#include "compare/command/series_options.h"
 #include "compare/maps/maps.h"
 #include "compare/stress/stress.h"
 #include "compare/summary/summary.h"

@@ -1,4 +1,4 @@
-#include "compare/command/series.h"
+#include "compare/command/series_options.h"
 
 #include "compare/answers/flint.h"
 #include "compare/command/commands.h"
@@ -61,11 +61,6 @@ static const struct option_rule rules[] = {
     "is for the formulas and series of a phase: --bound and --source limit and closed are about the steady state" },
   { NULL, RULE_WITH, NULL, NULL },
 };
-
-bool series_are_rows(const struct series_options *o)
-{
-  return o->rows || o->orders || (has_many_points(&o->request) && !o->symbolic && !o->bound);
-}
 
 static bool has_rows(const void *options)
 {

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "asymptotics/derived/scoped.h"
-#include "compare/command/series.h"
+#include "compare/command/series_options.h"
 #include "compare/points/point_flint.h"
 
 enum { BOUND_PRECISION = 128 };

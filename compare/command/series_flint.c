@@ -1,11 +1,11 @@
-/* series --source derived|limit and --symbolic: a report of the quantities of motions as sums of terms is a table, or for
- * each quantity a function of T in Python or a formula in LaTeX. Each kind of report is a row of kinds[]. */
+/* series --source derived|limit and --symbolic: a report of the quantities of motions as sums of terms is a table, or
+ * for each quantity a function of T in Python or a formula in LaTeX. Each kind of report is a row of kinds[]. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "asymptotics/symbolic/language.h"
 #include "compare/command/expansion_flint.h"
-#include "compare/command/series.h"
+#include "compare/command/series_options.h"
 #include "compare/points/point_flint.h"
 
 static const char *const of_numbers[] = { "phase", "start", "quantity", "power", "coefficient",

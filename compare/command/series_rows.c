@@ -6,7 +6,7 @@
 
 #include "asymptotics/observed/order.h"
 #include "compare/book/book.h"
-#include "compare/command/series.h"
+#include "compare/command/series_options.h"
 #include "compare/points/counts.h"
 
 enum { MOST_SERIES = 96, SERIES_NAME = 2 * QUANTITY_NAME, MOST_TIMES = 4096 };
@@ -14,6 +14,11 @@ struct series_names {
   int count;
   char name[MOST_SERIES][SERIES_NAME];
 };
+
+bool series_are_rows(const struct series_options *o)
+{
+  return o->rows || o->orders || (has_many_points(&o->request) && !o->symbolic && !o->bound);
+}
 
 /* Of a scene that says nothing of a phase the formulas of the steady state, else those of its phase and its start that
  * take nothing as given */

@@ -125,7 +125,7 @@ static void judge_line(const struct command *command, char *text, size_t size)
   int count = split(text, size, arguments);
   before = fuzz_text((const uint8_t *)text, size);
   written_begin(&w);
-  enum reading reading = options_read(&read, command, count, arguments, &code);
+  enum reading reading = options_read(&read, command, commands, count, arguments, &code);
   written_end(&w);
   if (memcmp(before, text, size) != 0)
     fuzz_fail("the arguments were changed");

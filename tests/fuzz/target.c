@@ -88,7 +88,7 @@ int fuzz_run(const struct command *command, const char *const *arguments, struct
   for (; *arguments && count < MOST - 1; arguments++)
     list[count++] = (char *)*arguments; /* none has a '=' that would be written to */
   written_begin(written);
-  if (options_read(&read, command, count, list, &code) == READ_RUN)
+  if (options_read(&read, command, commands, count, list, &code) == READ_RUN)
     code = command_make(&read);
   options_free(&read);
   written_end(written);

@@ -32,7 +32,7 @@ static bool read_words(struct arguments *a, const struct command *command, char 
   int count = 2;
   for (char *word = strtok(text, " "); word && count < MOST; word = strtok(NULL, " "))
     arguments[count++] = word;
-  return options_read(a, command, count, arguments, code) == READ_RUN;
+  return options_read(a, command, commands, count, arguments, code) == READ_RUN;
 }
 
 /* Taken with these operands, in order, or refused with this on standard error */

@@ -1,9 +1,9 @@
 /* The rows of options, and how their values are read. A command's options are a struct of its own that begins with
- * struct request (answers/request.h), and a row for each: its name, how it is read, and which field it sets; an argument
- * of the command line and a member of a scene are read by the same row. What it takes, what it is for and what holds
- * where it is not given stands in docs/help/COMMAND.txt. A new option is a field, a row and a line there. */
-#ifndef SCALLOP_COMPARE_COMMAND_OPTIONS_H
-#define SCALLOP_COMPARE_COMMAND_OPTIONS_H
+ * struct request (answers/request.h), and a row for each: its name, how it is read, and which field it sets; an
+ * argument of the command line and a member of a scene are read by the same row. What it takes, what it is for and what
+ * holds where it is not given stands in docs/help/COMMAND.txt. A new option is a field, a row and a line there. */
+#ifndef SCALLOP_COMPARE_COMMAND_READERS_H
+#define SCALLOP_COMPARE_COMMAND_READERS_H
 
 #include <float.h>
 #include <stddef.h>

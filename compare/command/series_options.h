@@ -1,6 +1,6 @@
 /* `scallop series`: its options; rows of points, and what needs FLINT. */
-#ifndef SCALLOP_COMPARE_COMMAND_SERIES_H
-#define SCALLOP_COMPARE_COMMAND_SERIES_H
+#ifndef SCALLOP_COMPARE_COMMAND_SERIES_OPTIONS_H
+#define SCALLOP_COMPARE_COMMAND_SERIES_OPTIONS_H
 
 #include <string.h>
 
@@ -24,10 +24,9 @@ static inline bool is_from(const struct series_options *o, const char *source)
   bool derived = !o->source.given && (o->bound || o->symbolic);
   return strcmp(derived ? "derived" : o->source.value, source) == 0;
 }
-/* A row for each point, or for each series the order along T, and not the table of one point? */
+/* series_rows.c. A row for each point, or for each series the order along T, and not the table of one point? */
 bool series_are_rows(const struct series_options *options);
-
-/* series_rows.c: these rows, or the published formulas at one point. NULL, or what is wrong. */
+/* These rows, or the published formulas at one point. NULL, or what is wrong. */
 const char *series_plan(const void *options, struct rows *rows);
 
 /* series_flint.c: --source derived|limit, --symbolic and --bound */
