@@ -136,10 +136,10 @@ double scallop_published_value(const struct scallop_formula *formula, const stru
 struct scallop_read_formula;
 enum { SCALLOP_FORMULA_MESSAGE = 320 }; /* characters of a message and its NUL */
 
-/* Reads copies of text and parts, for the setting; to be freed by scallop_formula_free. NULL: message says what is wrong
- * and at which character of the text, counted from 1, or of the part that it names ("character 6: '(' is not closed");
- * or that there is no memory. In a formula of the steady state v0, t1, dT and x_switch have no meaning and are refused.
- * A text has at most 256 numbers, names and operations. */
+/* Reads copies of text and parts, for the setting; to be freed by scallop_formula_free. NULL: message says what is
+ * wrong and at which character of the text, counted from 1, or of the part that it names ("character 6: '(' is not
+ * closed"); or that there is no memory. In a formula of the steady state v0, t1, dT and x_switch have no meaning and
+ * are refused. A text has at most 256 numbers, names and operations. */
 struct scallop_read_formula *scallop_formula_read(const struct scallop_formula *formula,
                                                   char message[SCALLOP_FORMULA_MESSAGE]);
 void scallop_formula_free(struct scallop_read_formula *read); /* which may be NULL */

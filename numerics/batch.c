@@ -219,7 +219,7 @@ static long solve_states(const struct job *job, long first, int count)
   for (long i = first; i < first + count; i++) {
     bool alike = ramps && c->gait[i] == gait;
     double order = alike ? holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT)) : NAN;
-    if (isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i])))) {
+    if (!alike || isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i])))) {
       failed += solve_one(job, i);
       continue;
     }
@@ -261,14 +261,17 @@ static long solve_all(const struct job *job, int threads)
 {
   const long count = job->crawlers->count;
   long failed = 0;
-  threads = threads > 1 ? threads_for(threads, (count + BLOCK - 1) / BLOCK) : 1;
 #ifdef _OPENMP
+  if (threads > 1)
+    threads = threads_for(threads, (count + BLOCK - 1) / BLOCK);
   if (threads > 1) { /* else without the runtime of OpenMP, which may allocate */
 #pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : failed)
     for (long first = 0; first < count; first += BLOCK)
       failed += solve_next(job, first);
     return failed;
   }
+#else
+  (void)threads;
 #endif
   for (long first = 0; first < count; first += BLOCK)
     failed += solve_next(job, first);

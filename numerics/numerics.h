@@ -131,8 +131,8 @@ struct scallop_crawlers {
   const double *m1, *m2, *F1, *F2, *L, *T, *alpha;
   const struct scallop_gait *const *gait;
 };
-/* What is wanted of them, of the steady states or of one phase: arrays of count, each NULL where it is not wanted. Where
- * a crawler has no answer its numbers are nan, its modes none and its regime is untouched. */
+/* What is wanted of them, of the steady states or of one phase: arrays of count, each NULL where it is not wanted.
+ * Where a crawler has no answer its numbers are nan, its modes none and its regime is untouched. */
 struct scallop_steady_states {
   double *froude, *v_start, *v_mid, *displacement, *mean_velocity, *multiplier, *v_low, *v_high;
   enum scallop_regime *regime;
@@ -147,8 +147,8 @@ struct scallop_phases {
   enum scallop_status *status;
 };
 
-/* Bit for bit what scallop_steady, and scallop_phase from v0[i], give for each, whatever the number of threads (>= 1; no
- * more than there are processors, and 1 where the library is built without OpenMP). Where the compiler may fuse
+/* Bit for bit what scallop_steady, and scallop_phase from v0[i], give for each, whatever the number of threads (>= 1;
+ * no more than there are processors, and 1 where the library is built without OpenMP). Where the compiler may fuse
  * multiplications and additions (-ffp-contract=fast; the Makefile forbids it) the last bits of steady states may
  * differ. Return how many have a negative status. Allocate nothing. */
 long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,

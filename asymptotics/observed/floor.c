@@ -1,6 +1,6 @@
-/* Floors are where errors that fell no longer fall. A rough one is roundoff, or the tolerance of a solver: the points on
- * it and near it are left out. A smooth one far above roundoff is a plateau: the table converges to something else, and
- * that is its verdict. */
+/* Floors are where errors that fell no longer fall. A rough one is roundoff, or the tolerance of a solver: the points
+ * on it and near it are left out. A smooth one far above roundoff is a plateau: the table converges to something else,
+ * and that is its verdict. */
 #include <math.h>
 
 #include "asymptotics/observed/judged.h"

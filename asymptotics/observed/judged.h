@@ -42,16 +42,16 @@ bool floor_judge(struct judged *j, bool announced);
 bool floor_leave_out_near(struct judged *j);
 
 /* What points can be, beside their use: faults. */
-enum { POINT_NAN = SCALLOP_ORDER_BEFORE_SIGN_CHANGE + 1, POINT_INFINITE, POINT_NOT_POSITIVE, POINT_BAD_NOISE, POINTS };
+enum { POINT_NAN = SCALLOP_ORDER_BEFORE_SIGN_CHANGE + 1, POINT_INFINITE, POINT_NOT_POSITIVE, POINT_BAD_NOISE };
 /* The words go to result->reason; what does not fit is cut off. */
 void reason_add(const struct judged *j, const char *format, ...) __attribute__((format(printf, 2, 3)));
 /* How many points from first on are of this use, or have this fault. */
 int reason_count(const struct judged *j, int first, int what);
 /* " in row 4", " in rows 2, 5 and 7 to 9": these points, the first few of them; in the order in which they stand. */
 void reason_add_rows(const struct judged *j, int first, int what);
-/* "NaN in row 4; h <= 0 in rows 1 and 2": what of [from, to) points are, each behind the word before, from the second
- * one behind between. True: there are such points. */
-bool reason_add_all(const struct judged *j, int from, int to, const char *before, const char *between);
+/* "NaN in row 4; h <= 0 in rows 1 and 2": the faults, or else the uses of what is left out, each behind the word
+ * before, from the second one behind between. True: there are such points. */
+bool reason_add_all(const struct judged *j, bool faults, const char *before, const char *between);
 /* "1.97, 1.95, 1.90": the orders between neighbours that are used, the last few of them. */
 void reason_add_orders(const struct judged *j);
 

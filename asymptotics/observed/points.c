@@ -123,7 +123,7 @@ void reason_add_rows(const struct judged *j, int first, int what)
     reason_add(j, " and %d more", left);
 }
 
-bool reason_add_all(const struct judged *j, int from, int to, const char *before, const char *between)
+bool reason_add_all(const struct judged *j, bool faults, const char *before, const char *between)
 {
   static const char *const words[] = {
     [SCALLOP_ORDER_ZERO] = "err is 0",
@@ -135,8 +135,9 @@ bool reason_add_all(const struct judged *j, int from, int to, const char *before
     [POINT_NOT_POSITIVE] = "h <= 0",
     [POINT_BAD_NOISE] = "noise < 0 or NaN",
   };
+  const int last = faults ? POINT_BAD_NOISE : SCALLOP_ORDER_BEFORE_SIGN_CHANGE;
   bool any = false;
-  for (int what = from; what < to; what++)
+  for (int what = faults ? POINT_NAN : SCALLOP_ORDER_ZERO; what <= last; what++)
     if (reason_count(j, 0, what) > 0) {
       reason_add(j, "%s%s", any ? between : before, words[what]);
       reason_add_rows(j, 0, what);

@@ -280,8 +280,6 @@ static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct s
   for (int i = 0; i < count; i++) {
     double err = fabs(points[i].err), noise = level / (err * WEIGHED), weight = 1 / (1 + noise * noise);
     struct entry *e = &entry[i / together];
-    if (i % together == 0)
-      *e = (struct entry){ .weight = 0 };
     e->weight += weight;
     e->x += weight / e->weight * (log(points[i].h) - e->x);
     e->y += weight / e->weight * (log(err) - e->y);
@@ -293,7 +291,7 @@ static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct s
 
 struct trend trend_from(const struct judged *j, int first)
 {
-  struct entry entry[MOST_ENTRIES];
+  struct entry entry[MOST_ENTRIES] = { { .weight = 0 } };
   struct run r = run_of_points(entry, j->p + first, j->used - first, j->level);
   struct bend line = bend_at(&r, NULL, 0);
   struct trend t = { .kind = TREND_STRAIGHT,

@@ -12,7 +12,7 @@ static const double ON_THE_WAY = 2.5;
 static const double FAR_BETTER = 10;
 /* Three points of a longer table count if they are on a line so well. */
 static const double ALIGNED = 0.05;
-/* Rules on pairwise orders are for few pairs. Of so many points and more, the coarsest are left out several at a time. */
+/* Rules on pairwise orders are for few pairs. Of so many points, the coarsest are left out several at a time. */
 enum { LEAST_PAIRS = 3, MOST_PAIRS = 6, MANY = 32 };
 
 /* The pairwise order of the two finest used points */
@@ -327,7 +327,7 @@ static void leave_out_noise(struct judged *j)
 /* Sorts by h. Faults and the first h that is repeated become the reason. */
 static bool is_valid(struct judged *j)
 {
-  bool valid = !reason_add_all(j, POINT_NAN, POINTS, "", "; ");
+  bool valid = !reason_add_all(j, true, "", "; ");
   points_sort_by_h(j);
   for (int i = 0; i + 1 < j->count; i++)
     if (j->p[i].h == j->p[i + 1].h) {
@@ -359,7 +359,7 @@ static void judge(struct judged *j)
   if (!judge_used(j) && floor_leave_out_near(j))
     judge_used(j);
   if (j->result->used > 0 || j->result->verdict == SCALLOP_ORDER_INSUFFICIENT)
-    reason_add_all(j, SCALLOP_ORDER_ZERO, POINT_NAN, "; left out: ", ", ");
+    reason_add_all(j, false, "; left out: ", ", ");
 }
 
 void scallop_order(struct scallop_order_point *points, int *count, const struct scallop_order_wanted *wanted,
