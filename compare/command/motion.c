@@ -6,6 +6,7 @@
 #include "compare/answers/vary.h"
 #include "compare/command/commands.h"
 #include "compare/points/counts.h"
+#include "compare/points/gaits.h"
 #include "numerics/numerics.h"
 
 struct motion_options {
@@ -48,8 +49,12 @@ static const char *plan(const void *options, struct rows *rows)
   rows->sheet.as_written = certified;
   if (o->of == OF_PHASE)
     memcpy(rows->extra, start, sizeof start);
-  for (int q = first; q < end && !wrong; q++)
+  bool is_recorded = gait_file_of(o->request.point.crawler.gait) != NULL;
+  for (int q = first; q < end && !wrong; q++) {
     wrong = rows_own(rows, certified ? "%s = certified.%s" : "%s", quantity_rows[q].name, quantity_rows[q].name);
+    for (int i = 0; i < 2 && is_recorded && q != Q_FROUDE && !wrong; i++)
+      wrong = rows_own(rows, i == 0 ? "low.%s" : "high.%s", quantity_rows[q].name);
+  }
   for (int q = first; q < end && o->error && !wrong; q++)
     wrong = rows_own(rows, "%s_error", quantity_rows[q].name);
   for (int i = 0; i < 2 + has_words(&o->request) && !wrong; i++)
