@@ -2,6 +2,11 @@
 #include "asymptotics/derived/branch.h"
 
 #include "asymptotics/derived/scoped.h"
+#if __FLINT_RELEASE >= 30000
+#include <flint/arb_calc.h>
+#else
+#include <arb_calc.h>
+#endif
 
 void set_kappa(fmpq_t kappa, const struct scallop_rational_crawler *c)
 {

@@ -1,10 +1,15 @@
 /* The curves of a branch at complex times. */
 #include "asymptotics/derived/continuation.h"
 #include "asymptotics/derived/scoped.h"
+#if __FLINT_RELEASE >= 30000
+#include <flint/acb_hypgeom.h>
+#else
+#include <acb_hypgeom.h>
+#endif
 
 /* S(h) = sin(pi h)/(pi h) = g(y), y = -(pi h)^2/4, and S' = -(pi^2/2) h g', S'' = -(pi^2/2) (g' + 2 y g''): g is the
- * entire function 0F1(; 3/2; y), whose derivatives are (2/3) 0F1(; 5/2; y) and (4/15) 0F1(; 7/2; y). acb_poly_sinc_series
- * is not for balls that hold 0. */
+ * entire function 0F1(; 3/2; y), whose derivatives are (2/3) 0F1(; 5/2; y) and (4/15) 0F1(; 7/2; y).
+ * acb_poly_sinc_series is not for balls that hold 0. */
 static void sine_quotient(acb_ptr S, const acb_t h, const arb_t pi_squared, slong precision)
 {
   static const int factors[][2] = { { 1, 1 }, { 2, 3 }, { 4, 15 } };

@@ -82,23 +82,30 @@ static const char *set_terms(struct series *to, const struct series *a, const st
   return set_finite(to, balls, known);
 }
 
+static const char *apply_to_tidy(struct series *to, struct series *a, const struct function *f, const struct ring *ring)
+{
+  const char *wrong = f->refused(a, ring->precision);
+  const bool nothing = series_terms(a) == 0;
+  if (wrong)
+    return wrong;
+  if (nothing)
+    a->first = 0;
+  if (f->is_odd && (nothing || 2 * a->first >= ring->length)) {
+    series_set(to, a);
+    series_truncate(to, nothing ? SERIES_ALL : a->first + ring->length);
+  } else
+    wrong = set_terms(to, a, f, ring->length + (f->is_odd ? a->first : 0), ring);
+  if (!wrong)
+    series_tidy(to, ring);
+  return wrong;
+}
+
 static const char *apply(struct series *to, const struct series *of, const struct function *f, const struct ring *ring)
 {
   SCOPED(series, a);
   series_set(&a, of);
   series_tidy(&a, ring);
-  const char *wrong = f->refused(&a, ring->precision);
-  const bool nothing = series_terms(&a) == 0;
-  if (nothing)
-    a.first = 0;
-  if (!wrong && f->is_odd && (nothing || 2 * a.first >= ring->length)) {
-    series_set(to, &a);
-    series_truncate(to, nothing ? SERIES_ALL : a.first + ring->length);
-  } else if (!wrong)
-    wrong = set_terms(to, &a, f, ring->length + (f->is_odd ? a.first : 0), ring);
-  if (!wrong)
-    series_tidy(to, ring);
-  return wrong;
+  return apply_to_tidy(to, &a, f, ring);
 }
 
 const char *series_exp(struct series *to, const struct series *a, const struct ring *ring)

@@ -166,8 +166,8 @@ static void set_names(struct scallop_symbols *names, struct motion *m, const str
   }
 }
 
-/* F2 is F1 where the forces of all these crawlers are equal. of_gait: a derivative of l is as this gait has it, a number
- * of amplitudes, times a power of pi. */
+/* F2 is F1 where the forces of all these crawlers are equal. of_gait: a derivative of l is as this gait has it, a
+ * number of amplitudes, times a power of pi. */
 static void set_replacements(struct replacements *r, const struct motion *m, bool of_gait)
 {
   const struct symbols *s = &m->symbols;

@@ -9,12 +9,10 @@
 #include <flint/fmpz_vec.h>
 #if __FLINT_RELEASE >= 30000
 #include <flint/arb.h>
-#include <flint/arb_calc.h>
 #include <flint/arb_fmpz_poly.h>
 #include <flint/arb_poly.h>
 #else
 #include <arb.h>
-#include <arb_calc.h>
 #include <arb_fmpz_poly.h>
 #include <arb_poly.h>
 #endif

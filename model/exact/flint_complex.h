@@ -4,13 +4,11 @@
 
 #include "model/exact/scoped.h"
 #if __FLINT_RELEASE >= 30000
-#include <flint/acb_hypgeom.h>
 #include <flint/acb_mat.h>
 #include <flint/acb_poly.h>
 #include <flint/arb_fmpz_poly.h>
 #include <flint/arb_mat.h>
 #else
-#include <acb_hypgeom.h>
 #include <acb_mat.h>
 #include <acb_poly.h>
 #include <arb_fmpz_poly.h>
