@@ -6,12 +6,14 @@
 #include "compare/answers/answer.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
+#include "compare/points/gait_file.h"
+#include "compare/points/gaits.h"
 #include "compare/text/digits.h"
 #include "compare/text/memory.h"
 #include "compare/text/progress.h"
 
 /* T by steps of 2^(1/PER_OCTAVE): what begins and ends again within a step is not seen. */
-enum { PER_OCTAVE = 256, OCTAVES_BELOW = 24 };
+enum { PER_OCTAVE = 256, OCTAVES_BELOW = 24, OF_RECORDED = 64, BELOW_OF_RECORDED = 8 };
 /* Doubles tell the modes apart down to this distance from a change, and binary128 settles the rest. */
 static const double NARROW = 1e-10;
 /* As near to a change as modes are proven: nearer to where a mode vanishes that takes seconds. */
@@ -203,21 +205,24 @@ static void search(struct events *events, const struct signature *low, const str
 {
   struct signature middle;
   double T = sqrt(low->T) * sqrt(high->T);
-  if (same(CHANGE_OF_PART, low, high))
+  bool is_recorded = gait_file_of(low->motion->crawler.gait) != NULL; /* then the pieces are none of the gait's own */
+  if (same(is_recorded ? CHANGE_OF_MODES : CHANGE_OF_PART, low, high))
     return;
-  if (high->T - low->T > NARROW * high->T && signature_at(&middle, low->motion, T)) {
+  if (high->T - low->T > (events->is_rough ? 1e-4 : NARROW) * high->T && signature_at(&middle, low->motion, T)) {
     search(events, low, &middle);
     search(events, &middle, high);
     return;
   }
   bool of_modes = !same(CHANGE_OF_MODES, low, high);
-  struct event e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double" };
+  struct event e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double", .low = NAN, .high = NAN };
   struct signature before = *low, after = *high;
-  if (is_rounding(e.of, &before, &after, events->count > 0 ? events->event[events->count - 1].T : 0))
+  if (!events->is_rough
+      && is_rounding(e.of, &before, &after, events->count > 0 ? events->event[events->count - 1].T : 0))
     return;
   memcpy(e.modes, after.answer.modes, sizeof e.modes);
   (of_modes ? describe : describe_move)(&e, &before, &after);
-  settle(&e, &before, &after);
+  if (!events->is_rough)
+    settle(&e, &before, &after);
   add(&events->event, &events->count, &e);
 }
 
@@ -232,8 +237,8 @@ const struct scallop_modes *events_modes_at(const struct events *events, double 
 /* Where the crawler turns back, if it does */
 static void find_reversal(struct events *events, const struct signature *low, const struct signature *high)
 {
-  struct event e = { .of = CHANGE_OF_WAY };
-  if (way(low) * way(high) >= 0 || !settle(&e, low, high))
+  struct event e = { .of = CHANGE_OF_WAY, .low = NAN, .high = NAN };
+  if (events->is_rough || way(low) * way(high) >= 0 || !settle(&e, low, high))
     return;
   snprintf(e.what, sizeof e.what, "the direction of crawling reverses: from here on %s",
            way(high) > 0 ? "forward" : "backward");
@@ -241,26 +246,27 @@ static void find_reversal(struct events *events, const struct signature *low, co
   add(&events->reversal, &events->reversals, &e);
 }
 
-void events_find(struct events *events, const struct motion *m, const char *limit_modes)
+static void find(struct events *events, const struct motion *m, int octaves_below, const char *limit_modes)
 {
   enum { FARTHEST = 8 }; /* times so many octaves down, to where the modes are those of T -> 0 */
   struct signature low, high;
   char text[MOTION_MODES_TEXT];
-  *events = (struct events){ .from = ldexp(motion_natural_time(m), -OCTAVES_BELOW), .until = motion_last_time(m) };
+  events->from = ldexp(motion_natural_time(m), -octaves_below);
+  events->until = motion_last_time(m);
   bool going = signature_at(&low, m, events->from);
   for (int i = 0; going && i < FARTHEST && *limit_modes; i++) {
     if (strcmp(motion_modes_text(text, m->of, low.answer.modes), limit_modes) == 0)
       break;
-    events->from = ldexp(events->from, -OCTAVES_BELOW);
+    events->from = ldexp(events->from, -octaves_below);
     going = signature_at(&low, m, events->from);
   }
   memcpy(events->first, low.answer.modes, sizeof events->first);
-  const long steps = (long)ceil(PER_OCTAVE * log2(events->until / events->from));
+  const long steps = (long)ceil(events->per_octave * log2(events->until / events->from));
   const bool counts = !progress_is_counted(); /* else points are */
   for (long i = 1; going && i <= steps; i++) {
     if (counts)
       progress_count(i, steps);
-    going = signature_at(&high, m, events->from * exp2((double)i / PER_OCTAVE));
+    going = signature_at(&high, m, events->from * exp2((double)i / events->per_octave));
     if (going) {
       search(events, &low, &high);
       find_reversal(events, &low, &high);
@@ -271,6 +277,62 @@ void events_find(struct events *events, const struct motion *m, const char *limi
     events->until = low.T;
   if (counts)
     progress_count(0, 0);
+}
+
+/* Where the same changes in these events, nearest to T and within a factor of two; nan: it does not. */
+static double same_change(const struct events *events, const struct event *e)
+{
+  double found = NAN;
+  for (const struct event *o = events->event; o < events->event + events->count; o++)
+    if (strcmp(o->what, e->what) == 0 && fabs(log2(o->T / e->T)) < 1
+        && !(fabs(log(o->T / e->T)) >= fabs(log(found / e->T))))
+      found = o->T;
+  return found;
+}
+
+/* The changes that other curves through the recording have, too; and how far their T may be off. */
+static void keep_shared(struct events *events, const struct motion *m)
+{
+  const struct gait_file *file = gait_file_of(m->crawler.gait);
+  double(*others)[SCALLOP_MEASURED_OTHERS] = malloc((size_t)(events->count + 1) * sizeof *others);
+  long kept = 0;
+  for (long k = 0; others && k < events->count; k++)
+    for (int i = 0; i < SCALLOP_MEASURED_OTHERS; i++)
+      others[k][i] = NAN;
+  for (int i = 0; others && i < SCALLOP_MEASURED_MODELS; i++) {
+    const struct scallop_measured_gait gait = gait_other(m->crawler.gait, i);
+    struct events there = { .per_octave = OF_RECORDED / 4, .is_rough = true };
+    struct motion other = *m;
+    if (!gait.gait)
+      continue;
+    other.crawler.gait = gait.gait;
+    other.crawler.L = m->crawler.L == file->best.L ? gait.L : m->crawler.L;
+    other.crawler.alpha = m->crawler.alpha == file->best.alpha ? gait.alpha : m->crawler.alpha;
+    find(&there, &other, BELOW_OF_RECORDED, "");
+    for (long k = 0; k < events->count; k++)
+      events->event[k].is_own |= isnan(others[k][i] = same_change(&there, &events->event[k]));
+    events_clear(&there);
+  }
+  for (long k = 0; others && k < events->count; k++) {
+    struct event e = events->event[k];
+    double error = scallop_measured_error(e.T, others[k]);
+    e.low = e.T - error;
+    e.high = e.T + error;
+    if (!e.is_own)
+      events->event[kept++] = e;
+  }
+  events->left_out = others ? events->count - kept : 0;
+  events->count = others ? kept : events->count;
+  free(others);
+}
+
+void events_find(struct events *events, const struct motion *m, const char *limit_modes)
+{
+  bool is_recorded = gait_file_of(m->crawler.gait) != NULL;
+  *events = (struct events){ .per_octave = is_recorded ? OF_RECORDED : PER_OCTAVE };
+  find(events, m, is_recorded ? BELOW_OF_RECORDED : OCTAVES_BELOW, limit_modes);
+  if (is_recorded)
+    keep_shared(events, m);
 }
 
 void events_clear(struct events *events)

@@ -38,14 +38,19 @@ struct event {
   char what[MODE_CHANGE_TEXT];
   struct scallop_modes modes[2]; /* from here on */
   const char *status;            /* how it is known: certified, binary128 or double */
+  double low, high;              /* of T, as far as the recording of a measured gait tells; else nan */
+  bool is_own;                   /* of this curve: another one does not have it */
 };
 struct events {
-  struct scallop_modes first[2]; /* the modes below the first event   */
-  double from, until;            /* searched: this range of T         */
-  long count, reversals;
-  struct event *event, *reversal; /* reversals: changes of way, of a steady state */
+  struct scallop_modes first[2];   /* the modes below the first event   */
+  double from, until;              /* searched: this range of T         */
+  int per_octave;                  /* in so many steps                  */
+  bool is_rough;                   /* T to four digits, and nothing proven */
+  long count, reversals, left_out; /* left_out: other curves through the recording do not have them */
+  struct event *event, *reversal;  /* reversals: changes of way, of a steady state */
 };
-/* limit_modes: those for T -> 0, or "" where they are not known. Takes a quarter of a second. */
+/* limit_modes: those for T -> 0, or "" where they are not known. Takes a quarter of a second. Of a measured gait pieces
+ * are no parts, and what changes is left out unless it does with other curves through the recording, too. */
 void events_find(struct events *events, const struct motion *motion, const char *limit_modes);
 void events_clear(struct events *events);
 const struct scallop_modes *events_modes_at(const struct events *events, double T);

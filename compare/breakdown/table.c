@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "compare/points/defaults.h"
+#include "compare/points/gaits.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/progress.h"
@@ -28,7 +29,7 @@ static bool is_about(const struct report *r, enum quantity_id q)
 
 struct row {
   const char *what, *quantity, *series;
-  double order, tolerance, T, froude, error;
+  double order, tolerance, T, froude, error, low, high;
   const struct scallop_modes *modes; /* or NULL */
   const char *modes_text, *note, *status;
 };
@@ -38,7 +39,7 @@ static struct row row_of(const struct report *r, const char *what, enum quantity
 {
   const char *name = quantity < QUANTITIES ? quantity_rows[quantity].name : "-";
   double froude = motion_froude(&r->study.motion, T);
-  return (struct row){ what, name, series, NAN, NAN, T, froude, NAN, NULL, "-", "-", "-" };
+  return (struct row){ what, name, series, NAN, NAN, T, froude, NAN, NAN, NAN, NULL, "-", "-", "-" };
 }
 
 #define AT(member) offsetof(struct row, member)
@@ -56,6 +57,14 @@ static const struct table_column columns[] = {
   { TABLE_COLUMN("status", column_text, AT(status)) },
   { .name = NULL },
 };
+/* Of T, of a measured gait */
+static const struct table_column of_recording[] = {
+  { TABLE_COLUMN("low", column_number, AT(low)) },
+  { TABLE_COLUMN("high", column_number, AT(high)) },
+  { .name = NULL },
+};
+
+static bool is_recorded(const struct report *r) { return gait_file_of(r->study.motion.crawler.gait) != NULL; }
 
 static void write_row(struct report *r, struct row *row, const char *note, const char *status)
 {
@@ -64,6 +73,8 @@ static void write_row(struct report *r, struct row *row, const char *note, const
   row->note = note;
   row->status = status;
   table_row(&r->table, columns, row, true);
+  if (is_recorded(r))
+    table_row(&r->table, of_recording, row, true);
   r->rows++;
 }
 
@@ -90,6 +101,8 @@ static void write_changes(struct report *r, const char *what, enum quantity_id o
   for (const struct event *end = e + count; e < end; e++) {
     struct row row = row_of(r, what, of, "-", e->T);
     row.modes = e->modes;
+    row.low = e->low;
+    row.high = e->high;
     write_row(r, &row, e->what, e->status);
   }
 }
@@ -217,9 +230,14 @@ static bool begin(struct report *r)
   }
   if (r->study.derived.status != SCALLOP_OK)
     table_note(t, "no derived series: %s", study_why_none(&r->study));
-  table_note(t, "modes may change and change back unseen within a 256th of an octave of T, from T = %.3g to %.3g",
-             r->study.events.from, r->study.events.until);
+  table_note(t, "modes may change and change back unseen within a %dth of an octave of T, from T = %.3g to %.3g",
+             r->study.events.per_octave, r->study.events.from, r->study.events.until);
+  if (is_recorded(r))
+    table_note(t, "%ld changes are left out that other curves through the recording do not have",
+               r->study.events.left_out);
   table_add(t, columns);
+  if (is_recorded(r))
+    table_add(t, of_recording);
   table_begin_rows(t);
   return true;
 }

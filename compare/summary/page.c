@@ -239,6 +239,8 @@ static void write_events(const struct page *p)
   for (long i = 0; i < e->count && i < SHOWN; i++)
     fprintf(p->file, "  T = %.*g (Froude %.3g): %s\n", p->digits, e->event[i].T,
             motion_froude(&p->study->motion, e->event[i].T), e->event[i].what);
+  if (e->left_out > 0)
+    fprintf(p->file, "  Left out: %ld changes that other curves through the recording do not have\n", e->left_out);
   if (e->count > SHOWN)
     fprintf(p->file, "  and %ld more events at larger T\n", e->count - SHOWN);
   for (long i = 0; i < e->reversals; i++)
