@@ -3,6 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/points/gait_file.h"
+#include "compare/points/gaits.h"
+
 /* L, T and alpha are not among gaits of which a measured one brings its own. */
 bool is_held(const struct request *r, const char *parameter)
 {
@@ -44,13 +47,18 @@ void note_parameters(struct table *t, const struct point *p, const char *const *
     table_note(t, "parameters:%s", text);
 }
 
-void point_tell_noise(const struct point *p, const struct style *style)
+void point_tell_recording(const struct point *p, const struct style *style)
 {
   const struct scallop_gait *gait = p->crawler.gait;
-  int reversals = strncmp(gait->name, "measured:", 9) == 0 ? gait_reversals(gait) : 0;
-  if (reversals > 0 && !style->quiet)
-    fprintf(stderr,
-            "scallop %s: note: in %.200s l' changes its sign %d times within the phases. If that is noise, smooth the "
-            "table: the spline goes through every point\n",
-            style->command, gait->name + 9, reversals);
+  const struct gait_file *file = gait_file_of(gait);
+  int reversals = gait_reversals(gait);
+  char text[400];
+  if (!file || style->quiet)
+    return;
+  scallop_measured_text(file->measured, text, sizeof text);
+  fprintf(stderr, "scallop %s: note: %.200s: %s; %s\n", style->command, gait->name + strlen("measured:"), file->columns,
+          text);
+  if (reversals > 0)
+    fprintf(stderr, "scallop %s: note: l' changes its sign %d times within the phases: noise, perhaps\n",
+            style->command, reversals);
 }

@@ -45,7 +45,7 @@ const char *parameters_text(char text[PARAMETERS_TEXT], const struct point *poin
 /* "# parameters: m1=1 ...", or no line where there is none. */
 void note_parameters(struct table *table, const struct point *point, const char *const *not_held, bool as_written);
 
-/* Prints a note where the gait is a noisy measurement: its spline goes through every point. */
-void point_tell_noise(const struct point *point, const struct style *style);
+/* Prints what a recording was taken for, where the gait is measured, and what was laid through it. */
+void point_tell_recording(const struct point *point, const struct style *style);
 
 #endif

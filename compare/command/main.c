@@ -89,7 +89,7 @@ static enum exit_code answer(const char *first, const char *next)
 static enum exit_code run(const struct arguments *a)
 {
   const struct request *r = &a->options.request;
-  point_tell_noise(&r->point, &r->style);
+  point_tell_recording(&r->point, &r->style);
   progress_begin(r->style.quiet);
   enum exit_code code = command_make(a);
   if (r->stats)

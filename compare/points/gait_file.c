@@ -123,7 +123,7 @@ static void tell_columns(struct gait_file *g, const struct rows *r, const struct
                          : snprintf(g->columns, size, "t is column %d, l = x2 - x1 columns %d and %d", c->t + 1,
                                     c->l[1] + 1, c->l[0] + 1);
   if (r->left_out > 0)
-    snprintf(g->columns + used, size - (size_t)used, "; %d rows without a number are left out", r->left_out);
+    snprintf(g->columns + used, size - (size_t)used, "; rows without a number, left out: %d", r->left_out);
 }
 
 /* Of the open table, which is closed. */
