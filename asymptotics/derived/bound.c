@@ -282,7 +282,7 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
 {
   const char *ends, *none = not_expandable(crawler, order, precision);
   if (none)
-    return refused(SCALLOP_EDOMAIN, none, why);
+    return refused_for(SCALLOP_EDOMAIN, none, why);
   SCOPED(limit, l);
   SCOPED(largest, largest);
   SCOPED(arf, end, eps0);
@@ -291,7 +291,7 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
   if (status != SCALLOP_OK)
     return status;
   if (series_coefficient_is_zero(&l.w, 0))
-    return refused(
+    return refused_for(
         SCALLOP_EDOMAIN,
         "the start velocity is 0 in the limit (F1 = F2, or alpha = 1/2): this bound is for those where it is not", why);
   follow_to_end(kappa, end, &ends, &l, crawler, precision);
@@ -299,8 +299,9 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
   arf_mul_2exp_si(eps0, eps0, -4);
   if (arf_is_zero(end)
       || !find_largest(&largest, &l, order, eps0, precision)) /* GCOVR_EXCL_START: no limit is known to */
-    return refused(SCALLOP_EUNDECIDED,
-                   "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary", why);
+    return refused_for(SCALLOP_EUNDECIDED,
+                       "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary",
+                       why);
   /* GCOVR_EXCL_STOP */
   for (int i = 0; i < 2; i++) {
     set_bound(&bounds[i], &largest, i, kappa, crawler, eps0, end);

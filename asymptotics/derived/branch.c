@@ -195,7 +195,7 @@ const char *not_expandable(const struct scallop_rational_crawler *crawler, slong
                                                    : NULL;
 }
 
-enum scallop_status refused(enum scallop_status status, const char *reason, const char **why)
+enum scallop_status refused_for(enum scallop_status status, const char *reason, const char **why)
 {
   if (why)
     *why = reason;

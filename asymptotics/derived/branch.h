@@ -18,7 +18,7 @@ enum { MOST_CROSSINGS = 16, SCALLOP_MOST_TERMS = 1000 };
  * that has no exact law or whose bodies turn within a phase too (branch_is_possible). */
 const char *not_expandable(const struct scallop_rational_crawler *crawler, slong order, slong precision);
 /* Returns status; *why becomes the reason, unless why is NULL. */
-enum scallop_status refused(enum scallop_status status, const char *reason, const char **why);
+enum scallop_status refused_for(enum scallop_status status, const char *reason, const char **why);
 /* Whether l' has one sign in each phase, that of its net gain, and is 0 at its ends at most: else the motion for T -> 0
  * has modes that no branch has. */
 bool branch_is_possible(const struct scallop_gait *gait);

@@ -149,7 +149,7 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   SCOPED(series, c, eps, velocity);
   const char *none = branch_of_phase(&b, &p, crawler, kind, v0, order, precision);
   if (none)
-    return refused(SCALLOP_EDOMAIN, none, why);
+    return refused_for(SCALLOP_EDOMAIN, none, why);
   phase_series_set(&in_series, &p, crawler->L);
   in_series.pi_squared = pi_squared;
   fmpq_div(start, v0, crawler->L); /* c at the start is v0 T/L */
@@ -159,7 +159,7 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   series_set_rational(&velocity, v0);
   return expand_branch(expansion, &b, &in_series, &c, &eps, &velocity, &ring)
              ? SCALLOP_OK
-             : refused(SCALLOP_EDOMAIN, branch_without_ends, why);
+             : refused_for(SCALLOP_EDOMAIN, branch_without_ends, why);
 }
 
 /* From a series in T^2 and units of `unit` to one in T, times T^power */
@@ -188,7 +188,7 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
 {
   const char *none = not_expandable(crawler, order, precision);
   if (none)
-    return refused(SCALLOP_EDOMAIN, none, why);
+    return refused_for(SCALLOP_EDOMAIN, none, why);
   const struct ring ring = { order / 2 + 2, precision };
   SCOPED(fmpq, energy);
   SCOPED(limit, l);
@@ -199,7 +199,7 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
   if (status != SCALLOP_OK)
     return status;
   if (!l.at_rest && !steady_lift(&s, &l, NULL, &eps, &ring)) /* GCOVR_EXCL_LINE: if rounding undoes what was shown */
-    return refused(SCALLOP_EUNDECIDED, "a crossing is not transversal", why); /* GCOVR_EXCL_LINE */
+    return refused_for(SCALLOP_EUNDECIDED, "a crossing is not transversal", why); /* GCOVR_EXCL_LINE */
   forget(e);
   steady_friction_work(&work, &l, &s, &eps, &ring);
   use_symmetries(&s.travel, &work, &l, ring.length);

@@ -310,14 +310,14 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
 {
   const char *none = not_expandable(crawler, 1, precision);
   if (none)
-    return refused(SCALLOP_EDOMAIN, none, why);
+    return refused_for(SCALLOP_EDOMAIN, none, why);
   set_constants(l, crawler);
   const int difference = fmpq_sgn(l->phase[0].beta[1]),
             sign = difference * fmpq_cmp(l->phase[0].fraction, l->phase[1].fraction);
   if (sign == 0)
     none = limit_from_ends(l, difference);
   else if (!limit_from_level(l, crawler->gait, sign > 0 ? 1 : -1, precision))
-    return refused(SCALLOP_EUNDECIDED,
-                   "in the limit T -> 0 a body touches v = 0 without turning, or too nearly to tell", why);
-  return none ? refused(SCALLOP_EDOMAIN, none, why) : SCALLOP_OK;
+    return refused_for(SCALLOP_EUNDECIDED,
+                       "in the limit T -> 0 a body touches v = 0 without turning, or too nearly to tell", why);
+  return none ? refused_for(SCALLOP_EDOMAIN, none, why) : SCALLOP_OK;
 }

@@ -126,7 +126,7 @@ enum scallop_status scallop_phase_singularity(struct scallop_singularity *s,
   const char *none = branch_of_phase(&b, &p, crawler, kind, v0, 1, precision);
   nothing_found(s, 1, false);
   if (none)
-    return refused(SCALLOP_EDOMAIN, none, why);
+    return refused_for(SCALLOP_EDOMAIN, none, why);
   if (b.count == 0)
     return SCALLOP_OK;
   set_kappa(kappa, crawler);

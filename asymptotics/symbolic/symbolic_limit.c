@@ -178,7 +178,7 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
 {
   const char *none = obstacle(crawler, order);
   if (none)
-    return refused(SCALLOP_EDOMAIN, none, why);
+    return refused_for(SCALLOP_EDOMAIN, none, why);
   limit->sign = sign_of(crawler);
   limit->mirrors = scallop_gait_mirrors(crawler->gait);
   limit->reversible = scallop_gait_is_reversible(crawler->gait);
@@ -193,7 +193,7 @@ enum scallop_status symbolic_expand_limit(struct symbols *s, const struct scallo
              "the limit takes more than %ld terms with --order %ld: ask for a lower one, or for numbers without "
              "--symbolic",
              (long)s->names.most_terms, (long)order);
-    return refused(SCALLOP_EDOMAIN, limit->why, why);
+    return refused_for(SCALLOP_EDOMAIN, limit->why, why);
   }
   series_truncate(&limit->term, order);
   named_poly_mul_powers(&limit->term.named, limit->small, limit->term.first, 1);

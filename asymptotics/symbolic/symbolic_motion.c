@@ -90,14 +90,14 @@ enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallo
   SCOPED(branch, b);
   fmpq_one(pi_squared);
   if (order < 1 || order > SYMBOLIC_ORDERS)
-    return refused(SCALLOP_EDOMAIN, "the order of a formula is outside of 1 to 16", why);
+    return refused_for(SCALLOP_EDOMAIN, "the order of a formula is outside of 1 to 16", why);
   enum scallop_status status = scallop_expand_phase(crawler, kind, v0, 1, PRECISION, pi_squared, &numeric, why);
   if (status != SCALLOP_OK)
     return status;
   phase_constants_set(&p, crawler, kind);
   branch_from_ends(&b, &p, sign, sign != 0 ? sign : fmpq_sgn(p.beta[1]) < 0 ? -1 : 1);
   if (b.count > 0 && b.crossing[0].tangent)
-    return refused(
+    return refused_for(
         SCALLOP_EDOMAIN,
         "l'' = 0 at the start of the phase, where a body is held first: its motion is not derived as a formula", why);
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
@@ -158,12 +158,13 @@ enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallo
     return status;
   limit_find(&limit, crawler, PRECISION, NULL);
   if (series_coefficient_is_zero(&limit.w, 0))
-    return refused(SCALLOP_EDOMAIN,
-                   "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any "
-                   "alpha, F1 and F2 near these",
-                   why);
+    return refused_for(
+        SCALLOP_EDOMAIN,
+        "alpha = 1/2 or F1 = F2: the start velocity is 0 for T -> 0, and bodies turn otherwise than for any "
+        "alpha, F1 and F2 near these",
+        why);
   if (!limit_is_linear(&limit))
-    return refused(
+    return refused_for(
         SCALLOP_EDOMAIN,
         "l' is not linear where bodies turn, so that the steady state has no closed form: see --source limit", why);
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)

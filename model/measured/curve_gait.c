@@ -134,7 +134,7 @@ static const char *lay_phases(struct curve_gait *g, struct scallop_knot *all, in
                                     low) };
   const struct scallop_knot *const knots[2] = { phases[0], phases[1] };
   if (!make_memory(&g->spline, counts))
-    return "out of memory";
+    return "out of memory"; /* GCOVR_EXCL_LINE */
   return scallop_make_spline(&g->spline, name, knots, counts) == SCALLOP_OK
              ? NULL
              : "no monotone pieces of a spline go through these rows: some differ in l or t by 1e-16 of the range only";
@@ -145,7 +145,7 @@ const char *gait_of_curve(struct curve_gait *g, const struct curve *curve, const
   struct scallop_knot *all = calloc((size_t)curve->count * 9 + 6, sizeof *all);
   *g = (struct curve_gait){ .L = 0 };
   if (!all)
-    return "out of memory";
+    return "out of memory"; /* GCOVR_EXCL_LINE */
   int count = add_turns(all, curve);
   qsort(all, (size_t)count, sizeof *all, by_time);
   const char *wrong = lay_phases(g, all, count, curve->period, name);

@@ -66,7 +66,7 @@ static bool set_cubic_slopes(struct scallop_knot *k, const struct samples *s)
                                   .right = 3 * (after * (b.l - a.l) / before + before * (c.l - b.l) / after) / both };
   }
   if (!row)
-    return false;
+    return false; /* GCOVR_EXCL_LINE: no memory */
   solve_cyclic(row, s->count);
   for (int i = 0; i < s->count; i++)
     k[i].slope = row[i].right;
@@ -136,7 +136,7 @@ bool curve_through(struct curve *curve, struct fit *fit, const struct samples *s
   size_t most = (size_t)(s->count > FIT_SEGMENTS ? s->count : FIT_SEGMENTS) + 8;
   *curve = (struct curve){ .knots = malloc(most * sizeof *curve->knots), .period = s->period };
   if (!curve->knots)
-    return false;
+    return false; /* GCOVR_EXCL_LINE: no memory */
   if (fit->kind == SCALLOP_FIT_CHOSEN)
     choose_kind(curve, fit, s);
   if (fit->kind == SCALLOP_FIT_MONOTONE || fit->kind == SCALLOP_FIT_CUBIC)

@@ -129,7 +129,7 @@ static bool factor_system(struct system *y, double stiffness)
       for (int k = 0; k < j; k++)
         sum -= c[i * n + k] * c[j * n + k];
       if (i == j && !(sum > 0))
-        return false;
+        return false; /* GCOVR_EXCL_LINE: only by rounding */
       c[i * n + j] = i == j ? sqrt(sum) : sum / c[j * n + j];
     }
   return true;
@@ -300,7 +300,7 @@ static double cost_with_turn(void *context, double t)
   s->fit->turns[s->which] = t;
   set_basis(y, s->fit);
   if (!solve_at(y, s->fit->stiffness))
-    return INFINITY;
+    return INFINITY; /* GCOVR_EXCL_LINE: likewise */
   int n = y->basis.unknowns;
   double cost = residual(y);
   for (int i = 0; i < n; i++)
@@ -351,7 +351,7 @@ static bool begin_system(struct system *y, const struct samples *s)
   const size_t n = 2 * FIT_SEGMENTS + 8;
   *y = (struct system){ .samples = s, .normal = malloc((3 * n * n + 2 * n) * sizeof(double)) };
   if (!y->normal)
-    return false;
+    return false; /* GCOVR_EXCL_LINE: no memory */
   y->penalty = y->normal + n * n;
   y->factor = y->penalty + n * n;
   y->right = y->factor + n * n;
@@ -363,7 +363,7 @@ int spline_fit(struct scallop_knot *knots, struct fit *fit, const struct samples
 {
   struct system y;
   if (!begin_system(&y, s))
-    return 0;
+    return 0; /* GCOVR_EXCL_LINE: likewise */
   bool known = fit->stiffness > 0;
   if (fit->moves && fit->kind == SCALLOP_FIT_PHASES)
     move_turns(&y, fit, 0.5 * s->period / within(8, s->count, FIT_SEGMENTS));

@@ -44,27 +44,28 @@ refuse 2 "'x' is not a number" trajectory --gait skewed:x
 refuse 2 "l' not at the end" steady --gait polynomial:0,3,-2.1
 refuse 2 "so near to 0" steady --gait polynomial:0,0.125,-0.4166666666666667,0.5,-0.2
 refuse 4 "cannot read nowhere.tsv: No such file" steady --gait measured:nowhere.tsv
-printf 't\tl\n0\t0\n1\t1\n1\t0.5\n3\t0\n' >bad.tsv
-refuse 2 "bad.tsv:4: t = 1 does not come after 1 of line 3" steady --gait measured:bad.tsv
-printf '0 0\n1 1\n2 0.5\n3 0.1\n' >bad.tsv
-refuse 2 "bad.tsv:4: not periodic" steady --gait measured:bad.tsv
+printf '0 0\n1 1\n2 2\n3 3\n4 5\n' >bad.tsv
+refuse 2 "bad.tsv: not periodic" steady --gait measured:bad.tsv
+refuse 4 "cannot read bad.tsv:spline" steady --gait measured:bad.tsv:spline
+printf 't\tl\n0\t0\n1\t1\n2\tx\n3\t0\n' >bad.tsv
+refuse 2 "bad.tsv:4: column 2, 'x', is not allowed: a finite number is wanted" steady --gait measured:bad.tsv
 finish "gaits that are refused, with file and line"
 
 # ---- measured: L, T and alpha are the file's own, wherever --gait stands and unless they are given ----
 printf '# a walk\nt l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >walk.tsv
-run 0 steady --gait measured:walk.tsv
-[ "$(cells out L T alpha gait)" = '4 10 0.7 measured:walk.tsv' ] || note "$(cells out L T alpha gait)"
-run 0 steady --T 2 --gait measured:walk.tsv --L 7
+run 0 steady --gait measured:walk.tsv:monotone
+[ "$(cells out L T alpha gait)" = '4 10 0.7 measured:walk.tsv:monotone' ] || note "$(cells out L T alpha gait)"
+run 0 steady --T 2 --gait measured:walk.tsv:monotone --L 7
 [ "$(cells out L T alpha)" = '7 2 0.7' ] || note "given: $(cells out L T alpha)"
-run 0 steady --gait measured:walk.tsv --certified --digits 12
+run 0 steady --gait measured:walk.tsv:monotone --certified --digits 12
 [ "$(cells out status)" = certified ] || note "certified: $(cells out status)"
-printf 'T\tgait\n2\tmeasured:walk.tsv\n3\tquadratic\n4\tskewed:0.3\n5\tmeasured:bad.tsv\n' >points.tsv
+printf 'T\tgait\n2\tmeasured:walk.tsv:monotone\n3\tquadratic\n4\tskewed:0.3\n5\tmeasured:bad.tsv\n' >points.tsv
 run 3 steady --points points.tsv
-[ "$(cells out L T alpha gait | tr '\n' ';')" = '4 2 0.7 measured:walk.tsv;10 3 0.75 quadratic;10 4 0.75 skewed:0.3;nan nan nan -;' ] ||
+[ "$(cells out L T alpha gait | tr '\n' ';')" = '4 2 0.7 measured:walk.tsv:monotone;10 3 0.75 quadratic;10 4 0.75 skewed:0.3;nan nan nan -;' ] ||
   note "points: $(cells out L T alpha gait | tr '\n' ';')"
 cut -f 19 out >status
-tail -n 1 out | grep -q 'line 5: gait: bad.tsv:4: not periodic' || note "status: $(tail -n 1 out)"
-run 3 steady --points points.tsv --gait measured:walk.tsv --alpha 0.25
+tail -n 1 out | grep -q 'line 5: gait: bad.tsv:4: column 2' || note "status: $(tail -n 1 out)"
+run 3 steady --points points.tsv --gait measured:walk.tsv:monotone --alpha 0.25
 [ "$(cells out L T alpha | sed '4d' | tr '\n' ';')" = '4 2 0.25;10 3 0.25;10 4 0.25;' ] || note "points, alpha given: $(cells out L T alpha | tr '\n' ';')"
 finish "measured gaits bring their own L, T and alpha"
 
@@ -111,11 +112,33 @@ run 0 stress --gait constant:0 --cases 10
 finish "constant speed out and back"
 
 printf '0 0\n1 2\n1.5 1.9\n2 3\n4 0\n' >noisy.txt
-run 0 steady --gait measured:noisy.txt
+run 0 steady --gait measured:noisy.txt:monotone
+grep -q "noisy.txt:monotone: t is column 1, l column 2; 5 rows, one period of 4; a monotone" err || note "what was understood: $(cat err)"
 grep -q "changes its sign 2 times" err || note "noise: $(cat err)"
 run 0 steady --gait measured:noisy.txt --quiet
 [ ! -s err ] || note "a note in spite of --quiet"
-finish "a table with noise is told"
+finish "a recording: what was understood, and that it has noise"
+
+# ---- recordings: the issue's, of the minimum-jerk gait, and noise ----
+awk 'BEGIN { for (i = 0; i <= 50; i++) { t = i / 50; s = t < .6 ? t / .6 : (1 - t) / .4; print t / 2, 3 * s^3 * (10 - 15 * s + 6 * s^2) } }' >jerk.txt
+crawler='--m1 .8 --m2 1.7 --F1 2.2 --F2 .9'
+# shellcheck disable=SC2086
+run 0 steady --gait measured:jerk.txt $crawler
+# the exact gait's: 0.13222413
+cells out displacement low.displacement high.displacement | awk '{ exit !($1 > .130 && $1 < .1345 && $2 < .13222413 && $3 > .13222413 && $3 - $2 < .02) }' ||
+  note "$(cells out low.displacement displacement high.displacement)"
+# shellcheck disable=SC2086
+run 0 phase --gait measured:jerk.txt $crawler --columns dxC,low.dxC,high.dxC
+cells out dxC low.dxC high.dxC | awk '{ exit !($2 < $1 && $1 < $3) }' || note "phase: $(rows out)"
+# shellcheck disable=SC2086
+run 0 breakdown --gait measured:jerk.txt:cubic $crawler --only event
+grep -q 'changes are left out that other curves' out || note "breakdown does not say what it left out"
+cells out note | grep -q piece && note "pieces of a spline are events"
+cells out T low high | awk 'NR > 1 && !($2 <= $1 && $1 <= $3) { exit 1 }' || note "T is not between low and high: $(rows out)"
+run 0 steady --columns low.displacement,high.v_start
+[ "$(rows out)" = "nan	nan" ] || note "an interval without a recording: $(rows out)"
+refuse 2 "did you mean 'modes'" steady --columns low.modes
+finish "recordings have intervals, and no events of their pieces"
 
 # ---- what a reviewer broke: a stroke next to a long dwell, and rows a millionth apart, where |l'| has a spike ----
 printf '0 1\n5 0\n9.9 0\n10 1\n' >dwell.txt
