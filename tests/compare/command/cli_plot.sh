@@ -119,8 +119,8 @@ print('t l')
 for i in range(61):
     x = i / 60
     print(4 * x, 2 + (x / 0.7 if x < 0.7 else (1 - x) / 0.3) + 0.03 * math.sin(7 * i * i) * (0 < i < 60))" >noisy.txt
-  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt --x 0.1:10:31 --y 0.05:50:31 --plot many.svg --quiet
-  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt --x 0.1:10:31 --y 0.05:50:31 --plot small.svg --plot-size 800x500 --quiet
+  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt:monotone --x 0.1:10:31 --y 0.05:50:31 --plot many.svg --quiet
+  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt:monotone --x 0.1:10:31 --y 0.05:50:31 --plot small.svg --plot-size 800x500 --quiet
   /usr/bin/python3 - >said 2>&1 <<'END' || note "$(cat said)"
 import re, sys
 for name in "many.svg", "small.svg":
@@ -265,8 +265,8 @@ mark='a ]]> <b> & "q" \n\134 &#x1; F#1'
 run 0 steady --points points.tsv --plot mark.svg --plot-title "$mark"
 shown_in mark.svg "$mark"
 printf '0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >"$mark"
-run 0 steady --gait "measured:$mark" --F1 1:5:3 --plot mark.svg
-shown_in mark.svg "m1=1 m2=1 F2=1 L=4 T=10 alpha=0.7 gait=measured:$mark"
+run 0 steady --gait "measured:$mark:monotone" --F1 1:5:3 --plot mark.svg
+shown_in mark.svg "m1=1 m2=1 F2=1 L=4 T=10 alpha=0.7 gait=measured:$mark:monotone"
 printf 'h err\n0.1 1e-2\n0.05 2.5e-3\n0.025 6.25e-4\n' | tee "$mark" >"$(printf 'b\nc\033')"
 run 0 order "$mark" "$(printf 'b\nc\033')" --plot mark.svg
 shown_in mark.svg "$mark^b c"
