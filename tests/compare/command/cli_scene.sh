@@ -460,11 +460,11 @@ for r in rows:
 E2
 mkdir deep
 printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >deep/gait.txt
-printf 'crawler = { gait = "measured:gait.txt"; };\nwant = ( { what = "steady"; columns = [ "T", "alpha", "displacement" ]; } );\n' >deep/measured.cfg
+printf 'crawler = { gait = "measured:gait.txt:monotone"; };\nwant = ( { what = "steady"; columns = [ "T", "alpha", "displacement" ]; } );\n' >deep/measured.cfg
 run 0 run deep/measured.cfg
 [ "$(cells out T alpha)" = "10 0.7" ] || note "a measured gait beside the scene: $(cat out err)"
-grep -q '^# parameters: .* L=4 T=10 alpha=0.7 gait=measured:deep/gait.txt' out || note "the head: $(grep parameters out)"
-printf 'crawler = { gait = "measured:gait.txt"; };\nvary = ( { froude = [ 1.0, 2.0 ]; } );\nwant = ( { what = "steady"; columns = [ "L", "fr = (m1+m2)*L/(F1+F2)/T^2" ]; } );\n' >deep/froude.cfg
+grep -q '^# parameters: .* L=4 T=10 alpha=0.7 gait=measured:deep/gait.txt:monotone' out || note "the head: $(grep parameters out)"
+printf 'crawler = { gait = "measured:gait.txt:monotone"; };\nvary = ( { froude = [ 1.0, 2.0 ]; } );\nwant = ( { what = "steady"; columns = [ "L", "fr = (m1+m2)*L/(F1+F2)/T^2" ]; } );\n' >deep/froude.cfg
 run 0 run deep/froude.cfg --digits 12
 [ "$(cells out L fr | tr '\n' ';')" = "4 1;4 2;" ] || note "a Froude number of a measured gait: $(cat out)"
 printf 'vary = ( { F1 = [1, 2.5]; } );\nwant = ( { what = "steady"; } );\n' >bad.cfg

@@ -150,7 +150,7 @@ finish "what has no formula is refused with its reason"
 named() { # NAME
   printf 't l\n0 3\n1 5\n2 2\n4 1\n5 2\n10 3\n' >"$1"
   for language in python latex; do
-    run 0 series --source derived --order 2 --gait "measured:$1" --quiet --emit $language
+    run 0 series --source derived --order 2 --gait "measured:$1:monotone" --quiet --emit $language
     mv out "emitted.$language"
   done
   /usr/bin/python3 emitted.python >said 2>&1 || note "$1: no Python: $(tail -n 1 said)"

@@ -41,7 +41,9 @@ TEST(turns_almost_on_a_knot)
 /* At three times the mean slope, and an ulp more, l' is 0 at the other end of the piece. */
 TEST(slopes_that_are_too_steep)
 {
-  struct scallop_knot knots[KNOTS] = { { 0, 0, 0 }, { 0.25, 0.5, 6 * (1 + 0x1p-52) }, { 0.5, 1, 0 }, { 0.75, 0.5, -6 } };
+  struct scallop_knot knots[KNOTS] = {
+    { 0, 0, 0 }, { 0.25, 0.5, 6 * (1 + 0x1p-52) }, { 0.5, 1, 0 }, { 0.75, 0.5, -6 }
+  };
   struct curve_gait g;
   assert_null(made(&g, knots));
   check_gait(&g);
