@@ -7,8 +7,8 @@
 struct recording {
   struct samples samples;           /* in units of the period, from start on, and of the range, from low on */
   double start, period, low, range; /* of t and of l */
-  bool folded;          /* it lasts longer than a period */
-  char understood[160]; /* how many rows, how many periods of which length */
+  bool folded;                      /* it lasts longer than a period */
+  char understood[160];             /* how many rows, how many periods of which length */
 };
 
 /* Where l repeats itself after a lag, the rows are folded into one period, which is refined until a smooth curve leaves
