@@ -46,8 +46,8 @@ static double linear_at(const struct recorded *r, double t)
   return a->l + (b->l - a->l) * (t - a->t) / (b->t - a->t);
 }
 
-/* The mean square of l(t) - l(t - lag), over the variance of l, by some 2000 rows at most; infinite where a fifth of them
- * or less have a t - lag */
+/* The mean square of l(t) - l(t - lag), over the variance of l, by some 2000 rows at most; infinite where a fifth of
+ * them or less have a t - lag */
 static double unlike(const struct recorded *r, double lag)
 {
   enum { MOST = 2000 };
