@@ -69,7 +69,7 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
   series_coefficient(w_mid, &a->all.w_mid, 0, precision);
   if (!narrow(w, &a->middle.w, &a->all.w, r, precision)
       || !narrow(w_mid, &a->middle.w_mid, &a->all.w_mid, r, precision))
-    return not_smooth;
+    return not_smooth; /* GCOVR_EXCL_LINE: balls too wide */
   for (int k = 0; k < 2; k++)
     for (int i = 0; i < l->branch[k].count; i++) {
       struct crossing *at = &l->branch[k].crossing[i];
@@ -79,7 +79,7 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
                                 *of_all = forward ? &all->when : &all->left;
       series_coefficient(u, &at->offset, 0, precision);
       if (!narrow(u, &of_middle->at[i], &of_all->at[i], r, precision))
-        return not_smooth;
+        return not_smooth; /* GCOVR_EXCL_LINE: likewise */
       series_set_ball(&at->offset, u);
     }
   return limit_holds(l, w, w_mid, eps, precision);
@@ -215,7 +215,7 @@ static bool take_intervals(struct largest *l, const arf_t end)
     } else
       arf_mul_2exp_si(step, step, -1);
   }
-  return false;
+  return false; /* GCOVR_EXCL_LINE: likewise */
 }
 
 static void time_of(arb_t T, const arf_t eps, const arb_t kappa, slong precision)

@@ -101,7 +101,7 @@ bool enclose_root(arb_t x, root_function *f, void *of, arb_srcptr holding, slong
       return true;
     }
   }
-  return false;
+  return false; /* GCOVR_EXCL_LINE: balls too wide */
 }
 
 void phase_constants_set(struct phase_constants *p, const struct scallop_rational_crawler *c,

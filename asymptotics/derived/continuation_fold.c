@@ -60,13 +60,13 @@ static bool approach(struct fold *f, acb_t second, double far, slong precision)
   for (int i = 0; i < STEPS; i++) {
     acb_get_mid(f->v + f->p, f->v + f->p);
     if (!enclose(f, second, precision))
-      return false;
+      return false; /* GCOVR_EXCL_LINE: balls too wide */
     acb_sub(step, f->v + f->c->n, began, precision);
     if (!(size_of(step) < far))
       return false;
     acb_div(step, f->first + f->c->n, second, precision);
     if (!acb_is_finite(step))
-      return false;
+      return false; /* GCOVR_EXCL_LINE: likewise */
     if (size_of(step) < ldexp(1, -(int)precision / 2))
       return true;
     acb_sub(f->v + f->p, f->v + f->p, step, precision);
@@ -85,11 +85,11 @@ static bool prove(struct fold *f, acb_t second, slong precision)
   mag_set_ui_2exp_si(size, 1, -precision / 3);
   acb_add_error_mag(f->v + f->p, size);
   if (!enclose(f, second, precision))
-    return false;
+    return false; /* GCOVR_EXCL_LINE: likewise */
   acb_div(rate, rate, second, precision);
   acb_sub(zero, zero, rate, precision);
   if (!acb_is_finite(zero) || !acb_contains_interior(f->v + f->p, zero))
-    return false;
+    return false; /* GCOVR_EXCL_LINE: likewise */
   acb_set(f->v + f->p, zero);
   return enclose(f, second, precision);
 }
@@ -138,7 +138,7 @@ bool fold_find(struct fold *f, acb_srcptr v, double far, slong precision)
   SCOPED(acb, second);
   _acb_vec_set(f->v, v, f->c->n + 1);
   if (!continuation_derivatives(f->first, second, f->c, f->v, f->c->n, precision))
-    return false;
+    return false; /* GCOVR_EXCL_LINE: likewise */
   f->p = steepest(f->first, f->c->n);
   return approach(f, second, far, precision) && prove(f, second, precision) && set_neighbourhood(f);
 }

@@ -239,13 +239,13 @@ bool continuation_derivatives(acb_ptr first, acb_t second, const struct continua
   drop_column(k.others, k.drive, &k, k.jacobian);
   acb_mat_neg(k.drive, k.drive);
   if (!acb_mat_solve_precond(k.step, k.others, k.drive, precision))
-    return false;
+    return false; /* GCOVR_EXCL_LINE: balls too wide */
   acb_one(first + p);
   for (slong j = 0; j < c->n; j++)
     acb_set(first + other(&k, j), acb_mat_entry(k.step, j, 0));
   continued_bend(k.residual, c, v, first, precision);
   if (!acb_mat_solve_precond(k.step, k.others, k.residual, precision))
-    return false;
+    return false; /* GCOVR_EXCL_LINE: likewise */
   acb_zero(second);
   if (p < c->n)
     acb_set(second, acb_mat_entry(k.step, c->n - 1, 0));

@@ -108,7 +108,7 @@ bool expand_branch(struct scallop_expansion *e, struct branch *b, const struct p
   SCOPED(lift, l);
   SCOPED(series, none);
   if (!lift_phase(&l, b, p, eps, c, &none, CROSSINGS_KNOWN, ring))
-    return false;
+    return false; /* GCOVR_EXCL_LINE: balls too wide */
   forget(e);
   displacements(e, &l, p, ring);
   series_mul(&e->v_end, &l.c_end, &p->unit, ring);

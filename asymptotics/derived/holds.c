@@ -139,7 +139,7 @@ static bool is_clear(const struct segment *g)
     const struct scallop_piece *piece = &g->p->shape->pieces[i];
     const bool forward = piece->anchor == SCALLOP_FROM_START;
     if (!part_of_piece(early, late, g, i))
-      return false;
+      return false; /* GCOVR_EXCL_LINE: balls too wide */
     for (int j = g->region == 2 ? 1 : 0; j <= (g->region == 0 ? 0 : 1); j++) {
       const bool at_early = i <= touches_until && from->curve == j, at_late = i >= touches_from && to->curve == j;
       if (!keeps_off(g, piece, j, forward ? early : late, forward ? late : early, forward ? at_early : at_late,

@@ -269,7 +269,7 @@ bool lift_phase(struct lift *l, struct branch *b, const struct phase_series *p, 
     base_time(&base, at, ring);
     if (at->tangent) {
       if (!leave_curve(&x, &line, &l->travel_to.at[i], &curve, of_crossing))
-        return false;
+        return false; /* GCOVR_EXCL_LINE: balls too wide */
       series_set_si(&closing, 0);
     } else if (!solve_crossing(&x, &closing, &curve, &line, &base, of_crossing)
                || !series_div(&closing, &line.a_slope, &closing, ring)) /* d(time)/d(unknown) */

@@ -70,11 +70,11 @@ bool steady_lift_start(struct steady_lift *s, struct limit *l, const struct phas
     const struct ring part = { last ? ring->length : length, ring->precision };
     s->w.known = SERIES_ALL;
     if (!lift_period(s, l, phases, eps, CROSSINGS_KNOWN, &balance, &slope, &part))
-      return false;
+      return false; /* GCOVR_EXCL_LINE: balls too wide */
     for (slong k = 0; balance.kind == SERIES_BALLS && k < (length + 1) / 2; k++)
       series_set_zero(&balance, k); /* w is right so far, whatever its balls */
     if (!series_div(&balance, &balance, &slope, &part))
-      return false;
+      return false; /* GCOVR_EXCL_LINE: likewise */
     series_sub(&s->w, &s->w, &balance, &part);
   }
   return true;
@@ -285,11 +285,11 @@ static bool limit_from_level(struct limit *l, const struct scallop_gait *gait, i
     return false;
   if (scallop_gait_is_rational(gait) && limit_is_linear(l)) {
     if (!make_exact(l, w))
-      return false;
+      return false; /* GCOVR_EXCL_LINE: likewise */
   } else if (limit_follow(l, w, eps, precision))
     series_set_ball(&l->w, w);
   else
-    return false;
+    return false; /* GCOVR_EXCL_LINE: likewise */
   series_coefficient(w, &l->w, 0, precision);
   return !limit_holds(l, w, w, eps, precision);
 }

@@ -130,8 +130,7 @@ static const char *lay_phases(struct curve_gait *g, struct scallop_knot *all, in
   struct scallop_knot *phases[2] = { all + count, all + 2 * count + 1 };
   int top = most > least ? most : most + count;
   const int counts[2] = { set_phase(phases[0], all, count, least, top, period, g, low),
-                          set_phase(phases[1], all, count, top % count, least + (top < count ? count : 0), period, g,
-                                    low) };
+                          set_phase(phases[1], all, count, most, least + (top < count ? count : 0), period, g, low) };
   const struct scallop_knot *const knots[2] = { phases[0], phases[1] };
   if (!make_memory(&g->spline, counts))
     return "out of memory"; /* GCOVR_EXCL_LINE */

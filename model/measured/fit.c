@@ -92,8 +92,7 @@ struct samples samples_every_other(const struct samples *all, int first)
   return half;
 }
 
-/* The root mean square of what the curve leaves of the samples */
-static double residual(const struct curve *curve, const struct samples *s)
+double curve_residual(const struct curve *curve, const struct samples *s)
 {
   double squares = 0;
   for (int i = 0; i < s->count; i++) {
@@ -109,7 +108,7 @@ static double cubic_leaves(const struct samples *s)
   struct samples half = samples_every_other(s, 0), others = samples_every_other(s, 1);
   struct fit fit = { .kind = SCALLOP_FIT_CUBIC };
   struct curve curve = { .knots = NULL };
-  double left = half.at && others.at && curve_through(&curve, &fit, &half) ? residual(&curve, &others) : INFINITY;
+  double left = half.at && others.at && curve_through(&curve, &fit, &half) ? curve_residual(&curve, &others) : INFINITY;
   free(curve.knots);
   free(half.at);
   free(others.at);

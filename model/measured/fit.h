@@ -35,6 +35,8 @@ struct fit {
  * memory, or there is none. */
 bool curve_through(struct curve *curve, struct fit *fit, const struct samples *samples);
 
+/* The root mean square of what the curve leaves of the samples */
+double curve_residual(const struct curve *curve, const struct samples *samples);
 /* l at any time */
 double curve_at(const struct curve *curve, double t);
 

@@ -105,9 +105,7 @@ static double leaves_of_period(const struct recorded *r, double period, struct f
 {
   struct samples s = folded(r, period);
   struct curve curve = { .knots = NULL };
-  double left = s.at && curve_through(&curve, fit, &s) ? 0 : INFINITY;
-  for (int i = 0; left < INFINITY && i < s.count; i++)
-    left += pow(s.at[i].l - curve_at(&curve, s.at[i].t), 2);
+  double left = s.at && curve_through(&curve, fit, &s) ? curve_residual(&curve, &s) : INFINITY;
   free(curve.knots);
   free(s.at);
   return left;

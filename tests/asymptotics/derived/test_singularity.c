@@ -325,3 +325,18 @@ TEST(a_search_without_room)
 }
 
 TEST(a_search_from_beside_the_branch) { CHECK_EQUAL(search_after(NOTHING, 100).covered, 0); }
+
+/* l' jumps and is then constant: no body turns, however small T is, and the expansion is a polynomial. */
+TEST(no_crossing_no_singularity)
+{
+  struct scallop_straight constant;
+  const double ramp[2] = { 0, 0 };
+  assert_int_equal(scallop_make_constant(&constant, "x", ramp), SCALLOP_OK);
+  struct scallop_crawler c = with_gait(&constant.gait);
+  SUBJECT(s, &c);
+  SCOPED(fmpq, v0);
+  fmpq_one(v0);
+  assert_int_equal(scallop_phase_singularity(&s.singularity, &s.crawler, SCALLOP_EXTENSION, v0, 9, PRECISION, NULL),
+                   SCALLOP_OK);
+  assert_true(!s.singularity.found);
+}

@@ -198,7 +198,7 @@ TEST(exact_samples)
   struct scallop_crawler c = issue_crawler(&made);
   struct random r = { 1 };
   const struct recording how = { .count = 50, .periods = 1 };
-  double error, value, wanted = displacement(&c);
+  double error = NAN, value, wanted = displacement(&c);
   record(&rows, &c, &how, &r);
   value = answer(&c, &rows, &error);
   CHECK_RELATIVE(value, wanted, 0.02);
