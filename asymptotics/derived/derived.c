@@ -141,7 +141,6 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
                                          const fmpq_t v0, slong order, slong precision, const fmpq_t pi_squared,
                                          struct scallop_expansion *expansion, const char **why)
 {
-  const struct ring ring = { order + 2, precision }; /* formulas may divide by times, which begin with T or T^3 */
   SCOPED(phase_constants, p);
   SCOPED(phase_series, in_series);
   SCOPED(branch, b);
@@ -150,6 +149,7 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   const char *none = branch_of_phase(&b, &p, crawler, kind, v0, order, precision);
   if (none)
     return refused_for(SCALLOP_EDOMAIN, none, why);
+  const struct ring ring = { order + 2, precision }; /* formulas may divide by times, which begin with T or T^3 */
   phase_series_set(&in_series, &p, crawler->L);
   in_series.pi_squared = pi_squared;
   fmpq_div(start, v0, crawler->L); /* c at the start is v0 T/L */
