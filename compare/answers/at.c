@@ -9,7 +9,6 @@
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
 #include "compare/points/counts.h"
-#include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 
 const struct at_flint_functions *at_flint;
@@ -243,18 +242,13 @@ static double parameter(struct at *s, int place)
   return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
 }
 
-/* Goes to the same point with another gait, with its own L, T and alpha where the point has none of its own. */
-static void move_to_other(struct at *other, const struct at *s, const struct scallop_measured_gait *gait)
+/* Goes to the same point with another gait that the recording admits. False: there is none. */
+static bool move_to_other(struct at *other, const struct at *s, int i)
 {
-  const double own[] = { gait->L, gait->T, gait->alpha };
   sweep_place_copy(&other->place, &s->place);
-  struct point *p = &other->place.point;
-  p->crawler.gait = gait->gait;
-  for (int i = 0; i < 3; i++)
-    if (!p->written[CRAWLER_NUMBERS - 3 + i])
-      *crawler_field(&p->crawler, CRAWLER_NUMBERS - 3 + i) = own[i];
   forget(other);
   other->moves++;
+  return gait_exchange(&other->place.point.crawler, i);
 }
 
 static bool is_of_data(const struct at *s, int place)
@@ -276,11 +270,9 @@ static bool find_data_errors(struct at *s)
     s->data->at = at_new(s->asked);
   bool works = others && s->data && s->data->at;
   for (int i = 0; works && i < SCALLOP_MEASURED_OTHERS; i++) {
-    const struct scallop_measured_gait gait = gait_other(s->place.point.crawler.gait, i);
-    if (gait.gait)
-      move_to_other(s->data->at, s, &gait);
+    bool moved = move_to_other(s->data->at, s, i);
     for (int k = 0; k < count; k++)
-      others[k][i] = gait.gait && is_of_data(s, k) ? at_number(s->data->at, k) : NAN;
+      others[k][i] = moved && is_of_data(s, k) ? at_number(s->data->at, k) : NAN;
   }
   for (int k = 0; works && k < count; k++)
     s->data->error[k] = is_of_data(s, k) ? scallop_measured_error(at_number(s, k), others[k]) : NAN;

@@ -6,7 +6,6 @@
 #include "compare/answers/answer.h"
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
-#include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 #include "compare/text/digits.h"
 #include "compare/text/memory.h"
@@ -205,8 +204,7 @@ static void search(struct events *events, const struct signature *low, const str
 {
   struct signature middle;
   double T = sqrt(low->T) * sqrt(high->T);
-  bool is_recorded = gait_file_of(low->motion->crawler.gait) != NULL; /* then the pieces are none of the gait's own */
-  if (same(is_recorded ? CHANGE_OF_MODES : CHANGE_OF_PART, low, high))
+  if (same(events->finest, low, high))
     return;
   if (high->T - low->T > (events->is_rough ? 1e-4 : NARROW) * high->T && signature_at(&middle, low->motion, T)) {
     search(events, low, &middle);
@@ -293,21 +291,16 @@ static double same_change(const struct events *events, const struct event *e)
 /* The changes that other curves through the recording have, too; and how far their T may be off. */
 static void keep_shared(struct events *events, const struct motion *m)
 {
-  const struct gait_file *file = gait_file_of(m->crawler.gait);
   double(*others)[SCALLOP_MEASURED_OTHERS] = malloc((size_t)(events->count + 1) * sizeof *others);
   long kept = 0;
   for (long k = 0; others && k < events->count; k++)
     for (int i = 0; i < SCALLOP_MEASURED_OTHERS; i++)
       others[k][i] = NAN;
   for (int i = 0; others && i < SCALLOP_MEASURED_MODELS; i++) {
-    const struct scallop_measured_gait gait = gait_other(m->crawler.gait, i);
-    struct events there = { .per_octave = OF_RECORDED / 4, .is_rough = true };
+    struct events there = { .per_octave = OF_RECORDED / 4, .finest = CHANGE_OF_MODES, .is_rough = true };
     struct motion other = *m;
-    if (!gait.gait)
+    if (!gait_exchange(&other.crawler, i))
       continue;
-    other.crawler.gait = gait.gait;
-    other.crawler.L = m->crawler.L == file->best.L ? gait.L : m->crawler.L;
-    other.crawler.alpha = m->crawler.alpha == file->best.alpha ? gait.alpha : m->crawler.alpha;
     find(&there, &other, BELOW_OF_RECORDED, "");
     for (long k = 0; k < events->count; k++)
       events->event[k].is_own |= isnan(others[k][i] = same_change(&there, &events->event[k]));
@@ -329,7 +322,8 @@ static void keep_shared(struct events *events, const struct motion *m)
 void events_find(struct events *events, const struct motion *m, const char *limit_modes)
 {
   bool is_recorded = gait_file_of(m->crawler.gait) != NULL;
-  *events = (struct events){ .per_octave = is_recorded ? OF_RECORDED : PER_OCTAVE };
+  *events = (struct events){ .per_octave = is_recorded ? OF_RECORDED : PER_OCTAVE,
+                             .finest = is_recorded ? CHANGE_OF_MODES : CHANGE_OF_PART };
   find(events, m, is_recorded ? BELOW_OF_RECORDED : OCTAVES_BELOW, limit_modes);
   if (is_recorded)
     keep_shared(events, m);

@@ -45,6 +45,7 @@ struct events {
   struct scallop_modes first[2];   /* the modes below the first event   */
   double from, until;              /* searched: this range of T         */
   int per_octave;                  /* in so many steps                  */
+  enum event_kind finest;          /* what is looked for */
   bool is_rough;                   /* T to four digits, and nothing proven */
   long count, reversals, left_out; /* left_out: other curves through the recording do not have them */
   struct event *event, *reversal;  /* reversals: changes of way, of a steady state */

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "compare/breakdown/motion.h"
+#include "model/golden.h"
 #include "compare/text/digits.h"
 
 /* Places: T = natural time times 2^(k/PER_OCTAVE - OCTAVES): between two of these an error is taken to have one maximum
@@ -108,19 +109,7 @@ static double crossing(const struct comparison *c, const struct look *low, doubl
   return below;
 }
 
-/* Where |error| is largest between two times, by golden section. */
-static double peak_between(const struct comparison *c, double a, double b)
-{
-  const double golden = 0.6180339887498949;
-  while (b - a > 1e-8 * b) {
-    double left = b - golden * (b - a), right = a + golden * (b - a);
-    if (fabs(comparison_error(c, left)) > fabs(comparison_error(c, right)))
-      b = right;
-    else
-      a = left;
-  }
-  return a + (b - a) / 2;
-}
+static double minus_size(void *comparison, double T) { return -fabs(comparison_error(comparison, T)); }
 
 /* Does the error rise above the tolerance at a peak around the middle one of three? *T: there. */
 static bool peaks_above(const struct comparison *c, const struct look *before, const struct look *here,
@@ -129,7 +118,8 @@ static bool peaks_above(const struct comparison *c, const struct look *before, c
   double size = fabs(here->error);
   if (!(size >= fabs(before->error) && size >= fabs(after->error) && size > c->tolerance / 16))
     return false;
-  *T = peak_between(c, before->T, after->T);
+  struct comparison of = *c;
+  *T = golden_least(minus_size, &of, before->T, after->T, 1e-8 * after->T);
   return fabs(comparison_error(c, *T)) >= c->tolerance;
 }
 

@@ -12,6 +12,7 @@
 #include "compare/points/point_flint.h"
 #include "compare/text/digits.h"
 #include "compare/text/table.h"
+#include "model/golden.h"
 
 /* Solutions */
 
@@ -135,17 +136,21 @@ double last_positive(function_of *f, const void *context, double low, double hig
   return low;
 }
 
+struct turned_over {
+  function_of *f;
+  const void *context;
+};
+
+static double minus(void *turned_over, double x)
+{
+  const struct turned_over *of = turned_over;
+  return -of->f(of->context, x);
+}
+
 double highest_between(function_of *f, const void *context, double a, double b)
 {
-  const double golden = 0.6180339887498949;
-  while (b - a > 1e-7 * a) {
-    double left = b - golden * (b - a), right = a + golden * (b - a);
-    if (f(context, left) > f(context, right))
-      b = right;
-    else
-      a = left;
-  }
-  return 0.5 * (a + b);
+  struct turned_over of = { f, context };
+  return golden_least(minus, &of, a, b, 1e-7 * a);
 }
 
 struct printed printed(struct scallop_crawler c, const char *formula)

@@ -12,7 +12,6 @@
 
 enum { MOST_ROWS = 100000 };
 static const char no_memory[] = "out of memory";
-static const char *const kinds[] = { "chosen", "monotone", "cubic", "smooth", "phases", NULL };
 
 /* Columns of t and of what l is: l itself, or x1 and x2 */
 struct columns {
@@ -156,7 +155,7 @@ static bool take_choice(char *name, struct scallop_measured_options *o)
   if (!colon || (number && (!read_number(number + 1, &x) || !(x > 0))))
     return false;
   *(number ? number : colon) = '\0';
-  int kind = word_place(colon + 1, kinds);
+  int kind = word_place(colon + 1, scallop_fit_names);
   bool is_period = number && strcmp(colon + 1, "period") == 0;
   if (number)
     *number = '=';

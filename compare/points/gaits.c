@@ -229,17 +229,22 @@ const struct gait_file *gait_file_of(const struct scallop_gait *gait)
   return m && is_measured(m) ? &m->file : NULL;
 }
 
-struct scallop_measured_gait gait_other(const struct scallop_gait *gait, int i)
+bool gait_exchange(struct scallop_crawler *c, int i)
 {
   static pthread_mutex_t by_one_thread = PTHREAD_MUTEX_INITIALIZER;
-  struct made *m = made_of(gait);
-  struct scallop_measured_gait other = { .gait = NULL };
-  if (!m || !is_measured(m))
-    return other;
+  const struct gait_file *file = gait_file_of(c->gait);
+  if (!file)
+    return false;
   pthread_mutex_lock(&by_one_thread);
-  other = scallop_measured_gait(m->file.measured, i);
+  const struct scallop_measured_gait other = scallop_measured_gait(file->measured, i);
   pthread_mutex_unlock(&by_one_thread);
-  return other;
+  if (!other.gait)
+    return false;
+  c->gait = other.gait;
+  c->L = c->L == file->best.L ? other.L : c->L;
+  c->T = c->T == file->best.T ? other.T : c->T;
+  c->alpha = c->alpha == file->best.alpha ? other.alpha : c->alpha;
+  return true;
 }
 
 int gait_reversals(const struct scallop_gait *gait)

@@ -17,7 +17,6 @@ fmpq *rational_field(struct scallop_rational_crawler *crawler, int place);
 /* Every parameter becomes the shortest decimal number that reads back as the double: what a person means by 0.7. The
  * gait is the written one. */
 void rational_crawler(struct scallop_rational_crawler *exact, const struct scallop_crawler *crawler);
-fmpq *rational_field(struct scallop_rational_crawler *crawler, int place); /* place < CRAWLER_NUMBERS */
 /* The crawler of the point as it was written: every digit that was given counts. v0 likewise (may be NULL). */
 void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const struct point *point);
 

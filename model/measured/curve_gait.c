@@ -25,14 +25,6 @@ static int turns_between(const struct scallop_knot *a, const struct scallop_knot
   return count;
 }
 
-static struct scallop_knot turn_at(const struct scallop_knot *a, const struct scallop_knot *b, double x)
-{
-  double y = 1 - x, duration = b->time - a->time;
-  return (struct scallop_knot){ .time = a->time + x * duration,
-                                .length = y * y * (1 + 2 * x) * a->length + x * x * (1 + 2 * y) * b->length
-                                          + duration * x * y * (y * a->slope - x * b->slope) };
-}
-
 static struct scallop_knot later(struct scallop_knot knot, double period)
 {
   knot.time += period;
@@ -55,15 +47,10 @@ static int add_turns(struct scallop_knot *all, const struct curve *c)
       else if (x[j] > 1 - near)
         all[(i + 1) % n].slope = 0;
       else
-        all[count++] = turn_at(&a, &b, x[j]);
+        all[count++] = (struct scallop_knot){ .time = a.time + x[j] * (b.time - a.time),
+                                              .length = cubic_length(&a, &b, b.time - a.time, x[j]) };
   }
   return count;
-}
-
-static int by_time(const void *a, const void *b)
-{
-  double s = ((const struct scallop_knot *)a)->time, t = ((const struct scallop_knot *)b)->time;
-  return (s > t) - (s < t);
 }
 
 static int extreme(const struct scallop_knot *k, int count, int sense)

@@ -144,7 +144,14 @@ bool curve_through(struct curve *curve, struct fit *fit, const struct samples *s
   return curve->count > 0;
 }
 
-/* l at t, between two knots or after the last one */
+double cubic_length(const struct scallop_knot *a, const struct scallop_knot *b, double duration, double x)
+{
+  double y = 1 - x;
+  return y * y * (1 + 2 * x) * a->length + x * x * (1 + 2 * y) * b->length
+         + duration * x * y * (y * a->slope - x * b->slope);
+}
+
+/* Between two knots, or after the last one */
 double curve_at(const struct curve *c, double t)
 {
   int low = 0, high = c->count;
@@ -156,7 +163,6 @@ double curve_at(const struct curve *c, double t)
     *(c->knots[middle].time <= t ? &low : &high) = middle;
   }
   const struct scallop_knot *a = &c->knots[low], *b = &c->knots[high % c->count];
-  double width = (high < c->count ? b->time : b->time + c->period) - a->time, x = (t - a->time) / width, y = 1 - x;
-  return y * y * (1 + 2 * x) * a->length + x * x * (1 + 2 * y) * b->length
-         + width * x * y * (y * a->slope - x * b->slope);
+  double duration = (high < c->count ? b->time : b->time + c->period) - a->time;
+  return cubic_length(a, b, duration, (t - a->time) / duration);
 }

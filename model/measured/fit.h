@@ -10,6 +10,13 @@ enum { FIT_SEGMENTS = 72, FIT_LEAST = 12 }; /* samples for a least-squares splin
 struct sample {
   double t, l; /* 0 <= t < period, increasing */
 };
+/* For qsort: of two structs that begin with a time */
+static inline int by_time(const void *a, const void *b)
+{
+  double s = *(const double *)a, t = *(const double *)b;
+  return (s > t) - (s < t);
+}
+
 struct samples {
   struct sample *at;
   int count;
@@ -37,6 +44,8 @@ bool curve_through(struct curve *curve, struct fit *fit, const struct samples *s
 
 /* The root mean square of what the curve leaves of the samples */
 double curve_residual(const struct curve *curve, const struct samples *samples);
+/* l of the cubic between two knots, b so long after a, where the part x of that has passed */
+double cubic_length(const struct scallop_knot *a, const struct scallop_knot *b, double duration, double x);
 /* l at any time */
 double curve_at(const struct curve *curve, double t);
 

@@ -19,6 +19,8 @@ struct scallop_measured {
   bool has_others;
 };
 
+const char *const scallop_fit_names[] = { "chosen", "monotone", "cubic", "smooth", "phases", NULL };
+
 static const char *lay(struct curve_gait *made, struct curve *curve, struct fit *fit, const struct samples *s,
                        const char *name)
 {
@@ -88,11 +90,11 @@ void scallop_measured_text(const struct scallop_measured *m, char *text, size_t 
     snprintf(text + used, size - (size_t)used, ", noise %.2g of L", m->fit.noise / m->best.L);
 }
 
-/* Unless it tells samples that it has not seen worse than most allows, or there is none */
-static void add_other(struct curve_gait *other, struct fit fit, const struct samples *s, double most, const char *name)
+/* Another curve, if there is one and its estimated error at a sample that is left out is at most that */
+static void add_other(struct curve_gait *other, struct fit fit, const struct samples *s, double error, const char *name)
 {
   struct curve curve = { .knots = NULL };
-  if (!s->at || lay(other, &curve, &fit, s, name) || fit.score > most)
+  if (!s->at || lay(other, &curve, &fit, s, name) || fit.score > error)
     curve_gait_free(other);
   free(curve.knots);
 }
@@ -110,7 +112,8 @@ static double normal(uint64_t *state)
   return sqrt(-2 * log(uniform[0])) * cos(6.283185307179586 * uniform[1]);
 }
 
-/* A cubic through rows with noise is no alternative to a curve that smooths. */
+/* The other kinds, where they foretell samples about as well; through rows with noise no cubic. The same kind through
+ * every other sample. */
 static void add_models(struct scallop_measured *m)
 {
   const struct samples *s = &m->recording.samples;

@@ -30,6 +30,7 @@ enum scallop_fit {
   SCALLOP_FIT_SMOOTH,
   SCALLOP_FIT_PHASES
 };
+extern const char *const scallop_fit_names[]; /* "chosen", ...; NULL after the last */
 struct scallop_measured_options {
   enum scallop_fit fit;
   double sigma;  /* > 0: the noise of a sample, in units of l; 0: cross-validation tells */
@@ -64,7 +65,7 @@ void scallop_measured_text(const struct scallop_measured *measured, char *text, 
 
 /* How far the truth may be from value, where others has the same quantity of each other gait, nan for none: the root of
  * the sum of the squares of twice the standard deviation with new noise, and of the largest change with another curve.
- * Of synthetic recordings some 96 in 100 have the truth inside (docs/gaits.md). nan: no other has a value. */
+ * Of synthetic recordings some 95 in 100 have the truth inside (docs/gaits.md). nan: no other has a value. */
 double scallop_measured_error(double value, const double others[SCALLOP_MEASURED_OTHERS]);
 
 #ifdef __cplusplus

@@ -4,20 +4,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { LEAST_ROWS = 4 };
-static const double closes = 1e-9; /* of the range of l, and of the period: what is nearer than this is the same */
+#include "model/golden.h"
+
+enum { LEAST_ROWS = 4, LAGS = 600 }; /* lags that are tried for the period */
+static const double closes = 1e-9;   /* of the range of l, and of the period: what is nearer than this is the same */
 
 struct recorded {
   struct sample *at;
   int count;
   double low, high; /* of l */
 };
-
-static int by_time(const void *a, const void *b)
-{
-  double s = ((const struct sample *)a)->t, t = ((const struct sample *)b)->t;
-  return (s > t) - (s < t);
-}
 
 /* Sorts by t, and puts the mean in the place of samples at one time. */
 static void tidy(struct sample *at, int *count, double least_step)
@@ -70,11 +66,10 @@ static double unlike(const struct recorded *r, double lag)
 /* The shortest lag after which the recording repeats itself, or 0: the first low valley of unlike(). */
 static double repeats_after(const struct recorded *r)
 {
-  enum { STEPS = 600 };
   const double like = 0.06;
-  double span = r->at[r->count - 1].t - r->at[0].t, step = span / STEPS, lags[3] = { 0 }, values[3] = { 0 };
+  double span = r->at[r->count - 1].t - r->at[0].t, step = span / LAGS, lags[3] = { 0 }, values[3] = { 0 };
   bool rose = false;
-  for (int i = 1; i < STEPS; i++) {
+  for (int i = 1; i < LAGS; i++) {
     lags[2] = i * step;
     values[2] = unlike(r, lags[2]);
     rose = rose || values[2] > 0.5;
@@ -100,30 +95,30 @@ static struct samples folded(const struct recorded *r, double period)
   return s;
 }
 
+struct folding {
+  const struct recorded *recorded;
+  struct fit fit;
+};
+
 /* What a smooth curve leaves of the recording, folded with that period */
-static double leaves_of_period(const struct recorded *r, double period, struct fit *fit)
+static double leaves_of_period(void *folding, double period)
 {
-  struct samples s = folded(r, period);
+  struct folding *f = folding;
+  struct samples s = folded(f->recorded, period);
   struct curve curve = { .knots = NULL };
-  double left = s.at && curve_through(&curve, fit, &s) ? curve_residual(&curve, &s) : INFINITY;
+  double left = s.at && curve_through(&curve, &f->fit, &s) ? curve_residual(&curve, &s) : INFINITY;
   free(curve.knots);
   free(s.at);
   return left;
 }
 
-/* Golden section about a first guess */
+/* The period near a first guess that fits the recording best */
 static double refined(const struct recorded *r, double period)
 {
-  const double golden = 0.6180339887498949;
-  struct fit fit = { .kind = SCALLOP_FIT_SMOOTH };
-  double span = r->at[r->count - 1].t - r->at[0].t, a = period - span / 600, b = period + span / 600;
-  leaves_of_period(r, period, &fit); /* chooses the stiffness */
-  for (int i = 0; i < 24; i++) {
-    double p = b - golden * (b - a), q = a + golden * (b - a);
-    bool left = leaves_of_period(r, p, &fit) < leaves_of_period(r, q, &fit);
-    *(left ? &b : &a) = left ? q : p;
-  }
-  return (a + b) / 2;
+  struct folding folding = { r, { .kind = SCALLOP_FIT_SMOOTH } };
+  double step = (r->at[r->count - 1].t - r->at[0].t) / LAGS;
+  leaves_of_period(&folding, period); /* chooses the smoothness */
+  return golden_least(leaves_of_period, &folding, period - step, period + step, 1e-5 * step);
 }
 
 /* One period that is not repeated: how long it is, where the last row is not the first one again but one step before.

@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/golden.h"
+
 /* A spline on one or two arcs of uniform segments. Its B-spline coefficients are those of one circle, or, of two arcs
  * that meet where l' = 0, follow from their own and from the two values there. */
 struct arc {
@@ -199,22 +201,6 @@ static double score_of(void *system, double power)
   return left > 0 ? sqrt(count * residual(y)) / left : INFINITY;
 }
 
-/* Golden section: where f, of one valley between a and b, is least */
-static double least(double (*f)(void *context, double x), void *context, double a, double b, int steps)
-{
-  const double golden = 0.6180339887498949;
-  double x[2] = { b - golden * (b - a), a + golden * (b - a) }, y[2] = { f(context, x[0]), f(context, x[1]) };
-  for (int i = 0; i < steps; i++) {
-    bool left = y[0] < y[1];
-    *(left ? &b : &a) = x[left];
-    x[left] = x[!left];
-    y[left] = y[!left];
-    x[!left] = left ? b - golden * (b - a) : a + golden * (b - a);
-    y[!left] = f(context, x[!left]);
-  }
-  return (a + b) / 2;
-}
-
 /* Generalized cross-validation can have more than one valley. */
 static double choose_by_validation(struct system *y)
 {
@@ -227,7 +213,7 @@ static double choose_by_validation(struct system *y)
       best = power;
     }
   }
-  return pow(10, least(score_of, y, best - 1, best + 1, 8));
+  return pow(10, golden_least(score_of, y, best - 1, best + 1, 0.05));
 }
 
 /* The stiffness with which the residuals are sigma: they grow with it. */
@@ -315,7 +301,7 @@ static void move_turns(struct system *y, struct fit *fit, double step)
   for (int which = 0; which < 2; which++) {
     struct turn_search search = { y, fit, which };
     double t = fit->turns[which];
-    fit->turns[which] = least(cost_with_turn, &search, t - step, t + step, 16);
+    fit->turns[which] = golden_least(cost_with_turn, &search, t - step, t + step, 1e-3 * step);
   }
 }
 

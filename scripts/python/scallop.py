@@ -137,7 +137,7 @@ class Measured(_Other):
 
 class Estimate(collections.namedtuple("Estimate", "value low high")):
     """What a measured gait answers: value, a Steady or a Phase, and {name: number or array} low and high, between which the
-    truth lies for some 96 of 100 recordings, as far as noise and gaps between samples are concerned."""
+    truth lies for some 95 of 100 recordings, as far as noise and gaps between samples are concerned."""
 
     __slots__ = ()
 
@@ -155,14 +155,15 @@ def measured(t, l, fit="chosen", sigma=0, period=0):
     times, lengths = _column("t", t), _column("l", l)
     if times.ndim != 1 or times.shape != lengths.shape:
         raise ValueError(f"t and l: two arrays of one length are wanted, not shapes {times.shape} and {lengths.shape}")
-    if fit not in c.FITS:
-        raise ValueError(f"fit = {fit!r}: one of {', '.join(c.FITS)}")
+    fits = c.words(c.library(), "scallop_fit_names", c.FITS)
+    if fit not in fits:
+        raise ValueError(f"fit = {fit!r}: one of {', '.join(fits)}")
     for name, value in (("sigma", sigma), ("period", period)):
         if not (_column(name, value).shape == () and 0 <= value < math.inf):
             raise ValueError(f"{name} = {value!r}: a number, 0 where it is not known")
     there = numpy.isfinite(times) & numpy.isfinite(lengths)
     times, lengths = numpy.ascontiguousarray(times[there]), numpy.ascontiguousarray(lengths[there])
-    options, why, library = c.MeasuredOptions(c.FITS.index(fit), sigma, period), ctypes.c_char_p(), c.library()
+    options, why, library = c.MeasuredOptions(fits.index(fit), sigma, period), ctypes.c_char_p(), c.library()
     handle = library.scallop_measured_new(times.ctypes.data, lengths.ctypes.data, times.size, ctypes.byref(options),
                                           b"measured", ctypes.byref(why))
     if not handle:

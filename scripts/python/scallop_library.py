@@ -39,7 +39,7 @@ MOST_NUMBERS = 16  # SCALLOP_GAIT_NUMBERS
 Family = _structure("scallop_gait_family", (_text, "name numbers usual allowed sentence sample"), (_int, "each"),
                     (_pointer, "fixed make"))
 # model/measured/measured.h
-FITS = ("chosen", "monotone", "cubic", "smooth", "phases")  # enum scallop_fit
+FITS = 5  # of enum scallop_fit
 OTHERS = 17  # SCALLOP_MEASURED_OTHERS
 MeasuredOptions = _structure("scallop_measured_options", (_int, "fit"), (_double, "sigma period"))
 MeasuredGait = _structure("scallop_measured_gait", (_pointer, "gait"), (_double, "L T alpha"))

@@ -54,7 +54,7 @@ else:
 def fact(text, value):
     print('_Static_assert(%s == %d, "");' % (text, value))
 fact("SCALLOP_MEASURED_OTHERS", scallop.OTHERS)
-fact("SCALLOP_FIT_PHASES", scallop.FITS.index("phases"))
+fact("SCALLOP_FIT_PHASES", scallop.FITS - 1)
 fact("SCALLOP_MODES_TEXT", 3 * scallop.MODES_KEPT + 8)
 for name in ("SYMBOLS", "QUANTITIES", "FORMULA_MESSAGE"):
     fact("SCALLOP_" + name, getattr(scallop, name.replace("FORMULA_", "")))
