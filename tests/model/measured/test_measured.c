@@ -245,6 +245,44 @@ TEST(more_samples)
   }
 }
 
+/* How far the curve is from the recorded gait, at most and as a root mean square, in units of L */
+static void distance(const struct scallop_measured *m, const struct scallop_crawler *c, double start, double *most,
+                     double *mean)
+{
+  enum { PLACES = 2000 };
+  *most = *mean = 0;
+  for (int i = 0; i < PLACES; i++) {
+    double t = (double)i / PLACES,
+           off = (scallop_measured_length(m, t * c->T) - length_at(c, (t + start) * c->T)) / c->L;
+    *most = fmax(*most, fabs(off));
+    *mean += off * off / PLACES;
+  }
+  *mean = sqrt(*mean);
+}
+
+/* A cubic in each phase is among the splines of PHASES, and a long one that changes slowly costs few degrees of freedom:
+ * of the noise little is left. */
+TEST(least_squares)
+{
+  static struct rows rows;
+  const double cubic[] = { 0, 0, 3, -2 };
+  union scallop_made_gait made;
+  struct random r = { 8 };
+  struct scallop_crawler c = { 1, 1, 2, 1, 3, 0.5, 0.6, NULL };
+  assert_int_equal(scallop_make_polynomial(&made.polynomial, "x", cubic, 3, NULL), SCALLOP_OK);
+  c.gait = &made.gait;
+  for (int noisy = 0; noisy < 2; noisy++) {
+    const struct recording how = { .count = noisy ? 2000 : 97, .periods = 1, .start = 0.3, .noise = noisy ? 0.01 : 0 };
+    record(&rows, &c, &how, &r);
+    struct scallop_measured *m = measured_with(&rows, SCALLOP_FIT_PHASES);
+    double most, mean;
+    distance(m, &c, how.start, &most, &mean);
+    CHECK_AT_MOST(noisy ? mean : most,
+                  noisy ? 0.1 * how.noise : 1e-5); /* ten numbers through 2000 rows: sqrt(10/2000) */
+    scallop_measured_free(m);
+  }
+}
+
 /* Several periods, with and without noise, from anywhere in the period on */
 TEST(periods_are_folded)
 {
