@@ -27,9 +27,9 @@ bool gait_family_begins(const char *text);
 
 /* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. NULL: this is none. */
 const struct gait_file *gait_file_of(const struct scallop_gait *gait);
-/* Gives the crawler one of the gaits that its recording admits as well, 0 <= i < SCALLOP_MEASURED_OTHERS, and that gait's
- * L, T and alpha where it has those of the recording. False: there is none, or the gait is not measured. From any
- * thread. */
+/* Gives the crawler one of the gaits that its recording admits as well, 0 <= i < SCALLOP_MEASURED_OTHERS, and that
+ * gait's L, T and alpha where it has those of the recording. False: there is none, or the gait is not measured.
+ * From any thread. */
 bool gait_exchange(struct scallop_crawler *crawler, int i);
 
 /* What a gait was made of, for those who want more digits of its numbers than doubles have. */

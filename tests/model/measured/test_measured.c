@@ -260,8 +260,8 @@ static void distance(const struct scallop_measured *m, const struct scallop_craw
   *mean = sqrt(*mean);
 }
 
-/* A cubic in each phase is among the splines of PHASES, and a long one that changes slowly costs few degrees of freedom:
- * of the noise little is left. */
+/* A cubic in each phase is among the splines of PHASES, and a long one that changes slowly costs few degrees of
+ * freedom: of the noise little is left. */
 TEST(least_squares)
 {
   static struct rows rows;
