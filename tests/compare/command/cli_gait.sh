@@ -113,7 +113,7 @@ finish "constant speed out and back"
 
 printf '0 0\n1 2\n1.5 1.9\n2 3\n4 0\n' >noisy.txt
 run 0 steady --gait measured:noisy.txt:monotone
-grep -q "noisy.txt:monotone: t is column 1, l column 2; 5 rows, one period of 4; a monotone" err || note "what was understood: $(cat err)"
+grep -q "noisy.txt:monotone: columns between blanks: t is column 1, l column 2; 5 rows, one period of 4; a monotone" err || note "what was understood: $(cat err)"
 grep -q "changes its sign 2 times" err || note "noise: $(cat err)"
 run 0 steady --gait measured:noisy.txt --quiet
 [ ! -s err ] || note "a note in spite of --quiet"

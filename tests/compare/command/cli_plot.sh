@@ -58,7 +58,7 @@ run 0 steady --T 0.1:5:9 --columns T,displacement --plot few.svg --plot-y displa
 run 0 figure 4 --plot columns.svg --plot-x T --plot-y dxC_over_L --plot-by F1_over_F2
 shown_in columns.svg "T (time)^dxC_over_L^F₁/F₂ = 40"
 finish "a figure's columns"
-drawn "orders" "h^|err|^first^second" order errors.txt
+drawn "orders" "h^|error|^first: order 2.0000 (2.0000 to 2.0000), measured" order errors.txt --quiet
 if [ "${WITH_FLINT:-1}" != 0 ]; then
   drawn "certified states" "T (time)^mean velocity (length/time)^F₁ = 4" steady --points points.tsv --certified
   drawn "a derived series" "power^period, v_start" series --source derived --order 8
@@ -241,7 +241,7 @@ nasty() { # TEXT
   rm -f hacked
   run 0 steady --points points.tsv --plot nasty.svg --plot-title "$1"
   grep -q '</svg>' nasty.svg || note "no picture with the title $1"
-  printf 'h %s\n0.1 1e-2\n0.05 2.5e-3\n0.025 6.25e-4\n' "$(printf '%s' "$1" | tr ' ' '_')" >"$1"
+  printf 'h\t%s\n0.1\t1e-2\n0.05\t2.5e-3\n0.025\t6.25e-4\n' "$1" >"$1"
   run 0 order "$1" --plot nasty.svg
   grep -q '</svg>' nasty.svg || note "no picture of the file $1"
   rm -f "./$1"
@@ -269,7 +269,7 @@ run 0 steady --gait "measured:$mark:monotone" --F1 1:5:3 --plot mark.svg
 shown_in mark.svg "m1=1 m2=1 F2=1 L=4 T=10 alpha=0.7 gait=measured:$mark:monotone"
 printf 'h err\n0.1 1e-2\n0.05 2.5e-3\n0.025 6.25e-4\n' | tee "$mark" >"$(printf 'b\nc\033')"
 run 0 order "$mark" "$(printf 'b\nc\033')" --plot mark.svg
-shown_in mark.svg "$mark^b c"
+shown_in mark.svg "$mark: order 2.0000 (2.0000 to 2.0000), measured^b c : order 2.0000 (2.0000 to 2.0000), measured"
 printf 'T\tx\n0.1\td\001\377\303\274]]>\n0.5\td\001\377\303\274]]>\n0.1\te\n0.5\te\n' >carried.tsv
 run 0 steady --points carried.tsv --plot mark.svg --plot-x T --plot-y v_start --plot-by x
 shown_in mark.svg 'd??ü]]>^e'
