@@ -172,6 +172,8 @@ bool tsv_next(struct tsv *tsv)
     memset(tsv->had_comma, 0, sizeof tsv->had_comma);
   if (!tsv->separator) {
     tsv->separator = separator_of(line);
+    if (tsv->separator == ' ' && tsv->style == TSV_POINTS && !strchr(line, ' '))
+      tsv->separator = '\t'; /* one column */
     tsv->runs = tsv->separator == ' ' || (tsv->style == TSV_ANY && tsv->separator == '\t' && strstr(line, "\t\t"));
   }
   if (tsv->fault)
