@@ -138,10 +138,11 @@ fuzz-programs: $(fuzz)
 rooms: $(program)
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
 rooms size: ; @/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
-## gates:      all that guards something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
+## gates:      all that guards something, one row each, as scripts/dev/gates.txt lists it; docs/development/contributing.md says what each guards
 gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
-## docs:       docs/commands.md anew, from --help
-docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
+## docs:       docs/reference/commands.md anew, from --help
+docs: $(program)
+	@sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/reference/commands.md
 include explorer/rules.mk
 ## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
 bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop ; @$(B)/scallop-bench

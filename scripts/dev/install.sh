@@ -46,9 +46,14 @@ sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
   -e "s|^BESIDE = .*|BESIDE = \"$(escaped "$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")")\"|" scripts/python/scallop_library.py \
   >"$data/python/scallop_library.py"
 chmod 644 "$data/python/scallop_library.py"
-put "$datadir/doc/scallop" docs/*.* LICENSE
+pages=$datadir/doc/scallop
+put "$pages" docs/*.* LICENSE
+for folder in guide reference background development; do
+  put "$pages/$folder" docs/$folder/*
+done
 # A link to a file of the sources becomes the name of the file
-sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$datadir"/doc/scallop/*.md
+sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$pages"/*.md
+sed -i -e 's|\[\([^]]*\)\](\.\./\.\./[^)]*)|\1|g' "$DESTDIR$pages"/*/*.md
 put "$datadir/scallop/scenes" data/scenes/*.cfg
 put "$datadir/scallop/plots" scripts/plots/plot.sh scripts/plots/common.gp scripts/plots/figure*.gp
 put "$datadir/scallop/plots/plot" scripts/plots/plot/*.awk

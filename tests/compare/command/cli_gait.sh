@@ -25,14 +25,14 @@ run 0 steady
 [ "$(cells out v_start displacement multiplier modes)" = "$half" ] || note "trapezoidal:0.5,0.5 is not quadratic: $half"
 finish "gaits read back what they print"
 
-# ---- the families that --help lists are those of docs/gaits.md ----
+# ---- the families that --help lists are those of docs/reference/gaits.md ----
 run 0 steady --help
 families=$(sed -n '/^Gaits/,/^$/s/^  \([a-z-]*\).*/\1/p' out)
 [ "$(echo "$families" | wc -l)" -ge 7 ] || note "families: $families"
 for family in $families; do
-  grep -q "\`$family" "$root/docs/gaits.md" || note "docs/gaits.md has no $family"
+  grep -q "\`$family" "$root/docs/reference/gaits.md" || note "docs/reference/gaits.md has no $family"
 done
-finish "docs/gaits.md has every gait of --help"
+finish "docs/reference/gaits.md has every gait of --help"
 
 # ---- refused ----
 refuse 2 "did you mean 'trapezoidal'" steady --gait trapezodal

@@ -230,7 +230,7 @@ compare_series(read("derived_sine.tsv"), "sinusoidal", digits=60, alpha="3/4")
 END
   finish "series: the coefficients of series --source derived"
 
-  python "$root/docs/python.md" <<'END'
+  python "$root/docs/reference/python.md" <<'END'
 from decimal import Decimal
 from fractions import Fraction
 third = Fraction(1, 3)
@@ -249,7 +249,7 @@ off = scallop.series("extension", v0=0.25, order=5, F1=3).dxC(T) - scallop.phase
 if off.shape != T.shape or (abs(off) > 10 * T**5).any() or not isinstance(s.dxC(0.5), float):
     bad("the sums of the terms:", off)
 if "`# " + repr(scallop.series().displacement) not in open(sys.argv[1]).read().replace("s.displacement        ", "`"):
-    bad("not as in docs/python.md:", scallop.series().displacement)
+    bad("not as in docs/reference/python.md:", scallop.series().displacement)
 rest = scallop.series("extension", F1=2, F2=2, order=4)
 if rest.t1 or rest.dT or rest.modes != "-+" or rest.dx2 != {0: 5}:
     bad("equal forces:", rest)

@@ -8,7 +8,7 @@ awk -v dir="$scratch" '
   /^```console$/ { inside = 1; next }
   /^```$/        { inside = 0 }
   inside && /^\$ / { n++; print substr($0, 3) > (dir "/" n ".cmd"); printf "" > (dir "/" n ".shown"); next }
-  inside         { print > (dir "/" n ".shown") }' README.md docs/*.md
+  inside         { print > (dir "/" n ".shown") }' README.md docs/*.md docs/*/*.md
 failed=0 count=0
 for command in "$scratch"/*.cmd; do
   count=$((count + 1))

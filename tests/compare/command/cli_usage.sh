@@ -492,7 +492,7 @@ tab=$(printf '\t')
 quantities run >all
 [ "$(wc -l <all)" -ge 15 ] || note "run --help lists $(wc -l <all) quantities"
 while IFS=$tab read -r name is unit; do
-  grep -q -F -e "| \`$name\` | $is | $unit |" "$root/docs/scenes.md" || note "docs/scenes.md has no row for: $name $is [$unit]"
+  grep -q -F -e "| \`$name\` | $is | $unit |" "$root/docs/reference/scenes.md" || note "docs/reference/scenes.md has no row for: $name $is [$unit]"
 done <all
 for command in steady phase; do
   quantities $command >some

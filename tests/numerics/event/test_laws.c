@@ -1,6 +1,6 @@
 /* The intervals of a phase put back into Newton's law, the friction law, and the momentum and energy
  * balances, for thousands of random crawlers. Newton's law with Coulomb's inclusion has one solution
- * (uniqueness: docs/theory.md), so an interval list that passes everything here is that solution.
+ * (uniqueness: docs/background/theory.md), so an interval list that passes everything here is that solution.
  *
  * Units as in struct scallop_interval: lengths in L, times in the duration tau of the phase, masses in
  * M, forces in M L / tau^2, so friction is eps f_i with eps = tau^2 (F1 + F2)/(M L).
