@@ -58,6 +58,10 @@ for page in docs/*.md docs/*/*.md; do
   [ "$page" = docs/README.md ] || grep -q -F "](${page#docs/})" docs/README.md || note "docs/README.md has no link to $page"
 done
 finish "the index has every document"
+terms=$(grep '^| ' docs/glossary.md | grep -c -v -e '^| term ' -e '^|---')
+[ "$terms" -le 40 ] || note "$terms terms"
+[ "$terms" -ge 30 ] || note "only $terms terms found"
+finish "the glossary has at most 40 terms"
 # Pages that the sources and texts name, beside links
 git ls-files 2>/dev/null | grep -v -e '^CHANGELOG' -e '^tests/corpus/' | xargs grep -ohE '\bdocs/[a-z/-]+\.md\b' | sort -u >"$scratch/named"
 [ "$(wc -l <"$scratch/named")" -ge 8 ] || [ ! -e .git ] || note "only $(wc -l <"$scratch/named") pages are named"

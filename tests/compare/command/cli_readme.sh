@@ -12,7 +12,7 @@ awk -v dir="$scratch" '
 failed=0 count=0
 for command in "$scratch"/*.cmd; do
   count=$((count + 1))
-  sed "s|build/scallop|$1|g" "$command" >"$scratch/run.sh"
+  sed "s|\bbuild/|$(dirname "$1")/|g" "$command" >"$scratch/run.sh" # outputs of examples go to the build, too
   sh "$scratch/run.sh" >"$scratch/got" 2>"$scratch/errors"
   if diff "${command%.cmd}.shown" "$scratch/got" >"$scratch/difference"; then
     printf 'ok readme: %s\n' "$(cat "$command")"
