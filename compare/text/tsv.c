@@ -291,7 +291,8 @@ static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE 
     name_columns(tsv);
   else if (!names_itself)
     name_by_comment(tsv);
-  leave_out_units(tsv);
+  if (!names_itself)
+    leave_out_units(tsv);
   if ((has_names || names_itself) && !keep_names(tsv))
     return false;
   tsv->waits = !has_names || (style == TSV_ANY && tsv_next(tsv));
