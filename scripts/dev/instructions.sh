@@ -44,7 +44,7 @@ rows 3000 >"$build/many.tsv"
 difference "steady --points: instructions a row" 2000
 awk -F '\t' 'FNR == 1 { compiler[FILENAME] = $0; next }
   FNR == NR { was[$1] = $2; next }
-  compiler[ARGV[1]] == compiler[FILENAME] && $2 > 1.03 * was[$1] { printf "%s: %d instructions, %d before: more than 3 %% more\n", $1, $2, was[$1]; worse = 1 }
+  compiler[ARGV[1]] == compiler[FILENAME] && $2 + 0 > 1.03 * was[$1] { printf "%s: %d instructions, %d before: more than 3 %% more\n", $1, $2, was[$1]; worse = 1 }
   END {
     if (compiler[ARGV[1]] != compiler[FILENAME])
       print "not compared with bench/instructions.tsv (" substr(compiler[ARGV[1]], 3) "): this is " substr(compiler[FILENAME], 3)
