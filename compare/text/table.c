@@ -59,6 +59,7 @@ bool table_open(struct table *t, const struct style *style)
   *t = (struct table){ .style = style, .of = style->command };
   struct sink *s = t->sink;
   s->format = format_of(style);
+  s->aligned.upright = style->upright;
   s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
               : style->digits <= DBL_DECIMAL_DIG              ? style->digits
                                                               : 0;
