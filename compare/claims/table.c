@@ -227,7 +227,7 @@ static void begin(struct report *r)
   note_parameters(&r->table, &o->request.point, varied, false);
   if (!is_of_book(o))
     table_note(&r->table, "v0, where it is fixed: %g or %g", v0, -v0);
-  else if (!o->errors)
+  else if (o->request.point.written[crawler_place("T")])
     table_note(&r->table, "error_at_T: formula/exact - 1, certified, at the period T = %g", c->T);
   if (o->request.point.has_gait)
     table_note(&r->table, "gait: %s", c->gait->name);
