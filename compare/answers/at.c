@@ -291,6 +291,13 @@ static double data_error(struct at *s, int place)
   return known ? s->data->error[place] : at_fail(s, "out of memory");
 }
 
+double at_data_error(struct at *s, int quantity)
+{
+  const struct quantity *q = &s->asked->quantities.item[quantity];
+  const int of = q->kind == QUANTITY_DATA ? q->of : quantity;
+  return is_of_data(s, of) ? data_error(s, of) : NAN;
+}
+
 /* Can it be told although the parameters are no point? */
 static bool is_known_outside(const struct at *s, const struct quantity *q)
 {

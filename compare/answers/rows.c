@@ -138,9 +138,11 @@ static void put_number(const struct sheet *s, struct table *t, struct at *at, in
 {
   const struct quantity *q = &s->asked->quantities.item[quantity];
   double x = at_number(at, quantity);
-  char shortest[NUMBER_TEXT];
-  if (q->kind == QUANTITY_ESTIMATE)
-    table_rounded(t, x, "%.3g");
+  char shortest[NUMBER_TEXT], format[8];
+  const double unknown = t->sink->digits == PEOPLE_DIGITS && !t->style->digits ? at_data_error(at, quantity) : NAN;
+  snprintf(format, sizeof format, "%%.%dg", isnan(unknown) ? 3 : digits_known(x, unknown));
+  if (q->kind == QUANTITY_ESTIMATE || !isnan(unknown))
+    table_rounded(t, x, format);
   else if (q->kind != QUANTITY_NUMBER || !s->as_written)
     table_number(t, x);
   else { /* with all the digits that were given: --digits is of what is proven */

@@ -57,7 +57,8 @@ struct option_rule {
 #define OPTION_FIELD(type, member) .field = offsetof(struct type, member)
 #define OPTION_POINT(name) OPTION(name, read_parameter, )
 #define OPTIONS_TO_L OPTION_POINT("m1"), OPTION_POINT("m2"), OPTION_POINT("F1"), OPTION_POINT("F2"), OPTION_POINT("L")
-#define OPTIONS_ALPHA_GAIT OPTION_POINT("alpha"), OPTION_POINT("gait")
+#define OPTIONS_ALPHA_GAIT \
+  OPTION_POINT("alpha"), OPTION_POINT("gait"), OPTION_NUMBER("smooth", request, smooth, POSITIVE)
 #define OPTIONS_CRAWLER OPTIONS_TO_L, OPTION_POINT("T"), OPTIONS_ALPHA_GAIT
 #define OPTIONS_PHASE OPTION_POINT("phase"), OPTION_POINT("v0")
 #define OPTIONS_VARY \

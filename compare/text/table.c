@@ -13,8 +13,6 @@
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
 
-enum { PEOPLE_DIGITS = 6 };
-
 const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown", "table", NULL };
 
 /* What stands around the cells of a row; what means something in a text; a text with one of which stands in quotes,

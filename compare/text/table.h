@@ -16,6 +16,7 @@
 /* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is
  * given */
 enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };
+enum { PEOPLE_DIGITS = 6 };
 extern const char *const format_names[FORMATS + 1]; /* NULL-terminated */
 
 /* A cell of a row: a number, a number as it stands, a text, or a cell of another table */
