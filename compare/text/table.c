@@ -146,6 +146,7 @@ static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
 static void emit(struct table *t, struct sink *s, const struct table_cell *cells, int count)
 {
   bool aligned = s->format == FORMAT_TABLE;
+  count -= s == t->sink ? t->only_drawn : 0;
   FILE *to = aligned ? aligned_begin_row(&s->aligned, count) : s->out.stream;
   if (!to)
     return note_error(s, ENOMEM);
@@ -185,8 +186,9 @@ void table_begin_rows(struct table *t)
   for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
     if (s->format != FORMAT_JSON)
       emit(t, s, names, count);
-    for (int i = 0; s->format == FORMAT_MARKDOWN && i < count; i++)
-      fputs(i + 1 < count ? "| --- " : "| --- |\n", s->out.stream);
+    const int written = count - (s == t->sink ? t->only_drawn : 0);
+    for (int i = 0; s->format == FORMAT_MARKDOWN && i < written; i++)
+      fputs(i + 1 < written ? "| --- " : "| --- |\n", s->out.stream);
   }
 }
 

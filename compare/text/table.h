@@ -67,6 +67,7 @@ struct table {
   char *notes; /* '#' lines that wait until the choice of columns is found good */
   const char *columns[TABLE_COLUMNS];
   int count, at;                        /* columns; the next one in this row */
+  int only_drawn;                       /* of the columns the last ones, which are for the picture alone */
   struct table_cell row[TABLE_COLUMNS]; /* so far                            */
   const char *const *names;             /* of the columns that are written, once rows have begun */
 };
