@@ -49,4 +49,7 @@ void note_parameters(struct table *table, const struct point *point, const char 
 /* Prints what a recording was taken for, where the gait is measured, and what was laid through it. */
 void point_tell_recording(const struct point *point, const struct style *style);
 
+/* Says of a list as "1,5" that it is two values, and no decimal fraction. */
+void tell_decimal_commas(const struct sweep *sweep, const struct style *style);
+
 #endif

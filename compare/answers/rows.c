@@ -147,6 +147,8 @@ static void put_number(const struct sheet *s, struct table *t, struct at *at, in
     table_number(t, x);
   else { /* with all the digits that were given: --digits is of what is proven */
     const char *written = at->place.is_unread ? NULL : at->place.point.written[q->which];
+    if (written && t->sink->format == FORMAT_JSON && !json_takes_number(written))
+      written = NULL; /* 3/5, .6 */
     number_text(shortest, x, 0);
     table_carried(t, written ? written : shortest);
   }

@@ -33,6 +33,8 @@ static void put(struct report *r, unsigned tables, const char *name, const char 
     return;
   if (r->heading)
     table_columns(&r->table, (const char *const[]){ name, NULL });
+  else if (strcmp(name, "derived_order") == 0) /* a number, but "none" or "-" */
+    table_carried(&r->table, text ? text : "-");
   else
     table_text(&r->table, text && *text ? text : "-");
 }

@@ -218,10 +218,14 @@ static const char *idle_sweep(const struct arguments *a)
 
 bool options_are_sound(struct arguments *a)
 {
-  static const struct option_rule of_all[] = { { "smooth", RULE_WITHOUT, "gait", NULL },
-                                               { "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size",
-                                                 RULE_WITHOUT, "plot", NULL },
-                                               { NULL, RULE_WITH, NULL, NULL } };
+  static const struct option_rule of_all[] = {
+    { "smooth", RULE_WITHOUT, "gait", NULL },
+    { "mu1", RULE_WITH, "F1 F1_over_F2", "sets F1, and is beside another option that does" },
+    { "mu2", RULE_WITH, "F2", "sets F2, and is beside another option that does" },
+    { "g", RULE_WITHOUT, "mu1 mu2", "is the gravity behind --mu1 and --mu2, and both are missing" },
+    { "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size", RULE_WITHOUT, "plot", NULL },
+    { NULL, RULE_WITH, NULL, NULL }
+  };
   const struct command *c = a->command;
   const char *wrong = idle_sweep(a);
   wrong = wrong ? wrong : broken_rule(a, of_all);

@@ -62,8 +62,8 @@ struct option_rule {
 #define OPTIONS_CRAWLER OPTIONS_TO_L, OPTION_POINT("T"), OPTIONS_ALPHA_GAIT
 #define OPTIONS_PHASE OPTION_POINT("phase"), OPTION_POINT("v0")
 #define OPTIONS_VARY \
-  OPTION_POINT("F1_over_F2"), OPTION_POINT("m1_over_m2"), OPTION_POINT("froude"), OPTION_POINT("label"), \
-      OPTION("and", read_product, )
+  OPTION_POINT("mu1"), OPTION_POINT("mu2"), OPTION_POINT("g"), OPTION_POINT("F1_over_F2"), OPTION_POINT("m1_over_m2"), \
+      OPTION_POINT("froude"), OPTION_POINT("label"), OPTION("and", read_product, )
 #define OPTION_FLAG(name, type, member) OPTION(name, read_flag, OPTION_FIELD(type, member))
 #define OPTION_TEXT(name, type, member, what) OPTION(name, read_text, OPTION_FIELD(type, member), .allowed = what)
 #define OPTION_WORD(name, type, member, list) OPTION(name, read_word, OPTION_FIELD(type, member), .words = list)
