@@ -75,6 +75,9 @@ void at_begin_row(struct at *at);
 /* A quantity by its place among those asked for: nan where it cannot be had, and why then says why. Of a text the
  * number that it is. */
 double at_number(struct at *at, int quantity);
+/* How far a number may be off for what the recording of a measured gait does not tell; nan: its low. and high. are not
+ * asked for, or there is no recording. Of these two the same. */
+double at_data_error(struct at *at, int quantity);
 /* A text; of certified values so many digits, 0: as many as a double has. It lives until the next call. */
 const char *at_text(struct at *at, int quantity, long digits);
 double at_formula(struct at *at, const struct formula *formula);

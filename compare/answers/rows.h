@@ -43,6 +43,7 @@ struct rows { /* a table with a row for each point, as it is planned; zero but f
   bool has_errors;                   /* visit asks for errors of series, too */
   const struct table_choice *choice; /* of columns; NULL: that of the request */
   const char *command;               /* what the head says of it; NULL: its name */
+  int only_drawn;                    /* columns at the end that its picture needs, and that are not written */
   const char *of;                    /* the kind of its picture; NULL: that of the command */
   void (*head)(struct rows *rows);   /* more '#' lines, or NULL */
   void (*visit)(struct rows *rows, struct at *at); /* NULL: sheet_row */

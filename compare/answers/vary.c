@@ -244,7 +244,7 @@ const char *vary_text(struct request *r, const char *name, const char *text)
 {
   struct sweep_variable v;
   bool has = sweep_variable_of_name(&v, name), is_number = has && v.target <= TARGET_FROUDE;
-  bool is_ratio = is_number && v.target >= TARGET_F1_OVER_F2; /* which the point has no number for */
+  bool is_ratio = is_number && v.target >= TARGET_M1_OVER_M2; /* which the point has no number for */
   bool is_many = has ? is_ratio || *end_of_value(&v, text) || (is_number && strchr(text, ':'))
                      : strcmp(name, "label") == 0;
   if (!is_many) {

@@ -49,12 +49,18 @@ slong trial_leading_power(const struct scallop_formula *formula);
 double trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula,
                      const struct series *left_out);
 
+/* The formula over the certified value, less 1, at the crawler's T, the period; nan: it has none there. */
+double trial_error_at_T(const struct trial *m, const struct scallop_formula *formula);
+
 struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
                                 const struct condition *condition);
 /* Adds the row (proof.c), with the verdict from what the formula leaves out of the motion. why: nothing can be said of
  * that, for this reason, "" where none is known; or NULL. */
 void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *formula,
                    const char *why);
+/* Has the formula another dimension than what it gives, or none (dimension.c)? why: which */
+enum { DIMENSION_WHY = 300 };
+bool dimension_refutes(char why[DIMENSION_WHY], const struct trial *trial, const struct scallop_formula *formula);
 /* Notes what cannot be. */
 void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
     __attribute__((format(printf, 3, 4)));

@@ -221,3 +221,22 @@ double trial_measure(struct claim_row *row, const struct trial *m, const struct 
     }
   return mismatch;
 }
+
+double trial_error_at_T(const struct trial *m, const struct scallop_formula *f)
+{
+  enum { DIGITS = 30, BITS = 256 };
+  const enum scallop_phase_kind kind = m->condition->kind;
+  SCOPED(ball_answer, exact);
+  SCOPED(fmpq, T);
+  SCOPED(arb, error);
+  fmpq_set(T, m->crawler.T);
+  if (!trial_is_steady(m))
+    scallop_rational_duration(T, &m->crawler, kind);
+  const bool solved = answer_in_balls(&exact, &m->crawler, answered(m), kind, m->v0, DIGITS);
+  const arb_struct *value = solved ? exact.value[quantity_of_formula(f, kind)] : NULL;
+  if (!value || !published_in_balls(error, f, &m->crawler, kind, m->v0, T, &exact, BITS))
+    return NAN;
+  arb_sub(error, error, value, BITS);
+  arb_div(error, error, value, BITS);
+  return arb_is_finite(error) ? middle(error) : NAN;
+}

@@ -103,6 +103,9 @@ static const char *complete(void *options)
     o->request.style.format = FORMAT_TABLE;
   if (!o->map[0])
     return NULL;
+  struct plot *plot = &o->request.style.plot;
+  if (plot->file && !plot->y && !o->boundaries) /* three regions; the sequences of modes are many */
+    plot->y = "regime";
   const char *wrong = add_axis(o, 1);
   wrong = wrong ? wrong : add_axis(o, 0);
   if (!wrong && (o->request.sweep.product->groups != 2 || sweep_set_twice(o->request.sweep.product)))

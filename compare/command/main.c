@@ -92,6 +92,8 @@ static enum exit_code run(const struct arguments *a)
   point_tell_recording(&r->point, &r->style);
   progress_begin(r->style.quiet);
   enum exit_code code = command_make(a);
+  if (code == EXIT_DONE)
+    tell_decimal_commas(&r->sweep, &r->style);
   if (r->stats)
     counts_print();
   /* columns may have been named that the table has not */

@@ -95,6 +95,28 @@ const char *option_take(struct arguments *a, const struct option *o, const char 
   return wrong ? wrong_text("--%s: %s", o->name, wrong) : NULL;
 }
 
+/* The recording that is the gait is read once, with the value of --smooth, wherever that stands. NULL: there is none */
+static const char *smooth_of(const struct arguments *a)
+{
+  double sigma;
+  for (int i = 2; i < a->count; i++) {
+    const char *behind = strncmp(a->all[i], "--smooth", 8) == 0 ? a->all[i] + 8 : NULL;
+    const char *value = !behind ? NULL : *behind == '=' ? behind + 1 : *behind ? NULL : a->all[i + 1];
+    if (value && read_number(value, &sigma) && sigma > 0)
+      return value;
+  }
+  return NULL;
+}
+
+static const char *take_gait(struct arguments *a, const struct option *o, const char *gait, const char *smooth)
+{
+  char text[GAIT_TEXT];
+  const bool is_one = strncmp(gait, "measured:", 9) == 0 && !strstr(gait, ",measured:");
+  const int length = snprintf(text, sizeof text, "%s:smooth=%s", gait, smooth);
+  return is_one && length < GAIT_TEXT ? option_take(a, o, (const char *const[]){ text }, 1)
+                                      : "--smooth is the noise of one recording: --gait measured:FILE";
+}
+
 /* An option, and its values: of the first the text behind '=', if there is one. NULL, or what is wrong */
 static const char *read_option(struct arguments *a)
 {
@@ -112,6 +134,9 @@ static const char *read_option(struct arguments *a)
     texts[0] = argument + length + 1;
   while (count < option_values(o) && a->place + 1 < a->count)
     texts[count++] = a->all[++a->place];
+  const char *smooth = strcmp(o->name, "gait") == 0 && count == 1 ? smooth_of(a) : NULL;
+  if (smooth)
+    return take_gait(a, o, texts[0], smooth);
   return option_take(a, o, texts, count);
 }
 
@@ -193,13 +218,17 @@ static const char *idle_sweep(const struct arguments *a)
 
 bool options_are_sound(struct arguments *a)
 {
-  static const struct option_rule of_plots[] = {
+  static const struct option_rule of_all[] = {
+    { "smooth", RULE_WITHOUT, "gait", NULL },
+    { "mu1", RULE_WITH, "F1 F1_over_F2", "sets F1, and is beside another option that does" },
+    { "mu2", RULE_WITH, "F2", "sets F2, and is beside another option that does" },
+    { "g", RULE_WITHOUT, "mu1 mu2", "is the gravity behind --mu1 and --mu2, and both are missing" },
     { "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size", RULE_WITHOUT, "plot", NULL },
     { NULL, RULE_WITH, NULL, NULL }
   };
   const struct command *c = a->command;
   const char *wrong = idle_sweep(a);
-  wrong = wrong ? wrong : broken_rule(a, of_plots);
+  wrong = wrong ? wrong : broken_rule(a, of_all);
   wrong = wrong ? wrong : broken_rule(a, c->rules);
   wrong = wrong || !c->complete ? wrong : c->complete(&a->options);
   return !wrong || complain(c->name, "%s", wrong);

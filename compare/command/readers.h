@@ -57,12 +57,13 @@ struct option_rule {
 #define OPTION_FIELD(type, member) .field = offsetof(struct type, member)
 #define OPTION_POINT(name) OPTION(name, read_parameter, )
 #define OPTIONS_TO_L OPTION_POINT("m1"), OPTION_POINT("m2"), OPTION_POINT("F1"), OPTION_POINT("F2"), OPTION_POINT("L")
-#define OPTIONS_ALPHA_GAIT OPTION_POINT("alpha"), OPTION_POINT("gait")
+#define OPTIONS_ALPHA_GAIT \
+  OPTION_POINT("alpha"), OPTION_POINT("gait"), OPTION_NUMBER("smooth", request, smooth, POSITIVE)
 #define OPTIONS_CRAWLER OPTIONS_TO_L, OPTION_POINT("T"), OPTIONS_ALPHA_GAIT
 #define OPTIONS_PHASE OPTION_POINT("phase"), OPTION_POINT("v0")
 #define OPTIONS_VARY \
-  OPTION_POINT("F1_over_F2"), OPTION_POINT("m1_over_m2"), OPTION_POINT("froude"), OPTION_POINT("label"), \
-      OPTION("and", read_product, )
+  OPTION_POINT("mu1"), OPTION_POINT("mu2"), OPTION_POINT("g"), OPTION_POINT("F1_over_F2"), OPTION_POINT("m1_over_m2"), \
+      OPTION_POINT("froude"), OPTION_POINT("label"), OPTION("and", read_product, )
 #define OPTION_FLAG(name, type, member) OPTION(name, read_flag, OPTION_FIELD(type, member))
 #define OPTION_TEXT(name, type, member, what) OPTION(name, read_text, OPTION_FIELD(type, member), .allowed = what)
 #define OPTION_WORD(name, type, member, list) OPTION(name, read_word, OPTION_FIELD(type, member), .words = list)

@@ -119,8 +119,10 @@ static void settle(struct sweep_place *p)
     const int place = crawler_place(of->sets);
     double x = i == F1_OVER_F2   ? ratio[i] * c->F2
                : i == M1_OVER_M2 ? ratio[i] * c->m2
+               : i == MU1        ? ratio[i] * c->m1 * p->point.gravity
+               : i == MU2        ? ratio[i] * c->m2 * p->point.gravity
                                  : sqrt((c->m1 + c->m2) / (c->F1 + c->F2) * c->L / ratio[i]);
-    number_text(p->written[place], x, 0);
+    number_text(p->written[place], x, i == MU1 || i == MU2 ? 15 : 0); /* 0.4 times 9.81 is 3.924 */
     note(p, of->name, point_set_number(&p->point, place, p->written[place]));
   }
 }

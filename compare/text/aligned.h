@@ -24,6 +24,7 @@ struct aligned {
   size_t size;
   long rows;      /* that are kept, with that of the names */
   bool has_begun; /* some rows are printed  */
+  bool upright;   /* each row is printed upright, without cells that are "-" */
   int columns;
   struct aligned_column {
     struct column_meaning meaning;

@@ -13,8 +13,6 @@
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
 
-enum { PEOPLE_DIGITS = 6 };
-
 const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown", "table", NULL };
 
 /* What stands around the cells of a row; what means something in a text; a text with one of which stands in quotes,
@@ -59,6 +57,7 @@ bool table_open(struct table *t, const struct style *style)
   *t = (struct table){ .style = style, .of = style->command };
   struct sink *s = t->sink;
   s->format = format_of(style);
+  s->aligned.upright = style->upright;
   s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
               : style->digits <= DBL_DECIMAL_DIG              ? style->digits
                                                               : 0;
@@ -147,6 +146,7 @@ static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
 static void emit(struct table *t, struct sink *s, const struct table_cell *cells, int count)
 {
   bool aligned = s->format == FORMAT_TABLE;
+  count -= s == t->sink ? t->only_drawn : 0;
   FILE *to = aligned ? aligned_begin_row(&s->aligned, count) : s->out.stream;
   if (!to)
     return note_error(s, ENOMEM);
@@ -186,8 +186,9 @@ void table_begin_rows(struct table *t)
   for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
     if (s->format != FORMAT_JSON)
       emit(t, s, names, count);
-    for (int i = 0; s->format == FORMAT_MARKDOWN && i < count; i++)
-      fputs(i + 1 < count ? "| --- " : "| --- |\n", s->out.stream);
+    const int written = count - (s == t->sink ? t->only_drawn : 0);
+    for (int i = 0; s->format == FORMAT_MARKDOWN && i < written; i++)
+      fputs(i + 1 < written ? "| --- " : "| --- |\n", s->out.stream);
   }
 }
 

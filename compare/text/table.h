@@ -16,6 +16,7 @@
 /* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is
  * given */
 enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };
+enum { PEOPLE_DIGITS = 6 };
 extern const char *const format_names[FORMATS + 1]; /* NULL-terminated */
 
 /* A cell of a row: a number, a number as it stands, a text, or a cell of another table */
@@ -46,6 +47,7 @@ struct style {
   long digits; /* significant ones; 0: as many as read back exactly */
   bool quiet;
   bool has_output, has_format; /* are given */
+  bool upright;                /* an aligned table has its rows one by one, each upright */
   column_meaning *meaning;     /* of columns, for people, or NULL */
   struct table_choice *choice; /* NULL: all columns */
   struct plot plot;            /* a picture of what is written; of file NULL: none */
@@ -65,6 +67,7 @@ struct table {
   char *notes; /* '#' lines that wait until the choice of columns is found good */
   const char *columns[TABLE_COLUMNS];
   int count, at;                        /* columns; the next one in this row */
+  int only_drawn;                       /* of the columns the last ones, which are for the picture alone */
   struct table_cell row[TABLE_COLUMNS]; /* so far                            */
   const char *const *names;             /* of the columns that are written, once rows have begun */
 };

@@ -140,6 +140,47 @@ run 0 steady --columns low.displacement,high.v_start
 refuse 2 "did you mean 'modes'" steady --columns low.modes
 finish "recordings have intervals, and no events of their pieces"
 
+# ---- people are shown the digits that the recording leaves, and the page of summary the intervals ----
+awk 'BEGIN { for (i = 0; i < 100; i++) print i / 100, 3 - cos(i * atan2(0, -1) / 50) / 2 + 0.002 * sin(77 * i * i) }' >shaky.txt
+run 0 steady --gait measured:shaky.txt --columns v_start,low.v_start,high.v_start,froude
+cells out v_start low.v_start high.v_start froude >exact
+run 0 steady --gait measured:shaky.txt --columns v_start,low.v_start,high.v_start,froude --format table
+awk '$1 ~ /^(v_start|low.v_start|high.v_start|froude)$/ { printf "%s ", $2 }' out >shown
+python exact shown <<'END'
+exact, shown = (open(f).read().split() for f in sys.argv[1:3])
+half = (float(exact[2]) - float(exact[1])) / 2
+for e, s in zip(exact[:3], shown[:3]):
+    place = 10.0 ** (math.floor(math.log10(half)) - 1)
+    if abs(float(s) - float(e)) > 0.501 * place or len(s.split(".")[1]) > -math.floor(math.log10(place)) or len(s) > len(e) - 5:
+        bad("shown", s, "of", e, "with half of the interval", half)
+if len(shown[3]) < 7:
+    bad("froude is no number that the recording limits here, but", shown[3])
+END
+run 0 steady --gait measured:shaky.txt --columns v_start --format table --digits 9
+grep -q '^-[0-9.]*$' out && [ "$(tail -n 1 out | tr -d -- '-. ' | wc -c)" -ge 10 ] || note "--digits 9: $(tail -n 1 out)"
+run 0 summary --gait measured:shaky.txt
+low=$(sed -n 's/^  displacement  *from \([^ ]*\) to .*/\1/p' out) high=$(sed -n 's/^  displacement  *from [^ ]* to //p' out)
+run 0 summary --gait measured:shaky.txt --format tsv --columns low.displacement,displacement,high.displacement,low.multiplier
+cells out low.displacement high.displacement | awk -v low="$low" -v high="$high" '{ w = $2 - $1; exit !($1 < $2 && (low - $1)^2 + (high - $2)^2 < (w / 10)^2) }' ||
+  note "the page has $low to $high, the row $(cells out low.displacement high.displacement)"
+run 0 summary --gait measured:shaky.txt
+grep -q '^  T = [0-9.]*, from [0-9.]* to [0-9.]* (Froude' out || note "events have no interval: $(grep 'T = ' out | head -n 3)"
+run 0 summary
+grep -q -e ' recording' -e ', from' out && note "intervals without a recording"
+finish "the digits that a recording leaves"
+
+run 0 steady --gait measured:shaky.txt:smooth=0.002
+cp out suffix
+run 0 steady --smooth 0.002 --gait measured:shaky.txt
+[ "$(rows out | sed 's/:smooth=0.002//')" = "$(rows suffix | sed 's/:smooth=0.002//')" ] || note "--smooth is another curve than the suffix"
+"$tool" steady --gait measured:/dev/stdin --smooth=0.002 <shaky.txt >out 2>err || note "a pipe with --smooth: $(cat err)"
+[ "$(cells out displacement)" = "$(cells suffix displacement)" ] || note "a pipe with --smooth is another curve"
+refuse 2 "without --gait" steady --smooth 0.1
+refuse 2 "noise of one recording" steady --smooth 0.1 --gait sinusoidal
+refuse 2 "noise of one recording" steady --smooth 0.1 --gait measured:shaky.txt,measured:jerk.txt
+refuse 2 "'-1' is not allowed here" steady --smooth -1 --gait measured:shaky.txt
+finish "--smooth is the suffix smooth="
+
 # ---- what a reviewer broke: a stroke next to a long dwell, and rows a millionth apart, where |l'| has a spike ----
 printf '0 1\n5 0\n9.9 0\n10 1\n' >dwell.txt
 for T in 0.001 0.02; do

@@ -68,9 +68,15 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   finish "no picture of a program"
   drawn "bounds" "bound^displacement" series --bound
   drawn "reaches" "T (time)^relative error^displacement^v_start^derived, best order at T" breakdown --tol 0.01
-  # shellcheck disable=SC2086
-  of_map() { drawn "$1" "$2" breakdown --map ${3%,*} ${3#*,} $grid; }
-  grid='--x 0.1:10:7 --y 0.1:0.9:5'
+  of_map() { # NAME TEXTS X,Y ARGUMENT...
+    name=$1 texts=$2 axes=$3
+    shift 3
+    # shellcheck disable=SC2086
+    run 0 breakdown --map ${axes%,*} ${axes#*,} $grid --quiet --plot map.svg "$@"
+    shown_in map.svg "$texts"
+    finish "$name"
+  }
+  grid='--x 0.1:10:7 --y 0.1:0.9:5 --plot-y modes'
   of_map "a map" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
   # F1 = F2 is a line: what has its colour, that of the second region, is the box in the list and narrow cells
   # shellcheck disable=SC2086
@@ -84,11 +90,20 @@ END
   finish "a region that is a line"
   grid="$grid --columns modes,regime,alpha,F1/F2"
   of_map "a map of few columns" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --  sliding' F1/F2,alpha
-  grid='--x 0.1:10:3 --y 0.1:0.9:3 --gait sinusoidal --columns modes,regime,F1/F2'
+  # What is drawn need not be written, and is all that is computed; without a choice it is the three regimes.
+  grid='--x 0.1:100:7 --y 0.1:0.9:5 --columns displacement,F1_over_F2'
+  of_map "a map without a column that it draws" 'F₁/F₂^α^1  sliding^2  stick-slip' F1/F2,alpha
+  [ "$(header out)" = "displacement F1_over_F2" ] || note "written is: $(header out)"
+  of_map "the same with modes" 'F₁/F₂^α^2^3  -- -+ -- | -- +- --' F1/F2,alpha --plot-y modes
   # shellcheck disable=SC2086
-  run 2 breakdown --map F1/F2 alpha $grid --plot heat.svg
-  grep -q 'the table has no column alpha' err || note "$(cat err)"
-  grid='--x 0.1:0.9:5 --y 0.3:10:4 --gait sinusoidal'
+  run 2 breakdown --map F1/F2 alpha $grid --plot no.svg --plot-y regimes
+  grep -q "no quantity 'regimes': did you mean 'regime'" err || note "$(cat err)"
+  [ ! -s out ] || note "something is written before a column is refused"
+  run 0 breakdown --map F1/F2 alpha --x 0.1:100:7 --y 0.1:0.9:5 --plot regimes.svg
+  shown_in regimes.svg 'F₁/F₂^α^1  sliding^2  stick-slip'
+  grep -q T_1e out && note "a series is computed that is not drawn"
+  finish "what a map draws"
+  grid='--x 0.1:0.9:5 --y 0.3:10:4 --gait sinusoidal --plot-y modes'
   of_map "a map over other axes" 'α^T (time)^1' alpha,T
   grid='--x 0.1:0.9:5 --y 0.3:10:4 --boundaries'
   of_map "boundaries" 'α^T (time)^1' alpha,T
@@ -119,8 +134,8 @@ print('t l')
 for i in range(61):
     x = i / 60
     print(4 * x, 2 + (x / 0.7 if x < 0.7 else (1 - x) / 0.3) + 0.03 * math.sin(7 * i * i) * (0 < i < 60))" >noisy.txt
-  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt:monotone --x 0.1:10:31 --y 0.05:50:31 --plot many.svg --quiet
-  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt:monotone --x 0.1:10:31 --y 0.05:50:31 --plot small.svg --plot-size 800x500 --quiet
+  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt:monotone --x 0.1:10:31 --y 0.05:50:31 --plot-y modes --plot many.svg --quiet
+  run 0 breakdown --map F1/F2 froude --gait measured:noisy.txt:monotone --x 0.1:10:31 --y 0.05:50:31 --plot-y modes --plot small.svg --plot-size 800x500 --quiet
   /usr/bin/python3 - >said 2>&1 <<'END' || note "$(cat said)"
 import re, sys
 for name in "many.svg", "small.svg":

@@ -190,4 +190,43 @@ finish "a table goes through its own command, and through others"
 run 0 steady --points wide.tsv
 [ "$(header out | wc -w) $(cells out c255 status)" = '272 255 ok' ] || note "$(header out | wc -w) columns"
 finish "as many columns as a table may have"
+# ---- values as people write them: fractions, decimal commas, coefficients of friction ----
+run 0 steady --alpha 3/5,0.6 --columns alpha,displacement
+[ "$(rows out | sort -u | wc -l)" = 1 ] && [ "$(cells out alpha | head -n 1)" = 0.6 ] || note "3/5 is not 0.6: $(rows out)"
+[ ! -s err ] || note "a note about 3/5,0.6: $(cat err)"
+run 2 steady --alpha 3/0
+grep -q "'3/0' is not allowed here" err || note "$(cat err)"
+if [ "${WITH_FLINT:-1}" != 0 ]; then
+  run 0 steady --alpha 1/3 --certified --columns alpha,certified.displacement --digits 40
+  third=$(cells out certified.displacement)
+  [ "$(cells out alpha)" = 1/3 ] || note "alpha is written $(cells out alpha)"
+  run 0 steady --alpha 0.33333333333333333333333333333333333333333333333333 --certified --columns certified.displacement --digits 40
+  [ "$(cells out certified.displacement)" = "$third" ] || note "1/3 is not exactly a third: $third"
+  run 0 steady --alpha 1/3 --m1 .5 --certified --format json
+  grep -q '"m1": 0.5, .*"alpha": 0.3333333333333333, ' out || note "in JSON they are no numbers: $(cat out)"
+  run 0 claims --format json --quiet --verdict refuted
+  grep -q '"derived_order": [0-9]' out && ! grep -q '"derived_order": "[-0-9]*[0-9]"' out || note "derived_order is no number in JSON"
+fi
+finish "fractions are values, and numbers are numbers in JSON"
+run 0 steady --T 1,5 --columns T
+[ "$(cat err)" = "scallop steady: note: --T 1,5 is two values, 1 and 5; a number has a decimal point: 1.5" ] || note "$(cat err)"
+[ "$(cells out T | tr '\n' ' ')" = "1 5 " ] || note "$(rows out)"
+for list in 1,5,7 1.0,5 1,5.5 1/2,5; do
+  run 0 steady --T $list
+  [ ! -s err ] || note "--T $list: $(cat err)"
+done
+run 0 steady --T 1,5 --quiet
+[ ! -s err ] || note "with --quiet: $(cat err)"
+finish "a decimal comma is two values, which is said"
+run 0 steady --mu1 0.4,0.2 --mu2 0.1 --m1 2 --m2 3 --g 10 --columns F1,F2,mu1,mu2
+[ "$(rows out | tr '\t\n' '  ')" = "8 3 0.4 0.1 4 3 0.2 0.1 " ] || note "$(rows out)"
+run 0 steady --mu1 0.4 --m1_over_m2 2 --m2 3 --columns F1,m1
+[ "$(cells out F1 m1)" = "23.544 6" ] || note "F1 = 0.4 6 9.81: $(rows out)"
+run 0 steady --F1 3 --m1 2 --columns mu1
+[ "$(cells out mu1)" = 0.1529051987767584 ] || note "mu1 of F1 = 3, m1 = 2: $(rows out)"
+run 2 steady --g 10
+run 2 steady --mu1 0.3 --F1 2
+run 2 steady --mu2 0.3 --F2 2,3
+run 2 steady --mu1 0.3 --F1_over_F2 2
+finish "coefficients of friction"
 exit $failed

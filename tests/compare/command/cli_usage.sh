@@ -112,7 +112,7 @@ done
 refused "unknown option, nothing near" 2 "unknown option '--zzzzzzzzzz'.*steady --help" steady --zzzzzzzzzz 1
 refused "option of another command: --phase" 2 "does not take the option '--phase'" steady --phase extension
 refused "option of another command: --start" 2 "does not take the option '--start'" phase --start rest
-refused "option of another command: --T of claims" 2 "does not take the option '--T'" claims --T 1
+refused "option of another command: --tol of claims" 2 "does not take the option '--tol'" claims --tol 1
 refused "option of another command: --tol" 2 "does not take the option '--tol'" figure 2 --tol 1
 refused "one dash for two" 2 "'-T'" steady -T 1
 refused "three dashes for two" 2 "---T" steady ---T 1
