@@ -1,5 +1,5 @@
-/* What holds for every rival: what it refuses, other units, rest, patience, that it forgets, and steady states. What each
- * is for itself: the programs beside this one. */
+/* What holds for every rival: what it refuses, other units, rest, patience, that it forgets, and steady states. What
+ * each is for itself: the programs beside this one. */
 #include <limits.h>
 #include <stdio.h>
 #include <unistd.h>
