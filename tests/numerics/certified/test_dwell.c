@@ -127,23 +127,6 @@ TEST(trajectory_through_a_dwell)
   assert_int_equal(samples, 512 * 3 / 32 + 1);
 }
 
-/* Seen in a mirror from the other side body 1 is body 2. */
-TEST(mirror)
-{
-  struct random r = { 20261202 };
-  for (int i = 0; i < 50 * DWELLING; i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, dwelling[i % DWELLING]),
-                           m = exchanged(&c);
-    double v0 = random_start(&r, &c, SCALLOP_EXTENSION), size = c.L + fabs(v0) * c.T;
-    struct scallop_phase_result one = phase_of(&c, SCALLOP_EXTENSION, v0);
-    struct scallop_phase_result other = phase_of(&m, SCALLOP_EXTENSION, -v0);
-    assert_int_equal(one.modes.count, other.modes.count);
-    CHECK_NEAR(one.v_end, -other.v_end, 1e-14 * size / c.T / c.alpha);
-    CHECK_NEAR(one.dx1, -other.dx2, 1e-14 * size);
-    CHECK_NEAR(one.dxC, -other.dxC, 1e-14 * size);
-  }
-}
-
 /* There is no series for it, and the reason says that l' is 0 within a phase. */
 TEST(no_series)
 {
