@@ -99,7 +99,7 @@ $(B)/scallop-flint.so: $(with_flint)
 	@$(CC) $(ALL_CFLAGS) $(threads) $(LDFLAGS) -shared -Wl,--version-script=$(B)/flint_part.map -o $@ $(filter %.o,$^) $(needed) $(LDLIBS)
 $(foreach t,$(of_tests) $(of_fuzz),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(filter $(flint),$(t)),$(full),$(core))))
 $(tests): $(call object,tests/support/check)
-$(B)/test_integrators: $(call object,$(cvode))
+$(addprefix $(B)/,test_integrators test_rivals): $(call object,$(cvode))
 $(fuzz): $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 $(B)/scallop-bench: $(call object,$(filter-out bench/nothing,$(basename $(wildcard bench/*.c)))) $(core)
 $(B)/scallop $(tests) $(fuzz) $(B)/scallop-bench:

@@ -1,5 +1,5 @@
 /* The two solvers against each other: doubles and ball arithmetic, for the same doubles. Coarse on purpose, 1e-9 of the
- * natural size of each result: tests/numerics/certified/test_certified.c counts ulps, this looks for the crawler where
+ * natural size of each result: tests/numerics/certified/test_agree.c counts ulps, this looks for the crawler where
  * one of them is lost. */
 #include "tests/fuzz/crawler.h"
 #include "tests/fuzz/target.h"
