@@ -7,7 +7,8 @@ A line without blanks in front begins a group with its name; those below it, two
   file NAME [= EXPRESSION]
       the lines below it, four blanks in, become this file, in NAME.tsv with tabs for blanks; or the value of EXPRESSION
   python
-      the lines below it: bad(...) says what is wrong, run(ARGUMENT..., code=0) runs scallop, table(FILE) has the rows of a table
+      the lines below it: bad(...) says what is wrong, run(ARGUMENT..., code=0) runs scallop, table(FILE) has the rows of a table; names
+      stay for what follows
 
 WANTED is one of these; two dots in a TEXT stand for whatever is between:
   CODE [TEXT]             the exit code (0 where none is given), and in standard error the text; of code 2 and 4 that is one line, and there is
@@ -111,8 +112,8 @@ def hold(run_, wanted, alone=True):
         text = wanted[4:] if code == "out" else wanted[7:]
         has(run_.out, text) == (code == "out") or bad(f"not '{wanted}': {run_.out[:400]!r}")
     elif wanted.startswith("? "):
-        names = {**globals(), "rows": run_.rows if run_.out[:1] != "{" else [], "col": run_.col, "out": run_.out, "err": run_.err}
-        eval(wanted[2:], names) or bad(f"not {wanted[2:]}: {run_.out[-400:]!r} {run_.err[-200:]!r}")
+        NAMES.update(rows=run_.rows if run_.out[:1] != "{" else [], col=run_.col, out=run_.out, err=run_.err)
+        eval(wanted[2:], NAMES) or bad(f"not {wanted[2:]}: {run_.out[-400:]!r} {run_.err[-200:]!r}")
     elif re.fullmatch(r"rows \d+", wanted):
         len(run_.rows) == int(wanted[5:]) or bad(len(run_.rows), "rows, not", wanted[5:])
     elif like:
@@ -145,7 +146,7 @@ def case(line):
 
 def write(head, lines):
     name, _, expression = head.partition(" = ")
-    text = eval(expression) if expression else "".join(line + "\n" for line in lines)
+    text = eval(expression, NAMES) if expression else "".join(line + "\n" for line in lines)
     if name.endswith(".tsv") and not expression:
         text = re.sub(" +", "\t", text)
     open(name, "wb").write(text if isinstance(text, bytes) else text.encode())
@@ -155,7 +156,7 @@ def perform(line, lines):
     if line.startswith("file "):
         write(line[5:], lines)
     elif line == "python":
-        exec(compile("\n".join(lines), "the case", "exec"), {**globals(), "run": run})
+        exec(compile("\n".join(lines), "the case", "exec"), NAMES)
     else:
         case(line)
 
@@ -190,6 +191,7 @@ def main():
 TOOL = os.path.abspath(sys.argv[1])
 sys.argv[2] = os.path.abspath(sys.argv[2])
 ROOT = os.getcwd()
+NAMES = globals().copy()  # of the Python in the file: what one block defines the later ones have
 with tempfile.TemporaryDirectory() as scratch:
     os.chdir(scratch)
     sys.dont_write_bytecode = True
