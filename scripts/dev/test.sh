@@ -9,7 +9,7 @@ same_tables() {
   sh scripts/dev/tables.sh "$build/scallop" "$build/tables" && for table in "$build"/tables/*.tsv; do
     cmp "$table" "data/$(basename "$table")" || return 1
   done || return 1
-  # map_reach, stress and workprec take minutes, or are times: tests/compare/command/cli_{map,stress,workprec}.sh
+  # map_reach, stress and workprec take minutes, or are times: tests/compare/command/cli_{breakdown,stress,workprec}.cases
   [ "$(cd data && ls ./*.tsv)" = "$(cd "$build/tables" && { ls ./*; for name in map_reach stress workprec; do echo "./$name.tsv"; done; } | LC_ALL=C sort)" ] &&
     [ "$(cd data && ls ./*.tsv | sed 's/tsv$/cfg/')" = "$(cd data/scenes && ls ./*.cfg)" ]
 }

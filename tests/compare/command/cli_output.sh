@@ -168,7 +168,10 @@ too_large() {
   [ -z "$(ls -A here)" ] || note "scallop $*: left behind: $(ls -A here)"
 }
 each_long too_large
-[ ! -f "$(dirname "$tool")/scallop-flint.so" ] || too_large claims --errors all --gait quadratic --quiet
+[ ! -f "$(dirname "$tool")/scallop-flint.so" ] || {
+  too_large claims --errors all --gait quadratic --quiet
+  too_large breakdown --map F1/F2 alpha --x 1.5:60:16 --y 0.55:0.9:16 --source published --quiet
+}
 (ulimit -f 1 && exec "$tool" trajectory) >grown 2>err
 [ $? = 4 ] || note "to standard output: not exit code 4"
 grep -q -x 'scallop trajectory: cannot write standard output: File too large' err || note "to standard output: $(cat err)"
