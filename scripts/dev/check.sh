@@ -83,8 +83,8 @@ together='' alone=''
 for script in tests/compare/command/cli_*; do
   name=$(basename "$script")
   case $name in
-    cli_workprec.sh) [ "${WITH_FLINT:-1}" = 0 ] || alone="$alone $name" ;; # beside others its own runs pass the limits it gives them
-    *_without_flint.sh) together="$together $name" ;;
+    cli_workprec.*) [ "${WITH_FLINT:-1}" = 0 ] || alone="$alone $name" ;; # beside others its own runs pass the limits it gives them
+    *_without_flint.*) together="$together $name" ;;
     *) [ "${WITH_FLINT:-1}" = 0 ] || together="$together $name" ;;
   esac
 done
