@@ -39,7 +39,7 @@ struct arguments {
   unsigned long given; /* a bit for each row of the options, in their order */
   union {              /* the struct of the command; its first member is the request */
     struct request request;
-    char room[1024];
+    char room[1536];
     void *aligned;
     double aligned_too;
   } options;

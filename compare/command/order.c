@@ -7,7 +7,8 @@
 
 struct order_options {
   struct request request;
-  struct given_number expect, at_least, tolerance;
+  struct orders_wanted orders;
+  struct given_number tolerance;
   struct columns_wanted columns;
   struct given_word format;
   bool rows;
@@ -15,8 +16,8 @@ struct order_options {
 _Static_assert(sizeof(struct order_options) <= sizeof((struct arguments *)NULL)->options,
                "arguments has room for them");
 
-/* A number, or a fraction of two: 3/2 */
-static const char *read_order(void *options, const struct option *o, const char *text)
+/* Reads a number, or a fraction of two: 3/2. */
+static bool read_fraction(const char *text, double *value)
 {
   char top[NUMBER_LENGTH + 1];
   size_t length = strcspn(text, "/");
@@ -24,9 +25,45 @@ static const char *read_order(void *options, const struct option *o, const char 
   bool good = length <= NUMBER_LENGTH;
   snprintf(top, sizeof top, "%.*s", (int)(good ? length : 0), text);
   good = good && read_number(top, &above) && (text[length] == '\0' || read_number(text + length + 1, &below));
-  if (!good || below == 0 || !isfinite(above / below))
-    return no_number(text, o->allowed);
-  *(struct given_number *)((char *)options + o->field) = (struct given_number){ above / below, true };
+  *value = good && below != 0 ? above / below : NAN;
+  return isfinite(*value);
+}
+
+/* Reads "2", "2,3/2" or "L2=2,H1=1". */
+static const char *read_orders(void *options, const struct option *o, const char *text)
+{
+  struct orders_wanted *wanted = (struct orders_wanted *)((char *)options + o->field);
+  static char item[NUMBER_LENGTH + COLUMN_NAME + 2];
+  const char *rest = text, *at = text;
+  wanted->count = 0;
+  wanted->at_least = strcmp(o->name, "at-least") == 0;
+  for (; next_item(item, sizeof item, &rest); at = rest) {
+    const char *number = strrchr(item, '=');
+    const int n = wanted->count++, length = number ? (int)(number - item) : 0;
+    if (n == MOST_ORDERS || length >= COLUMN_NAME)
+      return n == MOST_ORDERS ? "more than 32 orders" : "a name is too long";
+    wanted->of[n].name = number ? at + strspn(at, " ") : NULL;
+    wanted->of[n].length = length;
+    if (!read_fraction(number ? number + 1 : item, &wanted->of[n].order))
+      return no_number(number ? number + 1 : item, o->allowed);
+    if (!wanted->of[n].name != !wanted->of[0].name)
+      return "either each order has the name of its column, or none has";
+  }
+  return wanted->count > 0 ? NULL : no_number(text, o->allowed);
+}
+
+/* Reads "cells", "cells:DIM" or "dofs:DIM". */
+static const char *read_per(void *options, const struct option *o, const char *text)
+{
+  struct columns_wanted *wanted = (struct columns_wanted *)((char *)options + o->field);
+  const char *colon = strchr(text, ':');
+  const size_t length = colon ? (size_t)(colon - text) : strlen(text);
+  const bool is_cells = length == 5 && strncmp(text, "cells", length) == 0;
+  long dimension = 1;
+  if ((!is_cells && (length != 4 || strncmp(text, "dofs", length) != 0 || !colon))
+      || (colon && !read_count(colon + 1, 1, 9, &dimension)))
+    return not_allowed(text, o->allowed);
+  wanted->power = -1 / (double)dimension;
   return NULL;
 }
 
@@ -40,16 +77,19 @@ static const char *read_columns(void *options, const struct option *o, const cha
   return NULL;
 }
 
-#define OPTION_ORDER(name, member) \
-  OPTION(name, read_order, OPTION_FIELD(order_options, member), .allowed = "a finite number, or a fraction such as 3/2")
+#define OPTION_ORDER(name) \
+  OPTION(name, read_orders, OPTION_FIELD(order_options, orders), \
+         .allowed = "a finite number, or a fraction such as 3/2")
 static const struct option options_of_order[] = {
-  OPTION_ORDER("expect", expect),
-  OPTION_ORDER("at-least", at_least),
+  OPTION_ORDER("expect"),
+  OPTION_ORDER("at-least"),
   OPTION_NUMBER("tol", order_options, tolerance, POSITIVE),
   OPTION_TEXT("x", order_options, columns.x, "a column"),
+  OPTION("per", read_per, OPTION_FIELD(order_options, columns), .allowed = "cells, cells:DIMENSION or dofs:DIMENSION"),
   OPTION("y", read_columns, OPTION_FIELD(order_options, columns)),
   OPTION_FLAG("values", order_options, columns.values),
   OPTION_FLAG("rows", order_options, rows),
+  OPTION_FLAG("require-measured", order_options, orders.required),
   OPTION_WORD("format", order_options, format, report_formats),
   OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS),
   OPTIONS_PLOT,
@@ -76,16 +116,17 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 {
   const struct order_options *o = options;
   struct series_list list = { 0 };
+  struct orders_wanted orders = o->orders;
+  struct columns_wanted columns = o->columns;
+  orders.tolerance = o->tolerance.value;
+  columns.orders = &orders;
+  columns.quiet = o->request.style.quiet;
   enum exit_code read = EXIT_DONE;
   for (int i = 0; i < arguments->operand_count; i++) {
-    enum exit_code code = series_read(&list, arguments->operands[i], &o->columns);
+    enum exit_code code = series_read(&list, arguments->operands[i], &columns);
     read = code > read ? code : read;
   }
-  series_judge(&list, &(struct scallop_order_wanted){ .order = o->expect.given     ? o->expect.value
-                                                               : o->at_least.given ? o->at_least.value
-                                                                                   : NAN,
-                                                      .tolerance = o->tolerance.value,
-                                                      .at_least = o->at_least.given });
+  series_judge(&list, &orders);
   const int format = format_of(o);
   const bool draws = !o->rows && o->request.style.plot.file && list.rows > 0;
   struct style style = o->request.style, to_draw = style;
@@ -93,11 +134,11 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   style.has_format = o->format.given;
   style.plot.file = o->rows ? style.plot.file : NULL; /* the rows are drawn, not the verdicts */
   to_draw.output = "/dev/null";
-  enum exit_code code = o->rows ? report_rows(&list, &style) : report_write(&list, &style, format);
+  enum exit_code code = o->rows ? report_rows(&list, &style) : report_write(&list, &orders, &style, format);
   if (code == EXIT_DONE && draws)
     code = report_rows(&list, &to_draw);
   if (code == EXIT_DONE)
-    code = report_exit(&list, style.output != NULL);
+    code = report_exit(&list, &orders, style.output != NULL);
   series_free(&list);
   return read > code ? read : code;
 }

@@ -1,6 +1,7 @@
 /* The verdicts on series, in the formats that people and CI servers read. */
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "compare/order/order.h"
 
@@ -36,25 +37,29 @@ static const struct table_column of_verdict[] = {
 };
 #undef AT
 
-/* "2 tables: 1 passed, 1 failed", and how many could not be read */
-static void write_counts(struct table *t, const struct series_list *list)
+/* "2 tables: 1 passed, 1 failed", or what was measured, and how many could not be read */
+static void write_counts(struct table *t, const struct series_list *list, bool expects)
 {
-  const char *const names[] = { "tables", list->expects ? "passed" : "measured", "failed", "errors", NULL };
-  const int *counts = list->outcomes;
-  char unread[40] = "";
-  if (counts[UNREAD] > 0)
-    snprintf(unread, sizeof unread, ", %d not read", counts[UNREAD]);
-  table_note(t, "%d %s: %d %s, %d failed%s", list->count, list->count == 1 ? "table" : "tables", counts[WELL], names[1],
-             counts[FAILED], unread);
+  static const char *const names[] = { "tables", "passed", "failed", "measured", "not_measured", "errors", NULL },
+                           *const said[] = { "passed", "failed", "measured", "not measured", "not read" };
+  char text[100];
+  int used = 0;
+  for (int outcome = 0; outcome < OUTCOMES; outcome++) {
+    bool is_usual = expects ? outcome <= FAILED : outcome == MEASURED || outcome == NOT_MEASURED;
+    if (is_usual || list->outcomes[outcome] > 0)
+      used += snprintf(text + used, sizeof text - (size_t)used, "%s%d %s", used > 0 ? ", " : "",
+                       list->outcomes[outcome], said[outcome]);
+  }
+  table_note(t, "%d %s: %s", list->count, list->count == 1 ? "table" : "tables", text);
   if (!table_begin_anew(t))
     return;
   table_columns(t, names);
   table_count(t, list->count);
   for (int outcome = 0; outcome < OUTCOMES; outcome++)
-    table_count(t, counts[outcome]);
+    table_count(t, list->outcomes[outcome]);
 }
 
-static enum exit_code write_table(const struct series_list *list, const struct style *style)
+static enum exit_code write_table(const struct series_list *list, bool expects, const struct style *style)
 {
   const struct table_column *const parts[] = { of_series, of_order, list->values ? of_grids : &of_grids[2],
                                                of_verdict };
@@ -68,7 +73,7 @@ static enum exit_code write_table(const struct series_list *list, const struct s
   for (const struct series *s = list->series; s < list->series + list->count; s++)
     for (int part = 0; part < PARTS; part++)
       table_row(&t, parts[part], s, true);
-  write_counts(&t, list);
+  write_counts(&t, list, expects);
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 
@@ -95,50 +100,64 @@ enum exit_code report_rows(const struct series_list *list, const struct style *s
     return EXIT_FILE;
   table_add(&t, of_series);
   table_add(&t, of_point);
+  table_add(&t, of_order);
+  table_add(&t, of_verdict);
   table_begin_rows(&t);
   for (const struct series *s = list->series; s < list->series + list->count; s++)
     for (const struct scallop_order_point *p = s->points; p < s->points + s->count; p++) {
       table_row(&t, of_series, s, true);
       table_row(&t, of_point, p, s->result.verdict != SCALLOP_ORDER_INVALID);
+      table_row(&t, of_order, s, true);
+      table_row(&t, of_verdict, s, true);
     }
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 
-static void write_junit(FILE *out, const struct series_list *list)
+/* One case: its verdict as an element that says why, and that it is well as a text. */
+static void write_case(FILE *out, const struct series *s, bool required)
+{
+  static const char *const elements[OUTCOMES] = { NULL, "failure", NULL, "skipped", "error" };
+  const char *const name[] = { s->file, s->name, s->y };
+  const char *element = s->outcome == NOT_MEASURED && required ? "failure" : elements[s->outcome];
+  fputs("<testcase classname=\"", out);
+  put_escaped(out, s->file, &in_xml, SHOWS_ASCII);
+  fputs("\" name=\"", out);
+  for (int i = 0; i < 3; i++) {
+    fputs(i > 0 && *name[i] ? ": " : "", out);
+    put_escaped(out, name[i], &in_xml, SHOWS_ASCII);
+  }
+  fputs("\">", out);
+  if (!element)
+    fputs("<system-out>", out);
+  else
+    fprintf(out, strcmp(element, "skipped") == 0 ? "<%s message=\"" : "<%s type=\"%s\" message=\"", element,
+            s->verdict);
+  put_escaped(out, s->reason, &in_xml, SHOWS_ASCII);
+  fputs(element ? "\"/></testcase>\n" : "</system-out></testcase>\n", out);
+}
+
+static void write_junit(FILE *out, const struct series_list *list, bool required)
 {
   char counts[100];
-  snprintf(counts, sizeof counts, "tests=\"%d\" failures=\"%d\" errors=\"%d\"", list->count, list->outcomes[FAILED],
-           list->outcomes[UNREAD]);
+  const int *of = list->outcomes;
+  snprintf(counts, sizeof counts, "tests=\"%d\" failures=\"%d\" errors=\"%d\"", list->count,
+           of[FAILED] + (required ? of[NOT_MEASURED] : 0), of[UNREAD]);
   fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites %s>\n", counts);
-  fprintf(out, "<testsuite name=\"scallop order\" %s skipped=\"0\">\n", counts);
-  for (const struct series *s = list->series; s < list->series + list->count; s++) {
-    const char *const name[] = { s->file, s->name, s->y };
-    fputs("<testcase classname=\"", out);
-    put_escaped(out, s->file, &in_xml, SHOWS_ASCII);
-    fputs("\" name=\"", out);
-    for (int i = 0; i < 3; i++) {
-      fputs(i > 0 && *name[i] ? ": " : "", out);
-      put_escaped(out, name[i], &in_xml, SHOWS_ASCII);
-    }
-    fputs("\">", out);
-    if (s->outcome == WELL)
-      fputs("<system-out>", out);
-    else
-      fprintf(out, "<%s type=\"%s\" message=\"", s->outcome == UNREAD ? "error" : "failure", s->verdict);
-    put_escaped(out, s->reason, &in_xml, SHOWS_ASCII);
-    fputs(s->outcome == WELL ? "</system-out></testcase>\n" : "\"/></testcase>\n", out);
-  }
+  fprintf(out, "<testsuite name=\"scallop order\" %s skipped=\"%d\">\n", counts, required ? 0 : of[NOT_MEASURED]);
+  for (const struct series *s = list->series; s < list->series + list->count; s++)
+    write_case(out, s, required);
   fputs("</testsuite>\n</testsuites>\n", out);
 }
 
-enum exit_code report_write(const struct series_list *list, const struct style *style, int format)
+enum exit_code report_write(const struct series_list *list, const struct orders_wanted *orders,
+                            const struct style *style, int format)
 {
   struct file file;
   if (format != REPORT_JUNIT)
-    return write_table(list, style);
+    return write_table(list, orders->count > 0, style);
   int error = file_open(&file, style->output);
   if (error == 0) {
-    write_junit(file.stream, list);
+    write_junit(file.stream, list, orders->required);
     error = file_close(&file, true);
   }
   if (error != 0)
@@ -146,10 +165,11 @@ enum exit_code report_write(const struct series_list *list, const struct style *
   return error == 0 ? EXIT_DONE : EXIT_FILE;
 }
 
-enum exit_code report_exit(const struct series_list *list, bool to_file)
+enum exit_code report_exit(const struct series_list *list, const struct orders_wanted *orders, bool to_file)
 {
   for (const struct series *s = list->series; to_file && s < list->series + list->count; s++)
-    if (s->outcome == FAILED)
+    if (s->outcome != UNREAD)
       complain("order", "%s: %s%s%s: %s: %s", s->file, s->name, *s->name ? ": " : "", s->y, s->verdict, s->reason);
-  return list->outcomes[FAILED] == 0 ? EXIT_DONE : list->expects ? EXIT_CHECK_FAILED : EXIT_UNSOLVED;
+  bool fails = list->outcomes[FAILED] > 0 || (orders->required && list->outcomes[NOT_MEASURED] > 0);
+  return fails ? EXIT_CHECK_FAILED : EXIT_DONE;
 }

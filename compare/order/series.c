@@ -1,5 +1,6 @@
 /* Tables of h and err as files hold them: which columns are which, and the rows with the same texts left of h. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -18,14 +19,16 @@ struct reader {
   int first;                   /* series of this file                         */
   long rows;                   /* of this file                                */
   int columns;                 /* of a row; 0: the first one is still to come */
+  double power;                /* h = x^power                                 */
   int x, noise, ys, y[MOST_Y]; /* places, -1: there is none; how many y       */
   bool values[MOST_Y];
   char name[MOST_Y][COLUMN_NAME]; /* of y; without a header its number          */
 };
 
-/* A number as in C; unlike an option's it may be nan or inf. */
-static bool read_cell(const char *text, double *value)
+/* Reads a number as in C; unlike an option's it may be nan or inf. */
+static bool read_cell(struct tsv *t, int place, double *value)
 {
+  const char *text = tsv_number(t, place);
   char *end;
   *value = strtod(text, &end);
   return end != text && *end == '\0';
@@ -65,15 +68,33 @@ static const char *add_y(struct reader *r, int place, bool values)
   return NULL;
 }
 
+static const char *add_item(struct reader *r, const char *option, const char *name)
+{
+  int place;
+  const char *wrong = find(&place, &r->t, option, name);
+  if (wrong)
+    return wrong;
+  return place == r->x ? tsv_at(&r->t, "%sthis column is x", option) : add_y(r, place, strcmp(name, "value") == 0);
+}
+
 static const char *add_list(struct reader *r, const char *list)
 {
   const char *wrong = NULL;
   char name[COLUMN_NAME];
-  int place;
-  while (!wrong && next_item(name, sizeof name, &list)) {
-    wrong = find(&place, &r->t, "--y: ", name);
-    if (!wrong)
-      wrong = place == r->x ? tsv_at(&r->t, "--y: this column is x") : add_y(r, place, strcmp(name, "value") == 0);
+  while (!wrong && next_item(name, sizeof name, &list))
+    wrong = add_item(r, "--y: ", name);
+  return wrong;
+}
+
+/* The columns for which an order is expected by name */
+static const char *add_expected(struct reader *r)
+{
+  const struct orders_wanted *o = r->wanted->orders;
+  const char *wrong = NULL;
+  for (int i = 0; i < o->count && o->of[i].name && !wrong; i++) {
+    char name[COLUMN_NAME];
+    snprintf(name, sizeof name, "%.*s", o->of[i].length, o->of[i].name);
+    wrong = add_item(r, o->at_least ? "--at-least: " : "--expect: ", name);
   }
   return wrong;
 }
@@ -87,14 +108,9 @@ static const char *add_others(struct reader *r)
   const char *wrong = NULL;
   double number;
   for (int i = r->x + 1; i < t->count && !wrong; i++)
-    if (read_cell(t->cell[i], &number) && (i >= t->columns || word_place(t->column[i], orders) < 0))
+    if (read_cell(t, i, &number) && (i >= t->columns || word_place(t->column[i], orders) < 0))
       wrong = add_y(r, i, false);
-  if (wrong || r->ys > 0)
-    return wrong;
-  return tsv_at(t, "%s",
-                t->count == 1 && strchr(t->cell[0], ';')
-                    ? "';' separates no columns: blanks, tabs and commas do"
-                    : "right of h there is no column of numbers: name it with --y");
+  return wrong || r->ys > 0 ? wrong : tsv_at(t, "right of h there is no column of numbers: name it with --y");
 }
 
 /* err, error or value; there may be one of them. */
@@ -112,20 +128,47 @@ static const char *add_named(struct reader *r)
   return named >= 0 && named != r->x ? add_y(r, named, r->t.column[named][0] == 'v') : add_others(r);
 }
 
-/* The columns, from the header of the table or, where it has none, from the number of columns; the current row is the
+/* The column of h: the one that is wanted, h, or the first one, but for the index without a name that pandas writes */
+static const char *find_x(struct reader *r)
+{
+  struct tsv *t = &r->t;
+  const char *wanted = r->wanted->x, *wrong;
+  r->power = r->wanted->power;
+  if (wanted && strncmp(wanted, "1/", 2) == 0 && word_place(wanted, t->column) < 0) {
+    wanted += 2;
+    r->power = -1;
+  }
+  wrong = wanted ? find(&r->x, t, "--x: ", wanted) : find(&r->x, t, "", "h");
+  if (r->x < 0)
+    r->x = t->columns > 1 && *t->column[0] == '\0';
+  if (!wrong && r->x >= t->count)
+    wrong = tsv_at(t, "this row has no column %d", r->x + 1);
+  if (!wrong)
+    snprintf(r->list->x, COLUMN_NAME, "%s", r->power != 0 ? "" : t->columns > 0 ? t->column[r->x] : "1");
+  return wrong;
+}
+
+/* All columns, from the header of the table or, where it has none, from the number of columns; the current row is the
  * first one with data. */
 static const char *find_columns(struct reader *r)
 {
   const struct columns_wanted *wanted = r->wanted;
+  const struct orders_wanted *o = wanted->orders;
   struct tsv *t = &r->t;
-  const char *wrong = wanted->x ? find(&r->x, t, "--x: ", wanted->x) : find(&r->x, t, "", "h");
-  if (r->x < 0) /* the first one, but for the index without a name that pandas writes */
-    r->x = t->columns > 1 && *t->column[0] == '\0';
+  const char *wrong = find_x(r);
   wrong = wrong ? wrong : find(&r->noise, t, "", "noise");
   for (int i = 0; i < wanted->ys && !wrong; i++)
     wrong = add_list(r, wanted->y[i]);
   if (wanted->ys == 0 && !wrong)
+    wrong = add_expected(r);
+  if (r->ys == 0 && !wrong)
     wrong = add_named(r);
+  const int ys = r->ys;
+  wrong = wrong ? wrong : add_expected(r);
+  if (!wrong && r->ys > ys)
+    wrong = tsv_at(t, "an order is expected of a column that --y does not name");
+  if (!wrong && o->count > 1 && !o->of[0].name && o->count != r->ys)
+    wrong = tsv_at(t, "%d orders are expected, and the columns of errors are %d: choose with --y", o->count, r->ys);
   r->noise = r->ys == 1 ? r->noise : -1;
   return wrong;
 }
@@ -150,7 +193,7 @@ static struct series *series_named(struct reader *r, const char *name, int i)
     return NULL;
   list->series = all;
   struct series *s = &all[list->count++];
-  *s = (struct series){ .file = r->t.name, .wanted.values = r->values[i] };
+  *s = (struct series){ .file = r->t.name, .place = i, .wanted.values = r->values[i] };
   snprintf(s->name, sizeof s->name, "%s", name);
   snprintf(s->y, sizeof s->y, "%s", r->name[i]);
   return s;
@@ -167,28 +210,28 @@ static bool append(struct series *s, struct scallop_order_point point)
 }
 
 /* The cells left of x that are no numbers, joined */
-static void read_name(char name[SERIES_NAME], const struct reader *r)
+static void read_name(char name[SERIES_NAME], struct reader *r)
 {
   size_t used = 0;
   double number;
   *name = '\0';
   for (int i = 0; i < r->x && used < SERIES_NAME; i++)
-    if (!read_cell(r->t.cell[i], &number))
+    if (!read_cell(&r->t, i, &number))
       used += (size_t)snprintf(name + used, SERIES_NAME - used, "%s%s", used ? "; " : "", r->t.cell[i]);
 }
 
 static const char *read_at(struct reader *r, int place, double *number)
 {
-  if (place < 0 || read_cell(r->t.cell[place], number))
+  if (place < 0 || read_cell(&r->t, place, number))
     return NULL;
-  const char *text = r->t.cell[place], *hint = strpbrk(text, "dD") ? ": an exponent begins with e" : "";
-  return tsv_at(&r->t, "column %d: '%.60s' is not a number%s", place + 1, text, hint);
+  return tsv_at(&r->t, "column %d: '%.60s' is not a number", place + 1, r->t.cell[place]);
 }
 
-/* Of one y: point goes into its series. */
+/* Of one y: point goes into its series, unless there is no value. */
 static const char *add_point(struct reader *r, const char *name, int i, struct scallop_order_point point)
 {
-  const char *wrong = read_at(r, r->y[i], &point.err);
+  const bool is_missing = tsv_is_missing(r->t.cell[r->y[i]]);
+  const char *wrong = is_missing ? NULL : read_at(r, r->y[i], &point.err);
   if (wrong)
     return wrong;
   if (r->list->rows++ == MOST_ROWS)
@@ -196,7 +239,9 @@ static const char *add_point(struct reader *r, const char *name, int i, struct s
   struct series *s = series_named(r, name, i);
   if (!s && r->list->count == MOST_SERIES)
     return tsv_at(&r->t, "more than 4096 series: rows with the same text left of h are one");
-  return s && append(s, point) ? NULL : tsv_at(&r->t, out_of_memory);
+  if (s && is_missing)
+    s->missing++;
+  return s && (is_missing || append(s, point)) ? NULL : tsv_at(&r->t, out_of_memory);
 }
 
 static const char *read_row(struct reader *r)
@@ -204,31 +249,46 @@ static const char *read_row(struct reader *r)
   struct scallop_order_point point = { .row = ++r->rows };
   char name[SERIES_NAME];
   const char *wrong = read_at(r, r->x, &point.h);
+  if (r->power != 0)
+    point.h = pow(point.h, r->power);
   read_name(name, r);
   wrong = wrong ? wrong : read_at(r, r->noise, &point.noise);
   for (int i = 0; i < r->ys && !wrong; i++)
     wrong = add_point(r, name, i, point);
-  return wrong;
+  return wrong || !r->t.fault ? wrong : tsv_at(&r->t, "%s", r->t.fault);
 }
 
-/* The first row that is not the header settles which columns are read. */
+/* The first row settles which columns are read. */
 static const char *take_row(struct reader *r)
 {
   struct tsv *t = &r->t;
   bool is_first = r->columns == 0;
-  double number;
+  char format[80];
   if (t->fault || t->count == 0)
-    return tsv_at(t, "%s", t->fault ? t->fault : "this line has commas and no cells");
-  if (is_first && t->columns == 0 && !read_cell(t->cell[0], &number))
-    return tsv_take_header(t) ? NULL : tsv_at(t, out_of_memory);
+    return tsv_at(t, "%s", t->fault ? t->fault : "this line has no cells");
   if (is_first)
     r->columns = t->columns > 0 ? t->columns : t->count;
   if (t->count != r->columns)
-    return tsv_at(t,
-                  "%d columns, and %d above: blanks, tabs and commas separate columns, so numbers have decimal points",
-                  t->count, r->columns);
+    return tsv_at(t, "%d column%s, and %d above (%s)", t->count, t->count == 1 ? "" : "s", r->columns,
+                  tsv_taken_for(t, format));
   const char *wrong = is_first ? find_columns(r) : NULL;
   return wrong ? wrong : read_row(r);
+}
+
+/* Says what the table was taken for. */
+static void tell(struct reader *r)
+{
+  const struct tsv *t = &r->t;
+  char format[80], errors[200], x[COLUMN_NAME + 60];
+  int used = 0, size = sizeof errors;
+  for (int i = 0; i < r->ys && used < size; i++)
+    used += snprintf(errors + used, (size_t)(size - used), "%s%s", i > 0 ? ", " : "", r->name[i]);
+  used = snprintf(x, sizeof x, "column %d%s%.99s%s", r->x + 1, t->columns > 0 ? " (" : "",
+                  t->columns > 0 ? t->column[r->x] : "", t->columns > 0 ? ")" : "");
+  if (r->power != 0)
+    snprintf(x + used, sizeof x - (size_t)used, " to the power %.3g", r->power);
+  complain("order", "note: %s: %s; h is %s, %s: %s; rows: %ld", t->name, tsv_taken_for(t, format), x,
+           r->wanted->values ? "values" : "errors", errors, r->rows);
 }
 
 /* Texts that are different in each row name no series: all rows of a column are one. False: out of memory */
@@ -282,29 +342,68 @@ enum exit_code series_read(struct series_list *list, const char *file, const str
   if (code != EXIT_DONE) {
     complain("order", "%s", wrong);
     add_unread(&r, wrong);
-  }
+  } else if (!columns->quiet)
+    tell(&r);
   tsv_close(&r.t);
   return code;
 }
 
-void series_judge(struct series_list *list, const struct scallop_order_wanted *wanted)
+/* The order that is expected of a series; nan: none is */
+static double order_of(const struct orders_wanted *o, const struct series *s)
 {
-  list->expects = !isnan(wanted->order);
+  for (int i = 0; i < o->count && o->of[i].name; i++)
+    if (strncmp(o->of[i].name, s->y, (size_t)o->of[i].length) == 0 && s->y[o->of[i].length] == '\0')
+      return o->of[i].order;
+  return o->count == 0 || o->of[0].name ? NAN : o->of[o->count > 1 ? s->place : 0].order;
+}
+
+__attribute__((format(printf, 2, 3))) static void add_reason(struct series *s, const char *format, ...)
+{
+  char *const reason = s->result.reason;
+  size_t used = strlen(reason);
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(reason + used, sizeof s->result.reason - used, format, arguments);
+  va_end(arguments);
+}
+
+/* Errors that grow with whole numbers are errors that fall with their inverse. */
+static bool looks_like_cells(const struct series *s)
+{
+  bool whole = s->result.order < -0.25;
+  for (int i = 0; i < s->count && whole; i++)
+    whole = s->points[i].h >= 2 && s->points[i].h == floor(s->points[i].h);
+  return whole;
+}
+
+static void judge(struct series *s, const char *x)
+{
+  const bool expects = !isnan(s->wanted.order);
+  scallop_order(s->points, &s->count, &s->wanted, &s->result);
+  const enum scallop_order_verdict verdict = s->result.verdict;
+  s->outcome = expects                             ? verdict == SCALLOP_ORDER_PASS ? PASSED : FAILED
+               : verdict == SCALLOP_ORDER_MEASURED ? MEASURED
+                                                   : NOT_MEASURED;
+  if (s->missing > 0)
+    add_reason(s, "; rows without a value: %d", s->missing);
+  if (*x && looks_like_cells(s))
+    add_reason(s, "; h looks like a number of cells: --x 1/%s, or --per", x);
+}
+
+void series_judge(struct series_list *list, const struct orders_wanted *orders)
+{
   for (struct series *s = list->series; s < list->series + list->count; s++) {
-    bool values = s->wanted.values;
-    s->wanted = *wanted;
-    s->wanted.values = values;
-    if (s->outcome != UNREAD) {
-      scallop_order(s->points, &s->count, &s->wanted, &s->result);
-      s->outcome = s->result.verdict == (list->expects ? SCALLOP_ORDER_PASS : SCALLOP_ORDER_MEASURED) ? WELL : FAILED;
-    }
+    s->wanted = (struct scallop_order_wanted){ order_of(orders, s), orders->tolerance, orders->at_least,
+                                               s->wanted.values };
+    if (s->outcome != UNREAD)
+      judge(s, list->x);
     s->names[0] = s->name;
     s->names[1] = s->y;
     s->interval = scallop_order_interval_text(s->result.interval);
-    s->test = !list->expects ? "none" : wanted->at_least ? "at-least" : "equal";
+    s->test = isnan(s->wanted.order) ? "none" : orders->at_least ? "at-least" : "equal";
     s->verdict = s->outcome == UNREAD ? "error" : scallop_order_verdict_text(s->result.verdict);
     s->reason = s->result.reason;
     list->outcomes[s->outcome]++;
-    list->values |= values;
+    list->values |= s->wanted.values;
   }
 }

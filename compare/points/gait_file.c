@@ -1,9 +1,9 @@
 #include "compare/points/gait_file.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "compare/text/memory.h"
 #include "compare/text/message.h"
@@ -22,52 +22,41 @@ struct rows {
   int count, left_out;
 };
 
-/* "Time [s]" is t: the word before a unit in brackets, without regard to capitals */
-static bool is_called(const char *cell, const char *const *names)
-{
-  char word[24];
-  size_t length = 0;
-  while (isspace((unsigned char)*cell) || *cell == '"')
-    cell++;
-  while (length + 1 < sizeof word && (isalnum((unsigned char)cell[length]) || cell[length] == '_')) {
-    word[length] = (char)tolower((unsigned char)cell[length]);
-    length++;
-  }
-  word[length] = '\0';
-  return word_place(word, names) >= 0;
-}
-
 static int column_called(const struct tsv *tsv, const char *const *names)
 {
-  for (int i = 0, column = 0; i < tsv->count; i++) {
-    if (is_called(tsv->cell[i], names))
-      return column;
-    column += *tsv->cell[i] != '[' && *tsv->cell[i] != '('; /* a unit that stands alone between blanks */
-  }
+  for (int i = 0; i < tsv->columns; i++)
+    for (int k = 0; names[k]; k++)
+      if (strcasecmp(tsv->column[i], names[k]) == 0)
+        return i;
   return -1;
 }
 
-/* False: this row is no header. */
-static bool take_header(struct columns *c, const struct tsv *tsv)
+/* NULL, or what is wrong with the names; without names there are two columns, t and l. */
+static const char *find_columns(struct columns *c, struct tsv *tsv)
 {
   static const char *const times[] = { "t", "time", NULL },
                            *const lengths[] = { "l", "length", "distance", "separation", NULL },
                            *const first[] = { "x1", "x_1", NULL }, *const second[] = { "x2", "x_2", NULL };
-  const struct columns found = { column_called(tsv, times), { column_called(tsv, lengths), -1 } };
+  const int t = column_called(tsv, times), l = column_called(tsv, lengths);
   const int bodies[2] = { column_called(tsv, first), column_called(tsv, second) };
-  if (found.t < 0 || (found.l[0] < 0 && (bodies[0] < 0 || bodies[1] < 0)))
-    return false;
-  *c = found.l[0] >= 0 ? found : (struct columns){ found.t, { bodies[0], bodies[1] } };
-  return true;
+  const bool has_bodies = bodies[0] >= 0 && bodies[1] >= 0;
+  if (tsv->columns == 0 && (tsv->count == 2 || tsv->fault))
+    return NULL;
+  if (tsv->columns == 0)
+    return tsv_at(tsv, "%d column%s without a header that names t and l, or t, x1 and x2: two are wanted, t and l",
+                  tsv->count, tsv->count == 1 ? "" : "s");
+  if (t < 0 || (l < 0 && !has_bodies))
+    return tsv_at_line(tsv, 0, "no columns are named t and l, or t, x1 and x2");
+  *c = l >= 0 ? (struct columns){ t, { l, -1 } } : (struct columns){ t, { bodies[0], bodies[1] } };
+  return NULL;
 }
 
 /* 1: a number, 0: none is there, -1: something else is. */
-static int cell_number(const struct tsv *tsv, int column, double *x)
+static int cell_number(struct tsv *tsv, int column, double *x)
 {
-  static const char *const none[] = { "", "nan", "na", "null", "-", NULL };
-  if (column >= tsv->count)
+  if (column >= tsv->count || tsv_is_missing(tsv->cell[column]) || strcasecmp(tsv->cell[column], "nan") == 0)
     return 0;
-  return read_number(tsv->cell[column], x) ? 1 : is_called(tsv->cell[column], none) ? 0 : -1;
+  return read_number(tsv_number(tsv, column), x) ? 1 : -1;
 }
 
 static const char *read_row(struct rows *r, struct tsv *tsv, const struct columns *c)
@@ -84,6 +73,8 @@ static const char *read_row(struct rows *r, struct tsv *tsv, const struct column
                     tsv->cell[columns[i]]);
     there = there && kind;
   }
+  if (tsv->fault)
+    return tsv_at(tsv, "%s", tsv->fault);
   if (!there) {
     r->left_out++;
     return NULL;
@@ -103,24 +94,21 @@ static const char *read_row(struct rows *r, struct tsv *tsv, const struct column
 
 static const char *read_rows(struct rows *r, struct tsv *tsv, struct columns *c)
 {
-  const char *wrong = NULL;
-  for (bool first = true; !wrong && tsv_next(tsv); first = false)
-    if (first && take_header(c, tsv))
-      continue;
-    else if (first && tsv->count != 2 && !tsv->fault)
-      wrong = tsv_at(tsv, "%d column%s without a header that names t and l, or t, x1 and x2: two are wanted, t and l",
-                     tsv->count, tsv->count == 1 ? "" : "s");
-    else
-      wrong = read_row(r, tsv, c);
+  const char *wrong = find_columns(c, tsv);
+  while (!wrong && tsv_next(tsv))
+    wrong = read_row(r, tsv, c);
   return wrong ? wrong : tsv_error(tsv);
 }
 
-static void tell_columns(struct gait_file *g, const struct rows *r, const struct columns *c)
+static void tell_columns(struct gait_file *g, const struct rows *r, const struct tsv *tsv, const struct columns *c)
 {
   size_t size = sizeof g->columns;
-  int used = c->l[1] < 0 ? snprintf(g->columns, size, "t is column %d, l column %d", c->t + 1, c->l[0] + 1)
-                         : snprintf(g->columns, size, "t is column %d, l = x2 - x1 columns %d and %d", c->t + 1,
-                                    c->l[1] + 1, c->l[0] + 1);
+  char format[80], l[60];
+  if (c->l[1] < 0)
+    snprintf(l, sizeof l, "l column %d", c->l[0] + 1);
+  else
+    snprintf(l, sizeof l, "l = x2 - x1 columns %d and %d", c->l[1] + 1, c->l[0] + 1);
+  int used = snprintf(g->columns, size, "%s: t is column %d, %s", tsv_taken_for(tsv, format), c->t + 1, l);
   if (r->left_out > 0)
     snprintf(g->columns + used, size - (size_t)used, "; rows without a number, left out: %d", r->left_out);
 }
@@ -132,10 +120,9 @@ static const char *read_table(struct gait_file *g, struct tsv *tsv, bool open, c
   struct rows rows = { .count = 0 };
   struct columns columns = { 0, { 1, -1 } };
   *g = (struct gait_file){ .measured = NULL };
-  tsv->style = TSV_ANY;
   const char *wrong = open ? read_rows(&rows, tsv, &columns) : tsv_error(tsv), *why = NULL;
   if (!wrong) {
-    tell_columns(g, &rows, &columns);
+    tell_columns(g, &rows, tsv, &columns);
     g->measured = scallop_measured_new(rows.t, rows.l, rows.count, o, text, &why);
     wrong = g->measured ? NULL : tsv_at_line(tsv, 0, "%s", why);
   }

@@ -60,8 +60,6 @@ static const char *read_columns(struct point_file *r, const char *noted_by, cons
   int others = 0, not_carried = 0;
   if (r->tsv.fault)
     return tsv_at(&r->tsv, "%s", r->tsv.fault);
-  if (!tsv_take_header(&r->tsv))
-    return "out of memory";
   for (int i = 0; i < r->tsv.columns; i++) {
     const char *name = r->tsv.column[i], *wrong = read_column(r, i, name, extra);
     if (wrong)
@@ -74,7 +72,7 @@ static const char *read_columns(struct point_file *r, const char *noted_by, cons
       unused[not_carried++] = *name ? name : "''";
   }
   if (others == r->tsv.columns)
-    return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait, separated by tabs");
+    return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait");
   if (not_carried > 0 && noted_by)
     complain(noted_by, "note: %s",
              tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s",
@@ -95,11 +93,12 @@ static const char *set_cell(const struct point_file *r, struct point *point, con
 /* Reads the current row into point. False: status says what is wrong with it. */
 static bool read_row(struct point_file *r, struct point *point, char *status)
 {
-  const struct tsv *t = &r->tsv;
+  struct tsv *t = &r->tsv;
   const char *wrong = t->fault, *in = "";
   for (int i = 0; i < t->count && !wrong; i++)
-    if ((wrong = set_cell(r, point, r->parameter[i], t->cell[i])))
+    if ((wrong = set_cell(r, point, r->parameter[i], r->parameter[i] ? tsv_number(t, i) : t->cell[i])))
       in = r->parameter[i]->name;
+  wrong = wrong ? wrong : t->fault;
   if (wrong)
     snprintf(status, POINT_STATUS, "line %ld: %s%s%s", t->number, in, *in ? ": " : "", wrong);
   else if (t->count != t->columns)
@@ -121,11 +120,10 @@ enum exit_code point_file_open(struct point_file *r, const char *name, const cha
                                const char *const *extra, const char *const *columns)
 {
   const char *wrong = NULL;
-  bool found = tsv_open(&r->tsv, name, TSV_TABS) && tsv_next(&r->tsv);
-  if (found)
+  if (tsv_open(&r->tsv, name, TSV_POINTS) && (r->tsv.columns > 0 || r->tsv.fault))
     wrong = read_columns(r, quiet ? NULL : command, extra, columns);
   else if (!(wrong = tsv_error(&r->tsv)))
-    wrong = tsv_at_line(&r->tsv, 0, "no header line: a TSV file with the names of its columns is wanted");
+    wrong = tsv_at_line(&r->tsv, 0, "no header line: a table with the names of its columns is wanted");
   if (wrong)
     complain(command, "%s", wrong);
   else

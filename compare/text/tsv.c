@@ -1,41 +1,17 @@
 #include "compare/text/tsv.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "compare/text/file.h"
+#include "compare/text/json.h"
 #include "compare/text/message.h"
 
-static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
-{
-  *tsv = (struct tsv){ .name = name, .style = style, .file = file, .error = file ? 0 : errno };
-  tsv->buffer = file ? malloc(LONGEST_LINE + 1) : NULL;
-  if (file && !tsv->buffer)
-    tsv->error = ENOMEM;
-  return tsv->buffer != NULL;
-}
-
-bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
-{
-  return begin(tsv, strcmp(file, "-") == 0 ? "standard input" : file, style, file_read(file));
-}
-
-bool tsv_open_text(struct tsv *tsv, const char *name, const char *text)
-{
-  const char *some = *text ? text : "\n"; /* a stream of nothing need not open */
-  return begin(tsv, name, TSV_TABS, fmemopen((void *)some, strlen(some), "r"));
-}
-
-void tsv_close(struct tsv *tsv)
-{
-  if (tsv->file && tsv->file != stdin)
-    fclose(tsv->file);
-  free(tsv->buffer);
-  free(tsv->header);
-  tsv->buffer = tsv->header = NULL;
-}
+static const char too_many[] = "this line has more than 256 columns";
 
 /* Reads a line into the buffer, without its end: LF, CR, or CRLF, whose LF ends another line, which is empty and does
  * not count, as a terminal may send CR alone and then wait. False: there is none. */
@@ -66,46 +42,282 @@ static char *trimmed(char *text, const char *around)
   return text;
 }
 
-/* Splits at each of the separators, or at runs of them. */
-static void split(struct tsv *tsv, char *rest, const char *separators, bool runs)
+/* Is each comma of a line between two digits, in a line of several words? Then it is a decimal comma. */
+static bool has_decimal_commas(const char *line)
 {
-  while (rest) {
-    char *cell = rest;
-    rest += strcspn(rest, separators);
-    rest = *rest ? rest : NULL;
-    if (rest)
-      *rest++ = '\0';
-    if (runs && *(cell = trimmed(cell, " ")) == '\0' && (*separators != ',' || !rest))
+  for (const char *c = line; (c = strchr(c, ',')); c++)
+    if (c == line || !isdigit((unsigned char)c[-1]) || !isdigit((unsigned char)c[1]))
+      return false;
+  return strpbrk(line, " \t") != NULL;
+}
+
+static char separator_of(const char *line)
+{
+  if (strchr(line, '\t'))
+    return '\t';
+  if (*line == '{')
+    return '{';
+  const char *found = *line == '|' || strstr(line, " | ") ? strchr(line, '|') : strchr(line, ';');
+  found = found || has_decimal_commas(line) ? found : strchr(line, ',');
+  return found ? *found : ' ';
+}
+
+/* Of a cell that begins with a quote: its end is put behind the text in it, in which two quotes are one. Where the cell
+ * goes on. */
+static char *unquote(char *cell)
+{
+  char *from = cell + 1, *to = cell;
+  for (; *from && (*from != '"' || from[1] == '"'); from++)
+    from += (*to++ = *from) == '"';
+  char *rest = *from ? from + 1 : from;
+  *to = '\0';
+  return rest;
+}
+
+/* Takes a cell off the rest of the line, which is NULL behind the last one. */
+static char *take_cell(const struct tsv *tsv, char **rest)
+{
+  const char stop[] = { tsv->separator, tsv->separator == ' ' ? '\t' : '\0', '\0' };
+  const bool as_it_is = tsv->style == TSV_POINTS && tsv->separator == '\t';
+  char *cell = as_it_is ? *rest : *rest + strspn(*rest, " "), *end = cell;
+  bool is_quoted = *cell == '"' && !as_it_is;
+  if (is_quoted)
+    end = unquote(cell);
+  while (*(end += strcspn(end, stop)) == '|' && end > cell && end[-1] == '\\')
+    memmove(end - 1, end, strlen(end) + 1);
+  *rest = *end ? end + 1 : NULL;
+  *end = '\0';
+  return as_it_is || is_quoted ? cell : trimmed(cell, " ");
+}
+
+static void split(struct tsv *tsv, char *line)
+{
+  if (tsv->separator == '|') {
+    line += *line == '|';
+    size_t n = strlen(line);
+    if (n > 0 && line[n - 1] == '|' && (n < 2 || line[n - 2] != '\\'))
+      line[n - 1] = '\0';
+  }
+  for (char *rest = line; rest;) {
+    const char *at = rest;
+    char *cell = take_cell(tsv, &rest);
+    if (*cell == '\0' && *at != '"' && (tsv->runs || (tsv->style == TSV_ANY && !rest && tsv->count >= tsv->columns)))
       continue;
     if (tsv->count == TSV_CELLS) {
-      tsv->fault = "this line has more than 256 columns";
+      tsv->fault = too_many;
       return;
     }
     tsv->cell[tsv->count++] = cell;
   }
 }
 
+/* The members of the first object name the columns; another one may lack some. NULL, or what is wrong. */
+static const char *split_object(struct tsv *tsv, char *line)
+{
+  static char nothing[] = "";
+  struct json_member members[TSV_CELLS];
+  int count;
+  const char *wrong = json_split(line, members, &count, TSV_CELLS);
+  const bool is_first = tsv->columns == 0;
+  for (int i = 0; i < count && !wrong && is_first; i++)
+    tsv->column[tsv->columns++] = members[i].name;
+  for (tsv->count = 0; tsv->count < tsv->columns; tsv->count++)
+    tsv->cell[tsv->count] = nothing;
+  for (int i = 0; i < count && !wrong; i++) {
+    int place = word_place(members[i].name, tsv->column);
+    if (place < 0)
+      return "this object has a member that the first one has not";
+    tsv->cell[place] = members[i].value;
+  }
+  return wrong;
+}
+
+/* The line of dashes below the names in a table in Markdown, or a line that is drawn */
+static bool is_rule(const struct tsv *tsv, const char *line)
+{
+  return tsv->separator == '|' && strchr(line, '-') && line[strspn(line, "|-+:= ")] == '\0';
+}
+
+/* The line, without what surrounds it; NULL: it is no row. */
+static char *row_of(struct tsv *tsv)
+{
+  char *line = tsv->buffer;
+  if (tsv->number == 1 && strncmp(line, "\xef\xbb\xbf", 3) == 0) /* a mark that some programs write before UTF-8 */
+    line += 3;
+  tsv->fault = strlen(tsv->buffer) < tsv->length ? "this is not a text file"
+               : tsv->length == LONGEST_LINE     ? "this line is too long: more than a million characters"
+                                                 : NULL;
+  if (!tsv->fault && (tsv->style == TSV_ANY || (tsv->separator && tsv->separator != '\t')))
+    line = trimmed(line, tsv->separator == '\t' ? " " : " \t");
+  if ((*line == '#' || *line == '%') && tsv->columns == 0) {
+    free(tsv->comment);
+    tsv->comment = strdup(trimmed(line, "#% \t"));
+  }
+  return *line == '#' || *line == '%' || (*line == '\0' && !tsv->fault) || is_rule(tsv, line) ? NULL : line;
+}
+
 bool tsv_next(struct tsv *tsv)
 {
-  const bool words = tsv->style != TSV_TABS;
-  while (read_line(tsv)) {
-    char *text = tsv->buffer;
-    if (tsv->number == 1 && strncmp(text, "\xef\xbb\xbf", 3) == 0) /* a mark that some programs write before UTF-8 */
-      text += 3;
-    tsv->fault = strlen(tsv->buffer) < tsv->length ? "this is not a text file"
-                 : tsv->length == LONGEST_LINE     ? "this line is too long: more than a million characters"
-                                                   : NULL;
-    if (words && !tsv->fault)
-      text = trimmed(text, " \t");
-    if (*text == '#' || (*text == '\0' && !tsv->fault))
-      continue;
-    const bool commas = tsv->style == TSV_ANY && strchr(text, ',');
-    tsv->count = 0;
-    if (!tsv->fault)
-      split(tsv, text, !words || strchr(text, '\t') ? "\t" : commas ? "," : " ", words);
+  char *line = NULL;
+  if (tsv->waits) {
+    tsv->waits = false;
     return true;
   }
-  return false;
+  while (!line && read_line(tsv))
+    line = row_of(tsv);
+  if (!line)
+    return false;
+  tsv->count = 0;
+  if (tsv->commas)
+    memset(tsv->had_comma, 0, sizeof tsv->had_comma);
+  if (!tsv->separator) {
+    tsv->separator = separator_of(line);
+    if (tsv->separator == ' ' && tsv->style == TSV_POINTS && !strchr(line, ' '))
+      tsv->separator = '\t'; /* one column */
+    tsv->runs = tsv->separator == ' ' || (tsv->style == TSV_ANY && tsv->separator == '\t' && strstr(line, "\t\t"));
+  }
+  if (tsv->fault)
+    return true;
+  if (tsv->separator == '{')
+    tsv->fault = split_object(tsv, line);
+  else
+    split(tsv, line);
+  if (tsv->style == TSV_ANY && tsv->columns > 0 && tsv->columns < TSV_CELLS && tsv->count == tsv->columns + 1
+      && !tsv->after_first) { /* the index without a name of R, or of pandas between blanks */
+    memmove(tsv->column + 1, tsv->column, (size_t)++tsv->columns * sizeof *tsv->column);
+    *tsv->column = "";
+  }
+  tsv->after_first |= tsv->columns > 0;
+  return true;
+}
+
+/* Without the quotes around it */
+static char *unwrapped(char *name)
+{
+  const size_t n = strlen(name);
+  bool is_quoted = n > 1 && strchr("'\"", *name) && name[n - 1] == *name;
+  if (is_quoted)
+    name[n - 1] = '\0';
+  return name + is_quoted;
+}
+
+/* Takes the cells of the current row, or of a comment, as names. */
+static void name_columns(struct tsv *tsv)
+{
+  for (tsv->columns = 0; tsv->columns < tsv->count; tsv->columns++)
+    tsv->column[tsv->columns] = unwrapped(trimmed(tsv->cell[tsv->columns], " "));
+  for (int i = 0, n = 0; tsv->separator == ' ' && i < tsv->count; i++) /* a unit between blanks is no name */
+    if (i == 0 || !strchr("[(", *tsv->column[i])) {
+      tsv->column[n++] = tsv->column[i];
+      tsv->columns = n;
+    }
+  tsv->column[tsv->columns] = NULL;
+}
+
+/* "T [s]" and "T (s)" are T, but where there is another T */
+static void leave_out_units(struct tsv *tsv)
+{
+  for (int i = 0; i < tsv->columns; i++) {
+    char *name = (char *)tsv->column[i], *unit = strpbrk(name, "[(");
+    size_t length = unit ? (size_t)(unit - name) : 0;
+    bool is_unit = unit > name && strchr("])", name[strlen(name) - 1]);
+    while (length > 0 && name[length - 1] == ' ')
+      length--;
+    for (int k = 0; k < tsv->columns && is_unit; k++)
+      is_unit = k == i || strncmp(tsv->column[k], name, length) != 0 || !strchr(" [(", tsv->column[k][length]);
+    if (is_unit && length > 0)
+      name[length] = '\0';
+  }
+}
+
+static bool is_number(struct tsv *tsv, int column)
+{
+  const char *text = tsv_number(tsv, column);
+  char *end;
+  strtod(text, &end);
+  return end != text && *end == '\0';
+}
+
+/* Keeps the buffer for the names that lie in it. */
+static bool keep_names(struct tsv *tsv)
+{
+  tsv->header = tsv->buffer;
+  tsv->buffer = malloc(LONGEST_LINE + 1);
+  tsv->error = tsv->buffer ? tsv->error : ENOMEM;
+  return tsv->buffer != NULL;
+}
+
+/* The first row is given as one of data, the comment above it being its names where it has as many words. */
+static void name_by_comment(struct tsv *tsv)
+{
+  struct tsv of_comment = { .style = TSV_ANY, .separator = ' ', .runs = true };
+  if (!tsv->comment)
+    return;
+  of_comment.separator = strchr(tsv->comment, tsv->separator) ? tsv->separator : separator_of(tsv->comment);
+  of_comment.runs = of_comment.separator == ' ';
+  split(&of_comment, tsv->comment);
+  name_columns(&of_comment);
+  for (int i = 0; i < of_comment.columns; i++)
+    if (!isalpha((unsigned char)*of_comment.column[i]) || strpbrk(of_comment.column[i], "=:"))
+      return;
+  if (of_comment.columns != tsv->count || tsv->count < 2)
+    return;
+  tsv->columns = of_comment.columns;
+  memcpy(tsv->column, of_comment.column, sizeof tsv->column);
+}
+
+/* Is the current row one of names? Its first cell is no number (of points: one of them is not); an empty one does not
+ * tell, as pandas gives the index no name. */
+static bool is_of_names(struct tsv *tsv)
+{
+  int i = 0;
+  while (i + 1 < tsv->count && (*tsv->cell[i] == '\0' || (tsv->style == TSV_POINTS && is_number(tsv, i))))
+    i++;
+  return i < tsv->count && !is_number(tsv, i);
+}
+
+static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
+{
+  *tsv = (struct tsv){ .name = name, .style = style, .file = file, .error = file ? 0 : errno };
+  tsv->buffer = file ? malloc(LONGEST_LINE + 1) : NULL;
+  if (file && !tsv->buffer)
+    tsv->error = ENOMEM;
+  if (!tsv->buffer || !tsv_next(tsv) || tsv->fault) {
+    tsv->waits = tsv->fault != NULL;
+    return tsv->error == 0;
+  }
+  bool names_itself = tsv->columns > 0, has_names = !names_itself && is_of_names(tsv);
+  if (has_names)
+    name_columns(tsv);
+  else if (!names_itself)
+    name_by_comment(tsv);
+  if (!names_itself)
+    leave_out_units(tsv);
+  if ((has_names || names_itself) && !keep_names(tsv))
+    return false;
+  tsv->waits = !has_names || (style == TSV_ANY && tsv_next(tsv));
+  return tsv->error == 0;
+}
+
+bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
+{
+  return begin(tsv, strcmp(file, "-") == 0 ? "standard input" : file, style, file_read(file));
+}
+
+bool tsv_open_text(struct tsv *tsv, const char *name, const char *text)
+{
+  const char *some = *text ? text : "\n"; /* a stream of nothing need not open */
+  return begin(tsv, name, TSV_ANY, fmemopen((void *)some, strlen(some), "r"));
+}
+
+void tsv_close(struct tsv *tsv)
+{
+  if (tsv->file && tsv->file != stdin)
+    fclose(tsv->file);
+  free(tsv->buffer);
+  free(tsv->header);
+  free(tsv->comment);
+  tsv->buffer = tsv->header = tsv->comment = NULL;
 }
 
 const char *tsv_error(struct tsv *tsv)
@@ -116,16 +328,48 @@ const char *tsv_error(struct tsv *tsv)
                     tsv->error == EFBIG ? "a line has more than a million characters" : strerror(tsv->error));
 }
 
-bool tsv_take_header(struct tsv *tsv)
+const char *tsv_number(struct tsv *tsv, int column)
 {
-  char *another = malloc(LONGEST_LINE + 1);
-  if (!another)
-    return false;
-  tsv->header = tsv->buffer;
-  tsv->buffer = another;
-  for (tsv->columns = 0; tsv->columns < tsv->count; tsv->columns++)
-    tsv->column[tsv->columns] = trimmed(tsv->cell[tsv->columns], " '\"");
-  return true;
+  char *cell = tsv->cell[column], *at = cell + strspn(cell, "+-"), *mark = at + strspn(at, "0123456789");
+  const bool has_comma = *mark == ',' && tsv->separator != ',', has_point = *mark == '.';
+  char *exponent = mark + (has_comma || has_point);
+  exponent += strspn(exponent, "0123456789");
+  bool has_exponent = *exponent && strchr("dDeE", *exponent);
+  const char *end = exponent + has_exponent;
+  end += has_exponent && strchr("+-", *end);
+  if (*at == '\0' || end[has_exponent ? strspn(end, "0123456789") : 0] != '\0' || at > cell + 1)
+    return cell;
+  if (has_comma) {
+    *mark = '.';
+    tsv->had_comma[column] = true;
+  }
+  if (has_exponent)
+    *exponent = 'e';
+  tsv->commas |= has_comma;
+  tsv->points |= has_point && !tsv->had_comma[column];
+  if (tsv->commas && tsv->points)
+    tsv->fault = "this table has decimal commas and decimal points";
+  return cell;
+}
+
+bool tsv_is_missing(const char *cell)
+{
+  static const char *const none[] = { "-", "na", "n/a", "null", NULL };
+  int i = 0;
+  while (*cell && none[i] && strcasecmp(cell, none[i]) != 0)
+    i++;
+  return none[i] != NULL;
+}
+
+const char *tsv_taken_for(const struct tsv *tsv, char text[80])
+{
+  static const char separators[] = "\t,; |{", *const names[] = { "tabs", "commas", "semicolons", "blanks", "|" };
+  const char *at = strchr(separators, tsv->separator);
+  if (tsv->separator == '{')
+    snprintf(text, 80, "JSON");
+  else
+    snprintf(text, 80, "columns between %s%s", names[at - separators], tsv->commas ? ", decimal commas" : "");
+  return text;
 }
 
 const char *tsv_at_line(struct tsv *tsv, long line, const char *format, ...)

@@ -17,6 +17,7 @@ program=$(LC_ALL=C awk "$PLOT_request
   $PLOT_panels
   $PLOT_curves
   $PLOT_dots
+  $PLOT_order
   $PLOT_reach
   $PLOT_workprec
   $PLOT_map

@@ -25,15 +25,19 @@ function style_of_curve(hue, dashes) {
 }
 
 # Panels of w x h pixels, so many beside each other. Below the key stand the texts of below[].
-function print_panels(beside, w, h, x_title, y_title,   k, p, longest, has_titles, is_below, key_rows, bottom, deep, margin) {
+function print_panels(beside, w, h, x_title, y_title,   k, p, hidden, longest, has_titles, is_below, key_rows, bottom, deep, margin) {
   deep = int((panels + beside - 1) / beside)
   for (k = 1; k <= curves; k++) {
+    if (curve_called[k] ~ /^\t/) { # not in the key
+      hidden++
+      continue
+    }
     curve_called[k] = curve_called[k] (is_drawn[k] ? "" : " (none)")
     longest = max(longest, characters(curve_called[k]))
   }
   has_titles = panels > 0 && panel_called[1] != ""
   is_below = has_titles || belows > 0 || longest > 26 || curves > 20
-  key_rows = is_below ? rows_of_list(curves, beside * w, 7 * longest + 60) : 0
+  key_rows = is_below ? rows_of_list(curves - hidden, beside * w, 7 * longest + 60) : 0
   bottom = 18 * key_rows + 55 + 22 * belows
   begin_picture(beside * w, deep * h + (is_below ? bottom + 25 : 100), has_titles ? 12 : 14)
   margin = is_log["x"] || most_points > 40 ? 0 : 0.02 * (most["x"] - least["x"])
@@ -60,6 +64,8 @@ function print_panels(beside, w, h, x_title, y_title,   k, p, longest, has_title
 }
 function print_key(is_below, key_rows, titles,   k, sample) {
   for (k = 1; k <= curves; k++) {
+    if (curve_called[k] ~ /^\t/)
+      continue
     sample = style[k]
     sub(/^smooth unique with steps/, "with lines", sample)
     plot("keyentry " sample " title " shown(curve_called[k]))

@@ -75,6 +75,8 @@ END {
     draw_workprec()
   else if (picture == "dots")
     draw_dots()
+  else if (picture == "order")
+    draw_order()
   else if (picture == "curves" || picture == "")
     draw_curves()
   else
@@ -138,7 +140,7 @@ function stretch(what, text) {
 function kind_of_table(part,   kinds, kind, i) {
   kinds = split( \
     "trajectory        : curves   : t     : x1,x2,xC                   :                             :    \n" \
-    "order             : curves   : h     : err                        : file,series,y               : xy|\n" \
+    "order             : order    : h     : err                        : file,series,y               : xy|\n" \
     "derived           : curves   : power : error                      : phase,quantity              : y| \n" \
     "published         : dots     :       : error                      : formula,phase,quantity      :    \n" \
     "bounds            : dots     :       : bound                      : quantity                    :    \n" \

@@ -111,7 +111,7 @@ import json
 *rows, counts = map(json.loads, open("out"))
 if [(r["series"], r["order"], r["points"]) for r in rows] != [("euler; a", 1, 8), ("heun; a", 2, 8), ("exact; b", None, 0)]:
     bad(rows)
-if counts != {"tables": 3, "measured": 3, "failed": 0, "errors": 0}:
+if counts != {"tables": 3, "passed": 0, "failed": 0, "measured": 3, "not_measured": 0, "errors": 0}:
     bad(counts)
 END
 finish "order: one order for each series"
@@ -145,6 +145,29 @@ columns "err before others" 'h x err\n1 5 1\n0.5 5 0.25\n0.25 5 0.0625\n' 'err:2
 columns "--values" 'h u\n1 4\n0.5 3.25\n0.25 3.0625\n0.125 3.015625\n' 'u:2.00' --values
 columns "tabs with commas in texts" 'case\th\terr\na, b\t1\t1\na, b\t0.5\t0.25\na, b\t0.25\t0.0625\n' 'err:2.00'
 
+columns "--expect by name chooses columns" "$commas" 'L2:2.04 H1:1.00' --expect L2=2,H1=1
+columns "--x 1/N" "$commas" 'L2:2.04' --x 1/N --y L2
+columns "--per cells" "$commas" 'H1:1.00' --x N --per cells --y H1
+columns "--per dofs" "$commas" 'H1:2.00' --x N --per dofs:2 --y H1
+run 0 order table.txt --x N --y H1
+cells out reason | grep -q 'h looks like a number of cells: --x 1/N, or --per$' || note "$(cat out)"
+grep -q -x 'scallop order: note: table.txt: columns between commas; h is column 1 (N), errors: H1; rows: 4' err || note "$(cat err)"
+run 1 order table.txt --expect 2,2 --y L2,H1
+[ "$(cells out expected verdict | tr '\n' ' ')" = '2 pass 2 too-low ' ] || note "$(cat out)"
+run 0 order table.txt --expect L2=2 --y L2,H1
+[ "$(cells out test verdict | tr '\n' ' ')" = 'equal pass none measured ' ] || note "$(cat out)"
+for wanted in 2,1,1 L2=2,1 L3=2 L2=x; do run 2 order table.txt --expect $wanted; done
+run 2 order table.txt --per volumes
+finish "order: an order for each column, numbers of cells"
+table 'h;L2;H1\n0,1;1,1D-2;0,1\n0,05;2,6E-3;NA\n0,025;6,3e-4;0,025\n0,0125;1,57e-4;0,0125\n'
+run 0 order table.txt --expect 2,1
+[ "$(cells out points | tr '\n' ' ')" = '4 3 ' ] && grep -q 'rows without a value: 1$' out || note "$(cat out)"
+for format in csv json markdown; do
+  run 0 steady --T 0.5,0.25,0.125,0.0625 --columns T,modes,error.text_steady_xC --format $format -o again
+  run 0 order again --expect 4
+done
+finish "order: decimal commas, cells without a value, the tool's own formats"
+
 # ---- what passes ----
 table '0.1 0.011\n0.05 0.0026\n0.025 6.3e-4\n0.0125 1.57e-4\n'
 run 0 order table.txt --expect 2
@@ -157,7 +180,8 @@ finish "order: fractions, --at-least"
 table 'h err\n1 1\n0.5 0.25\n0.25 0.1\n0.125 nan\n0.5 0.1\n'
 run 1 order table.txt --expect 2
 [ "$(cells out reason)" = 'NaN in row 4; h repeated in rows 2 and 5' ] || note "$(cells out reason)"
-run 3 order table.txt
+run 0 order table.txt
+run 1 order table.txt --require-measured
 finish "order: the reason names the rows"
 printf '1 1\n0.5 0.5\n0.25 0.25\n' >first.txt
 printf '1 1\n0.5 0.25\n0.25 0.0625\n' >second.txt
@@ -194,30 +218,35 @@ if [ -c /dev/full ]; then
   [ $? = 4 ] || note "no exit code 4 for a full device"
 fi
 finish "order: a file for the report"
-run 1 order first.txt odd.txt second.txt --expect 2 -o here.tsv
-[ "$(cat err)" = 'scallop order: first.txt: column 2: too-low: order 1 is 1 below the expected 2 in rows 1 to 3' ] || note "$(cat err)"
-finish "order: with -o a table that fails is a line on standard error"
+run 1 order first.txt odd.txt --expect 2 -o here.tsv --quiet
+[ "$(cat err)" = 'scallop order: first.txt: column 2: too-low: order 1 is 1 below the expected 2 in rows 1 to 3
+scallop order: odd.txt: a<&"|#: err_1: pass: order 2 in rows 1 to 3' ] || note "$(cat err)"
+finish "order: with -o the verdict on each table is a line on standard error"
 
 # ---- no order is expected: nothing passes ----
 printf '1 1\n' >short.txt
-run 3 order second.txt short.txt
+run 1 order second.txt short.txt --require-measured --format junit
+grep -q 'tests="2" failures="1" errors="0" skipped="0"' out || note "$(cat out)"
+run 0 order second.txt short.txt --format junit
+grep -q 'tests="2" failures="0" errors="0" skipped="1"' out && grep -q '<skipped message="1 usable row' out || note "$(cat out)"
+run 0 order second.txt short.txt
 [ "$(cells out verdict | tr '\n' ' ')" = 'measured insufficient ' ] || note "$(cat out)"
-[ "$(tail -n 1 out)" = '# 2 tables: 1 measured, 1 failed' ] || note "$(tail -n 1 out)"
-run 3 order second.txt short.txt --format json
-[ "$(tail -n 1 out)" = '{"tables": 2, "measured": 1, "failed": 1, "errors": 0}' ] || note "$(tail -n 1 out)"
+[ "$(tail -n 1 out)" = '# 2 tables: 1 measured, 1 not measured' ] || note "$(tail -n 1 out)"
+run 0 order second.txt short.txt --format json
+[ "$(tail -n 1 out)" = '{"tables": 2, "passed": 0, "failed": 0, "measured": 1, "not_measured": 1, "errors": 0}' ] || note "$(tail -n 1 out)"
 printf '1 0.3\n0.5 0.3\n0.25 0.3\n0.125 0.3\n' >constant.txt
 run 0 order constant.txt
-[ "$(tail -n 1 out)" = '# 1 table: 1 measured, 0 failed' ] || note "$(tail -n 1 out)"
+[ "$(tail -n 1 out)" = '# 1 table: 1 measured, 0 not measured' ] || note "$(tail -n 1 out)"
 finish "order: without --expect a table is measured, and none passes"
 
 # ---- a file that cannot be read is told, and does not stop the others ----
 printf 'h err\n1 x\n' >words.txt
 for format in tsv csv json table markdown junit; do
-  run 4 order nowhere.txt words.txt second.txt first.txt --expect 2 --format $format -o report
+  run 4 order nowhere.txt words.txt second.txt first.txt --expect 2 --format $format -o report --quiet
   grep -q 'nowhere.txt.*cannot read nowhere.txt: No such file' report || grep -q 'reason.*cannot read nowhere.txt' report || note "$format: $(cat report)"
-  grep -q '[12] passed, 1 failed, 2 not read\|"passed": 1, "failed": 1, "errors": 2\|failures="1" errors="2"' report || [ $format = csv ] || [ $format = markdown ] \
+  grep -q '[12] passed, 1 failed, 2 not read\|"passed": 1, "failed": 1, .*"errors": 2\|failures="1" errors="2"' report || [ $format = csv ] || [ $format = markdown ] \
     || note "$format: no summary: $(tail -n 1 report)"
-  [ "$(wc -l <err)" = 3 ] || note "$format: $(cat err)"
+  [ "$(wc -l <err)" = 4 ] || note "$format: $(cat err)"
 done
 run 2 order second.txt words.txt --expect 2 --format junit
 python <<'END'
