@@ -52,7 +52,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT)),,scallop-flint.so))
 
-.PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
+.PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -119,8 +119,9 @@ script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
 ## bare:       does each goal ask for what it needs, on a machine that has make only? needs root and Debian
 ## release:    README's commands, and make check, on bare systems of Debian stable and before it; needs root, Debian and its mirror
 ## flint3:     do all sources compile with FLINT 3? needs apt and a mirror of Debian
+## faults:     does a test fail for each fault of tests/faults, or for those that FAULTS="WORDS" name?
 ## fuzz:       search for inputs that break a reader or the solver, FUZZ_SECONDS (60) for each of FUZZ_TARGETS (all); needs clang
-check asan matrix coverage fuzz flint3:
+check asan matrix coverage fuzz flint3 faults:
 	+@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" $(script)
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
 ## lint:       rooms, clang-format, cppcheck and clang-tidy
@@ -128,7 +129,7 @@ check asan matrix coverage fuzz flint3:
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
 valgrind lint reproduce instructions bare release:
 	@$(script)
-check valgrind: $(program) libraries $(tests) $(fuzz)
+check valgrind faults: $(program) libraries $(tests) $(fuzz)
 lint: rooms
 reproduce: $(program)
 instructions: $(B)/scallop-bench $(program)
@@ -138,8 +139,8 @@ fuzz-programs: $(fuzz)
 rooms: $(program)
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
 rooms size: ; @/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
-## gates:      all that guards something, one row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
-gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
+## gates:      all that guards something, or GATES="NAME...", a row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
+gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates $(GATES)
 ## docs:       docs/commands.md anew, from --help
 docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
 include explorer/rules.mk

@@ -9,7 +9,7 @@ purposes() { # GOAL...: the first column of the table below
     echo "${goal##*/}"
     case ${goal##*/} in
       help | clean | uninstall | gates | size | release | core.wasm) continue ;;
-      check | asan | fuzz | lint | valgrind | matrix | coverage) echo tests ;;
+      check | asan | faults | fuzz | lint | valgrind | matrix | coverage) echo tests ;;
       explorer | check-explorer) echo core.wasm ;;
       test_*) echo test ;;
     esac
