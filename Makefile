@@ -169,7 +169,7 @@ $(B)/man: $(B)/scallop scripts/dev/man.awk scripts/dev/man.sh
 
 ## libraries:  libscallop-core, which needs libm only, and libscallop, static and shared, in build/
 libraries: $(libraries)
-## install:    programs, libraries, headers, man pages, completion, scenes, plot scripts, the Python module, to PREFIX (/usr/local), with DESTDIR in front
+## install:    programs, libraries, headers, man pages, completion, scenes, plot scripts, the Python package, to PREFIX (/usr/local), with DESTDIR in front
 ## uninstall:  takes away what install put there
 install: $(program) $(libraries) $(B)/man
 install uninstall:

@@ -486,7 +486,7 @@ says 'dangling' err
 [ -L dangling ] || note "the link was replaced"
 [ ! -e nowhere.tsv ] || note "a file appeared behind the link"
 finish "-o through a link to nothing"
-# One table of quantities: what --help prints of them stands in the documents and in the Python module word for word
+# One table of quantities: what --help prints of them stands in the documents and in the Python package word for word
 quantities() { help_of "$1" | sed -n '/^Quantities/,/^$/s/^  \([A-Za-z0-9_]*\)  *\(.*\) \[\(.*\)\]$/\1\t\2\t\3/p'; }
 tab=$(printf '\t')
 quantities run >all
@@ -498,7 +498,8 @@ for command in steady phase; do
   quantities $command >some
   [ "$(wc -l <some)" -eq 6 ] || note "$command --help lists $(wc -l <some) quantities"
   while IFS=$tab read -r name is unit; do
-    grep -q -e "^        $name  *$is \[$unit\]\$" "$root/scripts/python/scallop.py" || note "scallop.py says nothing like: $name $is [$unit]"
+    grep -A 1 -e "^    $name : float or ndarray\$" "$root/scripts/python/crawling_scallop/_motion.py" | grep -q -F -x -e "        $is [$unit]" ||
+      note "_motion.py says nothing like: $name $is [$unit]"
     grep -q -F -x -e "$name$tab$is$tab$unit" all || note "$command --help and run --help differ in $name"
   done <some
 done
