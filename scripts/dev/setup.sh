@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes sure that what make's goals need is there: installs it on Debian, as root or with a sudo that asks for no password, and elsewhere
-# prints what to install. Usage: [CC=cc CPPFLAGS=... WITH_FLINT=0] scripts/dev/setup.sh [--missing] GOAL...; --missing: only prints it
+# prints what to install. Usage: [CC=cc CPPFLAGS=... WITH_FLINT=0 WITH_GSL=0 WITH_LIBCONFIG=0] scripts/dev/setup.sh [--missing] GOAL...; --missing: only prints it
 set -eu
 CC=${CC:-cc}
 
@@ -15,14 +15,16 @@ purposes() { # GOAL...: the first column of the table below
     esac
     echo build
     [ "${WITH_FLINT:-1}" = 0 ] || echo flint
+    [ "${WITH_GSL:-1}" = 0 ] || echo gsl
+    [ "${WITH_LIBCONFIG:-1}" = 0 ] || echo libconfig
   done
 }
 # What for; packages, by their Debian names; the command that tells whether they are there
 table() {
   cat <<'ROWS'
 build                 | ${compiler##*/} libc6-dev     | found "${CC%% *}"
-build                 | libgsl-dev                    | header gsl/gsl_roots.h
-build                 | libconfig-dev                 | header libconfig.h
+gsl                   | libgsl-dev                    | header gsl/gsl_roots.h
+libconfig             | libconfig-dev                 | header libconfig.h
 flint                 | libgmp-dev                    | header gmp.h
 flint                 | libflint-dev                  | header flint/fmpq.h
 flint                 | libflint-arb-dev              | header arb.h || header flint/arb.h || flint_has_it
