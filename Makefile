@@ -55,7 +55,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
+.PHONY: all help docs single-order check check-report reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -148,6 +148,10 @@ docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md &&
 include explorer/rules.mk
 ## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
 bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop ; @$(B)/scallop-bench
+## single-order: the estimator of orders as one file of C99 and C++17, to copy: build/scallop_order.h (docs/order.md)
+single-order: $(B)/scallop_order.h
+$(B)/scallop_order.h: scripts/dev/single_order.sh $(wildcard asymptotics/observed/*.[ch]) model/version.h LICENSE
+	@mkdir -p $(@D) && sh $< >$@
 ## clean:      remove build/
 clean: ; rm -rf $(B)
 

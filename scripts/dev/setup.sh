@@ -8,7 +8,7 @@ purposes() { # GOAL...: the first column of the table below
   for goal in "$@"; do
     echo "${goal##*/}"
     case ${goal##*/} in
-      help | clean | uninstall | gates | size | release | core.wasm) continue ;;
+      help | clean | uninstall | gates | size | release | core.wasm | single-order | scallop_order.h) continue ;;
       check | asan | fuzz | lint | valgrind | matrix | coverage) echo tests ;;
       explorer | check-explorer) echo core.wasm ;;
       test_*) echo test ;;
