@@ -30,8 +30,10 @@ def _place() -> dict[str, Any]:
 
 
 def beside(name: str) -> str:
-    """A folder or file that was installed with this package"""
-    return os.path.normpath(os.path.join(HERE, PLACE[name]))
+    """A folder or file that was installed with this package; of several places, the one where it is, or the first"""
+    places = PLACE[name] if isinstance(PLACE[name], list) else [PLACE[name]]
+    paths = [os.path.normpath(os.path.join(HERE, place)) for place in places]
+    return next((path for path in paths if os.path.exists(path)), paths[0])
 
 
 PLACE = _place()
