@@ -1,7 +1,7 @@
 """What setuptools needs to know beyond pyproject.toml: the wheel carries the shared library, the command, and the tables.
 
 `make` builds them with what this machine has: FLINT where it is installed; without GSL or libconfig the command has no scenes,
-no books and nothing that needs FLINT, and works all the same. SCALLOP_BUILD names a folder of an earlier build to go on with."""
+no books and nothing that needs FLINT, and works all the same. SCALLOP_BUILD names a folder where they are built already."""
 
 import glob
 import json
@@ -18,11 +18,8 @@ try:
 except ImportError:  # before setuptools 70
     from wheel.bdist_wheel import bdist_wheel
 
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-
-
 def defined(name):
-    with open(os.path.join(ROOT, "model/version.h"), encoding="utf-8") as header:
+    with open("model/version.h", encoding="utf-8") as header:  # setuptools works in the folder of pyproject.toml
         return re.search(rf'^#define {name} "?(.*?)"?$', header.read(), re.MULTILINE)[1]
 
 
@@ -31,7 +28,7 @@ VERSION, ABI = defined("SCALLOP_VERSION"), int(defined("SCALLOP_ABI"))
 
 def choices():
     """The choices of config.mk that fit what is installed: scripts/dev/setup.sh knows how to tell."""
-    said = subprocess.run(["sh", "scripts/dev/setup.sh", "--missing", "all"], cwd=ROOT, stdout=subprocess.PIPE, check=True)
+    said = subprocess.run(["sh", "scripts/dev/setup.sh", "--missing", "all"], stdout=subprocess.PIPE, check=True)
     missing = said.stdout.decode().split()
     given = {name: os.environ.get(name) for name in ("WITH_FLINT", "WITH_GSL", "WITH_LIBCONFIG")}
     found = {"WITH_FLINT": not {"libgmp-dev", "libflint-dev", "libflint-arb-dev"} & set(missing),
@@ -39,21 +36,28 @@ def choices():
     return {name: given[name] or str(int(there)) for name, there in found.items()}
 
 
-def make(build):
-    """The library, and the program with its part that needs FLINT, or None"""
+def make(folder):
+    """Builds library and command in this folder."""
     chosen = choices()
-    together = "0" not in (chosen["WITH_GSL"], chosen["WITH_LIBCONFIG"])
-    flint = chosen["WITH_FLINT"] if together else "0"  # of the program; the library takes FLINT without the others
+    flint = chosen["WITH_FLINT"] if "0" not in (chosen["WITH_GSL"], chosen["WITH_LIBCONFIG"]) else "0"  # of the command
+    if flint == "0" and os.path.exists(f"{folder}/scallop-flint.so"):  # of an earlier build
+        os.remove(f"{folder}/scallop-flint.so")
     environment = {"CFLAGS": "-O2", **os.environ}
     for name in ("MAKEFLAGS", "MFLAGS", "MAKELEVEL"):
         environment.pop(name, None)
     for goal, with_flint in (("scallop", flint), ("libscallop.a", chosen["WITH_FLINT"])):
-        options = {**chosen, "WITH_FLINT": with_flint, "B": build}
-        subprocess.run(["make", *(f"{name}={value}" for name, value in options.items()), f"{build}/{goal}"], cwd=ROOT,
-                       env=environment, check=True)
-    part = os.path.join(ROOT, build, "scallop-flint.so")
-    return (os.path.join(ROOT, build, f"libscallop.so.{ABI}"), os.path.join(ROOT, build, "scallop"),
-            part if flint != "0" else None)
+        options = {**chosen, "WITH_FLINT": with_flint, "B": folder}
+        subprocess.run(["make", *(f"{name}={value}" for name, value in options.items()), f"{folder}/{goal}"], env=environment,
+                       check=True)
+
+
+def built():
+    """Where library and command are"""
+    folder = os.environ.get("SCALLOP_BUILD", "")
+    if not folder:
+        folder = "build/wheel"
+        make(folder)
+    return folder
 
 
 class Build(build_py):
@@ -64,14 +68,15 @@ class Build(build_py):
         for folder in ("lib", "data"):  # of an earlier build
             shutil.rmtree(os.path.join(package, folder), ignore_errors=True)
         super().run()
-        library, program, part = make(os.environ.get("SCALLOP_BUILD", "build/wheel"))
-        self.put(package, "lib", [library])
-        self.put(package, "data", [*glob.glob(os.path.join(ROOT, "data/*.tsv")), os.path.join(ROOT, "asymptotics/published/paper.cfg")])
+        folder = built()
+        program, part = f"{folder}/scallop", f"{folder}/scallop-flint.so"
+        self.put(package, "lib", [f"{folder}/libscallop.so.{ABI}"])
+        self.put(package, "data", [*glob.glob("data/*.tsv"), "asymptotics/published/paper.cfg"])
         with open(os.path.join(package, "installed.json"), "w", encoding="utf-8") as file:
             json.dump({"version": VERSION, "abi": ABI, "libraries": "lib", "data": "data",
                        "command": ["../../../../bin/scallop", "../bin/scallop"]}, file)  # of a prefix; of pip install --target
         # The program looks for its part in ../lib/scallop, as make install puts it
-        self.distribution.data_files = [("bin", [program])] + ([("lib/scallop", [part])] if part else [])
+        self.distribution.data_files = [("bin", [program])] + ([("lib/scallop", [part])] if os.path.exists(part) else [])
 
     def put(self, package, folder, files):
         self.mkpath(os.path.join(package, folder))
@@ -94,7 +99,7 @@ class Sources(sdist):
     """All that git has, and not only what setuptools thinks that Python needs"""
 
     def make_distribution(self):
-        listed = subprocess.run(["git", "ls-files"], cwd=ROOT, stdout=subprocess.PIPE, check=True).stdout.decode().splitlines()
+        listed = subprocess.run(["git", "ls-files"], stdout=subprocess.PIPE, check=True).stdout.decode().splitlines()
         self.filelist.extend(listed)
         self.filelist.remove_duplicates()
         super().make_distribution()
