@@ -34,6 +34,8 @@ tests reproduce bare  | python3 python3-jinja2        | module jinja2
 tests bare            | locales                       | there /usr/share/i18n/locales/de_DE
 tests                 | pkgconf                       | found pkg-config
 tests                 | python3-mpmath python3-numpy  | module mpmath,numpy
+tests                 | python3-pytest mypy           | module pytest && found mypy
+tests                 | python3-venv python3-pip python3-setuptools python3-wheel | module ensurepip && module pip && module setuptools,wheel
 rooms size check-report check-explorer | python3      | found /usr/bin/python3
 check-report check-explorer | chromium                | found chromium || found chromium-browser || found google-chrome
 lint                  | clang-tidy clang-format cppcheck | found clang-tidy && found clang-format && found cppcheck
