@@ -25,6 +25,7 @@ struct request {
   struct sweep sweep;             /* what varies; no product: one point, else point is where nothing varies */
   const char *points;             /* file name, "-" for standard input, or NULL */
   const char *book;               /* file name of a book of formulas, or NULL     */
+  struct given_count threads;     /* on how many rows are computed */
   bool stats;                     /* prints afterwards what was computed */
   struct given_number accuracy;   /* errors of series below this part of the exact value are 0 */
   struct given_word reference;    /* what they are errors against: exact, or certified */

@@ -198,8 +198,11 @@ bool options_are_sound(struct arguments *a)
     { NULL, RULE_WITH, NULL, NULL }
   };
   const struct command *c = a->command;
+  const struct style *style = &a->options.request.style;
   const char *wrong = idle_sweep(a);
   wrong = wrong ? wrong : broken_rule(a, of_plots);
+  if (!wrong && style->format == FORMAT_NPY && !style->output && option_of(c, "format"))
+    wrong = no_npy_to_pipe;
   wrong = wrong ? wrong : broken_rule(a, c->rules);
   wrong = wrong || !c->complete ? wrong : c->complete(&a->options);
   return !wrong || complain(c->name, "%s", wrong);

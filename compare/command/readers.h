@@ -91,7 +91,9 @@ extern const char *const reference_words[];
 #define OPTION_QUIET OPTION_FLAG("quiet", request, style.quiet)
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(NULL, NULL, )
-#define OPTIONS_LAST OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTIONS_LAST \
+  OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_COUNT("threads", request, threads, 1, MOST_THREADS), \
+      OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS), OPTIONS_LAST
 
 #endif

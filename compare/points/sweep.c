@@ -46,15 +46,19 @@ const struct sweep_variable *sweep_variable(const struct sweep *s, int i)
   return NULL;
 }
 
+static long points_of(const struct sweep_product *p)
+{
+  long points = 1;
+  for (int g = 0; g < p->groups; g++)
+    points *= p->group[g].count;
+  return points;
+}
+
 long sweep_points(const struct sweep *s)
 {
-  long points = 0;
-  for (const struct sweep_product *p = s->product; p < s->product + s->products; p++) {
-    long of_product = 1;
-    for (int g = 0; g < p->groups; g++)
-      of_product *= p->group[g].count;
-    points += of_product;
-  }
+  long points = s->products == 0;
+  for (int p = 0; p < s->products; p++)
+    points += points_of(&s->product[p]);
   return points;
 }
 
@@ -104,6 +108,16 @@ static void write_value(char text[DIGITS_TEXT], const struct sweep_variable *v, 
   number_text(text, x, digits);
   if (digits > 0 && read_number(text, &x))
     number_text(text, x, 0);
+}
+
+double sweep_number(const struct sweep_variable *v, long i)
+{
+  char text[DIGITS_TEXT];
+  double x = NAN;
+  if (!v->texts)
+    write_value(text, v, v->from.number, v->to.number, i);
+  (void)read_number(v->texts ? v->texts[i] : text, &x);
+  return x;
 }
 
 /* What follows from other parameters follows from them as they are now, and the Froude number is last. */
@@ -156,4 +170,41 @@ void sweep_step(struct sweep_place *p, const struct sweep_product *product, int 
   if (!was_outside && !is_last) /* what is set further in may bring it back */
     p->why[0] = '\0';
   p->ends_group = is_last && i == group->count - 1;
+}
+
+/* Goes to the product that the point is of, before its first group. */
+static void find_product(struct sweep_walk *w, const struct sweep *s, const struct point *about, long number)
+{
+  const struct sweep_product *p = s->product;
+  long first = 0;
+  for (long points; number - first >= (points = points_of(p)); p++)
+    first += points;
+  if (p == w->product)
+    return;
+  w->product = p;
+  w->first = first;
+  memset(w->value, -1, sizeof w->value);
+  sweep_place_set(&w->place[0], about);
+}
+
+const struct sweep_place *sweep_point(struct sweep_walk *w, const struct sweep *s, const struct point *about,
+                                      long number, sweep_formula *value, void *context)
+{
+  if (s->products == 0)
+    return sweep_place_set(&w->place[0], about), &w->place[0];
+  find_product(w, s, about, number);
+  long of_group[SWEEP_GROUPS], rest = number - w->first;
+  const int groups = w->product->groups;
+  bool as_it_was = true;
+  for (int g = groups; g-- > 0; rest /= w->product->group[g].count)
+    of_group[g] = rest % w->product->group[g].count;
+  for (int g = 0; g < groups; g++) {
+    as_it_was = as_it_was && w->value[g] == of_group[g];
+    if (as_it_was)
+      continue;
+    w->value[g] = of_group[g];
+    sweep_place_copy(&w->place[g + 1], &w->place[g]);
+    sweep_step(&w->place[g + 1], w->product, g, of_group[g], value, context);
+  }
+  return &w->place[groups];
 }

@@ -73,10 +73,24 @@ void sweep_place_copy(struct sweep_place *copy, const struct sweep_place *place)
 /* Sets a variable that takes numbers at the place, and what follows from it. */
 void sweep_set(struct sweep_place *place, const struct sweep_variable *variable, double value);
 
+/* Value i of a variable that takes numbers, whose ends, if it is a range, are no formulas. */
+double sweep_number(const struct sweep_variable *variable, long i);
+
 /* The value of a formula at the point as it is so far */
 typedef double sweep_formula(void *context, const struct sweep_place *place, const struct formula *formula);
 /* From a place where the groups in front of group g are set to one where that is set too, to its value i. */
 void sweep_step(struct sweep_place *place, const struct sweep_product *product, int g, long i, sweep_formula *value,
                 void *context);
+
+/* A way through the points of a sweep, in any order; a step to the next is quickest. */
+struct sweep_walk {
+  const struct sweep_product *product;        /* of the point where it is; NULL: it is nowhere yet */
+  long first;                                 /* the number of that product's first point          */
+  long value[SWEEP_GROUPS];                   /* of each group                                     */
+  struct sweep_place place[SWEEP_GROUPS + 1]; /* in front of the groups, behind the first, ... */
+};
+/* The point of that number, from 0, of what varies about a point. */
+const struct sweep_place *sweep_point(struct sweep_walk *walk, const struct sweep *sweep, const struct point *about,
+                                      long number, sweep_formula *value, void *context);
 
 #endif

@@ -125,7 +125,7 @@ done
 refuse 2 "--expect and --at-least exclude each other" order a --expect 1 --at-least 1
 refuse 2 "--rows: 'junit' is a format for verdicts" order a --rows --format junit
 refuse 2 "--expect: '1/0'.*fraction" order a --expect 1/0
-refuse 2 "--format: 'xml'.*tsv, json, csv, markdown, table or junit" order a --format xml
+refuse 2 "--format: 'xml'.*tsv, json, csv, markdown, table, npy or junit" order a --format xml
 refuse 2 "unexpected argument '3'" figure 2 3
 refuse 2 "unexpected argument '-'" steady -
 finish "unexpected operands"
@@ -186,7 +186,7 @@ finish "--v0, --start, --expect, --tol: values that are not allowed"
 for value in foo Quadratic quad '' 1; do
   refuse 2 "--gait: '$value'.*quadratic, sinusoidal" steady --gait "$value"
   refuse 2 "--phase: '$value'.*extension or contraction" phase --phase "$value"
-  refuse 2 "--format: '$value'.*tsv, json, csv, markdown or table" steady --format "$value"
+  refuse 2 "--format: '$value'.*tsv, json, csv, markdown, table or npy" steady --format "$value"
 done
 finish "--gait, --phase, --format: unknown words"
 for name in periods samples; do
@@ -275,7 +275,7 @@ unread() { # NAME CODE PATTERN ARGUMENT...: one line on standard error, and a ro
   finish "$name"
 }
 unread "order: no such file" 4 "cannot read nowhere.txt: No such file" order nowhere.txt
-refused "a word that is nearly right" 2 "tsv, json, csv, markdown or table: did you mean 'json'" steady --format jsn
+refused "a word that is nearly right" 2 "tsv, json, csv, markdown, table or npy: did you mean 'json'" steady --format jsn
 unread "order: a directory" 4 "cannot read folder: Is a directory" order folder
 unread "order: a binary file" 2 "binary:1:.*not a text file" order binary
 unread "order: NUL in a row" 2 "nul.txt:2:.*not a text file" order nul.txt
