@@ -19,10 +19,9 @@ struct block {
   int columns;
   const double *column[TABLE_COLUMNS]; /* NULL: a text */
   enum quantity_kind kind[TABLE_COLUMNS];
-  /* The variables of the group that varies fastest, where each is a number whatever stands further out; of product */
-  const struct sweep_product *product;
-  int variables; /* 0: there are none such */
-  double *value[SWEEP_VARIABLES];
+  const struct sweep_product *product; /* that the following is of */
+  const struct sweep_group *last;      /* that varies fastest, of numbers, whatever stands further out; or NULL */
+  double *value[SWEEP_VARIABLES];      /* of its variables; NULL: they are not kept */
 };
 
 /* False: the block has no such column. */
@@ -60,7 +59,7 @@ void block_free(struct block *b)
 static bool is_plain(const struct sweep_product *p, const struct point *about)
 {
   const struct sweep_group *last = &p->group[p->groups - 1];
-  bool plain = last->count > 1 && last->count <= MOST_VALUES_KEPT;
+  bool plain = last->count > 1;
   for (int i = 0; i < RATIOS; i++)
     plain = plain && about->ratio[i] == 0;
   for (const struct sweep_variable *v = last->variable; v < last->variable + last->variables; v++)
@@ -68,33 +67,27 @@ static bool is_plain(const struct sweep_product *p, const struct point *about)
   return plain;
 }
 
-/* Keeps all values of the group that varies fastest: about is any of its points. */
-static void keep_values(struct block *b, const struct sweep_product *p, const struct point *about)
+/* Keeps all values of the group that varies fastest, unless there are too many: about is any of its points. */
+static void keep_values(struct block *b, struct sweep_walk *w, const struct point *about)
 {
-  b->product = p;
-  b->variables = 0;
-  if (p->groups == 0 || !is_plain(p, about))
-    return;
-  const struct sweep_group *last = &p->group[p->groups - 1];
-  for (int k = 0; k < last->variables; k++) {
+  const struct sweep_product *p = b->product = w->product;
+  b->last = p->groups > 0 && is_plain(p, about) ? &p->group[p->groups - 1] : NULL;
+  for (int k = 0; b->last && k < b->last->variables; k++) {
     free(b->value[k]);
-    b->value[k] = malloc((size_t)last->count * sizeof(double));
-    for (long i = 0; i < last->count && b->value[k]; i++)
-      b->value[k][i] = sweep_number(&last->variable[k], last->variable[k].count == 1 ? 0 : i);
-    if (!b->value[k])
-      return;
+    const long count = b->last->sampling == SAMPLING_NONE && b->last->count <= MOST_VALUES_KEPT ? b->last->count : 0;
+    b->value[k] = count > 0 ? malloc((size_t)count * sizeof(double)) : NULL;
+    for (long i = 0; i < count && b->value[k]; i++)
+      b->value[k][i] = sweep_number(w, b->last, k, i);
   }
-  b->variables = last->variables;
 }
 
 /* The parameters of the points from this one to the end of its group, at most count of them: how many. */
-static int take_points(struct block *b, int at, const struct sweep_walk *w, const struct sweep_place *here, int count)
+static int take_points(struct block *b, int at, struct sweep_walk *w, const struct sweep_place *here, int count)
 {
-  const struct sweep_product *p = w->product;
-  if (p && p != b->product)
-    keep_values(b, p, &here->point);
-  const struct sweep_group *last = p && b->variables > 0 ? &p->group[p->groups - 1] : NULL;
-  const long begin = last ? w->value[p->groups - 1] : 0, left = last ? last->count - begin : 1;
+  if (w->product && w->product != b->product)
+    keep_values(b, w, &here->point);
+  const struct sweep_group *last = b->last;
+  const long begin = last ? w->value[w->product->groups - 1] : 0, left = last ? last->count - begin : 1;
   count = left < count ? (int)left : count;
   for (int k = 0; k < CRAWLER_NUMBERS; k++) {
     const double x = crawler_number(&here->point.crawler, k);
@@ -103,8 +96,10 @@ static int take_points(struct block *b, int at, const struct sweep_walk *w, cons
   }
   for (int i = 0; i < count; i++)
     b->gait[at + i] = here->point.crawler.gait;
-  for (int k = 0; last && k < last->variables; k++)
-    memcpy(b->parameter[last->variable[k].place] + at, b->value[k] + begin, (size_t)count * sizeof(double));
+  for (int i = 0; i < count && last; i++)
+    for (int k = 0; k < last->variables; k++)
+      b->parameter[last->variable[k].place][at + i] = b->value[k] ? b->value[k][begin + i]
+                                                                  : sweep_number(w, last, k, begin + i);
   return count;
 }
 

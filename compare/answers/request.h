@@ -22,6 +22,11 @@ struct scene_head {          /* of the tables of a scene */
 struct request {
   struct style style;
   struct point point;
+  struct samples {
+    enum sampling sampling;
+    long count;
+    uint64_t seed;
+  } samples;                      /* of the ranges without a count */
   struct sweep sweep;             /* what varies; no product: one point, else point is where nothing varies */
   const char *points;             /* file name, "-" for standard input, or NULL */
   const char *book;               /* file name of a book of formulas, or NULL     */

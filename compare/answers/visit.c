@@ -190,6 +190,7 @@ static bool worker_begin(struct worker *w, struct tour *t, bool is_first)
 static void worker_end(struct worker *w, struct tour *t)
 {
   at_free(w->at);
+  sweep_walk_end(&w->walk);
   block_free(w->block);
   for (int i = 0; w->rows && w->rows != t->run->rows && i < t->run->count; i++)
     table_abandon(&w->rows[i].table);

@@ -200,6 +200,7 @@ bool options_are_sound(struct arguments *a)
   const struct command *c = a->command;
   const struct style *style = &a->options.request.style;
   const char *wrong = idle_sweep(a);
+  wrong = wrong ? wrong : vary_sample(&a->options.request);
   wrong = wrong ? wrong : broken_rule(a, of_plots);
   if (!wrong && style->format == FORMAT_NPY && !style->output && option_of(c, "format"))
     wrong = no_npy_to_pipe;
