@@ -11,7 +11,15 @@
 #include <stdio.h>
 
 #include "compare/text/aligned.h"
-#include "compare/text/cell.h"
+
+/* A cell of a row: a number, a number as it stands, a text, or a cell of another table */
+enum cell_kind { CELL_NUMBER, CELL_DIGITS, CELL_TEXT, CELL_CARRIED };
+struct table_cell {
+  enum cell_kind kind;
+  double value; /* of a number; nan: only the text says it */
+  char *text;   /* of all but CELL_NUMBER */
+  size_t room;  /* of text                */
+};
 
 struct npy { /* rows in memory, or in a file */
   int columns;
@@ -33,5 +41,30 @@ int npy_move(struct npy *file, FILE *to, long head, struct npy *from);
 /* Bytes of the head, whatever its columns become, and the head, of that length. notes: '#' lines, or NULL */
 long npy_head_size(const char *const *names, int columns, const char *notes);
 int npy_write_head(const struct npy *file, FILE *to, long head, const char *const *names, const char *notes);
+
+/* npy_read.c: an array that is read, record by record */
+struct npy_file {
+  FILE *file;
+  char *head;  /* its text, cut apart; the '#' lines begin behind it */
+  char *notes; /* likewise */
+  long rows, head_size;
+  int columns;
+  size_t size; /* of a record */
+  struct npy_column {
+    char *name, kind; /* f i u S U, V: what lies between columns */
+    int size;
+    bool is_big; /* its first byte is the greatest */
+  } column[TABLE_COLUMNS];
+  char *record;
+};
+
+/* Reads the head, from where the file begins, or behind the first byte. NULL, or what is wrong with the file, until the
+ * next call: it is to be closed in either case. */
+const char *npy_open(struct npy_file *npy, FILE *file, bool is_begun);
+/* Reads the next record: its numbers and texts as they are written in a table, each ended by a NUL, into the space,
+ * which is large enough for columns of so many bytes; where they begin into cells. Returns how many there are, without
+ * what lies between; -1: the file is at its end. */
+int npy_next(struct npy_file *npy, char *space, size_t size, char **cells);
+void npy_close(struct npy_file *npy);
 
 #endif

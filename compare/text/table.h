@@ -9,7 +9,6 @@
 
 #include "compare/text/aligned.h"
 #include "compare/text/digits.h"
-#include "compare/text/cell.h"
 #include "compare/text/file.h"
 #include "compare/text/npy.h"
 #include "compare/text/plot.h"

@@ -7,6 +7,7 @@
 
 #include "compare/text/file.h"
 #include "compare/text/message.h"
+#include "compare/text/npy.h"
 
 static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
 {
@@ -14,6 +15,11 @@ static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE 
   tsv->buffer = file ? malloc(LONGEST_LINE + 1) : NULL;
   if (file && !tsv->buffer)
     tsv->error = ENOMEM;
+  const int first = tsv->buffer ? getc(file) : EOF;
+  if (first == 0x93 && (tsv->npy = malloc(sizeof *tsv->npy)))
+    tsv->wrong = npy_open(tsv->npy, file, true);
+  else if (first != EOF)
+    ungetc(first, file);
   return tsv->buffer != NULL;
 }
 
@@ -32,6 +38,9 @@ void tsv_close(struct tsv *tsv)
 {
   if (tsv->file && tsv->file != stdin)
     fclose(tsv->file);
+  if (tsv->npy)
+    npy_close(tsv->npy);
+  free(tsv->npy);
   free(tsv->buffer);
   free(tsv->header);
   tsv->buffer = tsv->header = NULL;
@@ -85,8 +94,37 @@ static void split(struct tsv *tsv, char *rest, const char *separators, bool runs
   }
 }
 
+/* The names of the columns, and then the records */
+static bool next_record(struct tsv *tsv)
+{
+  struct npy_file *n = tsv->npy;
+  tsv->fault = tsv->wrong ? tsv->wrong : n->columns > TSV_CELLS ? "this array has more than 256 columns" : NULL;
+  tsv->count = 0;
+  tsv->length = n->size - 1;
+  if (tsv->header && tsv->number == n->rows)
+    return false;
+  if (tsv->header && (tsv->count = npy_next(n, tsv->buffer, LONGEST_LINE, tsv->cell)) < 0)
+    return tsv->error = EPIPE, false;
+  for (int i = 0; i < n->columns && !tsv->header && !tsv->fault; i++)
+    if (n->column[i].kind != 'V')
+      tsv->cell[tsv->count++] = n->column[i].name;
+  tsv->number += tsv->header != NULL;
+  return true;
+}
+
+void tsv_skip(struct tsv *tsv, long rows)
+{
+  if (!tsv->npy || fseeko(tsv->file, (off_t)rows * (off_t)tsv->npy->size, SEEK_CUR) != 0)
+    while (rows-- > 0 && tsv_next(tsv))
+      ;
+  else
+    tsv->number += rows;
+}
+
 bool tsv_next(struct tsv *tsv)
 {
+  if (tsv->npy)
+    return next_record(tsv);
   const bool words = tsv->style != TSV_TABS;
   while (read_line(tsv)) {
     char *text = tsv->buffer;
@@ -113,7 +151,9 @@ const char *tsv_error(struct tsv *tsv)
   if (!tsv->error)
     return NULL;
   return wrong_text("cannot read %.300s: %s", tsv->name,
-                    tsv->error == EFBIG ? "a line has more than a million characters" : strerror(tsv->error));
+                    tsv->error == EFBIG   ? "a line has more than a million characters"
+                    : tsv->error == EPIPE ? "it ends before its last row"
+                                          : strerror(tsv->error));
 }
 
 bool tsv_take_header(struct tsv *tsv)

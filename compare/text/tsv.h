@@ -1,4 +1,5 @@
-/* Tables as text: TSV files, or columns between blanks, one row at a time.
+/* Tables as text: TSV files, or columns between blanks, one row at a time; a file of NumPy is read as such a table,
+ * whose lines are its records.
  *
  * Comments (lines that begin with #) and empty lines are passed over; lines end with LF, CRLF or CR; a byte order mark
  * at the head is dropped. A line of more than a million characters, or with a NUL byte, is a row with a fault; one that
@@ -35,6 +36,8 @@ struct tsv {
   char *buffer;                      /* the current line        */
   size_t length;                     /* of what was read of it  */
   bool ended_by_return;              /* likewise                */
+  struct npy_file *npy;              /* a file of NumPy; else NULL */
+  const char *wrong;                 /* with that, or NULL         */
 };
 
 /* Opens a file, or for "-" standard input. False: tsv_error says why. Whichever it is, tsv_close ends it. */
@@ -46,6 +49,8 @@ void tsv_close(struct tsv *tsv);
 /* Goes on to the next row, and splits it unless it has a fault. False: there is none, or the file cannot be read
  * (tsv_error). */
 bool tsv_next(struct tsv *tsv);
+/* Passes over so many rows. */
+void tsv_skip(struct tsv *tsv, long rows);
 /* "cannot read FILE: why", or NULL. */
 const char *tsv_error(struct tsv *tsv);
 

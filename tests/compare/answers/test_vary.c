@@ -63,7 +63,7 @@ TEST(no_lists_and_ranges)
                 { "F1", "1:10:-3", "COUNT is" },
                 { "F1", "1:10:2.5", "COUNT is" },
                 { "F1", "1:10:1000000001", "COUNT is" },
-                { "F1", "1:10", "is no range" },
+                { "F1", "1:10:", "COUNT is" },
                 { "F1", "1:10:5:log:", "is no range" },
                 { "F1", "1:10:5:Log", "is no range" },
                 { "F1", "1:2:3,4", "is no range" },

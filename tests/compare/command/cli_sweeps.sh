@@ -68,6 +68,54 @@ run 2 steady --format npy
 [ ! -s out ] && grep -q -- '--format npy needs -o FILE' err || note "to a pipe: $(cat err)"
 finish "--format npy: the same rows, which numpy.load opens"
 
+# ---- points from a file of NumPy ----
+python <<'END'
+import numpy as np
+kinds = [("m1", "<f8"), ("F1", ">f4"), ("T", "<i2"), ("gait", "U12"), ("note", "S7"), ("n", "<u8")]
+rows = np.array([(1, 4, 1, "quadratic", b"a", 2**63), (0.1, 0.25, 3, "sinusoidal", b"", 7), (2, 3, -4, "quadratic", b"1234567", 0)], kinds)
+np.save("points.npy", rows)
+np.save("other-end.npy", rows.astype([(name, np.dtype(kind).newbyteorder(">")) for name, kind in kinds]))
+np.save("padded.npy", rows.astype(np.dtype(kinds, align=True)))
+open("points.tsv", "w").write("m1\tF1\tT\tgait\tnote\tn\n" + "".join("%r\t%r\t%d\t%s\t%s\t%d\n" %
+    (float(a), float(b), c, d, e.decode(), f) for a, b, c, d, e, f in rows.tolist()))
+np.save("matrix.npy", np.zeros((3, 2)))
+np.save("plain.npy", np.zeros(3))
+np.save("deep.npy", rows.reshape(3, 1))
+np.save("nested.npy", np.zeros(3, [("m1", "f8", (2,))]))
+np.save("complex.npy", np.zeros(3, [("m1", "c16")]))
+np.save("pickled.npy", np.array([(1, None)], [("m1", "f8"), ("x", "O")]), allow_pickle=True)
+whole = open("points.npy", "rb").read()
+for name, size in ("row", len(whole) - 1), ("head", 50), ("front", 5):
+    open("cut-%s.npy" % name, "wb").write(whole[:size])
+open("nothing.npy", "wb").write(whole.replace(b"(3,)", b"(0,)")[:-3 * rows.dtype.itemsize])
+END
+run 3 steady --points points.tsv -o wanted
+sed 's/line 4/line 3/' wanted >of-rows # which are counted from the first
+for name in points other-end padded; do
+  run 3 steady --points $name.npy
+  cmp -s out of-rows || note "$name.npy: $(diff out of-rows | head -n 3)"
+done
+"$tool" steady --points - <points.npy 2>err | cmp -s - of-rows || note "standard input"
+head -c -10 points.npy | "$tool" steady --points - >out 2>err && note "half of it is read"
+grep -q 'cannot read standard input: it ends before its last row' err || note "half of it: $(cat err)"
+run 0 steady --points nothing.npy
+[ "$(rows out | wc -l)" = 0 ] || note "no rows become some"
+while IFS='|' read -r name message; do
+  run 2 steady --points "$name.npy"
+  grep -qF "scallop steady: $name.npy: $message" err || note "$name: $(cat err)"
+done <<'END'
+matrix|this array has not one dimension
+deep|this array has not one dimension
+plain|this array has no named columns
+nested|column 'm1' is no number and no text
+complex|column 'm1' is of a type that is not read
+pickled|column 'x' holds pickled objects
+cut-row|the file is cut off: its head tells of 3 rows
+cut-head|the file is cut off within its head
+cut-front|this is no file of numpy.save
+END
+finish "--points: files of NumPy, of any byte order; others are refused"
+
 # ---- samples ----
 run 0 steady --m1 0.5:2 --T 0.1,0.2 --F1 1:10:log --sample sobol:8 --columns m1,F1,T,v_start -o sobol.tsv
 run 0 steady --m1 0.5:2 --F1 1:10:log --alpha 0.2:0.8 --sample random:3:1303 --columns m1,F1,alpha,v_start -o random.tsv
