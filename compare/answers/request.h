@@ -22,6 +22,11 @@ struct scene_head {          /* of the tables of a scene */
 struct request {
   struct style style;
   struct point point;
+  struct shard {
+    long part, parts; /* parts 0: the whole sweep */
+    char sweep[17];   /* which one: its name      */
+  } shard;
+  bool skip_complete; /* a shard that is there   */
   struct samples {
     enum sampling sampling;
     long count;

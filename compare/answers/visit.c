@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "compare/answers/block.h"
+#include "compare/answers/shard.h"
 #include "compare/points/point_file.h"
 #include "compare/text/progress.h"
 
@@ -209,15 +210,17 @@ static void share_out(struct tour *t)
     pthread_join(t->worker[i].thread, NULL);
 }
 
-/* The part of the points that is asked for. False: it cannot be told. */
-static bool find_part(struct tour *t)
+/* The part of the points that is asked for */
+static void find_part(struct tour *t)
 {
   const struct request *r = t->run->rows->request;
-  const long points = t->file ? LONG_MAX : sweep_points(&r->sweep);
-  t->first = 0;
-  t->end = points;
+  const struct shard *s = &r->shard;
+  const long points = !t->file ? sweep_points(&r->sweep) : s->parts > 0 ? point_file_count(r->points) : LONG_MAX;
+  t->first = s->parts > 0 ? shard_begin(s, s->part, points) : 0;
+  t->end = s->parts > 0 ? shard_begin(s, s->part + 1, points) : points;
   t->next = t->written = t->first;
-  return true;
+  if (t->file)
+    tsv_skip(&t->file->tsv, t->first);
 }
 
 /* Visits all points. False: there is no memory. */
@@ -257,6 +260,8 @@ enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
     return complain(command, "out of memory"), EXIT_UNSOLVED;
   if (open && file && (error = tsv_error(&file->tsv)))
     complain(command, "%s", error);
+  if (open && run->rows->request->shard.parts > 0)
+    table_note(&run->rows->table, "%s", shard_end);
   for (struct rows *r = run->rows; r < run->rows + run->count && open; r++)
     fine &= !r->cannot_open && (!r->is_open || table_flush(&r->table));
   return open && fine && !error ? EXIT_DONE : EXIT_FILE;
@@ -295,6 +300,10 @@ static enum exit_code finish(struct rows_run *run, enum exit_code code)
 enum exit_code rows_table(struct rows *r)
 {
   const struct style *style = &r->request->style;
+  if (r->request->shard.parts > 0 && ((r->visit && !r->any_order) || r->opens_late))
+    return complain(style->command, "--shard: this table has no row for each point by itself"), EXIT_USAGE;
+  if (r->request->skip_complete && shard_is_there(style->output, &r->request->shard))
+    return EXIT_DONE;
   struct rows_run run = { .count = 1, .rows = r };
   struct quantities *all = &r->sheet.asked->quantities;
   struct point_file file = { .v0_may_be_nan = r->sheet.asked->from_steady },

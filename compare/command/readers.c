@@ -141,6 +141,17 @@ const char *read_sample(void *options, const struct option *o, const char *text)
   return fine ? NULL : not_allowed(text, "sobol:N with N from 1 to 1e9, or random:N:SEED, all whole numbers");
 }
 
+const char *read_shard(void *options, const struct option *o, const char *text)
+{
+  struct shard *s = &((struct request *)options)->shard;
+  char part[OPTION_VALUE];
+  const char *slash = strchr(text, '/');
+  (void)o;
+  snprintf(part, sizeof part, "%.*s", (int)(slash ? slash - text : 0), text);
+  bool fine = slash && read_count(slash + 1, 1, SWEEP_RANGE, &s->parts) && read_count(part, 1, s->parts, &s->part);
+  return fine ? NULL : not_allowed(text, "I/N, the I-th of N parts, with I from 1 to N");
+}
+
 const char *read_choice(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;

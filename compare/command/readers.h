@@ -28,7 +28,8 @@ option_reader read_parameter, /* of the point, or what varies, by its name      
     read_digits,              /* likewise, from 1 to most                                               */
     read_plot,                /* likewise, of its plot, by its name                                     */
     read_choice,              /* likewise: which columns                                                */
-    read_sample;              /* of the request: how many samples, and of which kind                    */
+    read_sample,              /* of the request: how many samples, and of which kind                    */
+    read_shard;               /* likewise: which part of the sweep                                      */
 
 struct option {
   const char *name; /* without the dashes; NULL behind the last */
@@ -63,7 +64,8 @@ struct option_rule {
 #define OPTIONS_PHASE OPTION_POINT("phase"), OPTION_POINT("v0")
 #define OPTIONS_VARY \
   OPTION_POINT("F1_over_F2"), OPTION_POINT("m1_over_m2"), OPTION_POINT("froude"), OPTION_POINT("label"), \
-      OPTION("and", read_product, ), OPTION("sample", read_sample, )
+      OPTION("and", read_product, ), OPTION("sample", read_sample, ), OPTION("shard", read_shard, ), \
+      OPTION_FLAG("skip-complete", request, skip_complete)
 #define OPTION_FLAG(name, type, member) OPTION(name, read_flag, OPTION_FIELD(type, member))
 #define OPTION_TEXT(name, type, member, what) OPTION(name, read_text, OPTION_FIELD(type, member), .allowed = what)
 #define OPTION_WORD(name, type, member, list) OPTION(name, read_word, OPTION_FIELD(type, member), .words = list)

@@ -149,6 +149,17 @@ bool point_file_next(struct point_file *r, struct sweep_place *place, const stru
   return true;
 }
 
+long point_file_count(const char *name)
+{
+  struct tsv tsv;
+  long rows = -1;
+  for (bool more = tsv_open(&tsv, name, TSV_TABS); more && (more = tsv_next(&tsv)); rows++)
+    if (rows < 0)
+      more = tsv_take_header(&tsv);
+  tsv_close(&tsv);
+  return rows > 0 ? rows : 0;
+}
+
 long point_file_rows(const struct point_file *r, long read)
 {
   return lround((double)read * r->bytes / r->read); /* no comments */

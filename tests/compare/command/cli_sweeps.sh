@@ -163,4 +163,119 @@ done <<'END'
 END
 finish "--sample: points of ranges by Sobol and at random"
 
+# ---- shards ----
+shards() { # N KIND ARGUMENT...: writes part-I.KIND of N and merges them into merged.KIND
+  n=$1 kind=$2
+  shift 2
+  rm -f part-*
+  for i in $(seq "$n" -1 1); do
+    "$tool" "$@" --shard "$i/$n" --format "$kind" -o "part-$i.$kind" 2>/dev/null
+    [ -f "part-$i.$kind" ] || note "there is no shard $i/$n of $*"
+  done
+  run 0 merge part-*."$kind" -o "merged.$kind"
+}
+while read -r arguments; do
+  for kind in tsv npy; do
+    # shellcheck disable=SC2086
+    "$tool" $arguments --format $kind -o whole.$kind 2>/dev/null
+    for n in 1 2 7 16; do
+      # shellcheck disable=SC2086
+      shards $n $kind $arguments
+      cmp -s merged.$kind whole.$kind || note "$n shards in $kind: other bytes of $arguments"
+    done
+  done
+done <<'END'
+steady --m1 0.5:2:70 --F1 2:6:71
+steady --F1 1:3:11
+steady --m1 1:2 --F1 1:10:log --sample sobol:1000 --T 0.1,1 --columns m1,F1,T,v_start
+steady --L 1e-300,1,2 --F1 1:3:5 --m1 1e300,1
+steady --points points.tsv
+steady --points points.npy
+trajectory --T 0.1:1:9 --periods 1 --samples 3
+series --T 0.1:1:9
+END
+finish "scallop merge: shards give the bytes of the whole, also where there are more of them than points"
+
+shards 16 tsv steady --m1 0.5:2:100 --F1 2:6:100
+run 0 steady --m1 0.5:2:100 --F1 2:6:100 -o whole.tsv
+bounds=$(for i in $(seq 16); do rows "part-$i.tsv" | wc -l; done | sort -u | tr '\n' ' ')
+[ "$bounds" = "625 " ] || note "10000 points in 16 shards: $bounds"
+refused() { # MESSAGE FILE...
+  message=$1
+  shift
+  run 2 merge "$@" -o refused.tsv
+  grep -q "^scallop merge: $message" err || note "merge $*: $(cat err)"
+  [ ! -e refused.tsv ] || note "merge $* writes a file"
+}
+mv part-5.tsv five.tsv && mv part-12.tsv twelve.tsv
+refused 'of the 16 shards of this sweep 2 are missing: 5 12$' part-*.tsv
+refused 'part-1.tsv and part-1.tsv are both shard 1 of 16$' part-1.tsv part-1.tsv
+"$tool" steady --m1 0.5:2:100 --F1 2:7:100 --shard 5/16 -o part-5.tsv
+refused 'part-1.tsv and part-5.tsv are of different sweeps' part-*.tsv
+"$tool" steady --m1 0.5:2:100 --F1 2:6:100 --shard 5/17 -o part-5.tsv
+refused 'part-1.tsv and part-5.tsv are of different sweeps, of different numbers of shards' part-*.tsv
+head -c 5000 five.tsv >part-5.tsv
+refused 'part-5.tsv: it is cut off' part-*.tsv
+refused 'whole.tsv: it is no shard' whole.tsv
+refused 'nothing.tsv: No such file' nothing.tsv
+"$tool" steady --m1 0.5:2:100 --F1 2:6:100 --shard 5/16 --format npy -o part-5.npy
+refused 'part-5.npy and part-1.tsv are of different' part-5.npy part-1.tsv
+head -c 5000 part-5.npy >cut.npy
+refused 'cut.npy: the file is cut off' cut.npy
+run 4 merge five.tsv twelve.tsv part-[12346789].tsv part-1[013456].tsv -o five.tsv
+grep -q 'a file that this command reads' err || note "onto a shard: $(cat err)"
+cp five.tsv part-5.tsv && mv twelve.tsv part-12.tsv
+"$tool" merge part-*.tsv | cmp -s - whole.tsv || note "to standard output"
+finish "missing, doubled, foreign and cut shards are named, and nothing is written"
+
+again() { "$tool" steady --m1 0.5:2:100 --F1 2:6:100 --shard 5/16 --format tsv --skip-complete -o part-5.tsv "$@" --threads 1; }
+touch -d 2001-01-01 part-5.tsv
+again --quiet
+[ "$(date -r part-5.tsv +%Y)" = 2001 ] || note "a shard that is there is computed again"
+for other in whole.tsv part-6.tsv cut.npy; do
+  cp $other part-5.tsv
+  again
+  cmp -s part-5.tsv five.tsv || note "$other stays in place of the shard"
+done
+head -c -1 five.tsv >part-5.tsv
+again
+cmp -s part-5.tsv five.tsv || note "a shard without its last byte stays"
+rm part-5.tsv
+again & again & again
+wait
+cmp -s part-5.tsv five.tsv || note "three at once: another file"
+[ "$(find . -name '*.scallop-*' | wc -l)" = 0 ] || note "temporary files are left"
+cp points.npy changing.npy
+"$tool" steady --points changing.npy --shard 1/2 -o part-1 2>/dev/null
+sed 's/1234567/7654321/' changing.npy >changed.npy && mv changed.npy changing.npy
+"$tool" steady --points changing.npy --shard 2/2 -o part-2 2>/dev/null
+refused 'part-1 and part-2 are of different sweeps' part-1 part-2
+(keep_counts_apart && trap '' XFSZ && ulimit -f 20 && exec "$tool" steady --m1 0.5:2:100 --F1 2:6:100 --shard 5/16 -o full.tsv >out 2>err)
+[ $? = 4 ] && [ ! -e full.tsv ] || note "a file that may not grow: $(cat err)"
+(keep_counts_apart && trap '' XFSZ && ulimit -f 20 && exec "$tool" steady --m1 0.5:2:100 --F1 2:6:100 --shard 5/16 --format npy -o full.npy >out 2>err)
+[ $? = 4 ] && [ ! -e full.npy ] || note "an array that may not grow: $(cat err)"
+(keep_counts_apart && trap '' XFSZ && ulimit -f 1000 && exec "$tool" merge part-*.tsv -o full.tsv >out 2>err)
+[ $? = 4 ] && [ ! -e full.tsv ] || note "merge into a file that may not grow: $(cat err)"
+finish "a shard is computed again where it is not whole, and is whole or absent"
+
+while IFS='|' read -r message arguments; do
+  # shellcheck disable=SC2086
+  run 2 $arguments
+  grep -qF -- "$message" err || note "$arguments: $(cat err)"
+done <<'END'
+--shard: '0/4' is not allowed here: it takes I/N|steady --shard 0/4
+--shard: '5/4' is not allowed here|steady --shard 5/4
+--shard: '1/0' is not allowed here|steady --shard 1/0
+--shard: '1' is not allowed here|steady --shard 1
+--shard: '-1/4' is not allowed here|steady --shard -1/4
+--shard: '1/4/2' is not allowed here|steady --shard 1/4/2
+--shard: a shard is of the format tsv or npy|steady --shard 1/4 --format csv
+--shard: standard input has no parts|steady --shard 1/4 --points -
+--shard: this table has no row for each point|trajectory --shard 1/2
+--shard: this table has no row for each point|series --T 0.1:1:9 --orders --shard 1/2
+--skip-complete has nothing to do without --shard|steady --skip-complete -o x
+--skip-complete needs -o FILE|steady --skip-complete --shard 1/2
+END
+finish "--shard: what is no shard is refused"
+
 exit $failed
