@@ -85,8 +85,18 @@ cells = [re.split(r" (?<!\\)\| ", l[2:-2]) for l in lines]
 if cells[1] != ["---"] * len(names) or [[c.replace("\\|", "|") for c in r] for r in cells[2:]] != rows or cells[0] != names:
     bad("markdown differs")
 kept = [l.rstrip("\n") for l in open(sys.argv[4], encoding="utf-8") if not l.startswith("#")]
+# What is the same in every row stands in the head, to 6 digits
+head = " ".join(l[1:].strip() for l in open(sys.argv[4], encoding="utf-8") if l.startswith("#"))
+gathered = dict(re.findall(r"(?:: |, )(\S+) = (.*?)(?=, \S+ = | modes: |$)", head[head.index("in every row: ") + 12:] if "in every row" in head else ""))
+for name, text in gathered.items():
+    for cell in {r[names.index(name)] for r in rows}:
+        if cell != text and "%.6g" % float(cell) != text.split(" ")[0]:
+            bad("in every row", name, "is", text, "but", cell)
+same = [n for n in names if len({r[names.index(n)] for r in rows}) == 1]
+if len(rows) > 1 and [n for n in same if n not in gathered]:
+    bad("not in the head:", [n for n in same if n not in gathered])
 legend = [l for l in kept[1:] if l.startswith("modes: ")] if len(rows) > 1 else []
-if len(legend) != (len(rows) > 1 and "modes" in names) or legend != kept[len(kept) - len(legend):]:
+if len(legend) != (len(rows) > 1 and "modes" in names and "modes" not in gathered) or legend != kept[len(kept) - len(legend):]:
     bad("legend of the modes:", kept)
 kept = kept[:len(kept) - len(legend)]
 if len(rows) == 1:
@@ -99,7 +109,7 @@ if len(rows) == 1:
     if kept[0] != names or [v for v, w in zip(values, rows[0]) if v.split(" ")[0] != w.split(" ")[0]
                             and "%.6g" % float(w) != v.split(" ")[0]]:
         bad("table:", kept)
-elif len(kept) not in (len(rows) + 1, len(rows) + 2) or kept[0].split() != names:
+elif len(kept) not in (len(rows) + 1, len(rows) + 2) or kept[0].split() != [n for n in names if n not in gathered]:
     bad("table of", len(kept), "lines for", len(rows), "rows")
 END
   finish "csv, markdown, table: scallop $arguments"
