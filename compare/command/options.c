@@ -102,7 +102,7 @@ const char *option_take(struct arguments *a, const struct option *o, const char 
 static const char *smooth_of(const struct arguments *a)
 {
   double sigma;
-  for (int i = 2; i < a->count; i++) {
+  for (int i = a->count - 1; i >= 2; i--) { /* the last one holds */
     const char *behind = strncmp(a->all[i], "--smooth", 8) == 0 ? a->all[i] + 8 : NULL;
     const char *value = !behind ? NULL : *behind == '=' ? behind + 1 : *behind ? NULL : a->all[i + 1];
     if (value && read_number(value, &sigma) && sigma > 0)

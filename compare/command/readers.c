@@ -157,5 +157,6 @@ const char *read_choice(void *options, const struct option *o, const char *text)
   struct request *r = options;
   (void)o;
   columns_free(r->style.choice);
+  r->style.chosen = true;
   return columns_read(&r->style.choice, text);
 }

@@ -65,6 +65,7 @@ bool table_open(struct table *t, const struct style *style)
   struct sink *s = t->sink;
   s->format = format_of(style);
   s->aligned.upright = style->upright;
+  s->aligned.gathers = !style->chosen;
   s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
               : style->digits <= DBL_DECIMAL_DIG              ? style->digits
                                                               : 0;

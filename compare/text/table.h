@@ -40,6 +40,7 @@ struct style {
   long digits; /* significant ones; 0: as many as read back exactly */
   bool quiet;
   bool has_output, has_format; /* are given */
+  bool chosen;                 /* the columns are: people get these */
   bool upright;                /* an aligned table has its rows one by one, each upright */
   column_meaning *meaning;     /* of columns, for people, or NULL */
   struct table_choice *choice; /* NULL: all columns */
