@@ -79,7 +79,7 @@ static void add_change(const struct boundaries *b, struct changes *all, const st
 {
   struct change *last = all->count > all->edge ? &all->list[all->count - 1] : NULL;
   if (last && same(&last->after, &c->before) && apart(b, c->u - last->u, c->v - last->v) <= 2 * promise) {
-    last->after = c->after;
+    *last = (struct change){ (last->u + c->u) / 2, (last->v + c->v) / 2, last->before, c->after };
     all->count -= same(&last->before, &last->after);
   } else if (c->before.answer.status >= 0 && c->after.answer.status >= 0 && all->count < all->edge + MOST_CHANGES) {
     all->list[all->count++] = *c;
