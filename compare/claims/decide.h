@@ -146,10 +146,6 @@ int compare(double a, double b);
 /* Of a certified number: 1: it is 0, to 2^-80; -1: it is not; 0: not known */
 int is_zero(double x);
 
-/* The last double before f, positive at low and not at high, is not positive any more */
-typedef double function_of(const void *context, double x);
-double last_positive(function_of *f, const void *context, double low, double high);
-
 /* A number of each of 400 random crawlers (random.c), which the data of the statement says */
 void at_random(struct question *q, struct scallop_crawler any);
 extern const struct fact steady_state_is_unique;
