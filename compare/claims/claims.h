@@ -14,7 +14,8 @@
 #include "asymptotics/observed/order.h"
 #include "compare/answers/request.h"
 #include "compare/book/book.h"
-#include "model/exact/ball.h"
+
+struct scallop_rational_crawler; /* model/exact/ball.h */
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_UNDECIDED, CLAIM_REFUTED };
 const char *claim_verdict_text(enum claim_verdict verdict);

@@ -4,8 +4,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include <gsl/gsl_errno.h>
-
 #include "compare/command/commands.h"
 #include "compare/points/counts.h"
 #include "compare/text/progress.h"
@@ -102,7 +100,6 @@ static enum exit_code run(const struct arguments *a)
 
 int main(int count, char **arguments)
 {
-  gsl_set_error_handler_off();
   keep_places();
   /* A closed pipe and a file that may not grow are failed writes, with a message: half a table is an error. */
   signal(SIGPIPE, SIG_IGN);

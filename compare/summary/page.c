@@ -281,12 +281,12 @@ static void write_best(const struct page *p, enum quantity_id of)
   fputc('\n', p->file);
 }
 
-/* low and high are nan where there is no recording */
+/* error is nan where there is no recording */
 static void write_event(const struct page *p, const struct event *e)
 {
-  fprintf(p->file, "  T = %.*g%s", digits_of(p, e->T, (e->high - e->low) / 2), e->T, p->is_recorded ? ", " : "");
+  fprintf(p->file, "  T = %.*g%s", digits_of(p, e->T, e->error), e->T, p->is_recorded ? ", " : "");
   if (p->is_recorded)
-    write_interval(p, e->low, e->high);
+    write_interval(p, e->T - e->error, e->T + e->error);
   fprintf(p->file, " (Froude %.3g): %s\n", motion_froude(&p->study->motion, e->T), e->what);
 }
 
