@@ -20,28 +20,6 @@ title() {
   esac
 }
 
-# One of several that take tests from the same list: mkdir tells who was first. A pipeline and no background jobs, which a shell
-# without a terminal starts deaf to Ctrl-C. $$ is the whole check: when something else ended it, no further test begins.
-worker() { # TEST...
-  for test in "$@"; do
-    kill -0 $$ 2>/dev/null || exit 1
-    mkdir "$runs/$test" 2>/dev/null || continue
-    sh scripts/dev/test.sh "$build" "$test" </dev/null >"$runs/$test/log" 2>&1 3>&-
-    echo $? >"$runs/$test/code.part"
-    mv "$runs/$test/code.part" "$runs/$test/code"
-    echo ended >&3
-  done
-}
-workers() { # NUMBER TEST...
-  more=$(($1 - 1))
-  shift
-  if [ $more = 0 ]; then
-    worker "$@"
-  else
-    worker "$@" | workers $more "$@"
-  fi
-}
-
 passed=0 failed=0
 count() { # TEST, which has ended
   log=$runs/$1/log name=$(title "$1")
@@ -94,5 +72,10 @@ for program in "$@"; do
   together="$together $(basename "$program")"
 done
 : >"$build/check.log"
+each() { # NUMBER-AT-A-TIME TEST...
+  number=$1
+  shift
+  [ $# = 0 ] || printf '%s\n' "$@" | xargs -P "$number" -n 1 sh "$(dirname "$0")/test.sh" --within "$runs" $$ "$build"
+}
 # shellcheck disable=SC2086
-{ workers "$at_a_time" $together; worker $alone; } 3>&1 >/dev/null | report $together $alone
+{ each "$at_a_time" $together; each 1 $alone; } | report $together $alone

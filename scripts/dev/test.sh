@@ -1,7 +1,19 @@
 #!/bin/sh
-# One test of `make check`: scripts/dev/test.sh BUILD NAME. NAME is a program of BUILD, a script of tests/compare/command/, or tables, ledger,
-# reference, explorer.
+# One test of `make check`: scripts/dev/test.sh [--within RUNS PROCESS] BUILD NAME. NAME is a program of BUILD, a file of
+# tests/compare/command/, or tables, ledger, reference, explorer. --within: what it says goes to RUNS/NAME/log, its seconds to
+# RUNS/NAME/seconds, its exit code at last to RUNS/NAME/code; when PROCESS has ended neither it nor a further one begins.
 set -u
+if [ "$1" = --within ]; then
+  kill -0 "$3" 2>/dev/null || exit 255
+  run=$2/$5 begun=$(date +%s)
+  mkdir -p "$run"
+  sh "$0" "$4" "$5" </dev/null >"$run/log" 2>&1
+  echo $? >"$run/code.part"
+  echo $(($(date +%s) - begun)) >"$run/seconds"
+  mv "$run/code.part" "$run/code"
+  echo "$5"
+  exit 0
+fi
 build=$1
 
 same_tables() {
