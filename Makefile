@@ -9,7 +9,7 @@ endif
 export LC_ALL := C.UTF-8
 # What a goal needs is looked for first, and installed where that is possible; by make -n it is not.
 quoted     = '$(subst ','\'',$(1))'
-setup      = CC=$(call quoted,$(CC)) CPPFLAGS=$(call quoted,$(CPPFLAGS)) WITH_FLINT=$(WITH_FLINT) scripts/dev/setup.sh
+setup      = CC=$(call quoted,$(CC)) CPPFLAGS=$(call quoted,$(CPPFLAGS)) $(foreach name,FLINT GSL LIBCONFIG,WITH_$(name)=$(WITH_$(name))) scripts/dev/setup.sh
 ifeq ($(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS)))),)
   $(if $(shell $(setup) $(or $(MAKECMDGOALS),all) >&2 || echo no),$(error something is missing))
 endif
@@ -20,11 +20,11 @@ chosen     = $(filter-out 0,$(if $(filter auto,$(1)),$(2),$(1)))
 # No contraction to fused multiply-add: the tables in data/ must not depend on the processor. No care for traps, which are off: vector
 # instructions compute what is then not used. Objects serve programs and libraries alike.
 WARN       = -Wall -Wextra -Werror -Wshadow -Wstrict-prototypes -Wmissing-prototypes -Wvla
-ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. -fPIC -fno-semantic-interposition -ffp-contract=off -fno-trapping-math -fopenmp-simd $(WARN) $(CFLAGS)
+ALL_CFLAGS = -std=c11 -D_XOPEN_SOURCE=700 -I. $(if $(filter 0,$(WITH_LIBCONFIG)),-Icompare/config/absent )-fPIC -fno-semantic-interposition -ffp-contract=off -fno-trapping-math -fopenmp-simd $(WARN) $(CFLAGS)
 threads   := $(if $(call chosen,$(WITH_OPENMP),$(call works,echo 'int main(void){return 0;}' | $(CC) -fopenmp -x c - -o /dev/null)),-fopenmp)
 # Of GSL and libconfig a program takes what it uses out of the archives, so that nothing is looked for when it starts.
 archive    = $(filter /%,$(if $(filter 0,$(STATIC)),,$(shell $(CC) -print-file-name=lib$(1).a)))
-LDLIBS    ?= $(foreach l,gsl gslcblas config,$(or $(call archive,$(l)),-l$(l))) -lm
+LDLIBS    ?= $(foreach l,$(if $(filter 0,$(WITH_GSL)),,gsl gslcblas) $(if $(filter 0,$(WITH_LIBCONFIG)),,config),$(or $(call archive,$(l)),-l$(l))) -lm
 # Arb is a library of its own beside FLINT 2, and a part of FLINT 3.
 FLINT     ?= $(if $(call works,echo '#include <arb.h>' | $(CC) $(CPPFLAGS) -E -),-lflint-arb) -lflint -lgmp
 sundials  := $(filter 4 5 6 7 8 9,$(shell printf '\043include <cvode/cvode.h>\nSUNDIALS_VERSION_MAJOR' | $(CC) $(CPPFLAGS) -E -P - 2>/dev/null | tail -n 1))
@@ -36,8 +36,11 @@ in_flint   = model/exact/% asymptotics/derived/% asymptotics/symbolic/% numerics
 flint     := $(in_flint) $(addprefix tests/,$(in_flint) fuzz/flint/%) %_flint
 built      = $(if $(filter 0,$(WITH_FLINT)),$(filter-out $(flint),$(1)),$(1))
 found      = $(call built,$(basename $(sort $(shell find $(1) -name '$(2).c'))))
-cvode := numerics/rivals/cvode
-parts     := $(filter-out compare/command/main $(cvode),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper
+# What a build without GSL has not
+in_gsl     = numerics/rivals/% compare/text/stopwatch_spread
+cvode     := $(if $(filter 0,$(WITH_GSL)),,numerics/rivals/cvode)
+left_out  := compare/command/main $(cvode) $(if $(filter 0,$(WITH_GSL)),$(in_gsl))
+parts     := $(filter-out $(left_out),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper
 threaded  := numerics/batch
 object     = $(patsubst %,$(B)/%.o,$(1))
 shipped   := $(call object,$(addprefix shipped_,scenes scripts completion help))
@@ -50,15 +53,15 @@ of_tests  := $(call found,tests,test_*)
 of_fuzz   := $(call found,tests,fuzz_*)
 tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
-program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT)),,scallop-flint.so))
+program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs check check-report reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates clean libraries install uninstall
+.PHONY: all help docs single-order check check-report check-cluster reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
 ## all:        build the command, build/scallop, and the libraries; config.mk has the choices
 all: $(program) libraries
-	@[ $(WITH_FLINT) != 0 ] || rm -f $(B)/scallop-flint.so
+	@[ "$(filter %.so,$(program))" ] || rm -f $(B)/scallop-flint.so
 
 ## help:       this list
 help: ; @sed -n 's/^## //p' Makefile explorer/rules.mk
@@ -99,7 +102,7 @@ $(B)/scallop-flint.so: $(with_flint)
 	@$(CC) $(ALL_CFLAGS) $(threads) $(LDFLAGS) -shared -Wl,--version-script=$(B)/flint_part.map -o $@ $(filter %.o,$^) $(needed) $(LDLIBS)
 $(foreach t,$(of_tests) $(of_fuzz),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(filter $(flint),$(t)),$(full),$(core))))
 $(tests): $(call object,tests/support/check)
-$(B)/test_integrators: $(call object,$(cvode))
+$(addprefix $(B)/,test_integrators test_rivals): $(call object,$(cvode))
 $(fuzz): $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 $(B)/scallop-bench: $(call object,$(filter-out bench/nothing,$(basename $(wildcard bench/*.c)))) $(core)
 $(B)/scallop $(tests) $(fuzz) $(B)/scallop-bench:
@@ -119,8 +122,9 @@ script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
 ## bare:       does each goal ask for what it needs, on a machine that has make only? needs root and Debian
 ## release:    README's commands, and make check, on bare systems of Debian stable and before it; needs root, Debian and its mirror
 ## flint3:     do all sources compile with FLINT 3? needs apt and a mirror of Debian
+## faults:     does a test fail for each fault of tests/faults, or for those that FAULTS="WORDS" name?
 ## fuzz:       search for inputs that break a reader or the solver, FUZZ_SECONDS (60) for each of FUZZ_TARGETS (all); needs clang
-check asan matrix coverage fuzz flint3:
+check asan matrix coverage fuzz flint3 faults:
 	+@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" $(script)
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
 ## lint:       rooms, clang-format, cppcheck and clang-tidy
@@ -128,7 +132,7 @@ check asan matrix coverage fuzz flint3:
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
 valgrind lint reproduce instructions bare release:
 	@$(script)
-check valgrind: $(program) libraries $(tests) $(fuzz)
+check valgrind faults: $(program) libraries $(tests) $(fuzz)
 lint: rooms
 reproduce: $(program)
 instructions: $(B)/scallop-bench $(program)
@@ -138,14 +142,20 @@ fuzz-programs: $(fuzz)
 rooms: $(program)
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
 rooms size: ; @/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
-## gates:      all that guards something, one row each, as scripts/dev/gates.txt lists it; docs/development/contributing.md says what each guards
-gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates
+## gates:      all that guards something, or GATES="NAME...", a row each: scripts/dev/gates.txt has the list, docs/development/contributing.md what each guards
+gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates $(GATES)
 ## docs:       docs/reference/commands.md anew, from --help
-docs: $(program)
-	@sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/reference/commands.md
+docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/reference/commands.md
 include explorer/rules.mk
+## check-cluster: the Slurm script and the line of GNU parallel of docs/guide/sweeps.md, on a private Slurm of which a node dies; needs root, Debian
+check-cluster: $(program)
+	@$(script)
 ## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
 bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop ; @$(B)/scallop-bench
+## single-order: the estimator of orders as one file of C99 and C++17, to copy: build/scallop_order.h (docs/guide/order.md)
+single-order: $(B)/scallop_order.h
+$(B)/scallop_order.h: scripts/dev/single_order.sh $(wildcard asymptotics/observed/*.[ch]) model/version.h LICENSE
+	@mkdir -p $(@D) && sh $< >$@
 ## clean:      remove build/
 clean: ; rm -rf $(B)
 
@@ -156,13 +166,13 @@ abi       := $(shell sed -n 's/^.define SCALLOP_ABI //p' model/version.h)
 libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
 in_library = $(filter $(patsubst %,$(B)/%/%,model asymptotics numerics threads),$(1))
 core_headers := scallop.h $(shell sed -n 's/^.include "\(.*\)"/\1/p' scallop.h)
-headers   := $(core_headers) numerics/rivals/rival.h \
+headers   := $(core_headers) $(if $(filter 0,$(WITH_GSL)),,numerics/rivals/rival.h) \
              $(call built,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h numerics/certified/certified.h)
 passed     = NM OBJCOPY AR LDFLAGS INSTALL DESTDIR PREFIX bindir libdir includedir datadir mandir pkgconfigdir completionsdir
 to_script  = CC="$(CC) $(ALL_CFLAGS)" $(foreach name,$(passed),$(name)="$($(name))") sh scripts/dev
 $(B)/libscallop-core.a: $(filter-out $(B)/numerics/rivals/%,$(call in_library,$(core))) $(core_headers)
 $(B)/libscallop.a: $(call in_library,$(full)) $(headers)
-$(B)/libscallop.a: needed += -lgsl -lgslcblas
+$(B)/libscallop.a: needed += $(if $(filter 0,$(WITH_GSL)),,-lgsl -lgslcblas)
 $(libraries):
 	@$(to_script)/library.sh $(@:$(B)/lib%.a=%) $(B) $(version) $(abi) "$(strip $(needed) -lm)" "$(filter %.h,$^)" $(filter %.o,$^)
 $(B)/man: $(B)/scallop scripts/dev/man.awk scripts/dev/man.sh
@@ -170,7 +180,7 @@ $(B)/man: $(B)/scallop scripts/dev/man.awk scripts/dev/man.sh
 
 ## libraries:  libscallop-core, which needs libm only, and libscallop, static and shared, in build/
 libraries: $(libraries)
-## install:    programs, libraries, headers, man pages, completion, scenes, plot scripts, the Python module, to PREFIX (/usr/local), with DESTDIR in front
+## install:    programs, libraries, headers, man pages, completion, scenes, plot scripts, the Python package, to PREFIX (/usr/local), with DESTDIR in front
 ## uninstall:  takes away what install put there
 install: $(program) $(libraries) $(B)/man
 install uninstall:

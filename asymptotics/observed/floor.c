@@ -138,14 +138,11 @@ static struct floor floor_at(const struct judged *j, int onset)
     rough = rough || fabs(j->p[i].err) > least;
     least = fmin(least, fabs(j->p[i].err));
   }
-  return (struct floor){ .onset = onset,
-                         .rows = used - onset,
-                         .least = least,
-                         .level = level,
-                         .rough = rough,
-                         .dense = pow(APART, used - 1) * j->p[used - 1].h > j->p[0].h,
-                         .high = level > ROUGH * largest,
-                         .near_roundoff = level <= ROUNDOFF * fmax(1, largest) };
+  const bool dense = pow(APART, used - 1) * j->p[used - 1].h > j->p[0].h;
+  struct floor found = {
+    onset, used - onset, least, level, rough, dense, level > ROUGH * largest, level <= ROUNDOFF * fmax(1, largest)
+  };
+  return found;
 }
 
 /* The largest of the used errors from first on over the smallest */

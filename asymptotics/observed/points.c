@@ -126,18 +126,14 @@ void reason_add_rows(const struct judged *j, int first, int what)
 bool reason_add_all(const struct judged *j, bool faults, const char *before, const char *between)
 {
   static const char *const words[] = {
-    [SCALLOP_ORDER_ZERO] = "err is 0",
-    [SCALLOP_ORDER_FLOOR] = "roundoff",
-    [SCALLOP_ORDER_COARSE] = "not yet in the trend",
-    [SCALLOP_ORDER_BEFORE_SIGN_CHANGE] = "before a change of sign",
-    [POINT_NAN] = "NaN",
-    [POINT_INFINITE] = "an infinite number",
-    [POINT_NOT_POSITIVE] = "h <= 0",
-    [POINT_BAD_NOISE] = "noise < 0 or NaN",
+    /* by use, and then by fault */
+    "used", "err is 0",           "roundoff", "not yet in the trend", "before a change of sign",
+    "NaN",  "an infinite number", "h <= 0",   "noise < 0 or NaN"
   };
-  const int last = faults ? POINT_BAD_NOISE : SCALLOP_ORDER_BEFORE_SIGN_CHANGE;
+  const int first = faults ? (int)POINT_NAN : (int)SCALLOP_ORDER_ZERO;
+  const int last = faults ? (int)POINT_BAD_NOISE : (int)SCALLOP_ORDER_BEFORE_SIGN_CHANGE;
   bool any = false;
-  for (int what = faults ? POINT_NAN : SCALLOP_ORDER_ZERO; what <= last; what++)
+  for (int what = first; what <= last; what++)
     if (reason_count(j, 0, what) > 0) {
       reason_add(j, "%s%s", any ? between : before, words[what]);
       reason_add_rows(j, 0, what);

@@ -9,7 +9,7 @@
 static const double SEEN = 0.005;
 /* Sums of squares are compared. A term that dies away is as good as another if it leaves at most so many times as
  * much; one that does not has to be so many times better than those. */
-static const double AS_GOOD = 4, BETTER[] = { [TREND_LEAVING] = 8, [TREND_CREEPING] = 25 };
+static const double AS_GOOD = 4, BETTER[] = { 0, 0, 8, 25 }; /* by enum trend_kind */
 static const double SURE = 0.995;
 /* Nor does it count if a line leaves at most so many times less of the points without the finest. */
 static const double FINEST = 4;
@@ -18,7 +18,7 @@ static const double WEIGHED = 0.03;
 /* Tables that people print; the bound on what rounding explains takes the square of their length. */
 enum { MOST_PRINTED = 64, MOST_DIGITS = 6, MOST_STEPS = 30 };
 /* In h^p |log h|^r an r smaller than this is taken for a coincidence. */
-static const double LEAST_POWER = 0.4, LOG_09 = -0.105;
+static const double LEAST_SECOND = 0.4, LOG_09 = -0.105;
 /* Of two terms with opposite signs the smaller one is at most so much of the larger. */
 static const double CANCELLED = 0.9975;
 /* Of log(1 + c): the step of the grid, what is a step no longer, and the end of the grid where h spans hundreds of
@@ -57,7 +57,7 @@ static double y_of(const struct run *r, int i) { return r->entry[i].y - r->y; }
 
 static struct run run_of(const struct entry *entry, int count)
 {
-  struct run r = { .entry = entry, .count = count, .coarsest = entry[0].x, .finest = entry[count - 1].x };
+  struct run r = { entry, count, 0, 0, 0, 0, 0, entry[0].x, entry[count - 1].x };
   for (int i = 0; i < count; i++) {
     r.weight += entry[i].weight;
     r.x += entry[i].weight * entry[i].x;
@@ -92,14 +92,20 @@ struct bent {
 
 static struct bent bent_at(const struct run *r, const struct bend *b, double x)
 {
+  struct bent at = { 0, 0, 0, 0 };
   if (!b->shape)
-    return (struct bent){ 0 };
+    return at;
   double power = b->shape->power, above = x - r->finest;
-  if (creeps(b))
-    return isnan(power) ? (struct bent){ .term = log(fabs(x)), .term_order = 1 / x }
-                        : (struct bent){ .term = above * above, .term_order = 2 * above };
+  if (creeps(b)) {
+    at.term = isnan(power) ? log(fabs(x)) : above * above;
+    at.term_order = isnan(power) ? 1 / x : 2 * above;
+    return at;
+  }
   double u = exp(power * (power > 0 ? x - r->coarsest : above)), cu = b->c * u;
-  return (struct bent){ .known = log1p(cu), .term = (1 + b->c) * u / (1 + cu), .known_order = power * cu / (1 + cu) };
+  at.known = log1p(cu);
+  at.term = (1 + b->c) * u / (1 + cu);
+  at.known_order = power * cu / (1 + cu);
+  return at;
 }
 
 /* The local order at log h = x */
@@ -112,7 +118,7 @@ static double order_at(const struct run *r, const struct bend *b, double x)
 /* Least squares of what the known leaves of y, over x and the term. */
 static void fit(const struct run *r, struct bend *b)
 {
-  struct bent at[MOST_ENTRIES] = { { .known = 0 } };
+  struct bent at[MOST_ENTRIES] = { { 0, 0, 0, 0 } };
   double known = 0, term = 0, yx = r->xy, tx = 0, tt = 0, ty = 0;
   for (int i = 0; i < r->count; i++) {
     double w = r->entry[i].weight;
@@ -140,7 +146,7 @@ static void fit(const struct run *r, struct bend *b)
 
 static struct bend bend_at(const struct run *r, const struct shape *shape, double t)
 {
-  struct bend b = { .shape = shape, .c = expm1(t) };
+  struct bend b = { shape, expm1(t), 0, 0, 0, 0, 0 };
   fit(r, &b);
   return b;
 }
@@ -193,7 +199,7 @@ static struct bend best_bend(const struct run *r, struct trend *t)
     if (isnan(shapes[i].power) && !(r->coarsest < LOG_09)) /* log h = 0 at h = 1 */
       continue;
     bends[i] = best_of(r, &shapes[i]);
-    if (isnan(shapes[i].power) && fabs(bends[i].factor) < LEAST_POWER)
+    if (isnan(shapes[i].power) && fabs(bends[i].factor) < LEAST_SECOND)
       continue;
     if (shapes[i].power >= 1) {
       double half = half_width(&bends[i], r->count - 3);
@@ -291,19 +297,11 @@ static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct s
 
 struct trend trend_from(const struct judged *j, int first)
 {
-  struct entry entry[MOST_ENTRIES] = { { .weight = 0 } };
+  struct entry entry[MOST_ENTRIES] = { { 0, 0, 0, 0 } };
   struct run r = run_of_points(entry, j->p + first, j->used - first, j->level);
   struct bend line = bend_at(&r, NULL, 0);
-  struct trend t = { .kind = TREND_STRAIGHT,
-                     .points = j->used - first,
-                     .slope = line.slope,
-                     .half_width = half_width(&line, r.count - 2),
-                     .low = line.slope,
-                     .high = line.slope,
-                     .limit = line.slope,
-                     .coarsest_order = line.slope,
-                     .finest_order = line.slope };
-  t.limit_half_width = t.half_width;
+  const double p = line.slope, half = half_width(&line, r.count - 2);
+  struct trend t = { TREND_STRAIGHT, false, false, j->used - first, p, half, p, p, p, half, p, p };
   t.rounded = explained_by_rounding(&r, &line);
   if (r.count < LEAST_TREND)
     return t;

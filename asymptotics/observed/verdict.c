@@ -184,7 +184,7 @@ static struct answer answer_of(const struct judged *j, int first, const struct t
   bool settles = t->kind == TREND_SETTLING;
   double off = fmax(t->half_width, fabs(t->slope - t->finest_order));
   double limit_off = fmax(t->limit_half_width, finer->points >= LEAST_TREND ? fabs(finer->limit - t->limit) : 0);
-  struct answer a = { .interval = SCALLOP_ORDER_SLOPE, .order = t->slope, .first = first };
+  struct answer a = { SCALLOP_ORDER_SLOPE, t->slope, 0, 0, 0, first, false, false };
   a.off = settles ? fmax(off, fabs(t->slope - t->limit)) : off; /* a slope that bends towards another order is none */
   if (settles && limit_off <= tolerance) {
     a.interval = SCALLOP_ORDER_LIMIT;
@@ -235,7 +235,9 @@ static struct answer best_answer(const struct judged *j, struct trend *whole)
 {
   const int half = (whole->points + 1) / 2, fewest = half > LEAST_TREND ? half : LEAST_TREND;
   const int least = whole->points < fewest ? whole->points : fewest;
-  struct answer best = { .known = false };
+  const struct answer none = { SCALLOP_ORDER_NO_INTERVAL, 0, 0, 0, 0, 0, false, false };
+  const struct trend no_trend = { TREND_STRAIGHT, false, false, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
+  struct answer best = none;
   struct trend t = *whole, finer;
   for (int first = 0, next; t.points >= least || (t.points == 3 && t.half_width < ALIGNED); first = next, t = finer) {
     bool drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
@@ -244,10 +246,13 @@ static struct answer best_answer(const struct judged *j, struct trend *whole)
       break;
     if (drifts) {
       *whole = t;
-      return (struct answer){ .first = first, .drifts = true };
+      best = none;
+      best.first = first;
+      best.drifts = true;
+      return best;
     }
     next = first + 1 + t.points / MANY;
-    finer = t.points >= LEAST_TREND ? trend_from(j, next) : (struct trend){ 0 };
+    finer = t.points >= LEAST_TREND ? trend_from(j, next) : no_trend;
     struct answer a = answer_of(j, first, &t, &finer);
     if (first == 0 || (best.known ? a.off < best.off / FAR_BETTER : a.known))
       best = a;
@@ -365,10 +370,11 @@ static void judge(struct judged *j)
 void scallop_order(struct scallop_order_point *points, int *count, const struct scallop_order_wanted *wanted,
                    struct scallop_order_result *result)
 {
-  *result = (struct scallop_order_result){
-    .order = NAN, .low = NAN, .high = NAN, .gci = NAN, .asymptotic_ratio = NAN, .interval = SCALLOP_ORDER_NO_INTERVAL
+  const struct scallop_order_result nothing = {
+    SCALLOP_ORDER_PASS, NAN, NAN, NAN, SCALLOP_ORDER_NO_INTERVAL, 0, NAN, NAN, ""
   };
-  struct judged j = { .p = points, .count = *count, .wanted = wanted, .result = result };
+  *result = nothing;
+  struct judged j = { points, *count, 0, wanted, result, 0, 0 };
   for (int i = 0; i < j.count; i++)
     if (points[i].row == 0)
       points[i].row = i + 1;

@@ -232,7 +232,10 @@ static double ratio(struct at *s, enum ratio_place which)
     return s->place.point.ratio[which];
   if (which == FROUDE)
     return succeeds(s, scallop_scale(c, &scaled)) ? 1 / scaled.eps : NAN;
-  return which == F1_OVER_F2 ? c->F1 / c->F2 : c->m1 / c->m2;
+  return which == F1_OVER_F2   ? c->F1 / c->F2
+         : which == M1_OVER_M2 ? c->m1 / c->m2
+         : which == MU1        ? c->F1 / (c->m1 * s->place.point.gravity)
+                               : c->F2 / (c->m2 * s->place.point.gravity);
 }
 
 static double parameter(struct at *s, int place)
@@ -289,6 +292,13 @@ static double data_error(struct at *s, int place)
     return NAN;
   bool known = (s->data && s->data->done) || find_data_errors(s);
   return known ? s->data->error[place] : at_fail(s, "out of memory");
+}
+
+double at_data_error(struct at *s, int quantity)
+{
+  const struct quantity *q = &s->asked->quantities.item[quantity];
+  const int of = q->kind == QUANTITY_DATA ? q->of : quantity;
+  return is_of_data(s, of) ? data_error(s, of) : NAN;
 }
 
 /* Can it be told although the parameters are no point? */

@@ -49,6 +49,8 @@ const struct quantity_row quantity_rows[] = {
   { "alpha", .kind = QUANTITY_NUMBER, .which = 6 },
   { "v0", .kind = QUANTITY_NUMBER, .which = PLACE_OF_V0 },
   { "F1_over_F2", .kind = QUANTITY_RATIO, .which = F1_OVER_F2 },
+  { "mu1", .kind = QUANTITY_RATIO, .which = MU1 },
+  { "mu2", .kind = QUANTITY_RATIO, .which = MU2 },
   { "m1_over_m2", .kind = QUANTITY_RATIO, .which = M1_OVER_M2 },
   { "gait", .kind = QUANTITY_GAIT },
   { "phase", .kind = QUANTITY_PHASE_NAME },

@@ -47,6 +47,16 @@ void note_parameters(struct table *t, const struct point *p, const char *const *
     table_note(t, "parameters:%s", text);
 }
 
+void tell_decimal_commas(const struct sweep *sweep, const struct style *style)
+{
+  const struct sweep_variable *v;
+  for (int i = 0; (v = sweep_variable(sweep, i)) && !style->quiet; i++)
+    if (v->texts && v->count == 2 && v->target <= TARGET_FROUDE && !strpbrk(v->texts[0], ".e/")
+        && strspn(v->texts[1], "0123456789") == strlen(v->texts[1]))
+      fprintf(stderr, "scallop %s: note: --%s %s,%s is two values, %s and %s; a number has a decimal point: %s.%s\n",
+              style->command, v->name, v->texts[0], v->texts[1], v->texts[0], v->texts[1], v->texts[0], v->texts[1]);
+}
+
 void point_tell_recording(const struct point *p, const struct style *style)
 {
   const struct scallop_gait *gait = p->crawler.gait;

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/shard.h"
 #include "compare/book/book.h"
 #include "compare/points/counts.h"
 #include "compare/points/defaults.h"
@@ -138,13 +139,17 @@ static void put_number(const struct sheet *s, struct table *t, struct at *at, in
 {
   const struct quantity *q = &s->asked->quantities.item[quantity];
   double x = at_number(at, quantity);
-  char shortest[NUMBER_TEXT];
-  if (q->kind == QUANTITY_ESTIMATE)
-    table_rounded(t, x, "%.3g");
+  char shortest[NUMBER_TEXT], format[8];
+  const double unknown = t->sink->digits == PEOPLE_DIGITS && !t->style->digits ? at_data_error(at, quantity) : NAN;
+  snprintf(format, sizeof format, "%%.%dg", isnan(unknown) ? 3 : digits_known(x, unknown));
+  if (q->kind == QUANTITY_ESTIMATE || !isnan(unknown))
+    table_rounded(t, x, format);
   else if (q->kind != QUANTITY_NUMBER || !s->as_written)
     table_number(t, x);
   else { /* with all the digits that were given: --digits is of what is proven */
     const char *written = at->place.is_unread ? NULL : at->place.point.written[q->which];
+    if (written && t->sink->format == FORMAT_JSON && !json_takes_number(written))
+      written = NULL; /* 3/5, .6 */
     number_text(shortest, x, 0);
     table_carried(t, written ? written : shortest);
   }
@@ -220,20 +225,29 @@ static const char *settle(struct rows *r)
   return NULL;
 }
 
-/* What is drawn and not among the usual columns stands behind them; among chosen ones it has to be. */
+/* What is drawn and not among the usual columns stands behind them; among chosen ones it has to be, but of a map, which
+ * needs its axes, too: there it is drawn and not written. */
 static const char *add_drawn(struct rows *r, bool are_chosen)
 {
   const struct plot *plot = &r->request->style.plot;
   const char *const lists[] = { plot->x, plot->y, plot->by }, *const options[] = { "x", "y", "by" }, *wrong = NULL;
+  const bool is_map = are_chosen && r->of && strcmp(r->of, "map") == 0;
+  const int written = r->sheet.columns.count;
   char name[QUANTITY_NAME];
-  for (int i = 0; i < 3 && plot->file; i++)
+  for (int axis = 0; axis < 2 && plot->file && is_map && !wrong; axis++) {
+    const char *text = r->own[axis], *end = strstr(text, " = ");
+    snprintf(name, sizeof name, "%.*s", end ? (int)(end - text) : (int)strlen(text), text);
+    wrong = column_list_has(&r->sheet.columns, name) ? NULL : sheet_add(&r->sheet, name);
+  }
+  for (int i = 0; i < 3 && plot->file && !wrong; i++)
     for (const char *rest = lists[i]; next_item(name, sizeof name, &rest);) {
       if (!column_list_has(&r->sheet.columns, name))
-        wrong = are_chosen ? wrong_text("the table has no column %s", name) : sheet_add(&r->sheet, name);
+        wrong = are_chosen && !is_map ? wrong_text("the table has no column %s", name) : sheet_add(&r->sheet, name);
       if (wrong)
         return wrong_text("--plot-%s: %.350s", options[i], wrong);
     }
-  return NULL;
+  r->only_drawn = is_map ? r->sheet.columns.count - written : 0;
+  return wrong;
 }
 
 static const char *add_columns(struct rows *r)
@@ -342,6 +356,8 @@ static void write_head(struct rows *r)
     for (int i = 0; i < scene->notes && !given; i++) /* with other parameters they may be wrong */
       table_note(&r->table, "%s", scene->note[i]);
   }
+  if (r->request->shard.parts > 0)
+    table_note(&r->table, SHARD_LINE, r->request->shard.part, r->request->shard.parts, r->request->shard.sweep);
   if (scene || r->notes_parameters)
     note_held(r);
   if (scene)
@@ -363,6 +379,7 @@ bool rows_open(struct rows *r)
   r->cannot_open = !r->is_open;
   if (r->is_open) {
     r->table.of = r->of ? r->of : r->table.of;
+    r->table.only_drawn = r->only_drawn;
     write_head(r);
   }
   return r->is_open;

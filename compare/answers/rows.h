@@ -43,10 +43,12 @@ struct rows { /* a table with a row for each point, as it is planned; zero but f
   bool has_errors;                   /* visit asks for errors of series, too */
   const struct table_choice *choice; /* of columns; NULL: that of the request */
   const char *command;               /* what the head says of it; NULL: its name */
+  int only_drawn;                    /* columns at the end that its picture needs, and that are not written */
   const char *of;                    /* the kind of its picture; NULL: that of the command */
   void (*head)(struct rows *rows);   /* more '#' lines, or NULL */
   void (*visit)(struct rows *rows, struct at *at); /* NULL: sheet_row */
   void *context;                                   /* of these two: freed with the rows, or NULL */
+  bool any_order;                                  /* visit takes points in any order, by several threads */
   bool opens_late;                                 /* visit calls rows_open, with the first row */
   /* while it is made */
   struct style style;
@@ -77,6 +79,11 @@ struct point_file;
 enum exit_code rows_visit(struct rows_run *run, struct point_file *file);
 /* Puts the tables in their places; keep: else the earlier files stay. False: one could not be. */
 bool rows_close(struct rows_run *run, bool keep);
+
+/* How many threads the request is to run on, from 1 to MOST_THREADS: as many as are given, or OMP_NUM_THREADS says, or
+ * there are processors for this process. */
+enum { MOST_THREADS = 1024 };
+int threads_wanted(const struct request *request);
 
 /* The table of a command by itself. */
 enum exit_code rows_table(struct rows *rows);

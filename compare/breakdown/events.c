@@ -212,7 +212,7 @@ static void search(struct events *events, const struct signature *low, const str
     return;
   }
   bool of_modes = !same(CHANGE_OF_MODES, low, high);
-  struct event e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double", .low = NAN, .high = NAN };
+  struct event e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double", .error = NAN };
   struct signature before = *low, after = *high;
   if (!events->is_rough
       && is_rounding(e.of, &before, &after, events->count > 0 ? events->event[events->count - 1].T : 0))
@@ -235,7 +235,7 @@ const struct scallop_modes *events_modes_at(const struct events *events, double 
 /* Where the crawler turns back, if it does */
 static void find_reversal(struct events *events, const struct signature *low, const struct signature *high)
 {
-  struct event e = { .of = CHANGE_OF_WAY, .low = NAN, .high = NAN };
+  struct event e = { .of = CHANGE_OF_WAY, .error = NAN };
   if (events->is_rough || way(low) * way(high) >= 0 || !settle(&e, low, high))
     return;
   snprintf(e.what, sizeof e.what, "the direction of crawling reverses: from here on %s",
@@ -252,9 +252,9 @@ static void find(struct events *events, const struct motion *m, int octaves_belo
   events->from = ldexp(motion_natural_time(m), -octaves_below);
   events->until = motion_last_time(m);
   bool going = signature_at(&low, m, events->from);
-  for (int i = 0; going && i < FARTHEST && *limit_modes; i++) {
-    if (strcmp(motion_modes_text(text, m->of, low.answer.modes), limit_modes) == 0)
-      break;
+  for (int i = 0; going && i < FARTHEST && *limit_modes
+                  && strcmp(motion_modes_text(text, m->of, low.answer.modes), limit_modes) != 0;
+       i++) {
     events->from = ldexp(events->from, -octaves_below);
     going = signature_at(&low, m, events->from);
   }
@@ -288,35 +288,28 @@ static double same_change(const struct events *events, const struct event *e)
   return found;
 }
 
-/* The changes that other curves through the recording have, too; and how far their T may be off. */
+/* Keeps the changes that other curves through the recording have, too; T may be off by the largest difference. */
 static void keep_shared(struct events *events, const struct motion *m)
 {
-  double(*others)[SCALLOP_MEASURED_OTHERS] = malloc((size_t)(events->count + 1) * sizeof *others);
   long kept = 0;
-  for (long k = 0; others && k < events->count; k++)
-    for (int i = 0; i < SCALLOP_MEASURED_OTHERS; i++)
-      others[k][i] = NAN;
-  for (int i = 0; others && i < SCALLOP_MEASURED_MODELS; i++) {
+  for (int i = 0; i < SCALLOP_MEASURED_MODELS; i++) {
     struct events there = { .per_octave = OF_RECORDED / 4, .finest = CHANGE_OF_MODES, .is_rough = true };
     struct motion other = *m;
     if (!gait_exchange(&other.crawler, i))
       continue;
     find(&there, &other, BELOW_OF_RECORDED, "");
-    for (long k = 0; k < events->count; k++)
-      events->event[k].is_own |= isnan(others[k][i] = same_change(&there, &events->event[k]));
+    for (struct event *e = events->event; e < events->event + events->count; e++) {
+      const double T = same_change(&there, e);
+      e->is_own |= isnan(T);
+      e->error = fmax(e->error, fabs(T - e->T));
+    }
     events_clear(&there);
   }
-  for (long k = 0; others && k < events->count; k++) {
-    struct event e = events->event[k];
-    double error = scallop_measured_error(e.T, others[k]);
-    e.low = e.T - error;
-    e.high = e.T + error;
-    if (!e.is_own)
-      events->event[kept++] = e;
-  }
-  events->left_out = others ? events->count - kept : 0;
-  events->count = others ? kept : events->count;
-  free(others);
+  for (long k = 0; k < events->count; k++)
+    if (!events->event[k].is_own)
+      events->event[kept++] = events->event[k];
+  events->left_out = events->count - kept;
+  events->count = kept;
 }
 
 void events_find(struct events *events, const struct motion *m, const char *limit_modes)

@@ -38,7 +38,7 @@ struct event {
   char what[MODE_CHANGE_TEXT];
   struct scallop_modes modes[2]; /* from here on */
   const char *status;            /* how it is known: certified, binary128 or double */
-  double low, high;              /* of T, as far as the recording of a measured gait tells; else nan */
+  double error;                  /* of T, as far as the recording of a measured gait tells; else nan */
   bool is_own;                   /* of this curve: another one does not have it */
 };
 struct events {

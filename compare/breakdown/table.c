@@ -101,8 +101,8 @@ static void write_changes(struct report *r, const char *what, enum quantity_id o
   for (const struct event *end = e + count; e < end; e++) {
     struct row row = row_of(r, what, of, "-", e->T);
     row.modes = e->modes;
-    row.low = e->low;
-    row.high = e->high;
+    row.low = e->T - e->error;
+    row.high = e->T + e->error;
     write_row(r, &row, e->what, e->status);
   }
 }

@@ -1,10 +1,13 @@
 /* The claims of a book, `claims --book` and `claims --formula`: each formula for each gait, at one crawler, or at one
  * that its conditions allow. */
+#define _GNU_SOURCE /* asprintf */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "asymptotics/symbolic/left_out.h"
 #include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
 
@@ -170,14 +173,46 @@ static const char *undecided(const struct scallop_formula *f, const struct trial
   return text;
 }
 
-void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                        const struct scallop_formula *f)
+/* The derived terms below the power of T that is claimed, in names: what is to be pasted in the place of the formula.
+ * NULL: they are not known as a formula. */
+static char *derived_text(const struct scallop_formula *f, const struct trial *trial)
+{
+  struct scallop_formula sum = *f;
+  char *text = strdup("0"), *more, message[FORMULA_MESSAGE];
+  bool is_known = f->remainder > 0, goes_on = is_known;
+  for (int terms = 0; goes_on && text; terms++) {
+    ENDED_BY(left_out_clear) struct left_out l;
+    left_out_init(&l);
+    sum.text = text;
+    is_known = !symbolic_left_out(&l, &sum, &trial->crawler, trial->condition->kind, trial->v0, f->remainder - 1,
+                                  message);
+    goes_on = is_known && l.order < f->remainder;
+    const bool minus = goes_on && *l.term == '-';
+    if (!goes_on
+        || asprintf(&more, "%s%s%s", terms > 0 ? text : "",
+                    terms == 0 ? ""
+                    : minus    ? " - "
+                               : " + ",
+                    l.term + (terms > 0 && minus))
+               < 0)
+      break;
+    free(text);
+    text = more;
+  }
+  if (!is_known)
+    free(text);
+  return is_known ? text : NULL;
+}
+
+/* derived: becomes the derived terms, if the formula is refuted; NULL: a verdict alone is asked for */
+static void add_row(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                    const struct scallop_formula *f, enum claim_source source, char **derived)
 {
   const struct condition condition = condition_of(f);
   struct claim_row row = row_of_formula(f, crawler->gait, &condition);
   SCOPED(scallop_rational, before, now);
   ENDED_BY(trial_clear) struct trial trial;
-  row.source = OF_BOOK;
+  row.source = source;
   row.any_crawler = !is_given;
   write_conditions(&row, f);
   scallop_rational_copy(&before, crawler);
@@ -185,7 +220,36 @@ void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_cra
   row.inside = is_given ? is_for(f, &now) : fit(f, &now);
   trial_begin(&trial, &now, &condition, false);
   write_change(&row, &now, &before, trial.v0);
+  row.formula = derived ? strdup(f->text) : NULL;
+  row.error_at_T = derived ? trial_error_at_T(&trial, f) : NAN;
   ledger_decide(ledger, &row, &trial, f, undecided(f, &trial, is_given || row.inside));
+  if (derived && row.verdict == CLAIM_REFUTED && !f->corrected)
+    *derived = derived_text(f, &trial);
+}
+
+void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                        const struct scallop_formula *f)
+{
+  add_row(ledger, crawler, is_given, f, OF_BOOK, NULL);
+}
+
+/* Behind a formula that is refuted the one that holds to the claimed order */
+static void add_with_correction(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+                                const struct scallop_formula *f)
+{
+  char name[CLAIM_NAME], *derived = NULL, *unused = NULL;
+  add_row(ledger, crawler, is_given, f, OF_BOOK, &derived);
+  if (!derived)
+    return;
+  struct scallop_formula right = *f;
+  snprintf(name, sizeof name, "%.50s:derived", f->name);
+  append(ledger->rows[ledger->count - 1].corrected, CLAIM_NAME, "%s", name);
+  right.name = name;
+  right.text = derived;
+  right.parts = NULL;
+  add_row(ledger, crawler, is_given, &right, OF_CORRECTED, &unused);
+  free(derived);
+  free(unused);
 }
 
 void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
@@ -194,5 +258,5 @@ void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawle
   const struct scallop_formula *f;
   for (int i = 0; (f = book_formula(i)); i++)
     if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)) && !ledger_expects(ledger))
-      ledger_add_formula(ledger, crawler, is_given, f);
+      add_with_correction(ledger, crawler, is_given, f);
 }

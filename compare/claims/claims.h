@@ -14,7 +14,8 @@
 #include "asymptotics/observed/order.h"
 #include "compare/answers/request.h"
 #include "compare/book/book.h"
-#include "model/exact/ball.h"
+
+struct scallop_rational_crawler; /* model/exact/ball.h */
 
 enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_UNDECIDED, CLAIM_REFUTED };
 const char *claim_verdict_text(enum claim_verdict verdict);
@@ -45,6 +46,8 @@ struct claim_row {
   long derived_order;
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none */
   char *leading_error;  /* of a formula proven for all: that term as a formula; the ledger's own, or NULL */
+  char *formula;        /* its text, of a book; likewise */
+  double error_at_T;    /* of a book: the formula over the certified value, less 1, at the given T */
   struct scallop_order_result fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* from the largest T */
   int count;

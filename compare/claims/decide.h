@@ -49,12 +49,18 @@ slong trial_leading_power(const struct scallop_formula *formula);
 double trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *formula,
                      const struct series *left_out);
 
+/* The formula over the certified value, less 1, at the crawler's T, the period; nan: it has none there. */
+double trial_error_at_T(const struct trial *m, const struct scallop_formula *formula);
+
 struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
                                 const struct condition *condition);
 /* Adds the row (proof.c), with the verdict from what the formula leaves out of the motion. why: nothing can be said of
  * that, for this reason, "" where none is known; or NULL. */
 void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *formula,
                    const char *why);
+/* Has the formula another dimension than what it gives, or none (dimension.c)? why: which */
+enum { DIMENSION_WHY = 300 };
+bool dimension_refutes(char why[DIMENSION_WHY], const struct trial *trial, const struct scallop_formula *formula);
 /* Notes what cannot be. */
 void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -139,12 +145,6 @@ bool set_conditions(struct scallop_crawler *c, const char *conditions);
 int compare(double a, double b);
 /* Of a certified number: 1: it is 0, to 2^-80; -1: it is not; 0: not known */
 int is_zero(double x);
-
-/* The last double before f, positive at low and not at high, is not positive any more; where f, with one maximum
- * between a and b, is highest, to 1e-7 of it */
-typedef double function_of(const void *context, double x);
-double last_positive(function_of *f, const void *context, double low, double high);
-double highest_between(function_of *f, const void *context, double a, double b);
 
 /* A number of each of 400 random crawlers (random.c), which the data of the statement says */
 void at_random(struct question *q, struct scallop_crawler any);

@@ -7,6 +7,7 @@
 
 #include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
+#include "model/golden.h"
 
 enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD }; /* F1/F2, by F1; F2, with F1/F2 kept; T */
 
@@ -67,8 +68,7 @@ static struct place place_at(const struct family *f, double x)
   return (struct place){ x, speed, s.v_start, isfinite(speed) && s.regime == SCALLOP_SLIDING };
 }
 
-static double speed_of(const void *family, double x) { return place_at(family, x).speed; }
-static double start_of(const void *family, double x) { return place_at(family, x).v_start; }
+static double minus_speed(void *family, double x) { return -place_at(family, x).speed; }
 
 /* F1/F2 to 7838, 1/Froude from 1e-3 to 92 (forces) or 91 */
 static void scan(struct family *f)
@@ -83,8 +83,12 @@ static void scan(struct family *f)
     f->scan[i] = place_at(f, x);
   f->boundary = NAN;
   for (int i = 1; isnan(f->boundary) && i < f->count; i++)
-    if (f->scan[i - 1].v_start > 0 && f->scan[i].v_start <= 0)
-      f->boundary = last_positive(start_of, f, f->scan[i - 1].x, f->scan[i].x);
+    if (f->scan[i - 1].v_start > 0 && f->scan[i].v_start <= 0) {
+      double behind = f->scan[i].x;
+      f->boundary = f->scan[i - 1].x;
+      for (double mid; halfway(&mid, f->boundary, behind);)
+        *(place_at(f, mid).v_start > 0 ? &f->boundary : &behind) = mid;
+    }
 }
 
 /* Certified */
@@ -99,7 +103,8 @@ static void find_maxima(struct family *f, struct question *q)
   for (int i = 1; i + 1 < f->count && f->maxima < PEAKS_MOST; i++) {
     if (!(f->scan[i].speed > f->scan[i - 1].speed && f->scan[i].speed > f->scan[i + 1].speed))
       continue;
-    const struct place at = place_at(f, highest_between(speed_of, f, f->scan[i - 1].x, f->scan[i + 1].x));
+    const double low = f->scan[i - 1].x, high = f->scan[i + 1].x;
+    const struct place at = place_at(f, golden_least(minus_speed, f, low, high, 1e-7 * low));
     const double v = velocity(q, f, at.x);
     if (compare(v, velocity(q, f, 0.99 * at.x)) <= 0 || compare(v, velocity(q, f, 1.01 * at.x)) <= 0)
       continue;

@@ -5,30 +5,33 @@
 #include <string.h>
 
 #include "compare/claims/decide.h"
+#include "model/golden.h"
 
 /* Figure 4, in doubles: an extension takes half of the period T. */
 
 static const double ratios[] = { 2, 10, 40 };
 
-static struct solved extension_at(const void *crawler, double T)
+static struct solved extension_at(struct scallop_crawler c, double T)
 {
-  struct scallop_crawler c = *(const struct scallop_crawler *)crawler;
   c.T = T;
   return extension(NULL, c, 0);
 }
 
-static double v_end_at(const void *crawler, double T) { return extension_at(crawler, T).v_end; }
+static double minus_v_end(void *crawler, double T)
+{
+  return -extension_at(*(struct scallop_crawler *)crawler, T).v_end;
+}
 
 /* The least d(dx_C) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
 static double least_growth(const struct scallop_crawler *c)
 {
   enum { STEPS = 400 };
   const double onset = sticking_onset(c), growth = (c->F1 - c->F2) / (8 * (c->m1 + c->m2));
-  double T = onset / (10 * STEPS), dxC = extension_at(c, T).dxC, least = INFINITY;
+  double T = onset / (10 * STEPS), dxC = extension_at(*c, T).dxC, least = INFINITY;
   for (int j = 1; j <= STEPS; j++) {
     const double before = T, moved = dxC;
     T = onset * j / STEPS;
-    dxC = extension_at(c, T).dxC;
+    dxC = extension_at(*c, T).dxC;
     least = fmin(least, (dxC - moved) / (growth * (T - before) * (T + before)));
   }
   return least;
@@ -54,7 +57,7 @@ static void velocity_change_peaks(struct question *q, struct scallop_crawler c)
   for (int i = 0; i < 3; i++) {
     c.F1 = ratios[i] * c.F2;
     const double onset = sticking_onset(&c);
-    x[i] = highest_between(v_end_at, &c, 0.01 * onset, onset) / onset;
+    x[i] = golden_least(minus_v_end, &c, 0.01 * onset, onset, 1e-9 * onset) / onset;
   }
   conclude(q, compare(0.99, fmax(fmax(x[0], x[1]), x[2])),
            "dv_C peaks at %.6f, %.6f, %.6f of the duration at which sticking begins", x[0], x[1], x[2]);

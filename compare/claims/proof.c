@@ -197,6 +197,9 @@ static void judge(struct claim_row *row, const struct proof *p)
                  : (double)order == row->claimed_order || (isinf(row->claimed_order) && equal) ? CLAIM_HOLDS
                  : row->exact                                                                  ? CLAIM_UNDECIDED
                                                                                                : CLAIM_REFUTED;
+  char why[DIMENSION_WHY];
+  if (row->verdict == CLAIM_REFUTED && row->source == OF_BOOK && dimension_refutes(why, p->m, p->f))
+    add_reason(row, "%s", why);
   if (all)
     add_reason(row, "every coefficient vanishes");
   else if (row->exact)
@@ -240,7 +243,7 @@ bool ledger_expects(struct ledger *ledger)
 void ledger_free(struct ledger *ledger)
 {
   for (int i = 0; i < ledger->count; i++)
-    free(ledger->rows[i].leading_error);
+    free(ledger->rows[i].leading_error), free(ledger->rows[i].formula);
   flint_free(ledger->rows);
   *ledger = (struct ledger){ .rows = NULL };
 }

@@ -12,7 +12,6 @@
 #include "compare/points/point_flint.h"
 #include "compare/text/digits.h"
 #include "compare/text/table.h"
-#include "model/golden.h"
 
 /* Solutions */
 
@@ -100,7 +99,9 @@ bool set_conditions(struct scallop_crawler *c, const char *conditions)
     }
   if (!strstr(conditions, "F1 > F2"))
     return true;
-  *c = c->F1 < c->F2 ? (struct scallop_crawler){ c->m1, c->m2, c->F2, c->F1, c->L, c->T, c->alpha, c->gait } : *c;
+  const double larger = fmax(c->F1, c->F2);
+  c->F2 = fmin(c->F1, c->F2);
+  c->F1 = larger;
   return c->F1 > c->F2;
 }
 
@@ -127,30 +128,6 @@ int periods_from_rest(const struct scallop_crawler *c, double near, int most)
     if (fabs(p.v_end - v) <= near * c->L / c->T)
       return n;
   return 0;
-}
-
-double last_positive(function_of *f, const void *context, double low, double high)
-{
-  for (double x; halfway(&x, low, high);)
-    *(f(context, x) > 0 ? &low : &high) = x;
-  return low;
-}
-
-struct turned_over {
-  function_of *f;
-  const void *context;
-};
-
-static double minus(void *turned_over, double x)
-{
-  const struct turned_over *of = turned_over;
-  return -of->f(of->context, x);
-}
-
-double highest_between(function_of *f, const void *context, double a, double b)
-{
-  struct turned_over of = { f, context };
-  return golden_least(minus, &of, a, b, 1e-7 * a);
 }
 
 struct printed printed(struct scallop_crawler c, const char *formula)

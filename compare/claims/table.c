@@ -1,4 +1,4 @@
-/* The ledger as a table. */
+/* The ledger as a table; and its rows in words. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -33,6 +33,8 @@ static void put(struct report *r, unsigned tables, const char *name, const char 
     return;
   if (r->heading)
     table_columns(&r->table, (const char *const[]){ name, NULL });
+  else if (strcmp(name, "derived_order") == 0) /* a number, but "none" or "-" */
+    table_carried(&r->table, text ? text : "-");
   else
     table_text(&r->table, text && *text ? text : "-");
 }
@@ -56,11 +58,21 @@ static const char *evidence_text(const struct claim_row *row)
   return row->evidence == SAMPLED ? sampled : texts[row->evidence];
 }
 
+/* A long formula, for people, as far as it fits into a line */
+enum { SHORT_TEXT = 100, SHORT_FORMULA = 30 };
+static const char *short_text(const struct report *r, char text[SHORT_TEXT], const char *formula)
+{
+  if (!formula || strlen(formula) <= 64 || !table_is_for_people(&r->options->request.style))
+    return formula;
+  snprintf(text, SHORT_TEXT, "%.*s... (%zu characters: --format tsv)", SHORT_FORMULA, formula, strlen(formula));
+  return text;
+}
+
 static void write_line(struct report *r, const struct line *line)
 {
   static const char *const sources[] = { "paper", "corrected", "book" };
   const struct claim_row *row = &line->row;
-  char derived[24];
+  char derived[24], shortened[SHORT_TEXT];
   snprintf(derived, sizeof derived, "%ld", row->derived_order);
   put(r, ALL, "claim", row->claim);
   put(r, ALL, "equation", row->equation);
@@ -84,7 +96,9 @@ static void write_line(struct report *r, const struct line *line)
   put(r, ROWS, "source", sources[row->source]);
   put(r, ROWS, "measured", row->measured);
   put(r, ROWS, "reason", row->reason);
-  put(r, BOOK, "leading_error", row->leading_error);
+  put(r, BOOK, "leading_error", short_text(r, shortened, row->leading_error));
+  put(r, BOOK, "formula", row->formula);
+  put_number(r, BOOK, "error_at_T", row->error_at_T, "%.3g");
   put_number(r, ERRORS, "h", line->point.h, NULL);
   put_number(r, ERRORS, "err", line->point.err, NULL);
   put_number(r, ERRORS, "pairwise", line->point.pairwise, "%.2f");
@@ -161,8 +175,8 @@ static enum exit_code summarise_book(const struct ledger *ledger, bool quiet)
 {
   int rows[2] = { 0 }, count[2][4] = { { 0 } }; /* outside and inside of the conditions of the formulas */
   for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++) {
-    rows[row->inside]++;
-    count[row->inside][row->verdict]++;
+    rows[row->inside] += row->source == OF_BOOK;
+    count[row->inside][row->verdict] += row->source == OF_BOOK;
   }
   for (int inside = 1; inside >= 0 && !quiet; inside--)
     if (inside || rows[0] > 0)
@@ -174,6 +188,55 @@ static enum exit_code summarise_book(const struct ledger *ledger, bool quiet)
                                                    : EXIT_DONE;
 }
 
+/* Claims in words */
+
+static void add_row(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
+                    bool of_the_paper)
+{
+  struct question q = { .claim = claim,
+                        .crawler = *crawler,
+                        .of_the_paper = of_the_paper,
+                        .by = CERTIFIED_CRAWLER,
+                        .solved = true,
+                        .row = { .equation = claim->place,
+                                 .quantity = claim->quantity,
+                                 .gait = crawler->gait->name,
+                                 .inside = of_the_paper && !claim->outside,
+                                 .in_words = true,
+                                 .claimed_order = NAN,
+                                 .fit = { .order = NAN, .low = NAN, .high = NAN } } };
+  append(q.row.claim, sizeof q.row.claim, "%s", claim->name);
+  append(q.row.conditions, sizeof q.row.conditions, claim->conditions,
+         of_the_paper ? "the paper's crawler" : "the ledger's crawler");
+  set_conditions(&q.crawler, q.row.conditions);
+  claim->test(&q, q.crawler);
+  ledger_add(ledger, &q.row);
+}
+
+static void add_rows(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
+                     bool of_the_paper)
+{
+  for (; claim->name; claim++)
+    if ((of_the_paper || !claim->of_its_crawler)
+        && (scallop_gait_named(crawler->gait->name) || !claim->of_its_gaits_alone) && !ledger_expects(ledger))
+      add_row(ledger, claim, crawler, of_the_paper);
+}
+
+void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler)
+{
+  struct scallop_crawler paper = scallop_crawler_default(), own = *crawler;
+  paper.gait = crawler->gait;
+  own.T = 0.5 * sqrt((own.m1 + own.m2) / (own.F1 + own.F2) * own.L); /* half of that at which the Froude number is 1 */
+  add_rows(ledger, statements_at_random, &paper, true);
+  add_rows(ledger, statements_by_example, &paper, true);
+  add_rows(ledger, statements_of_families, &paper, true);
+  add_rows(ledger, statements_of_figures, &paper, true);
+  add_rows(ledger, statements_of_families, &own, false);
+  add_rows(ledger, statements_of_figures, &own, false);
+}
+
+/* The rows */
+
 /* All rows, or those about the requested errors, for the gait given or those of the paper: first the formulas of all
  * gaits, then the statements */
 static void fill(struct report *r)
@@ -184,8 +247,8 @@ static void fill(struct report *r)
   bool has_crawler = false; /* given on the command line */
   SCOPED(scallop_rational, exact);
   rational_point(&exact, NULL, p);
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    has_crawler = has_crawler || p->written[i];
+  for (int i = 0; i < CRAWLER_NUMBERS; i++) /* of the claims T is not a part */
+    has_crawler = has_crawler || (p->written[i] && strcmp(crawler_parameters[i], "T") != 0);
   for (int words = 0; words < (o->errors || is_of_book(o) ? 1 : 2); words++)
     for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
       if (!p->has_gait)
@@ -215,6 +278,8 @@ static void begin(struct report *r)
   note_parameters(&r->table, &o->request.point, varied, false);
   if (!is_of_book(o))
     table_note(&r->table, "v0, where it is fixed: %g or %g", v0, -v0);
+  else if (o->request.point.written[crawler_place("T")])
+    table_note(&r->table, "error_at_T: formula/exact - 1, certified, at the period T = %g", c->T);
   if (o->request.point.has_gait)
     table_note(&r->table, "gait: %s", c->gait->name);
   r->of = o->errors ? ERRORS : o->summary ? SUMMARY : is_of_book(o) ? BOOK : LEDGER;

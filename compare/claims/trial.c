@@ -136,8 +136,6 @@ static void begin_at_end(struct trial *m)
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];
   struct series *speed = &m->series.phase.dx1, *length = &m->series.phase.dx2;
   SCOPED(series, back);
-  SCOPED(fmpq, one);
-  fmpq_one(one);
   fmpq_one(m->crawler.L);
   scallop_speed_series(speed, last, NULL, &ring);
   series_set_x(&back);
@@ -146,14 +144,13 @@ static void begin_at_end(struct trial *m)
   series_integral(length, speed, &ring);
   series_set_si(&back, 1);
   series_sub(length, &back, length, &ring);
-  series_truncate(speed, TERMS_AT_END);
   series_truncate(length, TERMS_AT_END);
   m->series.value[Q_DX1] = speed;
   m->series.value[Q_DX2] = length;
   m->series.status = SCALLOP_OK;
   m->terms = SCALLOP_MOST_TERMS; /* no more to be had */
   for (int k = 1; k < CLAIM_POINTS; k++)
-    sample_end(sample_at(m, one, k, (PRECISION - 64) / 4), last);
+    sample_end(sample_at(m, m->crawler.L, k, (PRECISION - 64) / 4), last);
 }
 
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,
@@ -220,4 +217,23 @@ double trial_measure(struct claim_row *row, const struct trial *m, const struct 
           (struct scallop_order_point){ .h = middle(T), .err = middle(error), .noise = mag_get_d(arb_radref(error)) };
     }
   return mismatch;
+}
+
+double trial_error_at_T(const struct trial *m, const struct scallop_formula *f)
+{
+  enum { DIGITS = 30, BITS = 256 };
+  const enum scallop_phase_kind kind = m->condition->kind;
+  SCOPED(ball_answer, exact);
+  SCOPED(fmpq, T);
+  SCOPED(arb, error);
+  fmpq_set(T, m->crawler.T);
+  if (!trial_is_steady(m))
+    scallop_rational_duration(T, &m->crawler, kind);
+  const bool solved = answer_in_balls(&exact, &m->crawler, answered(m), kind, m->v0, DIGITS);
+  const arb_struct *value = solved ? exact.value[quantity_of_formula(f, kind)] : NULL;
+  if (!value || !published_in_balls(error, f, &m->crawler, kind, m->v0, T, &exact, BITS))
+    return NAN;
+  arb_sub(error, error, value, BITS);
+  arb_div(error, error, value, BITS);
+  return arb_is_finite(error) ? middle(error) : NAN;
 }

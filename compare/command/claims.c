@@ -7,8 +7,7 @@
 
 static const char *const verdicts[] = { "holds", "sharper", "refuted", "undecided", NULL };
 static const struct option options_of_claims[] = {
-  OPTIONS_TO_L,
-  OPTIONS_ALPHA_GAIT,
+  OPTIONS_CRAWLER,
   OPTION_TEXT("errors", claims_options, errors, "names of claims, separated by commas, or all"),
   OPTION_WORD("verdict", claims_options, verdict, verdicts),
   OPTION_FLAG("summary", claims_options, summary),
@@ -24,6 +23,8 @@ static const struct option_rule rules[] = {
   { "verdict", RULE_WITH, "errors", "is for the ledger itself: leave --errors out" },
   { "summary", RULE_WITH, "errors verdict book formula", "sums up the whole ledger: leave the other option out" },
   { "book", RULE_WITH, "formula", "and --formula exclude each other" },
+  { "T", RULE_WITHOUT, "book formula", "is of no claim: it is for --formula and --book, whose errors are told at T" },
+  { "T", RULE_WITH, "errors", "is none of the T of --errors" },
   { "of claimed start phase", RULE_WITHOUT, "formula", NULL },
   { "formula", RULE_WITHOUT, "of", "takes --of QUANTITY: what the formula gives" },
   { "formula", RULE_WITHOUT, "claimed", "takes --claimed N: the power of T in the claim + O(T^N)" },
@@ -73,11 +74,20 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   return flint ? flint->claims_table(o) : EXIT_UNSOLVED;
 }
 
+/* One formula is a few rows, which people read one by one. */
+static const char *complete(void *options)
+{
+  struct claims_options *o = options;
+  o->request.style.upright = o->formula != NULL;
+  return NULL;
+}
+
 const struct command command_claims = {
   .name = "claims",
   .options = options_of_claims,
   .rules = rules,
   .size = sizeof(struct claims_options),
   .defaults = &generic,
+  .complete = complete,
   .run = run,
 };

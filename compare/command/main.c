@@ -1,10 +1,10 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#include <gsl/gsl_errno.h>
 
 #include "compare/command/commands.h"
 #include "compare/points/counts.h"
@@ -91,7 +91,14 @@ static enum exit_code run(const struct arguments *a)
   const struct request *r = &a->options.request;
   point_tell_recording(&r->point, &r->style);
   progress_begin(r->style.quiet);
+  if (r->threads.given) { /* for what is parallel by OpenMP, which is loaded later */
+    char number[24];
+    snprintf(number, sizeof number, "%ld", r->threads.value);
+    setenv("OMP_NUM_THREADS", number, true);
+  }
   enum exit_code code = command_make(a);
+  if (code == EXIT_DONE)
+    tell_decimal_commas(&r->sweep, &r->style);
   if (r->stats)
     counts_print();
   /* columns may have been named that the table has not */
@@ -100,7 +107,6 @@ static enum exit_code run(const struct arguments *a)
 
 int main(int count, char **arguments)
 {
-  gsl_set_error_handler_off();
   keep_places();
   /* A closed pipe and a file that may not grow are failed writes, with a message: half a table is an error. */
   signal(SIGPIPE, SIG_IGN);

@@ -146,7 +146,7 @@ static void write_row(struct report *r, const struct motion_in_rows *m, const ch
   table_text(t, m->small ? m->small : m->start);
   table_text(t, quantity);
   if (r->kind->symbolic)
-    table_text(t, power ? power : "-");
+    table_carried(t, power ? power : "-");
   else
     table_digits(t, power ? power : "nan");
   table_text(t, term);

@@ -25,7 +25,7 @@ struct change { /* at (u, v), between places that are closer than the promise */
   struct place before, after;
 };
 struct changes {
-  int count;
+  int count, edge; /* edge: of the first one on this edge */
   struct change list[4 * MOST_CHANGES];
 };
 struct boundaries {
@@ -77,11 +77,11 @@ static double apart(const struct boundaries *b, double du, double dv)
 /* A region that is thinner than the promise, such as a line on which a symmetry holds, is a part of the boundary. */
 static void add_change(const struct boundaries *b, struct changes *all, const struct change *c)
 {
-  struct change *last = all->count > 0 ? &all->list[all->count - 1] : NULL;
+  struct change *last = all->count > all->edge ? &all->list[all->count - 1] : NULL;
   if (last && same(&last->after, &c->before) && apart(b, c->u - last->u, c->v - last->v) <= 2 * promise) {
-    last->after = c->after;
+    *last = (struct change){ (last->u + c->u) / 2, (last->v + c->v) / 2, last->before, c->after };
     all->count -= same(&last->before, &last->after);
-  } else if (c->before.answer.status >= 0 && c->after.answer.status >= 0 && all->count < MOST_CHANGES) {
+  } else if (c->before.answer.status >= 0 && c->after.answer.status >= 0 && all->count < all->edge + MOST_CHANGES) {
     all->list[all->count++] = *c;
   }
 }
@@ -90,7 +90,7 @@ static void add_change(const struct boundaries *b, struct changes *all, const st
 static void find_changes(const struct boundaries *b, struct changes *all, const struct place *from,
                          const struct place *to)
 {
-  double u = from->u + (to->u - from->u) / 2, v = from->v + (to->v - from->v) / 2;
+  double u = (from->u + to->u) / 2, v = (from->v + to->v) / 2; /* the same from either end */
   if (same(from, to))
     return;
   if (apart(b, to->u - from->u, to->v - from->v) <= promise) {
@@ -102,18 +102,13 @@ static void find_changes(const struct boundaries *b, struct changes *all, const 
   find_changes(b, all, &middle, to);
 }
 
-/* Around a cell, against the clock from its corner with the least u and v. */
+/* Around a cell, against the clock from its corner with the least u and v */
 static struct changes changes_around(const struct boundaries *b, const struct place corner[4])
 {
   struct changes all = { .count = 0 };
   for (int k = 0; k < 4; k++) {
-    struct changes edge = { .count = 0 };
-    bool back = k >= 2; /* the same edge is always halved from the same end */
-    find_changes(b, &edge, &corner[back ? (k + 1) % 4 : k], &corner[back ? k : k + 1]);
-    for (int i = 0; i < edge.count; i++) {
-      const struct change c = edge.list[back ? edge.count - 1 - i : i];
-      all.list[all.count++] = back ? (struct change){ c.u, c.v, c.after, c.before } : c;
-    }
+    all.edge = all.count;
+    find_changes(b, &all, &corner[k], &corner[(k + 1) % 4]);
   }
   return all;
 }
@@ -259,7 +254,7 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
   if (!begin_table(&b))
     return EXIT_FILE;
   for (int j = 0; j <= b.cells[1] && !table_failed(&b.table); j++) {
-    progress_show("row %d of %d", j, b.cells[1]);
+    progress_count(j, b.cells[1]);
     write_row(&b, j);
   }
   progress_end();

@@ -1,8 +1,10 @@
 #include "compare/points/point.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <string.h>
 
+#include "compare/columns/columns.h"
 #include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 #include "compare/text/values.h"
@@ -20,9 +22,12 @@ const struct parameter point_parameters[POINT_PARAMETERS] = {
   { CRAWLER(T), positive },
   { CRAWLER(alpha), "a number between 0 and 1, both excluded" },
   { "v0", "v0", TARGET_V0, offsetof(struct point, v0), "a finite number" },
-  { "F1_over_F2", "F1", TARGET_F1_OVER_F2, offsetof(struct point, ratio[F1_OVER_F2]), positive },
   { "m1_over_m2", "m1", TARGET_M1_OVER_M2, offsetof(struct point, ratio[M1_OVER_M2]), positive },
+  { "mu1", "F1", TARGET_MU1, offsetof(struct point, ratio[MU1]), positive },
+  { "mu2", "F2", TARGET_MU2, offsetof(struct point, ratio[MU2]), positive },
+  { "F1_over_F2", "F1", TARGET_F1_OVER_F2, offsetof(struct point, ratio[F1_OVER_F2]), positive },
   { "froude", "T", TARGET_FROUDE, offsetof(struct point, ratio[FROUDE]), positive },
+  { "g", "g", TARGET_GRAVITY, offsetof(struct point, gravity), positive },
   { "gait", "gait", TARGET_GAIT, 0, NULL },
   { "phase", "phase", TARGET_PHASE, 0, NULL },
 };
@@ -78,7 +83,7 @@ bool same_crawler(const struct scallop_crawler *a, const struct scallop_crawler 
 struct point point_initial(const struct scallop_crawler *usual)
 {
   const struct scallop_crawler crawler = usual ? *usual : scallop_crawler_default();
-  return (struct point){ .crawler = crawler, .usual = crawler };
+  return (struct point){ .crawler = crawler, .usual = crawler, .gravity = USUAL_GRAVITY };
 }
 
 void point_complete(struct point *p)
@@ -98,7 +103,7 @@ static const char *set_number(struct point *p, const struct parameter *q, const 
 {
   struct scallop_complaint complaint = { .allowed = q->allowed };
   double x, *field = (void *)((char *)p + q->field), before = *field;
-  if (!read_number(text, &x))
+  if (!read_number(text, &x) && !isfinite(x = text_number(text))) /* 3/5 */
     return no_number(text, q->allowed);
   *field = x; /* the crawler has no other fault */
   if (q->target == TARGET_NUMBER ? scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK

@@ -13,16 +13,20 @@
 enum { CRAWLER_NUMBERS = 7, PLACE_OF_V0 = CRAWLER_NUMBERS, POINT_NUMBERS };
 extern const char *const crawler_parameters[];
 
-/* Ratios keep body 2 as it is, and the Froude number sets T. They follow from other parameters, so sweeps settle them
+/* Ratios keep body 2 as it is, coefficients of friction set the force of their body under its weight, and the Froude
+ * number sets T. They follow from other parameters, so sweeps settle them
  * when these are set. */
-enum ratio_place { F1_OVER_F2, M1_OVER_M2, FROUDE, RATIOS };
+enum ratio_place { M1_OVER_M2, MU1, MU2, F1_OVER_F2, FROUDE, RATIOS };
 
-enum target { /* up to TARGET_FROUDE numbers, the last three ratios; a label is of sweeps: a text beside the point */
+enum target { /* up to TARGET_FROUDE numbers, the last five ratios; a label is of sweeps: a text beside the point */
               TARGET_NUMBER,
               TARGET_V0,
-              TARGET_F1_OVER_F2,
               TARGET_M1_OVER_M2,
+              TARGET_MU1,
+              TARGET_MU2,
+              TARGET_F1_OVER_F2,
               TARGET_FROUDE,
+              TARGET_GRAVITY,
               TARGET_GAIT,
               TARGET_PHASE,
               TARGET_LABEL
@@ -34,7 +38,7 @@ struct parameter {
   const char *allowed; /* likewise */
 };
 /* What can be set of a point: the numbers by their places, the ratios behind them, gait and phase. */
-enum { PLACE_OF_RATIOS = POINT_NUMBERS, POINT_PARAMETERS = PLACE_OF_RATIOS + RATIOS + 2 };
+enum { PLACE_OF_RATIOS = POINT_NUMBERS, POINT_PARAMETERS = PLACE_OF_RATIOS + RATIOS + 3 };
 extern const struct parameter point_parameters[POINT_PARAMETERS];
 /* NULL: there is none of that name. */
 const struct parameter *parameter_named(const char *name);
@@ -48,7 +52,7 @@ struct point {
   const char *written[POINT_NUMBERS]; /* m1 m2 F1 F2 L T alpha v0 as they were written, NULL where not given      */
   double ratio[RATIOS];               /* as they were set; else 0                                                 */
   enum scallop_phase_kind phase;
-  double v0;
+  double v0, gravity; /* gravity: of mu1 and mu2 */
   bool has_gait, has_phase, has_v0;
   bool unreadable; /* the file of a measured gait */
 };
@@ -56,6 +60,8 @@ struct point {
 enum { POINT_STATUS = 320 }; /* the most that is said of a point */
 
 struct point point_initial(const struct scallop_crawler *usual);
+
+#define USUAL_GRAVITY 9.81 /* where none is set */
 
 /* A parameter by its name from text, which must outlive the point. NULL, or what is wrong, until the next call. */
 const char *point_set(struct point *point, const char *name, const char *text);

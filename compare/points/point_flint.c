@@ -1,11 +1,14 @@
 #include "compare/points/point_flint.h"
 
 #include <pthread.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "compare/points/gaits.h"
 #include "compare/text/digits.h"
 #include "compare/text/table.h"
+#include "compare/text/values.h"
 #include "model/exact/fractions.h"
 
 struct written {
@@ -63,6 +66,18 @@ static void rational_number(fmpq_t x, double value)
     scallop_rational_set_double(x, value);
 }
 
+/* A number as it was written, 0.6 or 3/5 */
+static void read_rational(fmpq_t x, const char *text)
+{
+  const char *slash = strchr(text, '/');
+  char over[NUMBER_LENGTH + 1];
+  SCOPED(fmpq, under);
+  snprintf(over, sizeof over, "%.*s", slash ? (int)(slash - text) : NUMBER_LENGTH, text);
+  scallop_rational_parse(x, over);
+  if (slash && scallop_rational_parse(under, slash + 1))
+    fmpq_div(x, x, under);
+}
+
 fmpq *rational_field(struct scallop_rational_crawler *c, int place)
 {
   fmpq *const fields[CRAWLER_NUMBERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
@@ -81,11 +96,11 @@ void rational_point(struct scallop_rational_crawler *exact, fmpq_t v0, const str
   rational_crawler(exact, &p->crawler);
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     if (p->written[i])
-      scallop_rational_parse(rational_field(exact, i), p->written[i]);
+      read_rational(rational_field(exact, i), p->written[i]);
   if (v0)
     rational_number(v0, p->v0);
   if (v0 && p->written[PLACE_OF_V0])
-    scallop_rational_parse(v0, p->written[PLACE_OF_V0]);
+    read_rational(v0, p->written[PLACE_OF_V0]);
 }
 
 char *decimal_text(const arb_t x, long digits) { return arb_get_str(x, digits, ARB_STR_NO_RADIUS); }

@@ -86,10 +86,11 @@ static bool add_labels(struct scene *s, const config_setting_t *at)
 
 static bool read_group(struct scene *s, const config_setting_t *group)
 {
-  static const struct member members[] = { OTHER("m1"),    OTHER("m2"),         OTHER("F1"),         OTHER("F2"),
-                                           OTHER("L"),     OTHER("T"),          OTHER("alpha"),      OTHER("gait"),
-                                           OTHER("v0"),    OTHER("F1_over_F2"), OTHER("m1_over_m2"), OTHER("froude"),
-                                           OTHER("label"), { .name = NULL } };
+  static const struct member members[] = { OTHER("m1"),     OTHER("m2"),         OTHER("F1"),         OTHER("F2"),
+                                           OTHER("L"),      OTHER("T"),          OTHER("alpha"),      OTHER("gait"),
+                                           OTHER("v0"),     OTHER("F1_over_F2"), OTHER("m1_over_m2"), OTHER("froude"),
+                                           OTHER("mu1"),    OTHER("mu2"),        OTHER("g"),          OTHER("label"),
+                                           { .name = NULL } };
   if (!config_setting_is_group(group))
     return refuse_at(&s->config, group, "vary is a list of groups: ( { F1 = [2.0, 4.0]; }, { T = [0.1, 1.0]; } )");
   if (!read_members(&s->config, group, members, s, "a group of what varies"))

@@ -35,9 +35,8 @@ static double period_for(const struct scallop_crawler *c, double eps)
 /* Each of m1, m2, F1, F2 and L times 10^-most to 10^most, by an x for so many of them. */
 static void scale(struct scallop_crawler *c, const double *x, int each, double most)
 {
-  double *const five[] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L };
   for (int i = 0; i < 5; i++)
-    *five[i] *= decades(x[i / each], -most, most);
+    *crawler_field(c, i) *= decades(x[i / each], -most, most);
 }
 
 /* Moves the ratio of two parameters by up to 12 decades either way. */
@@ -265,11 +264,9 @@ int stress_make(const struct stress_family *family, const struct scallop_gait *g
 void stress_arguments(const struct stress_case *s, char *text)
 {
   const struct motion *m = &s->motion;
-  double numbers[CRAWLER_NUMBERS];
   char number[NUMBER_TEXT];
-  crawler_numbers(&m->crawler, numbers);
   for (int i = 0; i < CRAWLER_NUMBERS; i++) {
-    number_text(number, numbers[i], 0);
+    number_text(number, crawler_number(&m->crawler, i), 0);
     text += snprintf(text, 64, "--%s %s ", crawler_parameters[i], number);
   }
   text += snprintf(text, GAIT_TEXT, "--gait %s", m->crawler.gait->name);

@@ -8,7 +8,7 @@
 #include "compare/stress/stress.h"
 #include "numerics/wide/wide_parts.h"
 
-enum { PARAMETERS = 8, DIGITS = 36 };
+enum { DIGITS = 36 };
 
 /* The answers of a case. Of a trajectory they are the end, x as Q_DXC and v as Q_V_END, and the closed form stands for
  * both wider ones. */
@@ -178,18 +178,18 @@ static double natural_unit(const struct stress_case *s, int q)
                                        : c->L / (q == Q_MEAN_VELOCITY ? c->T : time);
 }
 
-/* Replaces one of the parameters m1 m2 F1 F2 L T alpha v0 by the double so many places further. False: the case has no
+/* Replaces a parameter by its place, v0 the last one, by the double so many places further. False: the case has no
  * such parameter, or the double is not allowed. */
 static bool neighbour(const struct stress_case *s, int parameter, double towards, int places, struct stress_case *out)
 {
   struct motion *m = &out->motion;
   struct scallop_crawler *c = &m->crawler;
   *out = *s;
-  double *const all[PARAMETERS] = { &c->m1, &c->m2, &c->F1, &c->F2, &c->L, &c->T, &c->alpha, &m->v0 };
-  if (parameter == PARAMETERS - 1 && (m->of == OF_STEADY || m->v0 == 0)) /* from rest is no rounded number */
+  double *x = parameter == PLACE_OF_V0 ? &m->v0 : crawler_field(c, parameter);
+  if (parameter == PLACE_OF_V0 && (m->of == OF_STEADY || m->v0 == 0)) /* from rest is no rounded number */
     return false;
   for (int i = 0; i < places; i++)
-    *all[parameter] = nextafter(*all[parameter], towards);
+    *x = nextafter(*x, towards);
   return scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
@@ -217,7 +217,7 @@ static void move_parameters(struct stress_case *s, int places, const struct foun
   double unit[QUANTITIES] = { 0 };
   struct stress_case next;
   struct answer there;
-  for (int parameter = 0; parameter < PARAMETERS; parameter++) {
+  for (int parameter = 0; parameter < POINT_NUMBERS; parameter++) {
     double most[QUANTITIES] = { 0 };
     for (int side = -1; side <= 1; side += 2) {
       if (!neighbour(s, parameter, side * INFINITY, places, &next))

@@ -153,18 +153,12 @@ static void solve_with(struct scallop_rival *rival, const struct stiff_scene *sc
 
 double stiff_tolerance(double delta) { return fmax(1e-15, 1e-9 * delta); }
 
-static const struct stiff_run unknown = {
-  NAN, NAN, { NAN, NAN, NAN }, { NAN, NAN, NAN }, NAN, NAN, NAN, NAN, NAN, NAN, NAN, false, "out of memory"
-};
-
 static struct stiff_run solve_once(const struct stiff_scene *scene, double delta, double tolerance, long most)
 {
   struct scallop_rival *rival = scallop_smoothed_rival(delta, tolerance);
-  struct stiff_run run = unknown;
-  run.delta = delta;
-  run.tolerance = tolerance;
-  run.predicted_creep = scene->held.creep;
-  run.predicted_velocity = scene->held.velocity;
+  struct stiff_run run = { delta, tolerance, { NAN, NAN, NAN }, { NAN, NAN, NAN },    NAN,
+                           NAN,   NAN,       scene->held.creep, scene->held.velocity, NAN,
+                           NAN,   false,     "out of memory" };
   if (rival)
     solve_with(rival, scene, most, &run);
   scallop_rival_destroy(rival);

@@ -133,12 +133,10 @@ struct run {
 static enum exit_code plan(struct run *run)
 {
   const struct stress_options *o = run->options;
-  const char *names[MOST_ROWS] = { NULL };
   const struct scallop_gait *gait;
   for (const struct stress_family *f = stress_families; f->name; f++) {
     int most = f->kind == STRESS_TRAJECTORY ? TRAJECTORIES : INT_MAX, given = (int)o->cases.value;
     int cases = given > most ? most : given > 0 ? given : run->effort->cases[f->kind];
-    names[f - stress_families] = f->name;
     for (int g = 0; (!o->family || strcmp(f->name, o->family) == 0) && (gait = gait_of_row(o, f, g)); g++) {
       assert(run->rows < MOST_ROWS);
       run->row[run->rows++] = (struct row){ .family = f, .gait = gait, .cases = cases };
@@ -147,7 +145,8 @@ static enum exit_code plan(struct run *run)
     }
   }
   if (run->rows == 0) {
-    complain("stress", "--family: there is no family '%s'%s", o->family, did_you_mean(nearest(o->family, names)));
+    complain("stress", "--family: there is no family '%s'%s", o->family,
+             did_you_mean(nearest_in(o->family, stress_families, sizeof *stress_families)));
     return EXIT_USAGE;
   }
   run->stressed = calloc(run->most, sizeof *run->stressed);

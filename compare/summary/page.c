@@ -24,6 +24,7 @@ struct page {
   struct quantities *asked; /* of it: all that the page tells */
   const struct answer *answer;
   struct study *study;
+  bool digits_are_given, is_recorded;
   int formulas; /* of which it tells; the derived terms are behind them */
   struct told told[MOST_FORMULAS + TERMS];
 };
@@ -62,6 +63,39 @@ static double number(const struct page *p, const char *format, ...)
 
 static double value(const struct page *p, enum quantity_id q) { return number(p, "%s", quantity_rows[q].name); }
 
+/* The digits of x that what a recording does not tell leaves of it; unknown: nan where there is none */
+static int digits_of(const struct page *p, double x, double unknown)
+{
+  return isnan(unknown) || p->digits_are_given ? p->digits : digits_known(x, unknown);
+}
+
+static int digits_of_value(const struct page *p, enum quantity_id q)
+{
+  const int place = quantity_named(p->asked, quantity_rows[q].name);
+  return digits_of(p, at_number(p->at, place), at_data_error(p->at, place));
+}
+
+/* "from -0.31 to -0.297" */
+static void write_interval(const struct page *p, double low, double high)
+{
+  const double unknown = (high - low) / 2;
+  fprintf(p->file, "from %.*g to %.*g", digits_of(p, low, unknown), low, digits_of(p, high, unknown), high);
+}
+
+/* Columns of the row, which the page takes the place of */
+static void write_intervals(const struct page *p)
+{
+  fputs("  As far as the recording tells:\n", p->file);
+  for (enum quantity_id q = Q_V_START; q <= Q_MULTIPLIER; q++) {
+    const char *name = quantity_rows[q].name;
+    fprintf(p->file, "  %-14s ", name);
+    write_interval(p, number(p, "low.%s", name), number(p, "high.%s", name));
+    fputc('\n', p->file);
+  }
+  if (number(p, "low.displacement") < 0 && number(p, "high.displacement") > 0)
+    fputs("  The recording does not tell in which direction the crawler moves.\n", p->file);
+}
+
 static void write_way(const struct page *p)
 {
   double way = value(p, Q_DISPLACEMENT);
@@ -71,8 +105,8 @@ static void write_way(const struct page *p)
     fputs("  It moves to and fro, and is where it was after each period.\n", p->file);
   else
     fprintf(p->file, "  It crawls %s, by %.*g in each period: a mean velocity of %.*g.\n",
-            way > 0 ? "forward (towards body 2)" : "backward (towards body 1)", p->digits, fabs(way), p->digits,
-            value(p, Q_MEAN_VELOCITY));
+            way > 0 ? "forward (towards body 2)" : "backward (towards body 1)", digits_of_value(p, Q_DISPLACEMENT),
+            fabs(way), digits_of_value(p, Q_MEAN_VELOCITY), value(p, Q_MEAN_VELOCITY));
 }
 
 static void write_velocities(const struct page *p)
@@ -80,12 +114,12 @@ static void write_velocities(const struct page *p)
   double multiplier = value(p, Q_MULTIPLIER);
   fprintf(p->file,
           "  Both bodies have the velocity %.*g when the extension starts, and %.*g when the contraction starts.\n",
-          p->digits, value(p, Q_V_START), p->digits, value(p, Q_V_MID));
+          digits_of_value(p, Q_V_START), value(p, Q_V_START), digits_of_value(p, Q_V_MID), value(p, Q_V_MID));
   if (multiplier == 0)
     fputs("  Started with a velocity near this one, it moves like this from the next period on.\n", p->file);
   else if (p->answer->status == SCALLOP_OK)
-    fprintf(p->file, "  A small deviation from this motion shrinks to %.*g of itself in each period.\n", p->digits,
-            multiplier);
+    fprintf(p->file, "  A small deviation from this motion shrinks to %.*g of itself in each period.\n",
+            digits_of_value(p, Q_MULTIPLIER), multiplier);
 }
 
 static void write_stretches(const struct page *p)
@@ -113,6 +147,8 @@ static void write_motion(const struct page *p)
   if (p->answer->regime != SCALLOP_AT_REST)
     write_velocities(p);
   write_stretches(p);
+  if (p->is_recorded)
+    write_intervals(p);
 }
 
 /* The series */
@@ -227,6 +263,15 @@ static void write_best(const struct page *p, enum quantity_id of)
   fputc('\n', p->file);
 }
 
+/* error is nan where there is no recording */
+static void write_event(const struct page *p, const struct event *e)
+{
+  fprintf(p->file, "  T = %.*g%s", digits_of(p, e->T, e->error), e->T, p->is_recorded ? ", " : "");
+  if (p->is_recorded)
+    write_interval(p, e->T - e->error, e->T + e->error);
+  fprintf(p->file, " (Froude %.3g): %s\n", motion_froude(&p->study->motion, e->T), e->what);
+}
+
 static void write_events(const struct page *p)
 {
   enum { SHOWN = 8 };
@@ -237,8 +282,7 @@ static void write_events(const struct page *p)
   else if (e->count == 0)
     fprintf(p->file, "  Nowhere: the sequence of modes is the same at every T up to %.3g.\n", e->until);
   for (long i = 0; i < e->count && i < SHOWN; i++)
-    fprintf(p->file, "  T = %.*g (Froude %.3g): %s\n", p->digits, e->event[i].T,
-            motion_froude(&p->study->motion, e->event[i].T), e->event[i].what);
+    write_event(p, &e->event[i]);
   if (e->left_out > 0)
     fprintf(p->file, "  Left out: %ld changes that other curves through the recording do not have\n", e->left_out);
   if (e->count > SHOWN)
@@ -297,6 +341,8 @@ static void visit(struct rows *rows, struct at *at, const char *const *not_held,
     return;
   }
   find_formulas(&p);
+  p.digits_are_given = digits > 0;
+  p.is_recorded = gait_file_of(at->place.point.crawler.gait) != NULL;
   p.study = at->is_outside ? NULL : study_of(at);
   if (!p.study || isnan(value(&p, Q_V_START))) {
     fprintf(p.file, "\nThis crawler has no page: %s.\n", at->why);
@@ -342,8 +388,12 @@ const char *summary_plan(struct rows *rows)
   find_formulas(&p);
   rows->has_parameters = true;
   rows->visit = page_of_crawler;
-  for (size_t i = 0; i < sizeof before / sizeof *before && !wrong; i++)
+  for (size_t i = 0; i < sizeof before / sizeof *before && !wrong; i++) {
+    const bool is_told = gait_file_of(rows->request->point.crawler.gait) && i > 0 && i < 6; /* by low and high */
     wrong = rows_own(rows, "%s", before[i]);
+    for (int high = 0; high < 2 && is_told && !wrong; high++)
+      wrong = rows_own(rows, high ? "high.%s" : "low.%s", before[i]);
+  }
   for (const struct told *t = p.told; t < p.told + p.formulas; t++)
     for (size_t i = 0; i < sizeof of_formula / sizeof *of_formula && !wrong; i++)
       wrong = rows_own(rows, "%s%s = %s.%s", t->name, of_formula[i][0], of_formula[i][1], t->name);

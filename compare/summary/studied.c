@@ -12,15 +12,15 @@ enum { LEAST_ORDER = 8 };
 struct at_study { /* of one crawler */
   struct study study;
   struct ledger ledger; /* rows as they are asked for */
-  bool has_reach[MOST_QUANTITIES];
-  double reach[MOST_QUANTITIES]; /* it does not depend on T, so that it is looked for once where T varies fastest */
+  /* It does not depend on T, so that it is looked for once where T varies fastest; 0: not yet, or it is soon found */
+  double reach[MOST_QUANTITIES];
 };
 
 static void clear(struct at_study *s)
 {
   study_clear(&s->study);
   ledger_free(&s->ledger);
-  memset(s->has_reach, 0, sizeof s->has_reach);
+  memset(s->reach, 0, sizeof s->reach);
 }
 
 static void end(struct at_study *s)
@@ -98,13 +98,11 @@ static double compared(struct at *at, const struct quantity *q)
 
 static double reach(struct at *at, const struct quantity *q)
 {
-  const long place = q - at->asked->quantities.item;
   if (!study_of(at))
     return NAN;
-  if (!at->study->has_reach[place])
-    at->study->reach[place] = compared(at, q);
-  at->study->has_reach[place] = true;
-  return at->study->reach[place];
+  double *kept = &at->study->reach[q - at->asked->quantities.item];
+  *kept = *kept == 0 ? compared(at, q) : *kept;
+  return *kept;
 }
 
 /* Of the displacement: the order of the best truncation, or its error */

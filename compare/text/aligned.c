@@ -80,10 +80,9 @@ static void print_meaning(FILE *file, const struct aligned_column *c)
 }
 
 /* One a line: name, value and unit, and what it is */
-static void print_upright(const struct aligned *a, const char *const *names, FILE *file)
+static void print_upright(const struct aligned *a, const char *const *names, const char *const *values, FILE *file)
 {
   enum { MOST = 40 }; /* of a value beside which the others' meanings are aligned */
-  const char *const *values = names + a->columns;
   int name = 0, value = 0;
   for (int i = 0; i < a->columns; i++) {
     int length = (int)(strlen(values[i]) + strlen(a->column[i].meaning.unit));
@@ -92,6 +91,8 @@ static void print_upright(const struct aligned *a, const char *const *names, FIL
   }
   for (int i = 0; i < a->columns; i++) {
     const char *unit = a->column[i].meaning.unit;
+    if (a->upright && strcmp(values[i], "-") == 0)
+      continue;
     fprintf(file, "%-*s  ", name, names[i]);
     print_text(file, values[i], name + 2);
     fprintf(file, "%s%s", *unit ? " " : "", unit);
@@ -137,17 +138,71 @@ static void print_legend(const struct aligned *a, const char *const *names, FILE
     }
 }
 
+/* In lines of 80 columns, and what their symbols are */
+static void print_constants(const struct aligned *a, const char *const *cells, const bool *varies, FILE *file)
+{
+  enum { WIDE = 80 };
+  int at = fprintf(file, "# in every row:");
+  const char *comma = "";
+  for (int i = 0; i < a->columns; i++) {
+    const char *value = cells[a->columns + i], *unit = a->column[i].meaning.unit;
+    if (varies[i])
+      continue;
+    at += fprintf(file, "%s", comma);
+    if (at + (int)(strlen(cells[i]) + strlen(value) + strlen(unit)) + 6 > WIDE)
+      at = fprintf(file, "\n#  ") - 1;
+    at += fprintf(file, " %s = %s%s%s", cells[i], value, *unit ? " " : "", unit);
+    comma = ",";
+  }
+  fputc('\n', file);
+  for (int i = 0; i < a->columns; i++)
+    if (!varies[i] && a->column[i].meaning.has_symbols) {
+      fprintf(file, "# %s: ", cells[i]);
+      print_meaning(file, &a->column[i]);
+    }
+}
+
+/* Columns with the same cell in every row go into the head; the cells of the others move together. */
+static void gather(struct aligned *a, const char **cells, FILE *file)
+{
+  const int columns = a->columns;
+  bool varies[TABLE_COLUMNS] = { false };
+  int kept = 0;
+  for (int i = 0; i < columns; kept += varies[i++])
+    for (long k = 2; k < a->rows; k++)
+      varies[i] = varies[i] || strcmp(cells[k * columns + i], cells[columns + i]) != 0;
+  if (kept == 0 || kept == columns)
+    return;
+  print_constants(a, cells, varies, file);
+  for (long from = 0, to = 0; from < a->rows * columns; from++)
+    if (varies[from % columns])
+      cells[to++] = cells[from];
+  a->columns = 0;
+  for (int i = 0; i < columns; i++)
+    if (varies[i])
+      a->column[a->columns++] = a->column[i];
+}
+
 bool aligned_print(struct aligned *a, const char *const *names, FILE *file, column_meaning *meaning, bool last)
 {
   const long count = a->rows * a->columns;
-  const bool upright = !a->has_begun && last && a->columns > 2 && a->rows == 2;
+  const bool upright = a->upright || (!a->has_begun && last && a->columns > 2 && a->rows == 2);
   const char **cells = count > 0 && fflush(a->kept) == 0 ? malloc((size_t)count * sizeof *cells) : NULL;
   const char *cell = a->text;
   for (long i = 0; cells && i < count; i++, cell += strlen(cell) + 1)
     cells[i] = cell;
   if (cells) {
     measure(a, cells, meaning);
-    (upright ? print_upright : print_rows)(a, cells, file);
+    if (a->gathers && !a->has_begun && last && a->rows > 2) {
+      gather(a, cells, file);
+      names = cells;
+    }
+    for (long k = 1; upright && k < a->rows; k++) {
+      fputs(k > 1 ? "\n" : "", file);
+      print_upright(a, cells, cells + k * a->columns, file);
+    }
+    if (!upright)
+      print_rows(a, cells, file);
   }
   const bool whole = count == 0 || cells, has_begun = a->has_begun || cells;
   if (whole && last && !upright && has_begun)

@@ -160,6 +160,13 @@ void number_text(char text[NUMBER_TEXT], double x, long digits)
   while (digits == 0 && precision++ < DBL_DECIMAL_DIG && strtod(text, NULL) != x);
 }
 
+int digits_known(double x, double unknown)
+{
+  const double first = x == 0 ? -DBL_MAX_10_EXP : floor(log10(fabs(x))), known = first - floor(log10(unknown)) + 2;
+  const double digits = fmax(known, first + 1); /* not fewer than stand before the point */
+  return !(digits > 1) ? 1 : digits < 6 ? (int)digits : 6;
+}
+
 bool digits_read(const char *text, double *x)
 {
   enum { MOST_READ = 19, MOST_OF_EXPONENT = 4 };

@@ -21,6 +21,9 @@ static inline bool halfway(double *x, double low, double high)
 enum { NUMBER_TEXT = 48, DIGITS_TEXT = NUMBER_TEXT };
 void number_text(char text[NUMBER_TEXT], double x, long digits);
 
+/* The significant digits of x, from 1 to 6, of which the last but one is that of the first digit of what is unknown */
+int digits_known(double x, double unknown);
+
 /* The quick form alone, for digits = 0. False: left to the library; so are subnormal numbers, nan and the
  * infinities. */
 bool digits_write_quickly(char text[NUMBER_TEXT], double x);

@@ -3,9 +3,6 @@
 #include <math.h>
 #include <time.h>
 
-#include <gsl/gsl_sort.h>
-#include <gsl/gsl_statistics_double.h>
-
 static volatile double sink; /* results go here */
 
 double stopwatch_now(void)
@@ -49,19 +46,6 @@ long stopwatch_passes(stopwatch_task *task, void *context, double seconds)
 double stopwatch_long_enough(const struct stopwatch_clock *clock)
 {
   return fmax(2e-4, 1e3 * fmax(clock->cost, clock->step));
-}
-
-struct stopwatch_spread stopwatch_spread(double *samples, int count)
-{
-  if (count <= 0)
-    return (struct stopwatch_spread){ NAN, NAN, NAN, NAN, 0 };
-  size_t n = (size_t)count;
-  gsl_sort(samples, 1, n);
-  return (struct stopwatch_spread){ .median = gsl_stats_median_from_sorted_data(samples, 1, n),
-                                    .least = samples[0],
-                                    .q1 = gsl_stats_quantile_from_sorted_data(samples, 1, n, 0.25),
-                                    .q3 = gsl_stats_quantile_from_sorted_data(samples, 1, n, 0.75),
-                                    .repetitions = count };
 }
 
 bool stopwatch_lasts(void *context)

@@ -55,7 +55,7 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
 /* Estimates of |computed - true| for each number of a result in double: the distance to the result in the widest
  * arithmetic available, plus 2^-62 of the number and, for a displacement, 2^-111 of the parts that it is the sum of,
  * for the error of that result itself. Not proven: with 113 bits they are bounds unless rounding is magnified more than
- * 2^50 times. tests/numerics/certified/test_wide.c compares them with certified values. nan where the number is nan. */
+ * 2^50 times. tests/numerics/certified/test_agree.c compares them with certified values. nan: the number is nan. */
 struct scallop_phase_error {
   double t1, dT, v_end, dx1, dx2, dxC;
 };

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Runs every test, as many at a time as there are cores (JOBS=N: as N), and counts: scripts/dev/check.sh BUILD TEST_PROGRAM...
-# A line for each, in the same order whichever ends first; of one that fails, all that it said. Ends with "N passed, M failed".
+# scripts/dev/test.sh has how each is run. A line for each, in the same order whichever ends first; of one that fails, all that it said. Ends with "N passed, M failed".
 set -u
 build=$1
 shift
@@ -10,26 +10,6 @@ runs=$build/check
 rm -rf "$runs"
 mkdir -p "$runs"
 
-same_tables() {
-  rm -rf "$build/tables"
-  sh scripts/dev/tables.sh "$build/scallop" "$build/tables" && for table in "$build"/tables/*.tsv; do
-    cmp "$table" "data/$(basename "$table")" || return 1
-  done || return 1
-  # map_reach, stress and workprec take minutes, or are times: tests/compare/command/cli_{map,stress,workprec}.sh
-  [ "$(cd data && ls ./*.tsv)" = "$(cd "$build/tables" && { ls ./*; for name in map_reach stress workprec; do echo "./$name.tsv"; done; } | LC_ALL=C sort)" ] &&
-    [ "$(cd data && ls ./*.tsv | sed 's/tsv$/cfg/')" = "$(cd data/scenes && ls ./*.cfg)" ]
-}
-perform() { # TEST
-  case $1 in
-    tables) same_tables ;;
-    ledger) "$build/scallop" claims --quiet | diff - data/claims.tsv ;;
-    reference) /usr/bin/python3 scripts/python/reference.py --check tests/support/reference.tsv --every 40 ;;
-    explorer) sh tests/explorer/core.sh "$build" ;;
-    cli_*) sh "tests/compare/command/$1" "$build/scallop" ;;
-    fuzz_*) "$build/$1" tests/corpus/"${1#fuzz_}"/* ;;
-    *) "$build/$1" ;;
-  esac
-}
 title() {
   case $1 in
     tables) echo "data/ is what the tool writes" ;;
@@ -38,28 +18,6 @@ title() {
     explorer) echo "the core of the explorer in WebAssembly" ;;
     *) echo "$1" ;;
   esac
-}
-
-# One of several that take tests from the same list: mkdir tells who was first. A pipeline and no background jobs, which a shell
-# without a terminal starts deaf to Ctrl-C. $$ is the whole check: when something else ended it, no further test begins.
-worker() { # TEST...
-  for test in "$@"; do
-    kill -0 $$ 2>/dev/null || exit 1
-    mkdir "$runs/$test" 2>/dev/null || continue
-    perform "$test" </dev/null >"$runs/$test/log" 2>&1 3>&-
-    echo $? >"$runs/$test/code.part"
-    mv "$runs/$test/code.part" "$runs/$test/code"
-    echo ended >&3
-  done
-}
-workers() { # NUMBER TEST...
-  more=$(($1 - 1))
-  shift
-  if [ $more = 0 ]; then
-    worker "$@"
-  else
-    worker "$@" | workers $more "$@"
-  fi
 }
 
 passed=0 failed=0
@@ -100,11 +58,11 @@ report() { # TEST...: each as soon as it and those before it have ended, which t
 
 # The long ones come first, so that the others fill the cores beside them.
 together='' alone=''
-for script in tests/compare/command/cli_*.sh; do
+for script in tests/compare/command/cli_*; do
   name=$(basename "$script")
   case $name in
-    cli_workprec.sh) [ "${WITH_FLINT:-1}" = 0 ] || alone="$alone $name" ;; # beside others its own runs pass the limits it gives them
-    *_without_flint.sh) together="$together $name" ;;
+    cli_workprec.*) [ "${WITH_FLINT:-1}" = 0 ] || alone="$alone $name" ;; # beside others its own runs pass the limits it gives them
+    *_without_flint.*) together="$together $name" ;;
     *) [ "${WITH_FLINT:-1}" = 0 ] || together="$together $name" ;;
   esac
 done
@@ -114,5 +72,10 @@ for program in "$@"; do
   together="$together $(basename "$program")"
 done
 : >"$build/check.log"
+each() { # NUMBER-AT-A-TIME TEST...
+  number=$1
+  shift
+  [ $# = 0 ] || printf '%s\n' "$@" | xargs -P "$number" -n 1 sh "$(dirname "$0")/test.sh" --within "$runs" $$ "$build"
+}
 # shellcheck disable=SC2086
-{ workers "$at_a_time" $together; worker $alone; } 3>&1 >/dev/null | report $together $alone
+{ each "$at_a_time" $together; each 1 $alone; } | report $together $alone

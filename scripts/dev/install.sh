@@ -40,12 +40,16 @@ done
 put "$mandir/man1" "$build"/man/*.1
 put "$completionsdir" scripts/dev/completion.bash
 mv "$DESTDIR$completionsdir/completion.bash" "$DESTDIR$completionsdir/scallop"
-put "$datadir/scallop/python" scripts/python/scallop.py scripts/python/scallop_exact.py
-# The Python module knows the number of the interface, and finds the library from its own place
-sed -e "s|^ABI_VERSION = .*|ABI_VERSION = $abi|" \
-  -e "s|^BESIDE = .*|BESIDE = \"$(escaped "$(realpath -ms --relative-to="$datadir/scallop/python" "$libdir")")\"|" scripts/python/scallop_library.py \
-  >"$data/python/scallop_library.py"
-chmod 644 "$data/python/scallop_library.py"
+package=$datadir/scallop/python/crawling_scallop
+put "$datadir/scallop/python" scripts/python/scallop.py
+put "$package" scripts/python/crawling_scallop/*.py scripts/python/crawling_scallop/py.typed
+put "$package/tests" scripts/python/crawling_scallop/tests/*.py
+# The Python package knows the number of the interface, and finds library, command and tables from its own place
+beside() { realpath -ms --relative-to="$package" "$1" | sed 's/[\\"]/\\&/g'; }
+printf '{"version": "%s", "abi": %s, "libraries": "%s", "command": "%s", "data": "../../data"}\n' \
+  "$version" "$abi" "$(beside "$libdir")" "$(beside "$bindir/scallop")" >"$DESTDIR$package/installed.json"
+chmod 644 "$DESTDIR$package/installed.json"
+put "$datadir/scallop/data" data/*.tsv asymptotics/published/paper.cfg
 pages=$datadir/doc/scallop
 put "$pages" docs/*.* LICENSE
 for folder in guide reference background development; do

@@ -141,14 +141,15 @@ def refusals(build):
     sizes += [(f, lines_in([f]), "lines", budget.get(room(f + "/"), 0)) for f in FOLDERS]
     sizes += [(f"{p}: {n}", lines, "lines", MOST_FUNCTION) for f in FOLDERS for p in sources(f) for n, lines in functions(p)]
     guards = collections.defaultdict(list)
-    for p in sorted(glob.glob("**/*.h", recursive=True)):
+    mine = [p for p in sorted(glob.glob("**/*.[ch]", recursive=True)) if not p.startswith("build/")]
+    for p in [p for p in mine if p.endswith(".h")]:
         for guard in re.findall(r"^#ifndef (\w+)\n#define \1\n", "\n".join(lines_of(p)) + "\n", re.M)[:1]:
             guards[guard].append(p)
     for guard, paths in guards.items():
         if len(paths) > 1:
             yield f"{guard} guards {' and '.join(paths)}"
-    for p in sorted(glob.glob("**/*.[ch]", recursive=True)):
-        yield from (f"{p}:{n}: {len(l)} columns" for n, l in enumerate(lines_of(p), 1) if len(l) > MOST_COLUMNS and not p.startswith("build/"))
+    for p in mine:
+        yield from (f"{p}:{n}: {len(l)} columns" for n, l in enumerate(lines_of(p), 1) if len(l) > MOST_COLUMNS)
     for what, count, of, most in sizes:
         if count > most:
             yield f"{what}: {count} {of}, {most} are allowed"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Makes sure that what make's goals need is there: installs it on Debian, as root or with a sudo that asks for no password, and elsewhere
-# prints what to install. Usage: [CC=cc CPPFLAGS=... WITH_FLINT=0] scripts/dev/setup.sh [--missing] GOAL...; --missing: only prints it
+# prints what to install. Usage: [CC=cc CPPFLAGS=... WITH_FLINT=0 WITH_GSL=0 WITH_LIBCONFIG=0] scripts/dev/setup.sh [--missing] GOAL...; --missing: only prints it
 set -eu
 CC=${CC:-cc}
 
@@ -8,21 +8,23 @@ purposes() { # GOAL...: the first column of the table below
   for goal in "$@"; do
     echo "${goal##*/}"
     case ${goal##*/} in
-      help | clean | uninstall | gates | size | release | core.wasm) continue ;;
-      check | asan | fuzz | lint | valgrind | matrix | coverage) echo tests ;;
+      help | clean | uninstall | gates | size | release | core.wasm | single-order | scallop_order.h) continue ;;
+      check | asan | faults | fuzz | lint | valgrind | matrix | coverage) echo tests ;;
       explorer | check-explorer) echo core.wasm ;;
       test_*) echo test ;;
     esac
     echo build
     [ "${WITH_FLINT:-1}" = 0 ] || echo flint
+    [ "${WITH_GSL:-1}" = 0 ] || echo gsl
+    [ "${WITH_LIBCONFIG:-1}" = 0 ] || echo libconfig
   done
 }
 # What for; packages, by their Debian names; the command that tells whether they are there
 table() {
   cat <<'ROWS'
 build                 | ${compiler##*/} libc6-dev     | found "${CC%% *}"
-build                 | libgsl-dev                    | header gsl/gsl_roots.h
-build                 | libconfig-dev                 | header libconfig.h
+gsl                   | libgsl-dev                    | header gsl/gsl_roots.h
+libconfig             | libconfig-dev                 | header libconfig.h
 flint                 | libgmp-dev                    | header gmp.h
 flint                 | libflint-dev                  | header flint/fmpq.h
 flint                 | libflint-arb-dev              | header arb.h || header flint/arb.h || flint_has_it
@@ -32,6 +34,8 @@ tests reproduce bare  | python3 python3-jinja2        | module jinja2
 tests bare            | locales                       | there /usr/share/i18n/locales/de_DE
 tests                 | pkgconf                       | found pkg-config
 tests                 | python3-mpmath python3-numpy  | module mpmath,numpy
+tests                 | python3-pytest mypy           | module pytest && found mypy
+tests                 | python3-venv python3-pip python3-setuptools python3-wheel | module ensurepip && module pip && module setuptools,wheel
 rooms size check-report check-explorer | python3      | found /usr/bin/python3
 check-report check-explorer | chromium                | found chromium || found chromium-browser || found google-chrome
 lint                  | clang-tidy clang-format cppcheck | found clang-tidy && found clang-format && found cppcheck
@@ -45,6 +49,7 @@ core.wasm             | binaryen                      | found wasm-opt
 core.wasm             | wasi-libc                     | there /usr/lib/wasm32-wasi/libc.a
 core.wasm             | libclang-rt-dev-wasm32        | there /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a
 core.wasm             | nodejs                        | found node
+check-cluster         | slurmctld slurmd slurm-client munge parallel procps | found slurmctld && found slurmd && found sbatch && found munged && found parallel
 explorer check-explorer | npm                         | found npm
 ROWS
 }

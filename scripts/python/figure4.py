@@ -4,7 +4,7 @@ its duration T, for F1/F2 = 2, 10 and 40, exact up to where a body sticks, and b
 
     python3 scripts/figure4.py --output figure4.svg
 
-An example of scallop.py; the numbers are those of `scallop figure 4`. Needs gnuplot.
+An example of crawling_scallop; the numbers are those of `scallop figure 4`. Needs gnuplot.
 """
 
 import argparse
@@ -14,7 +14,7 @@ import sys
 
 import numpy
 
-import scallop
+import crawling_scallop
 
 RATIOS = numpy.array([2.0, 10.0, 40.0])
 STEPS = 200
@@ -28,7 +28,7 @@ def extension(ratios, durations):
 
 
 def slides(ratios, durations):
-    return scallop.phase("extension", **extension(ratios, durations)).regime == "sliding"
+    return crawling_scallop.phase("extension", **extension(ratios, durations)).regime == "sliding"
 
 
 def onset_of_sticking(ratios):
@@ -50,9 +50,9 @@ def table():
     T = numpy.linspace(onset / STEPS, onset, STEPS, axis=1)
     ratios = numpy.broadcast_to(RATIOS[:, numpy.newaxis], T.shape)
     crawlers = extension(ratios, T)
-    exact = scallop.phase("extension", **crawlers)
-    columns = (ratios, T, exact.dxC / L, scallop.published("rest_xC_end", **crawlers) / L, exact.v_end * T / L,
-               scallop.published("rest_v1_end", **crawlers) * T / L)
+    exact = crawling_scallop.phase("extension", **crawlers)
+    columns = (ratios, T, exact.dxC / L, crawling_scallop.published("rest_xC_end", **crawlers) / L, exact.v_end * T / L,
+               crawling_scallop.published("rest_v1_end", **crawlers) * T / L)
     return numpy.stack(columns, axis=-1).reshape(-1, len(COLUMNS))
 
 

@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """How far the displacement is off that a recording gives, for each kind of curve through its rows: a table in which
-`error` is relative to the exact displacement, `stated` is half of the stated interval, and fit is as in scallop.measured.
+`error` is relative to the exact displacement, `stated` is half of the stated interval, and fit is as in crawling_scallop.measured.
 
     python3 scripts/python/recordings.py [--noise 0.003] [--recordings 20] >recordings.tsv
 
@@ -11,7 +11,7 @@ import sys
 
 import numpy
 
-import scallop
+import crawling_scallop
 
 CRAWLER = dict(m1=0.8, m2=1.7, F1=2.2, F2=0.9)
 SIZE = dict(L=3, T=0.5, alpha=0.6)
@@ -22,7 +22,7 @@ FITS = ("monotone", "cubic", "smooth", "phases", "chosen")
 def lengths(gait, t):
     """l at times t, by the displacement of body 2 relative to body 1"""
     made, period = gait, SIZE["T"]
-    motion = scallop.trajectory(samples=20000, gait=made, **CRAWLER, **SIZE)
+    motion = crawling_scallop.trajectory(samples=20000, gait=made, **CRAWLER, **SIZE)
     return numpy.interp(numpy.mod(t, period), motion.t, motion.l)
 
 
@@ -31,8 +31,8 @@ def errors(gait, rows, fit, noise, random):
     start = random.uniform(0, SIZE["T"])
     t = SIZE["T"] * numpy.arange(rows) / rows
     l = lengths(gait, t + start) + noise * SIZE["L"] * random.standard_normal(rows)
-    answer = scallop.measured(t, l, fit=fit, period=SIZE["T"]).steady(**CRAWLER)
-    true = scallop.steady(gait=gait, **CRAWLER, **SIZE).displacement
+    answer = crawling_scallop.measured(t, l, fit=fit, period=SIZE["T"]).steady(**CRAWLER)
+    true = crawling_scallop.steady(gait=gait, **CRAWLER, **SIZE).displacement
     value = answer.value.displacement
     return abs(value / true - 1), (answer.high["displacement"] - value) / abs(true)
 

@@ -95,52 +95,21 @@ static const struct scallop_gait wait_gait = { "wait",
                                                { { wait_extension, 7, 0, 0, 4.5, 0.375, false, false },
                                                  { wait_contraction, 7, 0, 0, 4.5, -0.375, false, false } } };
 
-/* Minimum jerk in half of a phase, from either end; velocity of a piece: its amplitude. */
-static inline double hump_length(const struct scallop_piece *p, double u)
-{
-  return p->velocity * jerk_length(p, 2 * u);
-}
-static inline double hump_velocity(const struct scallop_piece *p, double u)
-{
-  return 2 * p->velocity * jerk_velocity(p, 2 * u);
-}
-static inline double hump_acceleration(const struct scallop_piece *p, double u)
-{
-  return 4 * p->velocity * jerk_acceleration(p, 2 * u);
-}
-static inline double hump_when(const struct scallop_piece *p, double a)
-{
-  return jerk_place(2 * p->begin, 2 * p->end, jerk_sign(p) * a / (4 * p->velocity)) / 2;
-}
-
-static const struct scallop_curve hump = { hump_length, hump_velocity, hump_acceleration, hump_when, NULL };
-static const struct scallop_law whole_hump = { SCALLOP_LAW_POLYNOMIAL, 4,
-                                               .polynomial = { { 0, 0, 240, -960, 960 }, 1 } };
-static const struct scallop_law half_hump = { SCALLOP_LAW_POLYNOMIAL, 4,
-                                              .polynomial = { { 0, 0, 120, -480, 480 }, 1 } };
-
-#define HUMP_TURN 0.10566243270259355889 /* (3 - sqrt 3)/12, and half of the phase minus that: l''' = 0 */
-#define HUMP_FALLS 0.39433756729740644113
-#define HUMP_PART(from, to, anchored, sign, amplitude, exactly) \
-  { \
-    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .velocity = (amplitude), .curve = &hump, \
-    .law = &(exactly) \
-  }
-#define HUMP_AT_FIRST(sign, amplitude, exactly) \
-  HUMP_PART(0, HUMP_TURN, SCALLOP_FROM_START, sign, amplitude, exactly), \
-      HUMP_PART(HUMP_TURN, HUMP_FALLS, SCALLOP_FROM_START, sign, amplitude, exactly), \
-      HUMP_PART(HUMP_FALLS, 0.5, SCALLOP_FROM_START, sign, amplitude, exactly)
-
 /* hesitant: out at once, then rest; back in two humps, between which l' touches 0 */
-static const struct scallop_piece hesitant_extension[] = { HUMP_AT_FIRST(1, 1, whole_hump), REST_AT_LAST(0.5) };
-static const struct scallop_piece hesitant_contraction[] = {
-  HUMP_AT_FIRST(-1, 0.5, half_hump), HUMP_PART(0.5, HUMP_FALLS, SCALLOP_FROM_END, -1, 0.5, half_hump),
-  HUMP_PART(HUMP_FALLS, HUMP_TURN, SCALLOP_FROM_END, -1, 0.5, half_hump),
-  HUMP_PART(HUMP_TURN, 0, SCALLOP_FROM_END, -1, 0.5, half_hump)
-};
-static const struct scallop_gait hesitant_gait = { "hesitant",
-                                                   { { hesitant_extension, 4, 0, 0, 3.75, 0.5, false, false },
-                                                     { hesitant_contraction, 6, 0, 0, 1.875, -1, false, false } } };
+static struct scallop_piece hesitant_pieces[16];
+static struct scallop_law hesitant_laws[16];
+static struct scallop_spline made_hesitant = { .pieces = hesitant_pieces, .laws = hesitant_laws };
+#define hesitant_gait made_hesitant.gait
+
+__attribute__((constructor)) static void make_hesitant(void)
+{
+  static const struct scallop_knot out[] = { { 0, 0, 0 }, { 0.5, 1, 0 }, { 1, 1, 0 } },
+                                   back[] = { { 0, 1, 0 }, { 0.5, 0.5, 0 }, { 1, 0, 0 } };
+  const struct scallop_knot *const knots[2] = { out, back };
+  const int count[2] = { 3, 3 };
+  if (scallop_spline_pieces(count) > 16 || scallop_make_spline(&made_hesitant, "hesitant", knots, count) != SCALLOP_OK)
+    abort();
+}
 
 /* stride: l' = 3/2, then 1/2, with jumps */
 static const struct scallop_piece stride_extension[] = { STRIDE(0, 0.5, 1.5), STRIDE(0.5, 1, 0.5) };
@@ -148,6 +117,62 @@ static const struct scallop_piece stride_contraction[] = { STRIDE(0, 0.5, -1.5),
 static const struct scallop_gait stride_gait = { "stride",
                                                  { { stride_extension, 2, 0, 0, 1.5, 1, false, false },
                                                    { stride_contraction, 2, 0, 0, 1.5, -1, false, false } } };
+
+/* By their polynomial laws: l, l' and l'' at offset u, and where l'' has a value, by bisection, as it is monotone in a
+ * piece */
+static inline double law_sum(const struct scallop_piece *p, double u, int order)
+{
+  double sum = 0;
+  for (int k = p->law->degree; k >= (order > 0 ? order : 0); k--)
+    sum = sum * u + p->law->polynomial.c[k] * (order < 0 ? 1. / (k + 1) : order == 0 ? 1 : k);
+  return (p->anchor == SCALLOP_FROM_START || order == 0 ? 1 : -1) * p->direction * (order < 0 ? sum * u : sum)
+         / p->law->polynomial.denominator;
+}
+static inline double law_length(const struct scallop_piece *p, double u) { return law_sum(p, u, -1); }
+static inline double law_rate(const struct scallop_piece *p, double u) { return law_sum(p, u, 0); }
+static inline double law_bend(const struct scallop_piece *p, double u) { return law_sum(p, u, 1); }
+static inline double law_when(const struct scallop_piece *p, double a)
+{
+  double low = p->begin, high = p->end;
+  if (law_bend(p, low) > law_bend(p, high)) {
+    low = p->end;
+    high = p->begin;
+  }
+  if (!(law_bend(p, low) <= a && a <= law_bend(p, high)))
+    return NAN;
+  for (double mid; (mid = 0.5 * (low + high)) != low && mid != high;)
+    *(law_bend(p, mid) < a ? &low : &high) = mid;
+  return high;
+}
+static const struct scallop_curve law_curve = { law_length, law_rate, law_bend, law_when, NULL };
+
+/* leaning: l' = 12/5 s (1 - s) (2 + s); ramps: the quadratic gait, which does not say that it is one */
+static const struct scallop_law leaning_first = { SCALLOP_LAW_POLYNOMIAL, 3, .polynomial = { { 0, 24, -12, -12 }, 5 } },
+                                leaning_last = { SCALLOP_LAW_POLYNOMIAL, 3, .polynomial = { { 0, 36, -48, 12 }, 5 } },
+                                one_ramp = { SCALLOP_LAW_POLYNOMIAL, 1, .polynomial = { { 0, 4 }, 1 } };
+#define BY_LAW(from, to, anchored, sign, exactly) \
+  { \
+    .begin = (from), .end = (to), .anchor = SCALLOP_FROM_##anchored, .direction = (sign), .curve = &law_curve, \
+    .law = &(exactly) \
+  }
+#define LEANING_PEAK 1.514712742658157179 /* at (sqrt 7 - 1)/3 */
+#define LEANING(sign) BY_LAW(0, 0.5, START, sign, leaning_first), BY_LAW(0.5, 0, END, sign, leaning_last)
+static const struct scallop_piece leaning_extension[] = { LEANING(1) }, leaning_contraction[] = { LEANING(-1) };
+static const struct scallop_gait leaning_gait = { "leaning",
+                                                  { { leaning_extension, 2, 4.8, -7.2, LEANING_PEAK, 1, false, false },
+                                                    { leaning_contraction, 2, -4.8, 7.2, LEANING_PEAK, -1, false,
+                                                      false } } };
+#define RAMP_BY_LAW(anchored, sign, bend) \
+  { \
+    .begin = SCALLOP_FROM_##anchored == SCALLOP_FROM_START ? 0 : 0.5, \
+    .end = SCALLOP_FROM_##anchored == SCALLOP_FROM_START ? 0.5 : 0, .anchor = SCALLOP_FROM_##anchored, \
+    .direction = (sign), .linear = true, .acceleration = (bend), .curve = &scallop_curve_linear, .law = &one_ramp \
+  }
+static const struct scallop_piece ramps_extension[] = { RAMP_BY_LAW(START, 1, 4), RAMP_BY_LAW(END, 1, -4) },
+                                  ramps_contraction[] = { RAMP_BY_LAW(START, -1, -4), RAMP_BY_LAW(END, -1, 4) };
+static const struct scallop_gait ramps_gait = {
+  "ramps", { { ramps_extension, 2, 4, -4, 2, 1, false, false }, { ramps_contraction, 2, -4, 4, 2, -1, false, false } }
+};
 
 /* parabola: l' = 6 s (1 - s) in one piece, which has its anchor at one end only, and which a straight line can touch at
  * a rational point */

@@ -1,11 +1,13 @@
 /* What the randomised tests share: a seeded generator, crawlers and start velocities of several
- * families, and three gaits that the library does not have. Header-only; knows public headers only. */
+ * families, and gaits. Header-only; knows public headers only. */
 #ifndef SCALLOP_TESTS_SUPPORT_RANDOM_CRAWLER_H
 #define SCALLOP_TESTS_SUPPORT_RANDOM_CRAWLER_H
 
 #include <math.h>
 #include <stdint.h>
+#include <stdlib.h>
 
+#include "model/gaits.h"
 #include "numerics/numerics.h"
 #include "tests/support/check.h"
 
@@ -34,122 +36,23 @@ static inline double random_decades(struct random *r, double lo, double hi) /* l
 
 static inline int random_below(struct random *r, int n) { return (int)(random_bits(r) % (uint64_t)n); }
 
-/* trapezoid: l' rises over the first quarter, is constant, and falls over the last eighth. Height
- * 16/13 makes the area 1. The middle piece does not touch its anchor, so it has a length of its own:
- * l(1/4) = 2/13. */
-static inline double plateau_length(const struct scallop_piece *p, double u)
+/* Three gaits of the families, made when the program starts: l' rises over the first quarter of a phase, is constant,
+ * and falls over the last eighth; l'' = 0 at both ends of a phase; l' = +1, then -1, so that it jumps between them. */
+static struct scallop_straight made_trapezoid, made_sawtooth;
+static struct scallop_polynomial made_minimum_jerk;
+#define trapezoid_gait made_trapezoid.gait
+#define minimum_jerk_gait made_minimum_jerk.gait
+#define sawtooth_gait made_sawtooth.gait
+
+__attribute__((constructor)) static void make_gaits_of_tests(void)
 {
-  return p->direction * (16 * u - 2) / 13;
+  const double up[2] = { 0.25, 0.25 }, down[2] = { 0.125, 0.125 }, none[2] = { 0, 0 };
+  const double c[] = { 0, 0, 0, 10, -15, 6 };
+  if (scallop_make_trapezoidal(&made_trapezoid, "trapezoid", up, down) != SCALLOP_OK
+      || scallop_make_polynomial(&made_minimum_jerk, "minimum-jerk", c, 5, NULL) != SCALLOP_OK
+      || scallop_make_constant(&made_sawtooth, "sawtooth", none) != SCALLOP_OK)
+    abort();
 }
-static inline double plateau_velocity(const struct scallop_piece *p, double u) { return (void)u, p->velocity; }
-static inline double plateau_acceleration(const struct scallop_piece *p, double u) { return (void)p, (void)u, 0; }
-static inline double plateau_when(const struct scallop_piece *p, double a) { return a == 0 ? p->begin : NAN; }
-
-static const struct scallop_curve plateau = { plateau_length, plateau_velocity, plateau_acceleration, plateau_when,
-                                              NULL };
-
-static const struct scallop_law plateau_law = { SCALLOP_LAW_POLYNOMIAL, 0, .polynomial = { { 16 }, 13 } };
-static const struct scallop_law rise_law = { SCALLOP_LAW_POLYNOMIAL, 1, .polynomial = { { 0, 64 }, 13 } };
-static const struct scallop_law fall_law = { SCALLOP_LAW_POLYNOMIAL, 1, .polynomial = { { 0, 128 }, 13 } };
-
-#define TRAPEZOID(sign) \
-  { .begin = 0, \
-    .end = 0.25, \
-    .direction = (sign), \
-    .linear = true, \
-    .acceleration = (sign)*64. / 13, \
-    .curve = &scallop_curve_linear, \
-    .law = &rise_law }, \
-      { .begin = 0.25, \
-        .end = 0.875, \
-        .direction = (sign), \
-        .linear = true, \
-        .velocity = (sign)*16. / 13, \
-        .curve = &plateau, \
-        .law = &plateau_law }, \
-  { \
-    .begin = 0.125, .end = 0, .anchor = SCALLOP_FROM_END, .direction = (sign), .linear = true, \
-    .acceleration = (sign) * -128. / 13, .curve = &scallop_curve_linear, .law = &fall_law \
-  }
-
-static const struct scallop_piece trapezoid_extension[] = { TRAPEZOID(1) };
-static const struct scallop_piece trapezoid_contraction[] = { TRAPEZOID(-1) };
-static const struct scallop_gait trapezoid_gait = {
-  "trapezoid",
-  { { trapezoid_extension, 3, 64. / 13, -128. / 13, 16. / 13, 1, true, false },
-    { trapezoid_contraction, 3, -64. / 13, 128. / 13, 16. / 13, -1, true, false } }
-};
-
-/* minimum jerk: l = 10 s^3 - 15 s^4 + 6 s^5, symmetric about s = 1/2. l''' = 0 at (3 - sqrt 3)/6
- * from either end, where the pieces are split so that l'' is monotone in each. l'' = 0 at both ends. */
-static inline double jerk_sign(const struct scallop_piece *p)
-{
-  return p->anchor == SCALLOP_FROM_START ? p->direction : -p->direction;
-}
-static inline double jerk_length(const struct scallop_piece *p, double u)
-{
-  return jerk_sign(p) * (u * u * u * (10 - u * (15 - 6 * u)));
-}
-static inline double jerk_velocity(const struct scallop_piece *p, double u)
-{
-  double root = u * (1 - u);
-  return p->direction * 30 * (root * root);
-}
-static inline double jerk_bend(double u) { return 60 * u * (1 - u) * (1 - 2 * u); }
-static inline double jerk_acceleration(const struct scallop_piece *p, double u) { return jerk_sign(p) * jerk_bend(u); }
-/* The u between below and above with jerk_bend(u) = level, or nan; the bend is monotone there. By bisection: slow,
- * right to the last digit. */
-static inline double jerk_place(double below, double above, double level)
-{
-  if (jerk_bend(below) > jerk_bend(above)) {
-    double end = below;
-    below = above;
-    above = end;
-  }
-  if (!(jerk_bend(below) <= level && level <= jerk_bend(above)))
-    return NAN;
-  if (level == jerk_bend(below))
-    return below;
-  for (double mid; (mid = 0.5 * (below + above)) != below && mid != above;)
-    *(jerk_bend(mid) < level ? &below : &above) = mid;
-  return above;
-}
-static inline double jerk_when(const struct scallop_piece *p, double a)
-{
-  return jerk_place(p->begin, p->end, jerk_sign(p) * a);
-}
-
-static const struct scallop_curve jerk_curve = { jerk_length, jerk_velocity, jerk_acceleration, jerk_when, NULL };
-
-static const struct scallop_law jerk_law = { SCALLOP_LAW_POLYNOMIAL, 4, .polynomial = { { 0, 0, 30, -60, 30 }, 1 } };
-
-#define JERK_TURN 0.21132486540518711775
-#define JERK(from, to, anchored, sign) \
-  { \
-    .begin = (from), .end = (to), .anchor = (anchored), .direction = (sign), .curve = &jerk_curve, .law = &jerk_law \
-  }
-#define MINIMUM_JERK(sign) \
-  JERK(0, JERK_TURN, SCALLOP_FROM_START, sign), JERK(JERK_TURN, 0.5, SCALLOP_FROM_START, sign), \
-      JERK(0.5, JERK_TURN, SCALLOP_FROM_END, sign), JERK(JERK_TURN, 0, SCALLOP_FROM_END, sign)
-
-static const struct scallop_piece jerk_extension[] = { MINIMUM_JERK(1) };
-static const struct scallop_piece jerk_contraction[] = { MINIMUM_JERK(-1) };
-static const struct scallop_gait minimum_jerk_gait = { "minimum-jerk",
-                                                       { { jerk_extension, 4, 0, 0, 1.875, 1, false, false },
-                                                         { jerk_contraction, 4, 0, 0, 1.875, -1, false, false } } };
-
-/* sawtooth: l' = +1, then -1; it jumps between the phases. */
-#define SAWTOOTH(sign) \
-  { \
-    .begin = 0, .end = 1, .direction = (sign), .jump = true, .linear = true, .velocity = (sign), \
-    .curve = &scallop_curve_linear \
-  }
-
-static const struct scallop_piece sawtooth_extension[] = { SAWTOOTH(1) };
-static const struct scallop_piece sawtooth_contraction[] = { SAWTOOTH(-1) };
-static const struct scallop_gait sawtooth_gait = { "sawtooth",
-                                                   { { sawtooth_extension, 1, 0, 0, 1, 1, false, false },
-                                                     { sawtooth_contraction, 1, 0, 0, 1, -1, false, false } } };
 
 enum { SMOOTH_GAITS = 4, SAWTOOTH = 4, ALL_GAITS = 5 }; /* the first SMOOTH_GAITS have a continuous l' */
 static const struct scallop_gait *const every_gait[ALL_GAITS] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,

@@ -66,6 +66,38 @@ static inline const struct scallop_gait *random_polynomial(struct random *r, boo
   return polynomial_of_slope(g, slope, degree) ? &g->gait : random_polynomial(r, turning, g);
 }
 
+/* l' = s^p (1 - s) times factors s - root. The roots are anywhere, and next to the start, the middle, the end and each
+ * other: so there are pieces that are much shorter than an ulp of l, and l goes back further than its amplitude. */
+static inline const struct scallop_gait *far_turning(struct random *r, struct scallop_polynomial *g)
+{
+  enum { MOST = 8 };
+  double slope[MOST + 1] = { 0 }, root = 0;
+  int degree = 1 + random_below(r, 2), roots = 1 + random_below(r, 4);
+  slope[degree] = 1;
+  for (int i = 0; i <= roots; i++) { /* times a + s, the last one times 1 - s */
+    double closeness = random_decades(r, 1e-9, 0.1), side = random_below(r, 2) ? 1 : -1;
+    const double places[] = { random_between(r, 0.02, 0.98), 0.5 + side * closeness, closeness, 1 - closeness,
+                              root + 0.02 };
+    root = i < roots ? places[random_below(r, 5)] : 1;
+    for (int k = ++degree; k >= 0; k--)
+      slope[k] = (k > 0 ? slope[k - 1] : 0) - root * slope[k];
+  }
+  return polynomial_of_slope(g, slope, degree) ? &g->gait : far_turning(r, g);
+}
+
+/* ... or hardly at all */
+static const char *const far_turning_texts[] = {
+  "polynomial:0,0,-60,125,-64",
+  "polynomial:0,330,-1420,1860,-768",
+  "polynomial:0,0,220,-1065,1488,-640",
+  "polynomial:0,135,-1690,3120,-1536",
+  "polynomial:0,0,-12,25,-12.8",
+  "polynomial:0,0,-4,9,-4.8",
+  "polynomial:0,0,-19.999999976000002,44.999999952000003,-23.999999976000002",
+  "polynomial:0,-6.0000000012000002e-10,4.0000000012000001,-3.0000000006"
+};
+enum { FAR_TURNING = sizeof far_turning_texts / sizeof *far_turning_texts };
+
 /* Steffen's slope at the middle one of three knots */
 static inline double steffen(const struct scallop_knot *k)
 {

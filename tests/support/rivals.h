@@ -79,65 +79,11 @@ static inline void check_steady(struct scallop_rival *rival, const struct scallo
   check_share(s.displacement, exact.period.displacement, bound * c->T);
 }
 
-/* Lengths, times and forces in other units: powers of two, so every digit must stay; and nothing may be remembered of
- * the crawler before. */
-static inline void check_units(struct scallop_rival *rival)
-{
-  const struct units u = { .mass = 0x1p-300, .length = 0x1p200, .time = 0x1p-150 };
-  struct scallop_crawler c = scallop_crawler_default(), other = c;
-  c.gait = &scallop_gait_sinusoidal;
-  other.T = 7;
-  struct scallop_crawler d = in_units(&c, &u);
-  struct scallop_rival_period a = rival_period(rival, &c, 0.731);
-  rival_period(rival, &other, -3.1);
-  struct scallop_rival_period b = rival_period(rival, &d, 0.731 * u.length / u.time);
-  CHECK_EQUAL(b.v_mid, a.v_mid * u.length / u.time);
-  CHECK_EQUAL(b.v_end, a.v_end * u.length / u.time);
-  CHECK_EQUAL(b.displacement, a.displacement * u.length);
-  assert_int_equal(b.steps, a.steps);
-  assert_int_equal(b.evaluations, a.evaluations);
-}
-
-/* Friction far above what the gait asks for: one body never moves, and the other returns. */
-static inline struct scallop_rival_period check_rest(struct scallop_rival *rival, const struct scallop_gait *gait,
-                                                     int heavy)
-{
-  struct scallop_crawler c = scallop_crawler_default();
-  c.gait = gait;
-  c.F1 = heavy == 1 ? 4e5 : 1e3;
-  c.F2 = heavy == 1 ? 1e3 : 4e5;
-  struct scallop_rival_period p = rival_period(rival, &c, 0);
-  CHECK_EQUAL(p.v_mid, 0);
-  CHECK_EQUAL(p.v_end, 0);
-  CHECK_NEAR(p.displacement, 0, 1e-13 * c.L);
-  return p;
-}
-
 /* Not taken, and nothing touched */
 static inline void check_refused(struct scallop_rival *rival, const struct scallop_crawler *c, double v0,
                                  const struct scallop_patience *patience, enum scallop_status wanted)
 {
   REFUSES(scallop_rival_period, rival->period(rival, c, v0, patience, &out), wanted);
-}
-
-/* What no rival takes */
-static inline void check_refusals(struct scallop_rival *rival)
-{
-  const struct scallop_gait *const g = &scallop_gait_quadratic;
-  const struct {
-    struct scallop_crawler crawler;
-    double v0;
-    enum scallop_status wanted;
-  } refused[] = {
-    { { 1, 1, 4, 1, 10, 1, 0.75, g }, NAN, SCALLOP_EDOMAIN },
-    { { 1, 1, 4, 1, 10, 1, 0.75, g }, -INFINITY, SCALLOP_EDOMAIN },
-    { { 1, 1, 4, 1, 10, 1, 0.75, g }, 5e-324, SCALLOP_ERANGE },
-    { { 1, 1, 4, 1, 10, 1, 1, g }, 1, SCALLOP_EDOMAIN },
-    { { 1, 1, 4, 1, 10, 1, 0.75, NULL }, 1, SCALLOP_EDOMAIN },
-    { { 1, 1, 4, 1, 10, 1e-200, 0.75, g }, 1, SCALLOP_ERANGE }, /* eps underflows */
-  };
-  for (size_t i = 0; i < sizeof refused / sizeof *refused; i++)
-    check_refused(rival, &refused[i].crawler, refused[i].v0, NULL, refused[i].wanted);
 }
 
 /* Patience for so many questions: then -1 is left */

@@ -7,7 +7,7 @@ function choose_axes_of_map(   axis, part) {
   if (ys > 1)
     refuse("a map shows one column")
   if (picture == "map" && ys == 0)
-    y[ys = 1] = "modes"
+    y[ys = 1] = "regime" in at ? "regime" : "modes"
   for (axis in axis_of_map) {
     split(axis_of_map[axis], part, /,? /) # F1/F2 from 0.1 to 10, 41 values, log
     axis_of_map[axis] = part[1]

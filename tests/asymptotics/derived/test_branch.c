@@ -170,7 +170,7 @@ TEST(a_crossing_moves_to_another_piece)
     assert_true(limit_follow(&l, w, eps, PRECISION));
     find_w_mid(w_mid, &l, w, eps);
     series_coefficient(u, &l.branch[0].crossing[0].offset, 0, PRECISION);
-    *(middle(u) < JERK_TURN ? &after : &before) += 1;
+    *(middle(u) < minimum_jerk_gait.phase[0].pieces[0].end ? &after : &before) += 1;
     assert_null(limit_holds(&l, w, w_mid, eps, PRECISION));
     struct scallop_steady_result steady = steady_of(&c);
     CHECK_RELATIVE(middle(w), steady.period.v_start * c.T / c.L, 1e-12);

@@ -251,50 +251,6 @@ TEST(formulas_of_products)
   }
 }
 
-/* The fraction that a formula is, by way of series of one term */
-static void expand_at_point(arb_t value, const struct scallop_formula *f, const struct point *p)
-{
-  const struct ring one = { 1, PRECISION };
-  char message[FORMULA_MESSAGE];
-  bool is_steady = f->setting == SCALLOP_STEADY;
-  enum scallop_phase_kind kind = is_steady ? SCALLOP_EXTENSION : p->kind;
-  SCOPED(scallop_symbols, symbols);
-  SCOPED(series, series);
-  SCOPED(fmpq, number);
-  scallop_symbols_set(&symbols, &p->exact, kind, p->start, NULL, &one);
-  scallop_rational_duration(number, &p->exact, kind);
-  series_set_rational(&symbols.value[SCALLOP_SYMBOL_T], is_steady ? p->exact.T : number);
-  for (int i = 0; i < 3; i++) {
-    scallop_rational_set_double(number, p->given[i]);
-    series_set_rational(&symbols.value[SCALLOP_SYMBOL_t1 + i], number);
-  }
-  assert_null(scallop_formula_expand(&series, f, &symbols, kind, &one, message));
-  assert_true(series_rational_coefficient(number, &series, 0));
-  arb_set_fmpq(value, number, 2 * PRECISION);
-}
-
-/* Every formula of the paper, for both phases, encloses the fraction that it is, where gait and parameters are
- * rational. */
-TEST(published_formulas)
-{
-  struct random r = { 20261127 };
-  for (const struct scallop_formula *f = scallop_published; f->name; f++) {
-    char message[SCALLOP_FORMULA_MESSAGE];
-    struct scallop_read_formula *read = scallop_formula_read(f, message);
-    assert_non_null(read);
-    for (int i = 0; i < 4; i++) {
-      SCOPED(point, p);
-      SCOPED(arb, value, exact);
-      draw_point(&p, &r, gaits[2 * (i % 2)]);
-      expand_at_point(exact, f, &p);
-      assert_int_equal(scallop_formula_ball(value, read, &p.exact, p.kind, p.start, p.balls, PRECISION), SCALLOP_OK);
-      if (!arb_overlaps(value, exact) || arb_rel_accuracy_bits(value) < PRECISION - 60)
-        fail_msg("%s: another value, or too wide a ball", f->name);
-    }
-    scallop_formula_free(read);
-  }
-}
-
 /* What has no value is not finite, and what is no crawler is refused. */
 TEST(formulas_without_value)
 {

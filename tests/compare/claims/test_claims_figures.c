@@ -1,5 +1,5 @@
-/* The claims in words about the figures and about steady states: verdicts, and each figure from the double solver or a
- * closed form. */
+/* The claims in words about the figures and about steady states: each figure from the double solver or a closed form.
+ * The verdicts are those of data/claims.tsv, with which `make check` compares the ledger. */
 #include "tests/support/full_ledger.h"
 
 static int begin(void **state) { return (void)state, fill(false); }
@@ -7,57 +7,6 @@ static int begin(void **state) { return (void)state, fill(false); }
 static const char *const by_ratio = "the paper's crawler; F1/F2 from 1.01 to 7838 by 1 %";
 static const char *const by_forces = "the paper's crawler; F1 and F2 together, 1/Froude from 1e-3 to 92 by 1 %";
 static const char *const by_period = "the paper's crawler; T alone, 1/Froude from 1e-3 to 91 by 2 %";
-
-TEST(verdicts)
-{
-  static const char peaks[] = "mean_velocity_peaks_where_v_start_is_0", grows[] = "displacement_grows_with_duration";
-  static const char limit[] = "text_steady_velocity_in_the_limit", reached[] = "steady_state_is_reached";
-  const struct {
-    const char *claim, *conditions;
-    bool inside;
-    enum claim_verdict quadratic, sinusoidal;
-  } known[] = {
-    { peaks, by_ratio, true, CLAIM_HOLDS, CLAIM_REFUTED },
-    { peaks, by_forces, true, CLAIM_REFUTED, CLAIM_REFUTED },
-    { peaks, by_period, true, CLAIM_REFUTED, CLAIM_REFUTED },
-    { "mean_velocity_has_one_maximum", NULL, true, CLAIM_REFUTED, CLAIM_REFUTED },
-    { "mean_velocity_decays_once_sticking_begins", NULL, true, CLAIM_REFUTED, CLAIM_REFUTED },
-    { grows, "the paper's crawler, from rest, F1/F2 = 2, 10, 40", true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { grows, "the paper's crawler, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %",
-      false, CLAIM_REFUTED, CLAIM_HOLDS },
-    { grows, "the paper's crawler, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %", false,
-      CLAIM_REFUTED, CLAIM_REFUTED },
-    { limit, "the paper's crawler, T = 1e-20, alpha from 0.51 to 0.99 by 0.08", true, CLAIM_HOLDS, CLAIM_REFUTED },
-    { limit, "the paper's crawler, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", false, CLAIM_REFUTED, CLAIM_REFUTED },
-    { limit, "the ledger's crawler, T = 1e-20, alpha from 0.51 to 0.99 by 0.08", true, CLAIM_HOLDS, CLAIM_REFUTED },
-    { "text_steady_velocity_mirrored_in_the_limit",
-      "the paper's crawler, T = 1e-20, alpha from 0.01 to 0.49 by 0.08; with F1 m1 and F2 m2 exchanged below the line",
-      false, CLAIM_HOLDS, CLAIM_REFUTED },
-    { "steady_state_is_unique", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { reached, "the paper's crawler, T = 2, from rest; read as: after finitely many periods", true, CLAIM_REFUTED,
-      CLAIM_REFUTED },
-    { reached, "the paper's crawler, T = 4, from rest; read as: after finitely many periods", true, CLAIM_HOLDS,
-      CLAIM_HOLDS },
-    { "equal_forces_do_not_move", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { "symmetric_timing_does_not_move", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { "motion_always_settles", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { "longer_extension_moves_forward", NULL, true, CLAIM_REFUTED, CLAIM_REFUTED },
-    { "velocity_change_is_not_monotone", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { "start_velocity_changes_sign", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { "mean_velocity_vanishes_at_ratio_1", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { "mean_velocity_vanishes_at_large_ratio", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-    { "mean_velocity_grows_with_alpha", NULL, true, CLAIM_HOLDS, CLAIM_REFUTED },
-    { "mean_velocity_goes_as_1_over_T", NULL, true, CLAIM_HOLDS, CLAIM_HOLDS },
-  };
-  for (size_t k = 0; k < sizeof known / sizeof *known; k++)
-    for (int g = 0; g < 2; g++) {
-      const struct claim_row *row = find(known[k].claim, g, known[k].conditions, known[k].inside);
-      if (row->verdict != (g ? known[k].sinusoidal : known[k].quadratic))
-        print_error("%s %s, %s: %s\n", row->claim, row->gait, row->conditions, row->measured);
-      assert_int_equal(row->verdict, g ? known[k].sinusoidal : known[k].quadratic);
-      assert_null(strstr(row->measured, "not proven"));
-    }
-}
 
 /* x: F1/F2, or with `forces` F2, and F1 = 4 F2 */
 static struct scallop_steady_result steady_at(double x, struct scallop_crawler c, bool forces)

@@ -147,16 +147,16 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   finish "the ledger is there"
 fi
 if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
-  loaded() { env -u SCALLOP_LIBRARY -u LD_LIBRARY_PATH PYTHONPATH="$1" /usr/bin/python3 -c 'import scallop; scallop.steady(); print(scallop.load())' 2>err; }
+  loaded() { env -u SCALLOP_LIBRARY -u LD_LIBRARY_PATH PYTHONPATH="$1" /usr/bin/python3 -c 'import crawling_scallop as s; s.run(["steady"]); s.steady(F1=s.table("figure4")["T"]); print(s.load())' 2>err; }
   loaded elsewhere/usr/share/scallop/python >got || note "$(tail -n 1 err)"
   [ "$(cat got)" = "$scratch/elsewhere/usr/lib/libscallop.so.$abi" ] || note "it loads '$(cat got)'"
   (cd "$root" && "${MAKE:-make}" --no-print-directory install B="$build" PREFIX=/opt libdir=/usr/lib/some-machine DESTDIR="$scratch/debian") >said 2>&1 || note "$(tail -n 3 said)"
   loaded debian/opt/share/scallop/python >got || note "$(tail -n 1 err)"
   [ "$(cat got)" = "$scratch/debian/usr/lib/some-machine/libscallop.so.$abi" ] || note "with a libdir of its own it loads '$(cat got)'"
   mkdir copied
-  cp elsewhere/usr/share/scallop/python/*.py copied
+  cp -r elsewhere/usr/share/scallop/python/* copied
   SCALLOP_LIBRARY=$scratch/elsewhere/usr/lib/libscallop.so PYTHONPATH=copied /usr/bin/python3 -c 'import scallop; scallop.steady()' 2>err || note "$(tail -n 1 err)"
-  finish "the Python module finds the library, and can be copied"
+  finish "the Python package finds library, command and tables, and can be copied"
 fi
 run 0 --help
 for command in $(sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/-\1/p' out) ''; do

@@ -142,6 +142,19 @@ if [ -n "$full" ]; then
   finish "-o to a full device"
 fi
 
+if [ -c /dev/full ]; then
+  printf 'T\n-1\n1\n' >bad.tsv
+  for arguments in phase steady trajectory series claims 'order square.txt' 'figure 2' 'steady --format json' 'steady --points bad.tsv' --help --version \
+    'steady --help' '--completion bash'; do
+    # shellcheck disable=SC2086
+    "$tool" $arguments >/dev/full 2>err
+    code=$?
+    [ $code = 4 ] || note "scallop $arguments: exit code $code, not 4"
+    case $arguments in *--help | --*) ;; *) says 'cannot write standard output: No space' err ;; esac
+  done
+  finish "standard output to a full device"
+fi
+
 # ---- a full disk: a limit to the size of files is one that everybody can have ----
 too_large() {
   earlier
@@ -155,7 +168,10 @@ too_large() {
   [ -z "$(ls -A here)" ] || note "scallop $*: left behind: $(ls -A here)"
 }
 each_long too_large
-[ ! -x "$tool-flint" ] || too_large claims --errors rest_dT --gait quadratic --quiet
+[ ! -f "$(dirname "$tool")/scallop-flint.so" ] || {
+  too_large claims --errors all --gait quadratic --quiet
+  too_large breakdown --map F1/F2 alpha --x 1.5:60:16 --y 0.55:0.9:16 --source published --quiet
+}
 (ulimit -f 1 && exec "$tool" trajectory) >grown 2>err
 [ $? = 4 ] || note "to standard output: not exit code 4"
 grep -q -x 'scallop trajectory: cannot write standard output: File too large' err || note "to standard output: $(cat err)"
@@ -271,6 +287,9 @@ for s in HUP:129 TERM:143 KILL:137; do # what a script has in the background ign
   unchanged "$s"
 done
 finish "a signal leaves the earlier table and nothing else; SIGKILL leaves table.scallop-XXXXXX"
+timeout -s HUP 0.1 sh -c 'trap "" HUP; exec "$1" trajectory --periods 1500 -o hangup.tsv' sh "$tool" 2>err
+[ -s hangup.tsv ] || note "it ended by a signal that was to be ignored"
+finish "a run under nohup outlives the terminal"
 begins
 "$tool" steady -o here/table || note "exit code $?"
 "$tool" steady | cmp -s - here/table || note "another table"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# scripts/python/scallop.py and scripts/python/figure4.py: the numbers of the command, bit for bit, from the shared library beside it or
-# in SCALLOP_LIBRARY.
+# The Python package and scripts/python/figure4.py: the numbers of the command, bit for bit, from the shared library beside it or in
+# SCALLOP_LIBRARY.
 # Usage: sh tests/compare/command/cli_python.sh build/scallop. One line for each check; non-zero if any failed.
 root=$(cd "$(dirname "$0")/../../.." && pwd)
 . "$(dirname "$0")/../../support/common.sh"
@@ -18,7 +18,9 @@ fi
 export SCALLOP_LIBRARY="$library" PYTHONPATH="$root/scripts/python" PYTHONDONTWRITEBYTECODE=1
 export PYTHONWARNINGS=error,ignore::ResourceWarning # read() leaves its files open
 cat >>tables.py <<'END'
-import ctypes, numpy, scallop
+import ctypes, numpy
+import crawling_scallop as scallop
+from crawling_scallop import _exact as scallop_exact, _gaits, _library as scallop_library, _motion
 def same(a, b):
     a, b = numpy.asarray(a, float), numpy.asarray(b, float)
     return a.shape == b.shape and ((a == b) & (numpy.signbit(a) == numpy.signbit(b)) | numpy.isnan(a) & numpy.isnan(b)).all()
@@ -45,14 +47,17 @@ END
 
 # ---- the same as the command ----
 cat >layout.py <<'END'
-import ctypes, scallop_library as scallop
-print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "asymptotics/observed/order.h"\n#include "model/families.h"\n#include "model/measured/measured.h"\n#include "numerics/numerics.h"')
-if scallop.os.environ["WITH_FLINT"] != "0":
-    print('#include "model/exact/ball.h"')
-else:
-    del scallop.RationalCrawler
+import ctypes
+import crawling_scallop._library as scallop
 def fact(text, value):
     print('_Static_assert(%s == %d, "");' % (text, value))
+print('#include <stddef.h>\n#include "asymptotics/asymptotics.h"\n#include "asymptotics/observed/order.h"\n#include "model/families.h"\n#include "model/measured/measured.h"\n#include "numerics/numerics.h"\n#include "numerics/wide/wide.h"')
+if scallop.os.environ["WITH_FLINT"] != "0":
+    print('#include "numerics/certified/certified.h"')
+    fact("SCALLOP_MOST_DIGITS", scallop.MOST_DIGITS)
+    fact("SCALLOP_EUNDECIDED", scallop.UNDECIDED)
+else:
+    del scallop.RationalCrawler, scallop.CertifiedPhase, scallop.CertifiedSteady
 fact("SCALLOP_MEASURED_OTHERS", scallop.OTHERS)
 fact("SCALLOP_FIT_PHASES", scallop.FITS - 1)
 fact("SCALLOP_MODES_TEXT", 3 * scallop.MODES_KEPT + 8)
@@ -204,7 +209,7 @@ if [ "${WITH_FLINT:-1}" != 0 ]; then
   run 0 series --source derived --order 8 --F1 3 --m2 0.7 --v0 0.4 --gait sinusoidal
   cp out derived_sine.tsv
   python <<'END'
-import decimal, fractions, scallop_exact
+import decimal, fractions
 def compare_series(rows, gait, digits=17, **more):
     for motion, names in scallop_exact.QUANTITIES.items():
         got = scallop.series(motion, 0.4, 8, digits, F1=3, m2=0.7, gait=gait, **more)
@@ -230,7 +235,7 @@ compare_series(read("derived_sine.tsv"), "sinusoidal", digits=60, alpha="3/4")
 END
   finish "series: the coefficients of series --source derived"
 
-  python "$root/docs/reference/python.md" <<'END'
+  python <<'END'
 from decimal import Decimal
 from fractions import Fraction
 third = Fraction(1, 3)
@@ -248,8 +253,6 @@ T = numpy.array([[0.01, 0.005], [0.0025, 0.02]])
 off = scallop.series("extension", v0=0.25, order=5, F1=3).dxC(T) - scallop.phase("extension", 0.25, F1=3, T=T / 0.75).dxC
 if off.shape != T.shape or (abs(off) > 10 * T**5).any() or not isinstance(s.dxC(0.5), float):
     bad("the sums of the terms:", off)
-if "`# " + repr(scallop.series().displacement) not in open(sys.argv[1]).read().replace("s.displacement        ", "`"):
-    bad("not as in docs/reference/python.md:", scallop.series().displacement)
 rest = scallop.series("extension", F1=2, F2=2, order=4)
 if rest.t1 or rest.dT or rest.modes != "-+" or rest.dx2 != {0: 5}:
     bad("equal forces:", rest)
@@ -279,6 +282,53 @@ if zero.middle != 0 or not 0 < zero.radius < 1e-300:
     bad("around 0:", zero)
 END
   finish "formulas in balls"
+fi
+
+# ---- certified digits and errors are those of the command ----
+run 0 steady --error --F1 3 --m2 0.7 --gait sinusoidal
+cp out errors.tsv
+run 0 phase --error --F1 3 --v0 0.5 --phase contraction
+python <<'END'
+steady, phase = read("errors.tsv")[0], read("out")[0]
+for row, found in (steady, scallop.steady_errors(F1=3, m2=0.7, gait="sinusoidal")), (phase, scallop.phase_errors("contraction", 0.5, F1=3)):
+    for name, value in found._asdict().items():
+        if not (math.isnan(value) if math.isnan(number(row, name + "_error")) else near(value, number(row, name + "_error"), 0.01)):
+            bad(name, value, row)
+END
+finish "steady_errors, phase_errors: those of --error"
+if [ "${WITH_FLINT:-1}" != 0 ]; then
+  run 0 steady --certified --digits 30 --F1 3 --gait sinusoidal
+  cp out certified.tsv
+  run 0 phase --certified --digits 30 --F1 3 --v0 0.5 --phase contraction
+  python <<'END'
+from decimal import Decimal
+steady, phase = read("certified.tsv")[0], read("out")[0]
+for row, found in ((steady, scallop.certified(F1=3, gait="sinusoidal", digits=30)),
+                   (phase, scallop.certified("contraction", v0="1/2", F1=3, digits=30))):
+    names = [name for name in vars(found) if name in row and isinstance(getattr(found, name), scallop.Ball)]
+    if len(names) < 5:
+        bad(names, row)
+    for name in names:
+        text = row[name]
+        unit = Decimal(1).scaleb(Decimal(text).as_tuple().exponent)
+        if abs(getattr(found, name).middle - Decimal(text)) > unit:
+            bad(name, getattr(found, name), text)
+    if (found.modes, found.regime) != (row["modes"], row["regime"]):
+        bad(found, row)
+END
+  finish "certified: the digits of --certified"
+fi
+
+# ---- the tests of the package, and the examples in its docstrings and in the documents ----
+if /usr/bin/python3 -c 'import pytest' 2>err; then
+  SCALLOP_COMMAND=$tool SCALLOP_PAGES=$root/docs/reference/python.md:$root/docs/guide/order.md /usr/bin/python3 -m pytest -q -p no:cacheprovider --pyargs crawling_scallop \
+    >said 2>&1 || note "$(grep -m 3 -e ^FAILED -e ^ERROR said || tail -n 3 said)"
+  grep -q -E '^[3-9][0-9] passed' said || note "$(tail -n 1 said)"
+  finish "pytest --pyargs crawling_scallop, with the examples of docs/reference/python.md and docs/guide/order.md"
+fi
+if command -v mypy >/dev/null && [ -f "$root/pyproject.toml" ]; then
+  MYPYPATH=$root/scripts/python mypy --strict --config-file "$root/pyproject.toml" --cache-dir "$scratch/mypy" -p crawling_scallop >said 2>&1 || note "$(head -n 3 said)"
+  finish "mypy --strict"
 fi
 
 # ---- arrays ----
@@ -329,8 +379,8 @@ END
 finish "arrays of every kind and order in memory"
 
 python <<'END'
-seen, give = [], scallop._crawlers
-scallop._crawlers = lambda columns: seen.append(give(columns)) or seen[-1]
+seen, give = [], _motion._crawlers
+_motion._crawlers = lambda columns: seen.append(give(columns)) or seen[-1]
 numbers = {name: numpy.linspace(0.5, 0.9, 100).reshape(10, 10) for name in PARAMETERS}
 numbers["F1"].flags.writeable = False
 scallop.steady(**numbers)
@@ -367,7 +417,7 @@ END
 finish "threads do not matter"
 
 python <<'END'
-import scallop_library, threading, time
+import threading, time
 ticks, stop, spans, asked = [], threading.Event(), [], []
 def tick():
     while not stop.wait(0.001):
@@ -441,7 +491,7 @@ import reprlib
 nan, inf = math.nan, math.inf
 grid = numpy.ones((2, 3))
 grid[1, 2] = -2
-allowed = {name: entry[0].allowed.decode() for name, entry in scallop._families().items() if entry[0].allowed}
+allowed = {name: entry[0].allowed.decode() for name, entry in _gaits._families().items() if entry[0].allowed}
 families = ", ".join(name for name in scallop.gaits() if name not in ("quadratic", "sinusoidal"))
 none = ", ".join(scallop.gaits()) + ", with numbers as in 'skewed:0.3', or a Gait"
 for call, wanted in {
@@ -563,7 +613,7 @@ finish "measured: a recording gives the gait of --gait measured, and intervals"
 
 if [ "${WITH_FLINT:-1}" != 0 ]; then
   python <<'END'
-import pathlib, scallop_library
+import pathlib
 with_series, core = scallop_library.LIBRARIES
 for call, kind, wanted in (
     (lambda: scallop.series("rest"), ValueError, "motion = 'rest': 'steady', 'extension' or 'contraction'"),
@@ -628,7 +678,7 @@ finish "an interrupt ends a trajectory"
 # ---- finding the library ----
 mkdir -p tree/scripts/python tree/build tree/model
 cp "$root/model/version.h" tree/model
-cp "$root"/scripts/python/scallop*.py tree/scripts/python
+cp -r "$root"/scripts/python/crawling_scallop "$root"/scripts/python/scallop.py tree/scripts/python
 loads() { # FILE, or part of the message
   PYTHONPATH=tree/scripts/python /usr/bin/python3 -c 'import scallop; print(scallop.load())' >said 2>&1
   tail -n 1 said | grep -q -F -e "$1" || note "wanted $1: $(tail -n 1 said)"
@@ -642,9 +692,9 @@ echo text >libscallop.so.$abi
 cc -shared -o libscallop-core.so.$abi -x c /dev/null
 for pair in "libscallop.so.9$abi=libscallop.so.9$abi: version 9$abi of the binary interface: version $abi is wanted" \
   "libscallop.so=the name does not say the version of the binary interface: .so.$abi is wanted" \
-  "link.so=$scratch/link.so" "libscallop.so.$abi=cannot load the library of scallop: $scratch/libscallop.so.$abi: " \
-  "libscallop-core.so.$abi=has no scallop_status_text: it is older than scallop.py, or another library" \
-  "none.so.$abi=cannot load the library of scallop: $scratch/none.so.$abi: cannot open"; do
+  "link.so=$scratch/link.so" "libscallop.so.$abi=cannot load the library of crawling_scallop: $scratch/libscallop.so.$abi: " \
+  "libscallop-core.so.$abi=has no scallop_status_text: it is older than this package, or another library" \
+  "none.so.$abi=cannot load the library of crawling_scallop: $scratch/none.so.$abi: cannot open"; do
   SCALLOP_LIBRARY=${pair%%=*} loads "${pair#*=}"
 done
 unset SCALLOP_LIBRARY

@@ -29,7 +29,8 @@ static const char *read_all(const char *table, enum tsv_style style)
 TEST(separators_and_names)
 {
   static const char *const cases[][2] = {
-    { "h err\n1 2\n 3\t4 \n", "h,err: 1,2; 3,4;" },
+    { "h err\n1 2\n 3 \t 4 \n", "h,err: 1,2; 3,4;" },
+    { "1,2\n3,4\n", ": 1,2; 3,4;" },
     { "h\terr\n1\t2\n\t4\n", "h,err: 1,2; ,4;" },
     { "h\t\terr\n1\t\t2\n", "h,err: 1,2;" },
     { "h, err\n1, 2\n\n3,\n4,5,\n", "h,err: 1,2; 3,; 4,5;" },
@@ -48,8 +49,8 @@ TEST(separators_and_names)
     { "# a study\n# t x1 x2\n1 2 3\n", "t,x1,x2: 1,2,3;" },
     { "# command: order\n1 2\n", ": 1,2;" },
     { "% h err\n1 2\n% more\n3 4\n", "h,err: 1,2; 3,4;" },
-    { "{\"h\": 1, \"err\": null, \"of\": \"a\\\"\\u00e4\"}\n{\"of\": \"b\", \"h\": 2}\n",
-      "h,err,of: 1,,a\"\xc3\xa4; 2,,b;" },
+    { "{\"h\": 1, \"err\": null, \"of\": \"a\\\"\\u00e4\\ud83d\"}\n{\"of\": \"b\", \"h\": 2}\n",
+      "h,err,of: 1,,a\"\xc3\xa4?; 2,,b;" },
     { "{\"h\": 1}\n{\"g\": 2}\n", "h: 1; ;this object has a member that the first one has not" },
     { "{\"h\": [1]}\n", ":;this line is no JSON object of texts and numbers" },
   };

@@ -1,5 +1,5 @@
 /* Formulas as series: identities that hold for whatever is taken, the same with more terms and bits, the value of a
- * formula of numbers in balls and by another parser, modulo a prime, and an untouched value where it refuses. */
+ * formula of numbers in balls, and an untouched value where it refuses. Read by another parser: fuzz_formula.c. */
 #include "asymptotics/derived/formula_flint.h"
 
 #include "asymptotics/symbolic/symbolic.h"
@@ -87,98 +87,7 @@ static bool may_vanish(const struct series *s)
   return true;
 }
 
-/* The same formula once more, in whole numbers modulo a prime, operator by operator. */
-static const uint64_t PRIME = 2147483647; /* 2^31 - 1: products fit */
-
-struct modulo {
-  const char *at;
-  bool undefined; /* a divisor is 0 modulo the prime, or a power is no small whole number */
-};
-
-static char following(struct modulo *m)
-{
-  while (*m->at == ' ')
-    m->at++;
-  return *m->at;
-}
-
-static uint64_t power(uint64_t base, uint64_t exponent)
-{
-  uint64_t result = 1;
-  for (; exponent > 0; exponent /= 2, base = base * base % PRIME)
-    result = exponent % 2 ? result * base % PRIME : result;
-  return result;
-}
-
-/* level: 0 a sum, 1 a product, 2 what has a sign */
-static uint64_t operand(struct modulo *m, int level);
-
-static uint64_t after_operator(struct modulo *m, char kind, uint64_t left, int level)
-{
-  m->at++;
-  uint64_t right = operand(m, level + 1);
-  m->undefined |= kind == '/' && right == 0;
-  switch (kind) {
-  case '+': return (left + right) % PRIME;
-  case '-': return (left + PRIME - right) % PRIME;
-  case '*': return left * right % PRIME;
-  default: return left * power(right, PRIME - 2) % PRIME;
-  }
-}
-
-static uint64_t atom(struct modulo *m)
-{
-  uint64_t value = following(m) == 'h' ? power(2, PRIME - 2) : 0;
-  bool parentheses = *m->at == '(';
-  m->at += parentheses || *m->at == 'h';
-  if (parentheses) {
-    value = operand(m, 0);
-    m->at += following(m) == ')';
-  }
-  for (; *m->at >= '0' && *m->at <= '9' && !parentheses; m->at++)
-    value = (10 * value + (uint64_t)(*m->at - '0')) % PRIME;
-  if (following(m) != '^')
-    return value;
-  m->at++;
-  uint64_t exponent = operand(m, 2);
-  bool is_negative = exponent > PRIME / 2;
-  m->undefined |= (is_negative ? PRIME - exponent : exponent) > SERIES_EXACT_POWER || (is_negative && value == 0);
-  return is_negative ? power(power(value, PRIME - 2), PRIME - exponent) : power(value, exponent);
-}
-
-static uint64_t operand(struct modulo *m, int level)
-{
-  if (level == 2 && following(m) == '-') {
-    m->at++;
-    return (PRIME - operand(m, 2)) % PRIME;
-  }
-  if (level == 2)
-    return atom(m);
-  uint64_t value = operand(m, level + 1);
-  for (char c; (c = following(m)) && strchr(level == 0 ? "+-" : "*/", c);)
-    value = after_operator(m, c, value, level);
-  return value;
-}
-
-static void judge_value(const struct series *value, const char *text)
-{
-  struct modulo m = { .at = text };
-  fmpz_t prime;
-  if (text[strspn(text, "0123456789h+-*/^() ")] != '\0')
-    return;
-  uint64_t wanted = operand(&m, 0);
-  SCOPED(fmpq, exact);
-  SCOPED(fmpz, residue);
-  fmpz_init_set_ui(prime, PRIME);
-  bool is_exact = series_rational_coefficient(exact, value, 0);
-  if (!is_exact && !strchr(text, '^'))
-    fuzz_fail("'%s' is not exact", text);
-  if (is_exact && !m.undefined && fmpq_mod_fmpz(residue, exact, prime) && fmpz_get_ui(residue) != wanted)
-    fuzz_fail("'%s' is another number modulo 2^31 - 1: not %lu", text, (unsigned long)wanted);
-  fmpz_clear(prime);
-}
-
-/* Without the variable: the same in balls, where they have a value */
+/* Without the variable: the same in balls, where they have a value; exact without functions, powers and a ball */
 static void judge_in_balls(const struct series *value, const char *text)
 {
   struct formula formula;
@@ -194,6 +103,8 @@ static void judge_in_balls(const struct series *value, const char *text)
   arb_const_pi(values + 2, ring.precision);
   formula_ball(wanted, &formula, values, ring.precision);
   series_coefficient(got, value, 0, ring.precision);
+  if (value->kind == SERIES_BALLS && text[strspn(text, "0123456789h+-*/() ")] == '\0')
+    fuzz_fail("'%s' is not exact", text);
   if (value->known < SERIES_ALL || (arb_is_finite(wanted) && !arb_overlaps(got, wanted)))
     fuzz_fail("'%s' is something else in balls", text);
   _arb_vec_clear(values, SYMBOLS);
@@ -286,7 +197,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   series_set_si(&untouched, 22);
   series_set(&value, &untouched);
   if (EVALUATE(&value, text)) {
-    judge_value(&value, text);
     judge_in_balls(&value, text);
     judge_symbolic(&value, text);
     judge_known(&value, text);

@@ -1,10 +1,8 @@
-/* Gaits made to measure, exactly: the laws of struct scallop_law in balls and in doubles, certified against double, and
- * derived series. */
+/* Gaits made to measure, exactly: the laws of struct scallop_law in balls and in doubles, and derived series. */
 #include <float.h>
 
 #include "asymptotics/derived/derived.h"
 #include "compare/points/gaits.h"
-#include "compare/stress/stress.h"
 #include "model/exact/ball.h"
 #include "tests/support/certified_balls.h"
 #include "tests/support/random_gait.h"
@@ -105,86 +103,6 @@ TEST(pieces_that_go_on)
     assert_true(scallop_piece_goes_on(p + i, p + i + 1, &turned));
 }
 
-/* Pieces that are not those of the paper's gaits add their own: where c goes on from one to the next it is rounded
- * twice, a unit at most. In directed rounding all these have one sign, and no spread is promised. pieces: 0, or how
- * many there are of a spline. */
-static void judge(struct stress_case *s, int pieces)
-{
-  stress_judge(s);
-  for (int q = 0; q < QUANTITIES; q++) {
-    const struct stress_number *n = &s->number[q];
-    const char *broken = n->broken;
-    if (pieces > 0 && s->outcome != STRESS_BROKEN)
-      broken = !n->judged || n->error <= (STRESS_PROMISE + pieces) * n->unit ? NULL : "error";
-    if (!broken)
-      continue;
-    print_crawler(&s->motion.crawler);
-    fail_msg("%s of %s: %.3g units, %.3g over the rounding modes; phase %d, v0 = %.17g", broken,
-             stress_quantity_name(s, q), n->error / n->unit, n->rounding / n->unit, (int)s->motion.phase, s->motion.v0);
-  }
-}
-
-/* The promise of numerics.h: 8 units */
-TEST(promise)
-{
-  static const enum family families[] = {
-    ORDINARY, STICK_SLIP, EQUAL_FORCES, EXTREME_RATIOS, SMALL_PERIOD, ALPHA_EDGE
-  };
-  struct random r = { 20261212 };
-  struct random_gait made;
-  for (int i = 0; i < check_cases(36 * WITHOUT_TURN); i++) {
-    const struct scallop_gait *gait = random_gait(&r, (enum random_gait_kind)(i % WITHOUT_TURN), &made);
-    int pieces = i % WITHOUT_TURN == SPLINE ? gait->phase[0].count + gait->phase[1].count : 0;
-    struct stress_case s = { .motion = { .of = OF_STEADY,
-                                         .crawler = random_crawler(&r, families[i / WITHOUT_TURN % 6], gait) } };
-    judge(&s, pieces);
-    s.motion.of = OF_PHASE;
-    s.motion.phase = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-    s.motion.v0 = random_start(&r, &s.motion.crawler, s.motion.phase);
-    judge(&s, pieces);
-  }
-}
-
-/* Where l' changes its sign within a phase, and c is small there, a body's turn is known to an ulp of the phase and not
- * of the time from there: so velocities are right to an ulp of the largest l'. */
-TEST(turning)
-{
-  struct random r = { 20261213 };
-  struct random_gait made;
-  SCOPED(scallop_certified_steady, wanted);
-  for (int i = 0; i < check_cases(60); i++) {
-    const struct scallop_gait *gait = random_gait(&r, i % 2 ? TURNING_SPLINE : TURNING_POLYNOMIAL, &made);
-    struct scallop_crawler c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, gait);
-    struct scallop_steady_result got = steady_of(&c);
-    certify_steady(&wanted, &c, 20);
-    double peak = fmax(gait->phase[0].peak, gait->phase[1].peak),
-           unit = peak * c.L / (c.T * fmin(c.alpha, 1 - c.alpha));
-    check_number(got.period.v_start, wanted.v_start, 1e-13 * unit, &c, "v_start");
-    check_number(got.period.v_mid, wanted.v_mid, 1e-13 * unit, &c, "v_mid");
-    check_number(got.period.displacement, wanted.displacement, 1e-13 * unit * c.T, &c, "displacement");
-    check_number(got.period.multiplier, wanted.multiplier, 1e-11, &c, "multiplier");
-  }
-}
-
-/* l' = s^p (1 - s) times factors s - root. The roots are anywhere, and next to the start, the middle, the end and each
- * other: so there are pieces that are much shorter than an ulp of l, and l goes back further than its amplitude. */
-static const struct scallop_gait *far_turning(struct random *r, struct scallop_polynomial *g)
-{
-  enum { MOST = 8 };
-  double slope[MOST + 1] = { 0 }, root = 0;
-  int degree = 1 + random_below(r, 2), roots = 1 + random_below(r, 4);
-  slope[degree] = 1;
-  for (int i = 0; i <= roots; i++) { /* times a + s, the last one times 1 - s */
-    double closeness = random_decades(r, 1e-9, 0.1), side = random_below(r, 2) ? 1 : -1;
-    const double places[] = { random_between(r, 0.02, 0.98), 0.5 + side * closeness, closeness, 1 - closeness,
-                              root + 0.02 };
-    root = i < roots ? places[random_below(r, 5)] : 1;
-    for (int k = ++degree; k >= 0; k--)
-      slope[k] = (k > 0 ? slope[k - 1] : 0) - root * slope[k];
-  }
-  return polynomial_of_slope(g, slope, degree) ? &g->gait : far_turning(r, g);
-}
-
 /* l' has the sign that the piece says, also where all of it is next to a turn. */
 static void directions_hold(struct random *r, const struct scallop_shape *shape)
 {
@@ -202,58 +120,17 @@ static void directions_hold(struct random *r, const struct scallop_shape *shape)
     }
 }
 
-/* Double and binary128 against certified, in units of what turning() says */
-static void all_agree(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, bool wide)
+TEST(laws_of_far_turns)
 {
-  struct scallop_wide_steady wide_steady;
-  struct scallop_wide_phase wide_phase;
-  SCOPED(scallop_certified_steady, s);
-  SCOPED(scallop_certified_phase, p);
-  double peak = fmax(c->gait->phase[0].peak, c->gait->phase[1].peak),
-         unit = peak * c->L / (c->T * fmin(c->alpha, 1 - c->alpha));
-  certify_steady(&s, c, 40);
-  certify_phase(&p, c, kind, v0, 40);
-  struct scallop_steady_result steady = steady_of(c);
-  struct scallop_phase_result phase = phase_of(c, kind, v0);
-  check_number(steady.period.v_start, s.v_start, 1e-13 * unit, c, "v_start");
-  check_number(steady.period.v_mid, s.v_mid, 1e-13 * unit, c, "v_mid");
-  check_number(steady.period.displacement, s.displacement, 1e-13 * unit * c->T, c, "displacement");
-  check_number(phase.v_end, p.v_end, 1e-13 * (unit + fabs(v0)), c, "v_end");
-  check_number(phase.dxC, p.dxC, 1e-13 * (unit + fabs(v0)) * c->T, c, "dxC");
-  if (!wide || scallop_width_bits(SCALLOP_BINARY128) == 0)
-    return;
-  assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, c, &wide_steady), SCALLOP_OK);
-  assert_int_equal(scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &wide_phase), SCALLOP_OK);
-  check_wide(&wide_steady.period.v_start, s.v_start, 1e-28 * unit, c);
-  check_wide(&wide_steady.period.displacement, s.displacement, 1e-28 * unit * c->T, c);
-  check_wide(&wide_phase.v_end, p.v_end, 1e-28 * (unit + fabs(v0)), c);
-}
-
-/* Where l goes back further than its amplitude, or hardly at all, the ways of the pieces add up to the amplitude all
- * the same. */
-TEST(turning_far_and_hardly)
-{
-  static const char *const texts[] = { "polynomial:0,0,-60,125,-64",
-                                       "polynomial:0,330,-1420,1860,-768",
-                                       "polynomial:0,0,220,-1065,1488,-640",
-                                       "polynomial:0,135,-1690,3120,-1536",
-                                       "polynomial:0,0,-12,25,-12.8",
-                                       "polynomial:0,0,-4,9,-4.8",
-                                       "polynomial:0,0,-19.999999976000002,44.999999952000003,-23.999999976000002",
-                                       "polynomial:0,-6.0000000012000002e-10,4.0000000012000001,-3.0000000006" };
-  enum { TEXTS = sizeof texts / sizeof *texts, GAITS = 24 };
   struct random r = { 20261214 };
-  for (int i = 0; i < TEXTS + check_cases(GAITS); i++) {
-    struct scallop_polynomial made;
-    struct scallop_crawler c = with_gait(i < TEXTS ? gait_of_text(texts[i]).gait : far_turning(&r, &made));
-    if (i >= TEXTS)
-      c = random_crawler(&r, i % 3 ? ORDINARY : STICK_SLIP, c.gait);
+  struct scallop_polynomial polynomial;
+  for (int i = 0; i < FAR_TURNING + check_cases(24); i++) {
+    const struct scallop_gait *gait = i < FAR_TURNING ? gait_of_text(far_turning_texts[i]).gait
+                                                      : far_turning(&r, &polynomial);
     for (int kind = 0; kind < 2; kind++) {
-      laws_fit_together(&c.gait->phase[kind], kind);
-      directions_hold(&r, &c.gait->phase[kind]);
+      laws_fit_together(&gait->phase[kind], kind);
+      directions_hold(&r, &gait->phase[kind]);
     }
-    enum scallop_phase_kind kind = i % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-    all_agree(&c, kind, random_start(&r, &c, kind), i % 8 == 0);
   }
 }
 

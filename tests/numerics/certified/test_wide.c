@@ -1,109 +1,12 @@
-/* The solver in wider arithmetic, and the estimates of errors that come from it, against certified values. */
+/* The solver in wider arithmetic, and the estimates of errors that come from it, at the edges. Against certified
+ * values: test_agree.c. */
 #include <float.h>
 
 #include "numerics/wide/wide.h"
 #include "tests/support/random_crawler.h"
-#include "tests/support/scoped.h"
 #include "tests/support/solved.h"
 
-enum { CRAWLERS = 60, DIGITS = 40, NUMBERS = 6 };
-
-static struct scallop_wide two_doubles(const arb_t x)
-{
-  struct scallop_wide w = { middle(x), 0 };
-  if (arb_contains_zero(x))
-    return (struct scallop_wide){ 0, 0 };
-  SCOPED(arb, rest);
-  arb_set_d(rest, w.high);
-  arb_sub(rest, x, rest, 400);
-  w.low = middle(rest);
-  return w;
-}
-
-static bool certified(const struct scallop_crawler *crawler, struct scallop_wide out[NUMBERS])
-{
-  SCOPED(scallop_rational, exact);
-  SCOPED(scallop_certified_steady, c);
-  scallop_rational_of(&exact, crawler);
-  bool solved = scallop_certified_steady(&exact, DIGITS, &c, NULL) == SCALLOP_OK;
-  const arb_struct *const numbers[NUMBERS] = { c.froude,       c.v_start,       c.v_mid,
-                                               c.displacement, c.mean_velocity, c.multiplier };
-  for (int i = 0; solved && i < NUMBERS; i++)
-    out[i] = two_doubles(numbers[i]);
-  return solved;
-}
-
-static void list(const struct scallop_wide_steady *w, struct scallop_wide out[NUMBERS])
-{
-  const struct scallop_wide all[NUMBERS] = { w->froude,        w->period.v_start,
-                                             w->period.v_mid,  w->period.displacement,
-                                             w->mean_velocity, w->period.multiplier };
-  memcpy(out, all, sizeof all);
-}
-
-/* Families of moderate ratios, whose condition numbers are below 1e4 or so; sizes: what the numbers are compared
- * with. */
-TEST(near_certified)
-{
-  struct random r = { 20261201 };
-  int solved = 0;
-  double worst[2] = { 0, 0 };
-  for (int n = 0; n < CRAWLERS; n++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % 2]);
-    struct scallop_wide exact[NUMBERS], got[NUMBERS];
-    struct scallop_wide_steady w;
-    if (!certified(&c, exact))
-      continue;
-    solved++;
-    const double unit = c.L / c.T, peak = 10 * unit * (1 / c.alpha + 1 / (1 - c.alpha));
-    const double size[NUMBERS] = { exact[0].high, peak, peak, 10 * c.L, peak, 1 };
-    for (int width = 0; width < 2; width++) {
-      int bits = scallop_width_bits((enum scallop_width)width);
-      assert_int_equal(scallop_wide_steady((enum scallop_width)width, &c, &w), SCALLOP_OK);
-      list(&w, got);
-      double ulp = ldexp(1, 1 - (bits < 100 ? bits : 100)); /* two doubles hold no more */
-      for (int i = 0; i < NUMBERS; i++)
-        worst[width] = fmax(worst[width], wide_apart(&got[i], &exact[i]) / (ulp * size[i]));
-    }
-  }
-  print_message("%d crawlers, worst in ulp of the size: long double %.3g, binary128 %.3g\n", solved, worst[0],
-                worst[1]);
-  assert_true(solved > CRAWLERS * 3 / 4);
-  CHECK_AT_MOST(worst[0], 1e4);
-  CHECK_AT_MOST(worst[1], 1e4);
-}
-
-static double generosity(double estimate, double got, const struct scallop_wide *exact)
-{
-  const struct scallop_wide value = { got, 0 };
-  double error = wide_apart(&value, exact), least = 0x1p-60 * fabs(exact->high);
-  if (!(estimate >= error))
-    check_fail("estimate >= error", estimate, error, 0, "at least", __FILE__, __LINE__);
-  return estimate == 0 ? 1 : estimate / fmax(error, least);
-}
-
-/* They bound the error, and are not more than a hundred times that. */
-TEST(estimates_of_steady_states)
-{
-  struct random r = { 20261202 };
-  double most = 0;
-  for (int n = 0; n < CRAWLERS; n++) {
-    struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), every_gait[n % 2]);
-    struct scallop_wide exact[NUMBERS];
-    struct scallop_steady_error e;
-    if (!certified(&c, exact))
-      continue;
-    struct scallop_steady_result s = steady_of(&c);
-    assert_int_equal(scallop_steady_error(&c, &s, &e), SCALLOP_OK);
-    const double got[NUMBERS] = { s.froude,        s.period.v_start,   s.period.v_mid, s.period.displacement,
-                                  s.mean_velocity, s.period.multiplier };
-    const double estimate[NUMBERS] = { e.froude, e.v_start, e.v_mid, e.displacement, e.mean_velocity, e.multiplier };
-    for (int i = 0; i < NUMBERS; i++)
-      if (exact[i].high != 0)
-        most = fmax(most, generosity(estimate[i], got[i], &exact[i]));
-  }
-  CHECK_AT_MOST(most, 100);
-}
+enum { CRAWLERS = 60 };
 
 /* A wrong number is told so: by how much it is wrong. */
 TEST(estimate_of_a_wrong_number)
@@ -143,40 +46,6 @@ TEST(period_and_steady_state_agree)
       CHECK_AT_MOST(e.v_end, 1e-14);
       CHECK_AT_MOST(e.displacement, 1e-14);
       CHECK_AT_MOST(e.multiplier, 1e-14);
-    }
-}
-
-/* Modes and regime are those of the double solver where nothing is close to call. */
-TEST(modes)
-{
-  static const double T[] = { 0.5, 3, 5, 50 };
-  for (int g = 0; g < 2; g++)
-    for (int i = 0; i < 4; i++) {
-      struct scallop_crawler c = with_gait(every_gait[g]);
-      struct scallop_wide_steady w;
-      c.T = T[i];
-      assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, &c, &w), SCALLOP_OK);
-      struct scallop_steady_result s = steady_of(&c);
-      assert_int_equal(w.period.regime, s.period.regime);
-      for (int kind = 0; kind < 2; kind++)
-        assert_true(modes_alike(&w.period.modes[kind], &s.period.modes[kind]));
-    }
-}
-
-/* Gaits of polynomial pieces, against the same in double. */
-TEST(polynomial_gaits)
-{
-  const struct scallop_gait *const gaits[] = { &minimum_jerk_gait, &trapezoid_gait };
-  for (size_t i = 0; i < sizeof gaits / sizeof *gaits; i++)
-    for (double T = 0.1; T < 40; T *= 3) {
-      struct scallop_crawler c = with_gait(gaits[i]);
-      struct scallop_wide_steady w;
-      c.T = T;
-      struct scallop_steady_result s = steady_of(&c);
-      assert_int_equal(scallop_wide_steady(SCALLOP_LONG_DOUBLE, &c, &w), SCALLOP_OK);
-      CHECK_NEAR(s.period.v_start, w.period.v_start.high, 64 * DBL_EPSILON * c.L / c.T);
-      CHECK_NEAR(s.period.displacement, w.period.displacement.high, 64 * DBL_EPSILON * c.L);
-      assert_int_equal(s.period.regime, w.period.regime);
     }
 }
 

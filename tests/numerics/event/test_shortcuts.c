@@ -10,13 +10,8 @@
 enum { CRAWLERS = 4000, PHASES = 100000 };
 
 /* Two ramps of different slopes, and other ones in the contraction */
-static const struct scallop_piece skewed_extension[] = { SCALLOP_RAMP(0, 0.25, SCALLOP_FROM_START, 1, 8),
-                                                         SCALLOP_RAMP(0.75, 0, SCALLOP_FROM_END, 1, -8. / 3) };
-static const struct scallop_piece skewed_contraction[] = { SCALLOP_RAMP(0, 0.625, SCALLOP_FROM_START, -1, -3.2),
-                                                           SCALLOP_RAMP(0.375, 0, SCALLOP_FROM_END, -1, 16. / 3) };
-static const struct scallop_gait skewed_gait = { "skewed",
-                                                 { { skewed_extension, 2, 8, -8. / 3, 2, 1, true, true },
-                                                   { skewed_contraction, 2, -3.2, 16. / 3, 2, -1, true, true } } };
+static struct scallop_straight made_skewed;
+#define skewed_gait made_skewed.gait
 
 /* The same gait, which does not say so */
 static struct scallop_gait plain(const struct scallop_gait *gait)
@@ -253,3 +248,11 @@ TEST(work_is_counted)
   assert_true(r.work.periods > 1 && r.work.events == 4 * r.work.periods
               && r.work.gait_evaluations > 20 * r.work.periods);
 }
+
+static int make_gait(void **state)
+{
+  (void)state;
+  return scallop_make_skewed(&made_skewed, "skewed", (const double[2]){ 0.25, 0.625 }) == SCALLOP_OK ? 0 : -1;
+}
+
+int main(void) { return check_run(make_gait, NULL); }

@@ -5,7 +5,7 @@
  * of its condition number (sum over the inputs p of |p dq/dp|, by differences), whichever is larger. */
 #include <float.h>
 
-#include "tests/support/random_crawler.h"
+#include "tests/support/odd_gaits.h"
 #include "tests/support/solved.h"
 
 enum { BOUND = 8, CRAWLERS = 600 };
@@ -49,6 +49,24 @@ static void for_crawlers(uint64_t seed, crawler_test *test)
   check_failed = NULL;
 }
 
+/* What a phase is in other units, in a mirror, or with the bodies exchanged: to the last digit */
+static void same_phase(const struct scallop_phase_result *a, const struct scallop_phase_result *b, double velocity,
+                       double length, double time, bool exchanged)
+{
+  CHECK_EQUAL(b->t1, a->t1 * time);
+  CHECK_EQUAL(b->dT, a->dT * time);
+  CHECK_EQUAL(b->v_end, a->v_end * velocity);
+  CHECK_EQUAL(b->dx1, (exchanged ? a->dx2 : a->dx1) * length);
+  CHECK_EQUAL(b->dx2, (exchanged ? a->dx1 : a->dx2) * length);
+  CHECK_EQUAL(b->dxC, a->dxC * length);
+  assert_true(a->modes.count == b->modes.count && a->regime == b->regime);
+  for (int i = 0; i < a->modes.count && i < SCALLOP_MODES_KEPT; i++) {
+    const struct scallop_mode was = a->modes.kept[i], is = b->modes.kept[i];
+    int sign = velocity < 0 ? -1 : 1;
+    assert_true(is.s1 == sign * (exchanged ? was.s2 : was.s1) && is.s2 == sign * (exchanged ? was.s1 : was.s2));
+  }
+}
+
 /* Powers of two change no digit. */
 static void binary_units(struct random *r, const struct scallop_crawler *c)
 {
@@ -59,13 +77,7 @@ static void binary_units(struct random *r, const struct scallop_crawler *c)
   for (int kind = 0; kind < 2; kind++) {
     struct scallop_phase_result a = phase_of(c, kind, v0);
     struct scallop_phase_result b = phase_of(&d, kind, v0 * speed);
-    CHECK_EQUAL(b.t1, a.t1 * u.time);
-    CHECK_EQUAL(b.dT, a.dT * u.time);
-    CHECK_EQUAL(b.v_end, a.v_end * speed);
-    CHECK_EQUAL(b.dx1, a.dx1 * u.length);
-    CHECK_EQUAL(b.dx2, a.dx2 * u.length);
-    CHECK_EQUAL(b.dxC, a.dxC * u.length);
-    assert_true(modes_alike(&a.modes, &b.modes));
+    same_phase(&a, &b, speed, u.length, u.time, false);
   }
   struct scallop_steady_result a = steady_of(c), b = steady_of(&d);
   CHECK_EQUAL(b.froude, a.froude);
@@ -149,17 +161,7 @@ static void mirrored(struct random *r, const struct scallop_crawler *c)
   for (int kind = 0; kind < 2; kind++) {
     struct scallop_phase_result a = phase_of(c, kind, v0);
     struct scallop_phase_result b = phase_of(&d, kind, -v0);
-    CHECK_EQUAL(b.v_end, -a.v_end);
-    CHECK_EQUAL(b.dx1, -a.dx2);
-    CHECK_EQUAL(b.dx2, -a.dx1);
-    CHECK_EQUAL(b.dxC, -a.dxC);
-    CHECK_EQUAL(b.t1, a.t1);
-    CHECK_EQUAL(b.dT, a.dT);
-    assert_int_equal(a.modes.count, b.modes.count);
-    for (int i = 0; i < a.modes.count; i++) {
-      assert_int_equal(b.modes.kept[i].s1, -a.modes.kept[i].s2);
-      assert_int_equal(b.modes.kept[i].s2, -a.modes.kept[i].s1);
-    }
+    same_phase(&a, &b, -1, -1, 1, true);
   }
   struct scallop_steady_result a = steady_of(c), b = steady_of(&d);
   CHECK_NEAR(b.period.v_start, -a.period.v_start, BOUND * ULP * steady_size(c, &a));
@@ -175,17 +177,27 @@ static void relabelled(struct random *r, const struct scallop_crawler *given)
   d.alpha = 1 - c.alpha;
   double v0 = random_start(r, &c, SCALLOP_EXTENSION);
   struct scallop_phase_result a = phase_of(&c, SCALLOP_EXTENSION, v0), b = phase_of(&d, SCALLOP_CONTRACTION, v0);
-  CHECK_EQUAL(b.v_end, a.v_end);
-  CHECK_EQUAL(b.dx1, a.dx2);
-  CHECK_EQUAL(b.dxC, a.dxC);
-  CHECK_EQUAL(b.t1, a.t1);
-  CHECK_EQUAL(b.dT, a.dT);
+  same_phase(&a, &b, 1, 1, 1, true);
   struct scallop_steady_result s = steady_of(&c), t = steady_of(&d);
   CHECK_NEAR(t.period.v_mid, s.period.v_start, BOUND * ULP * steady_size(&c, &s));
   CHECK_NEAR(t.period.displacement, s.period.displacement, BOUND * ULP * displacement_size(&c, &s));
 }
 
 TEST(mirror_image) { for_crawlers(13, mirrored); }
+
+/* Of gaits that rest within a phase, or go back */
+TEST(mirror_image_of_odd_gaits)
+{
+  static const struct scallop_gait *const gaits[] = { &pause_gait, &wait_gait, &hesitant_gait, &there_and_back_gait };
+  struct random r = { 20261202 };
+  check_failed = name_the_culprit;
+  for (int i = 0; i < 200; i++) {
+    under_test = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, gaits[i / 2 % 4]);
+    mirrored(&r, &under_test);
+  }
+  check_failed = NULL;
+}
+
 TEST(bodies_exchanged) { for_crawlers(14, relabelled); }
 
 static double largest_velocity(const struct scallop_crawler *c, double v0)

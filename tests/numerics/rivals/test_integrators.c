@@ -5,9 +5,6 @@
  * displacement. Friction never lets an error in velocity grow (the multiplier is at most 1), so the errors of the steps
  * add up and no more; Adams's method takes the more of them. The largest share of the bound that was seen is
  * printed. */
-#include <stdio.h>
-#include <unistd.h>
-
 #include "numerics/rivals/rival.h"
 #include "tests/support/rivals.h"
 
@@ -147,118 +144,6 @@ TEST(light_body)
     assert_true(compare(&c, v0, &exact, method, 1e-9).steps < (method < CVODE ? 50 : 500));
 }
 
-/* A stuck body needs no integration. */
-TEST(at_rest)
-{
-  for (int method = 0; method < methods(); method++)
-    for (int i = 0; scallop_gait_name(i); i++)
-      for (int heavy = 1; heavy <= 2; heavy++) {
-        RIVAL(rival, make(method, 1e-10));
-        struct scallop_rival_period p = check_rest(rival, scallop_gait_named(scallop_gait_name(i)), heavy);
-        CHECK_NEAR(p.displacement, 0, 4 * DBL_EPSILON * scallop_crawler_default().L);
-        assert_int_equal(p.evaluations, 0);
-      }
-}
-
-TEST(any_units)
-{
-  for (int method = 0; method < methods(); method++) {
-    RIVAL(rival, make(method, 1e-9));
-    check_units(rival);
-  }
-}
-
-/* A rival used before gives what a new one gives. */
-TEST(rival_forgets)
-{
-  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal), other = c;
-  other.T = 37;
-  for (int method = 0; method < methods(); method++) {
-    RIVAL(rival, make(method, 1e-11));
-    struct scallop_rival_period first = rival_period(rival, &c, 2.385);
-    rival_period(rival, &other, -3.1);
-    struct scallop_rival_period again = rival_period(rival, &c, 2.385);
-    assert_memory_equal(&again, &first, sizeof again); /* doubles and longs, no padding */
-  }
-}
-
-TEST(steady_state)
-{
-  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  for (int method = 0; method < methods(); method++) {
-    RIVAL(rival, make(method, 1e-10));
-    check_steady(rival, &c, 0, 1e-10, 512 * 1e-10 * c.L / c.T / (1 - steady_of(&c).period.multiplier));
-  }
-}
-
-TEST(bad_input)
-{
-  const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, 1e-17, NAN, INFINITY };
-  for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
-    for (int method = 0; method < METHODS; method++)
-      assert_null(make(method, bad_tolerances[i]));
-  assert_null(scallop_odeiv_rival((enum scallop_odeiv_stepper)CVODE, 1e-9));
-  assert_null(make(-1, 1e-9));
-  for (int method = 0; method < methods(); method++) {
-    RIVAL(rival, make(method, 1e-9));
-    check_refusals(rival);
-  }
-}
-
-TEST(patience_ends)
-{
-  struct scallop_crawler c = scallop_crawler_default();
-  for (int method = 0; method < methods(); method++)
-    for (long most = 0; most < (method >= CVODE ? 20 : 5); most++) {
-      long left = most;
-      PATIENCE(patience, left);
-      RIVAL(rival, make(method, 1e-9));
-      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
-      assert_int_equal(left, -1);
-    }
-}
-
-/* A gait that breaks its promise to be smooth: no step across the jump is short enough. */
-static double rough(const struct scallop_piece *p, double u) { return (void)p, u < 1 / 3.0 ? 1 : 1e20; }
-
-/* Or to be monotone: no end of steps. */
-static double restless(const struct scallop_piece *p, double u) { return (void)p, 1e6 * sin(1e8 * u); }
-
-static void no_convergence(int method, double (*acceleration)(const struct scallop_piece *, double), double velocity)
-{
-  struct odd_piece odd;
-  struct scallop_crawler c = with_gait(odd_gait(&odd, NULL, acceleration));
-  RIVAL(rival, make(method, 1e-9));
-  odd.piece.velocity = velocity;
-  check_refused(rival, &c, 100, NULL, SCALLOP_ECONVERGE);
-}
-
-TEST(integrators_of_gsl_fail)
-{
-  for (int method = 0; method < CVODE; method++)
-    no_convergence(method, rough, 1);
-  no_convergence(SCALLOP_ODEIV_RKF45, restless, 1);
-}
-
-/* Not smooth, and then no numbers: it fails, and in silence. */
-static void fails_in_silence(int method)
-{
-  if (method >= methods())
-    skip();
-  FILE *said = tmpfile();
-  int stderr_kept = dup(STDERR_FILENO), stdout_kept = dup(STDOUT_FILENO);
-  assert_non_null(said);
-  assert_true(fflush(stdout) == 0 && stderr_kept >= 0 && stdout_kept >= 0);
-  assert_true(dup2(fileno(said), STDERR_FILENO) >= 0 && dup2(fileno(said), STDOUT_FILENO) >= 0);
-  no_convergence(method, rough, 1);
-  no_convergence(method, rough, NAN);
-  assert_true(fflush(stdout) == 0 && dup2(stderr_kept, STDERR_FILENO) >= 0 && dup2(stdout_kept, STDOUT_FILENO) >= 0);
-  assert_int_equal(lseek(fileno(said), 0, SEEK_END), 0);
-  assert_true(fclose(said) == 0 && close(stderr_kept) == 0 && close(stdout_kept) == 0);
-}
-
-TEST(cvode_fails_in_silence) { fails_in_silence(CVODE); }
-
 /* Whatever the crawler, there is an answer that agrees, and never an endless run. */
 TEST(extremes_end)
 {
@@ -284,11 +169,4 @@ TEST(extremes_end)
     }
   }
   print_message("extremes: worst %.2g of the bound\n", worst_share);
-}
-
-TEST(sundials_is_there_or_left_out)
-{
-  struct scallop_rival *rival = scallop_cvode_rival(1e-9);
-  assert_int_equal(rival != NULL, scallop_has_cvode());
-  scallop_rival_destroy(rival);
 }

@@ -2,8 +2,6 @@
  * period, which it must approach in first order: error <= BOUND eps/steps for every crawler and start, and the worst of
  * them proportional to 1/steps. (The error of one crawler does not fall smoothly: it hangs on where in a step it
  * turns.) That pins the exact solver without sharing a line with it. */
-#include <limits.h>
-
 #include "numerics/rivals/rival.h"
 #include "tests/support/rivals.h"
 
@@ -142,16 +140,6 @@ TEST(exact_without_crossings)
   }
 }
 
-TEST(at_rest)
-{
-  for (int i = 0; i < SMOOTH_GAITS; i++)
-    for (long steps = 1; steps <= 4096; steps *= 8) {
-      RIVAL(rival, scallop_moreau_rival(steps));
-      check_rest(rival, every_gait[i], 1);
-      check_rest(rival, every_gait[i], 2);
-    }
-}
-
 /* The sawtooth ends its phases in motion: a body that is stuck is so to the last bit, or c would not be the other's
  * share of l'. */
 TEST(stuck_exactly)
@@ -167,37 +155,4 @@ TEST(stuck_exactly)
     c.F1 = 7;
     c.F2 = 300;
   }
-}
-
-TEST(bad_input)
-{
-  struct scallop_crawler c = scallop_crawler_default();
-  assert_null(scallop_moreau_rival(0));
-  assert_null(scallop_moreau_rival(-1));
-  if ((double)LONG_MAX > 0x1p53)
-    assert_null(scallop_moreau_rival(LONG_MAX));
-  RIVAL(rival, scallop_moreau_rival(100));
-  check_refusals(rival);
-  c.T = 100;
-  check_refused(rival, &c, 1e307, NULL, SCALLOP_ERANGE); /* the displacement overflows */
-}
-
-/* Patience is asked before the first step, and often: 6 times for 3 x 256 steps in each of two pieces of the
- * extension. */
-TEST(patience_ends)
-{
-  struct scallop_crawler c = scallop_crawler_default();
-  struct scallop_rival_period patient;
-  RIVAL(rival, scallop_moreau_rival(6 * 256));
-  for (int questions = 0; questions <= 12; questions++) {
-    long left = questions;
-    PATIENCE(patience, left);
-    if (questions < 12)
-      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
-    else
-      assert_int_equal(rival->period(rival, &c, 1, &patience, &patient), SCALLOP_OK);
-  }
-  struct scallop_rival_period alone = rival_period(rival, &c, 1);
-  CHECK_EQUAL(patient.v_end, alone.v_end);
-  CHECK_EQUAL(patient.displacement, alone.displacement);
 }

@@ -255,43 +255,6 @@ TEST(forgets_at_once)
   }
 }
 
-/* Nothing tells forward from backward: the crawler stays where it is. */
-TEST(goes_nowhere)
-{
-  struct scallop_crawler c = { 2.3, 0.9, 1.7, 1.7, 3.1, 1.2, 0.5, NULL };
-  struct scallop_rival_steady s;
-  for (int i = 0; scallop_gait_name(i); i++)
-    for (int stepper = 0; stepper < STEPPERS; stepper++) {
-      c.gait = scallop_gait_named(scallop_gait_name(i));
-      RIVAL(rival, make(stepper, 1e-9));
-      assert_int_equal(scallop_rival_root(rival, &c, 1e-9, NULL, &s), SCALLOP_OK);
-      CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
-      assert_int_equal(scallop_rival_simulate(rival, &c, 0.5, 1e-9, NULL, &s), SCALLOP_OK);
-      CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
-    }
-}
-
-TEST(patience_in_a_period)
-{
-  const long enough = 1000000;
-  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    RIVAL(rival, make(stepper, 1e-11));
-    struct scallop_rival_period whole;
-    long left = enough;
-    PATIENCE(patience, left);
-    assert_int_equal(rival->period(rival, &c, 1.3, &patience, &whole), SCALLOP_OK);
-    long asked = enough - left;
-    assert_true(2 * asked > whole.steps); /* those that are rejected are not asked for */
-    for (long most = 0; most < asked; most += asked / 7) {
-      left = most;
-      check_refused(rival, &c, 1.3, &patience, SCALLOP_ESTOPPED);
-      assert_int_equal(left, -1);
-    }
-    CHECK_EQUAL(rival_period(rival, &c, 1.3).v_end, whole.v_end); /* and as good as new */
-  }
-}
-
 /* T = 1e-4: the change falls by 1e-9 of itself a period, and only patience ends that. */
 TEST(patience_in_a_search)
 {
@@ -355,7 +318,6 @@ TEST(bad_input)
   c = good;
   c.T = 1e-200;
   refused(&c, 1, 1e-9, SCALLOP_ERANGE);
-  scallop_rival_destroy(NULL);
   scallop_rival_destroy(&m.rival);
   assert_int_equal(m.calls, -1);
 }

@@ -129,12 +129,6 @@ TEST(jacobian_pays)
   }
 }
 
-TEST(units_and_handles)
-{
-  RIVAL(rival, scallop_smoothed_rival(1e-3, 1e-7));
-  check_units(rival);
-}
-
 /* Smoothed beyond recognition, friction does nothing; far above its layer, it is what it is without one. */
 TEST(large_arguments)
 {
@@ -145,65 +139,6 @@ TEST(large_arguments)
   CHECK_RELATIVE(smoothed(&c, v0, 1e-3, 1e-9).v_end, exact.v_end, 1e-9);
   CHECK_RELATIVE(smoothed(&c, v0, 1e-300, 1e-9).v_end, exact.v_end, 1e-9);
   CHECK_RELATIVE(smoothed(&c, 1e150, 1e-3, 1e-9).v_end, 1e150, 1e-9);
-}
-
-static void refused(const struct scallop_crawler *c, double v0, double delta, enum scallop_status wanted)
-{
-  RIVAL(rival, scallop_smoothed_rival(delta, 1e-6));
-  check_refused(rival, c, v0, NULL, wanted);
-}
-
-TEST(bad_arguments)
-{
-  const double bad_tolerances[] = { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY },
-               bad_deltas[] = { 0, -1e-3, NAN, INFINITY };
-  for (size_t i = 0; i < sizeof bad_tolerances / sizeof *bad_tolerances; i++)
-    assert_null(scallop_smoothed_rival(1e-3, bad_tolerances[i]));
-  for (size_t i = 0; i < sizeof bad_deltas / sizeof *bad_deltas; i++)
-    assert_null(scallop_smoothed_rival(bad_deltas[i], 1e-6));
-}
-
-TEST(bad_input)
-{
-  const struct scallop_gait *g = &scallop_gait_quadratic;
-  const struct scallop_crawler c = scallop_crawler_default(), stiff = { 1, 1, 4, 1, 10, 1e10, 0.75, g };
-  const struct scallop_crawler far = { 1, 1, 4e298, 1e298, 1e300, 10, 0.75, g };
-  RIVAL(rival, scallop_smoothed_rival(1e-3, 1e-6));
-  check_refusals(rival);
-  refused(&c, 1, DBL_MIN, SCALLOP_ERANGE);    /* alpha of it is below DBL_MIN */
-  refused(&stiff, 1, 1e-300, SCALLOP_ERANGE); /* the stiffness overflows */
-  refused(&far, 1e308, 1e-3, SCALLOP_ERANGE); /* the displacement overflows */
-}
-
-/* A gait that breaks its promises: no step into the hole is short enough. */
-static double hole(const struct scallop_piece *p, double u) { return (void)p, u < 1 / 3.0 ? u : NAN; }
-
-TEST(no_convergence)
-{
-  struct odd_piece odd;
-  struct scallop_crawler c = with_gait(odd_gait(&odd, hole, NULL));
-  odd.piece.velocity = 0;
-  odd.piece.acceleration = 1;
-  refused(&c, 1, 1e-3, SCALLOP_ECONVERGE);
-}
-
-TEST(patience_ends)
-{
-  struct scallop_crawler c = scallop_crawler_default();
-  RIVAL(rival, scallop_smoothed_rival(1e-2, 1e-6));
-  for (long left, questions = 0; questions <= 40; questions += 10) {
-    left = questions;
-    PATIENCE(patience, left);
-    check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
-    assert_int_equal(left, -1); /* it ended at once */
-  }
-  long left = 100000;
-  PATIENCE(patience, left);
-  struct scallop_rival_period patient, alone = smoothed(&c, 1, 1e-2, 1e-6);
-  assert_int_equal(rival->period(rival, &c, 1, &patience, &patient), SCALLOP_OK);
-  assert_true(100000 - left <= patient.steps);
-  CHECK_EQUAL(patient.v_end, alone.v_end);
-  CHECK_EQUAL(patient.displacement, alone.displacement);
 }
 
 /* Whatever the crawler, delta and tolerance: an answer or a status, soon. */
