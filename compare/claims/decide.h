@@ -83,7 +83,7 @@ struct statement {
   bool outside;               /* of the paper's conditions */
   bool of_its_gaits_alone;    /* the paper's: no row for another */
   bool of_its_crawler;        /* the paper's, not the ledger's */
-  bool proven;                /* for the paper's gaits, in docs/theory.md: The motion in words */
+  bool proven;                /* for the paper's gaits, in docs/background/theory.md: The motion in words */
 };
 /* In the order of the ledger; the last has name NULL. Those of families and figures are decided with the paper's
  * crawler, and then with the ledger's. */

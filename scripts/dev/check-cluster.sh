@@ -1,9 +1,9 @@
 #!/bin/sh
-# A sweep on a cluster that fails: the Slurm script and the line of GNU parallel of docs/sweeps.md, as they stand there, on a private Slurm of
+# A sweep on a cluster that fails: the Slurm script and the line of GNU parallel of docs/guide/sweeps.md, as they stand there, on a private Slurm of
 # four nodes on this machine, of which one is killed (SIGKILL) while it computes, and then lacks until the end. The merged shards have to be the
 # bytes of a single run. check-cluster.sh BUILD. All files are in a temporary folder, and only what this script started is ended.
 set -u
-tool=$(cd "$1" && pwd)/scallop page=$(pwd)/docs/sweeps.md
+tool=$(cd "$1" && pwd)/scallop page=$(pwd)/docs/guide/sweeps.md
 folder=$(mktemp -d) || exit 1
 started='' passed=0 failed=0
 leave() {
@@ -85,7 +85,7 @@ until_it_is 60 all_idle || give_up "its nodes are not idle: $(sinfo -h -o '%D %t
 
 # ---- the documents' script, with a node that dies ----
 block '#SBATCH' >"$folder/job.sh"
-grep -q '^scallop steady ' "$folder/job.sh" || give_up "docs/sweeps.md has no script for Slurm"
+grep -q '^scallop steady ' "$folder/job.sh" || give_up "docs/guide/sweeps.md has no script for Slurm"
 command=$(sed -n '/^scallop steady/,$p' "$folder/job.sh" | tr -d '\\\n' | sed 's/ --shard.*//; s/  */ /g')
 sed "/^scallop/i echo \$\$ \$PPID >>$folder/processes; [ \"\$SLURMD_NODENAME\" != n4 ] || echo \$\$ \$PPID \$SLURM_ARRAY_TASK_ID >>$folder/on-n4" \
   "$folder/job.sh" >"$folder/noted.sh"
