@@ -107,6 +107,7 @@ def order(h: Iterable[float], err: Iterable[float], expect: float | None = None,
     Returns
     -------
     Order
+        The order, its interval, and a verdict with its reason.
 
     Raises
     ------
