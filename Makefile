@@ -78,8 +78,9 @@ $(call object,$(filter $(flint),$(parts)) $(addprefix threads/,$(threaded))): AL
 $(B)/tests/%.o: ALL_CFLAGS += -ffp-contract=off
 $(call object,$(cvode)): ALL_CFLAGS += -DWITH_SUNDIALS=$(with_sundials)
 $(call object,$(cvode)): $(B)/with-sundials-$(with_sundials)
-$(B)/with-sundials-$(with_sundials):
-	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
+$(call object,$(filter compare/%,$(parts)) compare/command/main): $(B)/with-libconfig-$(if $(filter 0,$(WITH_LIBCONFIG)),0,1)
+$(B)/with-%:
+	@mkdir -p $(@D) && rm -f $(B)/with-$(firstword $(subst -, ,$*))-* && touch $@
 
 # Scenes, their plot scripts, the completion and the texts of --help, in the program
 $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))

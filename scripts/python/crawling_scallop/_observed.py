@@ -121,6 +121,7 @@ def order(h: Iterable[float], err: Iterable[float], expect: Expected | None = No
     Returns
     -------
     Order
+        The order, its interval, and a verdict with its reason.
 
     Raises
     ------
