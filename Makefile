@@ -55,7 +55,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs single-order check check-report reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
+.PHONY: all help docs single-order check check-report check-cluster reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -142,14 +142,17 @@ fuzz-programs: $(fuzz)
 rooms: $(program)
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
 rooms size: ; @/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
-## gates:      all that guards something, or GATES="NAME...", a row each: scripts/dev/gates.txt has the list, docs/contributing.md what each guards
+## gates:      all that guards something, or GATES="NAME...", a row each: scripts/dev/gates.txt has the list, docs/development/contributing.md what each guards
 gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates $(GATES)
-## docs:       docs/commands.md anew, from --help
-docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/commands.md
+## docs:       docs/reference/commands.md anew, from --help
+docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/reference/commands.md
 include explorer/rules.mk
+## check-cluster: the Slurm script and the line of GNU parallel of docs/guide/sweeps.md, on a private Slurm of which a node dies; needs root, Debian
+check-cluster: $(program)
+	@$(script)
 ## bench:      nanoseconds per steady state and period, beside the arithmetic floor and GSL's ODE solvers; what starting takes
 bench: $(B)/scallop-bench $(B)/nothing $(B)/scallop ; @$(B)/scallop-bench
-## single-order: the estimator of orders as one file of C99 and C++17, to copy: build/scallop_order.h (docs/order.md)
+## single-order: the estimator of orders as one file of C99 and C++17, to copy: build/scallop_order.h (docs/guide/order.md)
 single-order: $(B)/scallop_order.h
 $(B)/scallop_order.h: scripts/dev/single_order.sh $(wildcard asymptotics/observed/*.[ch]) model/version.h LICENSE
 	@mkdir -p $(@D) && sh $< >$@

@@ -1,7 +1,7 @@
 #include "bench/floor.h"
 
-/* docs/theory.md, "The regular steady state": t1, dT and the velocities are linear in c_e, the velocity at the start of
- * the extension. Small letters: e extension, c contraction; in L/tau and tau of each phase. */
+/* docs/background/theory.md, "The regular steady state": t1, dT and the velocities are linear in c_e, the velocity at
+ * the start of the extension. Small letters: e extension, c contraction; in L/tau and tau of each phase. */
 void floor_steady(const struct scallop_crawler *crawler, struct floor_result *result)
 {
   double M = crawler->m1 + crawler->m2, F = crawler->F1 + crawler->F2, a = crawler->alpha, b = 1 - a;

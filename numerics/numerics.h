@@ -3,8 +3,8 @@
  * m2,
  *     x1' = c - (m2/M) l',   x2' = c + (m1/M) l',   c' = -(F1 s1 + F2 s2)/M,
  * so l' drops out of the dynamics: c is piecewise linear in time and a body changes direction where c meets (m2/M) l'
- * or -(m1/M) l'. A stuck body glues c to its curve. docs/theory.md has the rest. Nothing here prints, exits, holds
- * state or looks at asymptotics/; the solver allocates nothing, the general-purpose rivals (rival.h) do. */
+ * or -(m1/M) l'. A stuck body glues c to its curve. docs/background/theory.md has the rest. Nothing here prints, exits,
+ * holds state or looks at asymptotics/; the solver allocates nothing, the general-purpose rivals (rival.h) do. */
 #ifndef SCALLOP_NUMERICS_NUMERICS_H
 #define SCALLOP_NUMERICS_NUMERICS_H
 
@@ -65,8 +65,8 @@ struct scallop_phase_result {
 };
 
 /* One phase, both bodies starting with velocity v0 (any finite value; 0: from rest). Accuracy: at most 8 units in
- * round-to-nearest; docs/stability.md defines the unit and lists the exceptions, and wide.h estimates the error of each
- * result. SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
+ * round-to-nearest; docs/background/stability.md defines the unit and lists the exceptions, and wide.h estimates the
+ * error of each result. SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);
 
@@ -114,8 +114,8 @@ struct scallop_steady_result {
 
 /* The periodic steady state: the start velocity at which the mean friction impulse over a period vanishes. The balance
  * falls monotonically with the start velocity, so a root is always bracketed and found. For a gait whose l' is
- * continuous it is unique (docs/theory.md); for others (constant:0) the roots can fill an interval (Gidoni, Margheri &
- * Rebelo, arXiv 2210.06131): then SCALLOP_INTERVAL, with the one nearest to 0 in period. Statuses as scallop_phase. */
+ * continuous it is unique (docs/background/theory.md); for others (constant:0) the roots can fill an interval (Gidoni,
+ * Margheri & Rebelo, arXiv 2210.06131): SCALLOP_INTERVAL, the one nearest to 0 in period. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 
 /* The energy that friction takes in a period of the steady state: the sum over the bodies of F_i times how far body i

@@ -1,6 +1,6 @@
 /* Error bounds of the steady state's series: Taylor's theorem with the remainder in Lagrange's form, the last
  * coefficient enclosed for every eps between 0 and eps0. That the motion has the branch's modes all the way is
- * proven interval by interval; the steady state is unique (docs/theory.md), so it is this one. */
+ * proven interval by interval; the steady state is unique (docs/background/theory.md), so it is this one. */
 #include "asymptotics/derived/derived.h"
 
 #include "asymptotics/derived/scoped.h"

@@ -1,9 +1,9 @@
 /* A branch: motions with one sequence of modes, described around one value of eps, and carried from there as
  * series. Not public.
  *
- * As in docs/theory.md, c is the velocity of the centre of mass, with the phase as the unit of time and L as that of
- * length: a straight line of slope eps beta between its crossings of curve 0, q_0 |l'| (the rear body turns), and
- * curve 1, q_1 |l'| (the front body turns). Region j lies above curve j, region j + 1 below it. At eps = 0
+ * As in docs/background/theory.md, c is the velocity of the centre of mass, with the phase as the unit of time and L as
+ * that of length: a straight line of slope eps beta between its crossings of curve 0, q_0 |l'| (the rear body turns),
+ * and curve 1, q_1 |l'| (the front body turns). Region j lies above curve j, region j + 1 below it. At eps = 0
  * the line is horizontal: that is the limit T -> 0 at fixed c.
  */
 #ifndef SCALLOP_ASYMPTOTICS_DERIVED_BRANCH_H

@@ -1,7 +1,7 @@
 /* A branch continued to complex z. Not public: singularity.h is.
  *
  * The unknowns are w, the velocity of the centre of mass at the start, and the times s_1, ..., s_m of the crossings,
- * each since the start of its phase. With eps = kappa z^power they solve (docs/theory.md)
+ * each since the start of its phase. With eps = kappa z^power they solve (docs/background/theory.md)
  *
  *     q_i lambda_i(s_i) = f w + eps (sum over j of A_ij s_j + A_i),   crossing i, f the fraction of its phase,
  *     sum over i of B_i s_i + B = 0   (steady state: z = T^2)   or   w = (v0/L) z   (one phase: z = T).
@@ -70,7 +70,7 @@ void continued_gain(acb_t gain, const struct continuation *c, enum continued_val
                     acb_srcptr direction, slong precision);
 
 /* v[p] is a ball, the others are a place near: they become balls that hold a solution for every value of v[p], the only
- * one within `around` (v[p] the same there). By Krawczyk's operator, see docs/theory.md. False: not shown. */
+ * one within `around` (v[p] the same there). Krawczyk's operator, see docs/background/theory.md. False: not shown. */
 bool continuation_enclose(acb_ptr v, acb_ptr around, const struct continuation *c, slong p, slong precision);
 /* The derivatives by v[p] of what v encloses: all first ones, and the second one of z. False: not found. */
 bool continuation_derivatives(acb_ptr first, acb_t second, const struct continuation *c, acb_srcptr v, slong p,

@@ -172,7 +172,7 @@ static void in_period(struct series *to, const struct series *from, const fmpq_t
   series_shift(to, to, power);
 }
 
-/* What the symmetries say (docs/theory.md): balls around 0 become 0. */
+/* What the symmetries say (docs/background/theory.md): balls around 0 become 0. */
 static void use_symmetries(struct series *travel, struct series *work, const struct limit *l, slong terms)
 {
   for (slong k = 0; k < terms; k++) {

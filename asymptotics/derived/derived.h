@@ -2,8 +2,8 @@
  * are analytic, with exact rational coefficients where gait and parameters are rational and balls elsewhere.
  *
  * Switching times are roots of "velocity of a body = 0"; each is found by Newton's method in truncated series
- * arithmetic. docs/theory.md has the derivation. Never looks at numerics/: the two routes meet in compare/ and in
- * the tests. Needs FLINT; prints nothing, holds no state.
+ * arithmetic. docs/background/theory.md has the derivation. Never looks at numerics/: the two routes meet in compare/
+ * and in the tests. Needs FLINT; prints nothing, holds no state.
  */
 #ifndef SCALLOP_ASYMPTOTICS_DERIVED_DERIVED_H
 #define SCALLOP_ASYMPTOTICS_DERIVED_DERIVED_H

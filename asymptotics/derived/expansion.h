@@ -5,7 +5,7 @@
  * of the phase, of the steady state in powers of the period. Each coefficient comes from the equations of motion alone,
  * to any order. It is an exact fraction where the gait has rational coefficients (scallop_gait_is_rational: the
  * quadratic one has, the sinusoidal one has not), and a ball that encloses it elsewhere; SCALLOP_STEADY_FRICTION_WORK
- * is always in balls. docs/theory.md has the derivation.
+ * is always in balls. docs/background/theory.md has the derivation.
  *
  *     struct scallop_series *series;
  *     fmpq_t coefficient;

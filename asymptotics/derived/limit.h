@@ -15,7 +15,7 @@ struct limit {
   struct series w; /* a constant: exact, or a ball                                          */
   bool at_rest;    /* F1 = F2: c = 0 throughout, at every eps                               */
   bool returns;    /* the displacement is 0 at every eps: F1 = F2, or phases that mirror each other */
-  bool even;       /* the displacement is an even function of eps (docs/theory.md)          */
+  bool even;       /* the displacement is an even function of eps (docs/background/theory.md)          */
 };
 #define LIMIT_PARTS(of) \
   of(phase_constants, &s->phase[0]) of(phase_constants, &s->phase[1]) of(branch, &s->branch[0]) \

@@ -1,6 +1,6 @@
 /* The radius of convergence of the derived series: the branch that they expand is continued to complex T, and the
- * branch points nearest to T = 0 are found and proven. docs/theory.md has the method. Needs FLINT; prints nothing,
- * holds no state. */
+ * branch points nearest to T = 0 are found and proven. docs/background/theory.md has the method. Needs FLINT; prints
+ * nothing, holds no state. */
 #ifndef SCALLOP_ASYMPTOTICS_DERIVED_SINGULARITY_H
 #define SCALLOP_ASYMPTOTICS_DERIVED_SINGULARITY_H
 

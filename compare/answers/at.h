@@ -87,7 +87,6 @@ double at_v0(struct at *at);
 /* What a point needs FLINT for: certified answers, and series. Motions are those of the point, and their start
  * velocities known. NULL until the part of the program that needs FLINT is there (answers/flint.h), which such
  * quantities take for granted. */
-typedef void at_work(struct at *at, int i, void *context);
 struct at_flint_functions {
   void (*free)(struct at_flint *flint);
   /* The sum of a derived series, or of its first term. */
@@ -96,10 +95,7 @@ struct at_flint_functions {
   struct series_error (*compare)(struct at *at, const struct quantity *series, int quantity, enum motion_of_point m);
   /* A certified value with so many digits, or the certified regime or modes; it lives until the next call. */
   const char *(*text)(struct at *at, const struct quantity *q, long digits, enum motion_of_point m);
-  /* How many threads are worth it for so many items; work for each i < count shared out among so many, each with an at
-   * of its own */
-  int (*threads)(long items);
-  void (*share)(struct at *const *at, int threads, int count, at_work *work, void *context);
+  void (*end_thread)(void); /* by a thread that has used any of these, at its end */
 };
 extern const struct at_flint_functions *at_flint;
 

@@ -11,7 +11,6 @@
 #include "compare/points/gaits.h"
 #include "compare/points/point_flint.h"
 #include "model/exact/scoped.h"
-#include "numerics/threads.h"
 
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
 
@@ -231,26 +230,7 @@ static struct series_error compare(struct at *s, const struct quantity *series, 
   return c;
 }
 
-static int threads(long items) { return threads_for(0, items); }
-
-static void share(struct at *const *at, int workers, int count, at_work *work, void *context)
-{
-#pragma omp parallel num_threads(workers)
-  {
-#ifdef _OPENMP
-    struct at *own = at[omp_get_thread_num()];
-#else
-    struct at *own = at[0];
-    (void)workers;
-#endif
-#pragma omp for schedule(dynamic)
-    for (int i = 0; i < count; i++)
-      work(own, i, context);
-    flint_cleanup();
-  }
-}
-
-static const struct at_flint_functions functions = { flint_end, sum, compare, text, threads, share };
+static const struct at_flint_functions functions = { flint_end, sum, compare, text, flint_cleanup };
 
 /* When it is loaded, or, where a program is linked with it, before main */
 static void __attribute__((constructor)) offer(void) { at_flint = &functions; }

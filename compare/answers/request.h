@@ -22,10 +22,21 @@ struct scene_head {          /* of the tables of a scene */
 struct request {
   struct style style;
   struct point point;
+  struct shard {
+    long part, parts; /* parts 0: the whole sweep */
+    char sweep[17];   /* which one: its name      */
+  } shard;
+  bool skip_complete; /* a shard that is there   */
+  struct samples {
+    enum sampling sampling;
+    long count;
+    uint64_t seed;
+  } samples;                      /* of the ranges without a count */
   struct sweep sweep;             /* what varies; no product: one point, else point is where nothing varies */
   const char *points;             /* file name, "-" for standard input, or NULL */
   const char *book;               /* file name of a book of formulas, or NULL     */
   struct given_number smooth;     /* the noise of a measured gait's recording, which is read with it */
+  struct given_count threads;     /* on how many rows are computed */
   bool stats;                     /* prints afterwards what was computed */
   struct given_number accuracy;   /* errors of series below this part of the exact value are 0 */
   struct given_word reference;    /* what they are errors against: exact, or certified */

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/shard.h"
 #include "compare/book/book.h"
 #include "compare/points/counts.h"
 #include "compare/points/defaults.h"
@@ -47,7 +48,7 @@ const char *sheet_no_quantity(const struct asked *asked, const char *name)
   return wrong_text("there is no quantity '%.80s'%s", name,
                     *name == '(' ? formula_instead(name)
                     : near       ? did_you_mean(near)
-                                 : " (docs/scenes.md lists them)");
+                                 : " (docs/reference/scenes.md lists them)");
 }
 
 static const char *missing(void *sheet, const char *name)
@@ -355,6 +356,8 @@ static void write_head(struct rows *r)
     for (int i = 0; i < scene->notes && !given; i++) /* with other parameters they may be wrong */
       table_note(&r->table, "%s", scene->note[i]);
   }
+  if (r->request->shard.parts > 0)
+    table_note(&r->table, SHARD_LINE, r->request->shard.part, r->request->shard.parts, r->request->shard.sweep);
   if (scene || r->notes_parameters)
     note_held(r);
   if (scene)

@@ -48,6 +48,7 @@ struct rows { /* a table with a row for each point, as it is planned; zero but f
   void (*head)(struct rows *rows);   /* more '#' lines, or NULL */
   void (*visit)(struct rows *rows, struct at *at); /* NULL: sheet_row */
   void *context;                                   /* of these two: freed with the rows, or NULL */
+  bool any_order;                                  /* visit takes points in any order, by several threads */
   bool opens_late;                                 /* visit calls rows_open, with the first row */
   /* while it is made */
   struct style style;
@@ -78,6 +79,11 @@ struct point_file;
 enum exit_code rows_visit(struct rows_run *run, struct point_file *file);
 /* Puts the tables in their places; keep: else the earlier files stay. False: one could not be. */
 bool rows_close(struct rows_run *run, bool keep);
+
+/* How many threads the request is to run on, from 1 to MOST_THREADS: as many as are given, or OMP_NUM_THREADS says, or
+ * there are processors for this process. */
+enum { MOST_THREADS = 1024 };
+int threads_wanted(const struct request *request);
 
 /* The table of a command by itself. */
 enum exit_code rows_table(struct rows *rows);

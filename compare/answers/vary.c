@@ -189,11 +189,16 @@ static const char *range_of_text(struct request *r, const struct sweep_variable 
   for (char *colon; parts < 4 && (colon = strchr(part[parts - 1], ':')); part[parts++] = colon + 1)
     *colon = '\0';
   int spacing = word_place(parts == 4 ? part[3] : "linear", spacings);
+  if (parts == 2 || (parts == 3 && word_place(part[2], spacings) >= 0)) {
+    struct sweep_variable sampled = *v;
+    sampled.is_sampled = true;
+    return vary_range(r, sampled, copy, part[1], 1, parts == 3 && word_place(part[2], spacings) == 1);
+  }
   if (parts >= 3 && spacing >= 0 && read_count(part[2], strcmp(copy, part[1]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
     return vary_range(r, *v, copy, part[1], count, spacing == 1);
   return wrong_text(
       "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
-      "or 1 where FROM = TO; both ends belong to it",
+      "or 1 where FROM = TO; both ends belong to it; with --sample also FROM:TO or FROM:TO:log",
       text, SWEEP_RANGE);
 }
 
@@ -238,6 +243,47 @@ static const char *add_values(struct request *r, const struct sweep_variable *pa
   last_product(r)->groups -= wrong != NULL;
   r->point.has_v0 |= v.target == TARGET_V0 && !wrong; /* for blocks of rows where it does not vary */
   return wrong;
+}
+
+/* Puts the sampled variables of all groups behind this one into it. NULL, or what is wrong */
+static const char *gather(const struct samples *s, struct sweep_product *p, struct sweep_group *into)
+{
+  double points = (double)s->count;
+  into->count = s->count;
+  into->sampling = s->sampling;
+  into->seed = s->seed;
+  for (struct sweep_group *g = into + 1; g < p->group + p->groups;) {
+    if (!g->variable[0].is_sampled) {
+      g++;
+      continue;
+    }
+    if (into->variables == SWEEP_VARIABLES)
+      return wrong_text("more than %d ranges are sampled together", SWEEP_VARIABLES);
+    into->variable[into->variables++] = g->variable[0];
+    memmove(g, g + 1, (size_t)(p->group + --p->groups - g) * sizeof *g);
+  }
+  for (struct sweep_group *g = p->group; g < p->group + p->groups; g++)
+    points *= g == into ? 1 : (double)g->count;
+  return points > SWEEP_POINTS ? wrong_text("%g points: more than %g", points, SWEEP_POINTS) : NULL;
+}
+
+const char *vary_sample(struct request *r)
+{
+  const char *wrong = NULL;
+  bool is_sampled = false;
+  for (struct sweep_product *p = r->sweep.product; p < r->sweep.product + r->sweep.products; p++)
+    for (int g = 0; g < p->groups && !wrong; g++) {
+      const struct sweep_variable *v = &p->group[g].variable[0];
+      if (!v->is_sampled || p->group[g].sampling != SAMPLING_NONE)
+        continue;
+      is_sampled = true;
+      wrong = r->samples.sampling != SAMPLING_NONE
+                  ? gather(&r->samples, p, &p->group[g])
+                  : wrong_text("--%s: a range without a COUNT needs --sample", v->name);
+    }
+  return wrong || is_sampled || r->samples.sampling == SAMPLING_NONE
+             ? wrong
+             : "--sample: no parameter has a range FROM:TO or FROM:TO:log";
 }
 
 const char *vary_text(struct request *r, const char *name, const char *text)

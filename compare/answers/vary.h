@@ -9,6 +9,9 @@
 const char *vary_product(struct request *request);
 const char *vary_group(struct request *request);
 
+/* Of the samples that are asked for, all ranges without a count become one group in each product: once all is read. */
+const char *vary_sample(struct request *request);
+
 /* Values as they are written. All variables of a group have as many, or one. */
 const char *vary_list(struct request *request, struct sweep_variable variable, const char *const *texts, long count);
 /* Both ends belong to a range; each is a number, or a formula of the parameters that are set further out and of
@@ -20,10 +23,11 @@ const char *vary_label(struct request *request, const char *name, struct sweep_v
 /* A number, or such a formula */
 const char *vary_end(const struct request *request, const char *text, struct sweep_end *end);
 
-/* A parameter, or "label", as an option gives it. One value is set; several, a list "0.6,0.7" or a range "1:10:10" or
- * "1e-3:1:50:log", and any of what the point has no number for, become a group of the last product. Either takes the
- * place of values that the parameter has in that product. A value of a list stays as it is written, with the numbers of
- * a gait behind its name, "constant:0.1,quadratic"; "label" takes NAME=TEXT,TEXT. */
+/* A parameter, or "label", as an option gives it. One value is set; several, a list "0.6,0.7" a range "1:10:10" or
+ * "1e-3:1:50:log", or, for samples, "1:10" or "1e-3:1:log", and any of what the point has no number for, become a
+ * group of the last product. Either takes the place of values that the parameter has in that product. A value of a
+ * list stays as it is written, with the numbers of a gait behind its name, "constant:0.1,quadratic"; "label" takes
+ * NAME=TEXT,TEXT. */
 const char *vary_text(struct request *request, const char *name, const char *text);
 
 #endif

@@ -1,176 +1,269 @@
-/* The loop over points: one at a time; or, of a sweep whose rows take long, blocks of them, each by as many threads as
- * there are processors. Rows are written in order as they come. */
+/* The loop over points: shared out among threads in chunks of neighbours, each written in its turn, so that the rows
+ * stand in their order whoever computes them. */
+#define _GNU_SOURCE /* sched_getaffinity */
+#include <limits.h>
+#include <pthread.h>
+#include <sched.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/answers/rows.h"
+#include "compare/answers/block.h"
+#include "compare/answers/shard.h"
 #include "compare/points/point_file.h"
 #include "compare/text/progress.h"
 
-enum { BLOCK = 64 };
+enum { CHUNKS = 8, MOST_AT_ONCE = 64 }; /* of each thread at least; rows that take long, in a chunk */
+enum { LEAST = 8 };                     /* rows that take long, from which on threads gain time     */
 
-/* One of the points that are computed together. Of a point by itself the place is that of its at, and its cells go
- * where they belong. */
-struct row {
-  struct sweep_place *place;
-  struct table *cells;    /* of the only table, never opened: what is written into it is kept; or NULL */
-  char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
-};
-struct shared {
-  struct sweep_place place;
-  struct table cells;
+/* A thread, and what it computes with. The first writes to the tables themselves where it is alone; else each writes to
+ * parts of them. */
+struct worker {
+  struct tour *tour;
+  struct at *at;
+  struct block *block; /* NULL: rows are computed one by one */
+  struct sweep_walk walk;
+  struct rows *rows;
+  long unsolved;          /* of a chunk */
+  char why[POINT_STATUS]; /* the first reason of these */
+  pthread_t thread;
 };
 
-/* The points of a sweep or of a file, one after another, in blocks */
+/* The points of a sweep or of a file */
 struct tour {
   struct rows_run *run;
-  const struct sweep_product *product;
-  long points;      /* how many there are; 0: that is not known */
-  int block, count; /* points that are computed together, and those of them that are there */
+  struct point_file *file; /* or NULL */
+  long first, end, chunk;  /* of which those that are computed; of a file the end is not known */
   int threads;
-  struct at *at[BLOCK]; /* one for each thread */
-  struct row row[BLOCK];
-  struct shared *shared; /* BLOCK of them; NULL: points are computed by themselves */
+  struct worker *worker;
+  pthread_mutex_t lock;
+  pthread_cond_t turn;
+  long next, written; /* the first point that nobody has taken; that is not written */
+  bool ends;          /* no more are wanted: a table cannot be written, or the file is at its end */
 };
 
-static void compute_row(struct at *at, int i, void *tour)
+static void compute_row(struct worker *w)
 {
-  struct tour *t = tour;
-  struct row *row = &t->row[i];
-  if (row->cells)
-    sweep_place_copy(&at->place, row->place);
-  row->why[0] = '\0';
+  const struct rows_run *run = w->tour->run;
+  struct at *at = w->at;
+  char why[POINT_STATUS] = "";
   at_move(at);
-  for (struct rows *r = t->run->rows; r < t->run->rows + t->run->count; r++) {
+  for (struct rows *r = w->rows; r < w->rows + run->count; r++) {
     at_begin_row(at);
     if (r->visit)
       r->visit(r, at);
     else
-      sheet_row(&r->sheet, row->cells ? row->cells : &r->table, at);
-    if (row->why[0] == '\0' && at->why[0] != '\0')
-      memcpy(row->why, at->why, sizeof at->why);
+      sheet_row(&r->sheet, &r->table, at);
+    if (why[0] == '\0' && at->why[0] != '\0')
+      memcpy(why, at->why, sizeof why);
+  }
+  if (why[0] != '\0' && w->unsolved++ == 0)
+    memcpy(w->why, why, sizeof why);
+}
+
+static void compute(struct worker *w, long first, long count)
+{
+  const struct request *r = w->rows->request;
+  w->unsolved = 0;
+  if (w->tour->file)
+    return compute_row(w);
+  if (w->block && block_rows(w->block, w->rows, w->at, &w->walk, first, (int)count))
+    return;
+  for (long i = first; i < first + count; i++) {
+    sweep_place_copy(&w->at->place, sweep_point(&w->walk, &r->sweep, &r->point, i, at_formula_so_far, w->at));
+    compute_row(w);
   }
 }
 
-/* False: a table can no longer be written. */
-static bool end_block(struct tour *t)
+/* Takes the next chunk: how many points it has; 0: there are no more. */
+static long take(struct worker *w, long *first)
 {
+  struct tour *t = w->tour;
+  pthread_mutex_lock(&t->lock);
+  *first = t->next;
+  long count = t->ends ? 0 : t->end - t->next < t->chunk ? t->end - t->next : t->chunk;
+  if (count > 0 && t->file && !point_file_next(t->file, &w->at->place, &w->rows->request->point))
+    count = 0;
+  t->next += count;
+  t->ends |= count == 0;
+  progress_count(t->run->points + (t->threads == 1),
+                 t->file ? point_file_rows(t->file, t->run->points + 1) : t->end - t->first);
+  pthread_mutex_unlock(&t->lock);
+  return count;
+}
+
+/* Writes what a worker has computed, in its turn. */
+static void finish_chunk(struct worker *w, long first, long count)
+{
+  struct tour *t = w->tour;
   struct rows_run *run = t->run;
-  bool fine = true;
-  /* the first of them: of points that are computed together no worker counts anything else */
-  progress_count(run->points + (t->threads == 1), t->points);
-  if (t->threads > 1)
-    at_flint->share(t->at, t->threads, t->count, compute_row, t);
-  for (int i = 0; i < t->count && t->threads == 1; i++)
-    compute_row(t->at[0], i, t);
-  for (const struct row *row = t->row; row < t->row + t->count; row++) {
-    if (row->cells)
-      table_repeat(&run->rows->table, row->cells);
-    run->points++;
-    if (row->why[0] != '\0' && run->unsolved++ == 0)
-      memcpy(run->why, row->why, sizeof row->why);
+  pthread_mutex_lock(&t->lock);
+  while (t->written != first)
+    pthread_cond_wait(&t->turn, &t->lock);
+  pthread_mutex_unlock(&t->lock); /* nobody else writes until it is another's turn */
+  bool failed = false;
+  for (int i = 0; i < run->count; i++) {
+    struct rows *r = &run->rows[i];
+    if (t->threads > 1)
+      table_join(&r->table, &w->rows[i].table);
+    failed |= r->is_open && table_failed(&r->table);
   }
-  t->count = 0;
-  for (const struct rows *r = run->rows; r < run->rows + run->count; r++)
-    fine &= !r->is_open || !table_failed(&r->table);
+  if (w->unsolved > 0 && run->unsolved == 0)
+    memcpy(run->why, w->why, sizeof run->why);
+  run->unsolved += w->unsolved;
+  run->points += count;
+  pthread_mutex_lock(&t->lock);
+  t->written = first + count;
+  t->ends |= failed;
+  pthread_cond_broadcast(&t->turn);
+  pthread_mutex_unlock(&t->lock);
+}
+
+static void *work(void *worker)
+{
+  struct worker *w = worker;
+  long first;
+  for (long count; (count = take(w, &first)) > 0;) {
+    compute(w, first, count);
+    finish_chunk(w, first, count);
+  }
+  return NULL;
+}
+
+static void *work_beside(void *worker)
+{
+  work(worker);
+  if (at_flint)
+    at_flint->end_thread();
+  return NULL;
+}
+
+int threads_wanted(const struct request *r)
+{
+  const char *usual = getenv("OMP_NUM_THREADS");
+  cpu_set_t own;
+  long wanted = r->threads.value;
+  if (!r->threads.given && !(usual && read_count(usual, 1, MOST_THREADS, &wanted)))
+    wanted = sched_getaffinity(0, sizeof own, &own) == 0 ? CPU_COUNT(&own) : 1;
+  return (int)wanted;
+}
+
+/* Rows of which each is written for itself, of points in any order, are shared out; but not where several tables are
+ * made of series, which would be derived by each thread. */
+static int threads_of(struct tour *t)
+{
+  const struct rows_run *run = t->run;
+  const long points = t->end - t->first;
+  const bool takes_flint = asked_needs_flint(run->rows->sheet.asked) != NULL;
+  bool takes_long = takes_flint, any_order = !t->file && !(takes_flint && run->count > 1);
+  for (const struct rows *r = run->rows; r < run->rows + run->count; r++) {
+    any_order &= r->is_open && (!r->visit || r->any_order);
+    takes_long |= r->visit != NULL;
+  }
+  const bool is_short = takes_long && points < LEAST; /* what its points share is computed once */
+  const int threads = any_order && !is_short ? threads_wanted(run->rows->request) : 1;
+  const long each = points / (CHUNKS * threads), most = takes_long ? MOST_AT_ONCE : BLOCK_ROWS;
+  t->chunk = t->file || each < 1 ? 1 : !takes_long || each > most ? most : each;
+  const long chunks = (points + t->chunk - 1) / t->chunk;
+  return threads < chunks ? threads : (int)(chunks > 0 ? chunks : 1);
+}
+
+/* False: there is no memory for it; what it has is freed with the tour. */
+static bool worker_begin(struct worker *w, struct tour *t, bool is_first)
+{
+  const struct rows_run *run = t->run;
+  w->tour = t;
+  w->rows = run->rows;
+  if (!is_first && !(w->at = at_new(run->rows->sheet.asked)))
+    return false;
+  if (run->count == 1 && !t->file)
+    w->block = block_new(run->rows);
+  if (t->threads == 1)
+    return true;
+  w->rows = malloc((size_t)run->count * sizeof *w->rows);
+  bool fine = w->rows != NULL;
+  for (int i = 0; i < run->count && w->rows; i++) {
+    w->rows[i] = run->rows[i];
+    fine &= table_part(&w->rows[i].table, &run->rows[i].table);
+  }
   return fine;
 }
 
-/* Where a sweep is worth it, one table whose columns need FLINT, points are computed together. */
+static void worker_end(struct worker *w, struct tour *t)
+{
+  at_free(w->at);
+  sweep_walk_end(&w->walk);
+  block_free(w->block);
+  for (int i = 0; w->rows && w->rows != t->run->rows && i < t->run->count; i++)
+    table_abandon(&w->rows[i].table);
+  if (w->rows != t->run->rows)
+    free(w->rows);
+}
+
 static void share_out(struct tour *t)
 {
-  const struct rows *r = t->run->rows;
-  bool takes_long = t->run->count == 1 && !r->visit && asked_needs_flint(r->sheet.asked) && t->points >= 8;
-  int threads = takes_long ? at_flint->threads(BLOCK) : 1;
-  t->shared = threads > 1 ? calloc(BLOCK, sizeof *t->shared) : NULL;
-  if (!t->shared)
-    return;
-  while (t->threads < threads && (t->at[t->threads] = at_new(r->sheet.asked)))
-    t->threads++;
-  t->block = BLOCK;
-  for (int i = 0; i < BLOCK; i++) {
-    t->row[i] = (struct row){ &t->shared[i].place, &t->shared[i].cells, "" };
-    t->row[i].cells->style = &r->style;
-    sheet_head(&r->sheet, t->row[i].cells);
-  }
+  int ready = 1;
+  while (ready < t->threads && worker_begin(&t->worker[ready], t, false)
+         && pthread_create(&t->worker[ready].thread, NULL, work_beside, &t->worker[ready]) == 0)
+    ready++;
+  work(&t->worker[0]);
+  for (int i = 1; i < ready; i++)
+    pthread_join(t->worker[i].thread, NULL);
 }
 
-static void tour_free(struct tour *t)
-{
-  for (int i = 0; i < t->threads; i++)
-    at_free(t->at[i]);
-  for (int i = 0; i < BLOCK && t->shared; i++)
-    table_abandon(&t->shared[i].cells);
-  free(t->shared);
-  free(t);
-}
-
-/* All points from a place where the groups in front of group g are set. False: no more are wanted. */
-static bool tour_from(struct tour *t, const struct sweep_place *so_far, int g)
-{
-  struct sweep_place place;
-  bool more = true;
-  if (!t->product || g == t->product->groups) {
-    sweep_place_copy(t->row[t->count++].place, so_far);
-    return t->count < t->block || end_block(t);
-  }
-  for (long i = 0; i < t->product->group[g].count && more; i++) {
-    sweep_place_copy(&place, so_far);
-    sweep_step(&place, t->product, g, i, at_formula_so_far, t->at[0]);
-    more = tour_from(t, &place, g + 1);
-  }
-  return more;
-}
-
-static void tour_sweep(struct tour *t)
+/* The part of the points that is asked for */
+static void find_part(struct tour *t)
 {
   const struct request *r = t->run->rows->request;
-  struct sweep_place place;
-  t->points = sweep_points(&r->sweep);
-  share_out(t);
-  sweep_place_set(&place, &r->point);
-  bool more = r->sweep.products > 0 || tour_from(t, &place, 0);
-  for (int p = 0; p < r->sweep.products && more; p++) {
-    t->product = &r->sweep.product[p];
-    more = tour_from(t, &place, 0);
-  }
-  if (more && t->count > 0)
-    end_block(t);
+  const struct shard *s = &r->shard;
+  const long points = !t->file ? sweep_points(&r->sweep) : s->parts > 0 ? point_file_count(r->points) : LONG_MAX;
+  t->first = s->parts > 0 ? shard_begin(s, s->part, points) : 0;
+  t->end = s->parts > 0 ? shard_begin(s, s->part + 1, points) : points;
+  t->next = t->written = t->first;
+  if (t->file)
+    tsv_skip(&t->file->tsv, t->first);
 }
 
-static void tour_file(struct tour *t, struct point_file *file)
+/* Visits all points. False: there is no memory. */
+static bool tour(struct tour *t, struct at *at)
 {
-  bool more = true;
-  while (more && point_file_next(file, t->row[0].place, &t->run->rows->request->point)) {
-    t->points = point_file_rows(file, t->run->points + 1);
-    t->count = 1;
-    more = end_block(t);
+  find_part(t);
+  t->threads = threads_of(t);
+  struct worker *alone = t->worker = calloc((size_t)t->threads, sizeof *t->worker);
+  bool fine = alone != NULL;
+  if (fine) {
+    alone->at = at;
+    fine = worker_begin(alone, t, true);
   }
+  if (fine)
+    share_out(t);
+  for (int i = 0; i < t->threads && t->worker; i++)
+    worker_end(&t->worker[i], t);
+  if (!alone)
+    at_free(at);
+  free(t->worker);
+  return fine;
 }
 
 enum exit_code rows_visit(struct rows_run *run, struct point_file *file)
 {
   const char *command = run->rows->request->style.command, *error = NULL;
-  struct tour *t = calloc(1, sizeof *t);
-  bool open = t && (t->at[0] = at_new(run->rows->sheet.asked)), fine = open;
-  if (!t)
-    complain(command, "out of memory");
+  struct tour t = { .run = run, .file = file, .lock = PTHREAD_MUTEX_INITIALIZER, .turn = PTHREAD_COND_INITIALIZER };
+  struct at *at = at_new(run->rows->sheet.asked);
+  bool open = at != NULL, fine = open;
   if (!open)
-    return free(t), EXIT_UNSOLVED;
-  t->run = run;
-  t->block = t->threads = 1;
-  t->row[0].place = &t->at[0]->place;
+    return EXIT_UNSOLVED;
   for (int i = 0; i < run->count && open; i++)
     open = run->rows[i].opens_late || rows_open(&run->rows[i]);
-  if (open && file)
-    tour_file(t, file);
-  else if (open)
-    tour_sweep(t);
+  if (!open)
+    at_free(at);
+  else if (!tour(&t, at))
+    return complain(command, "out of memory"), EXIT_UNSOLVED;
   if (open && file && (error = tsv_error(&file->tsv)))
     complain(command, "%s", error);
+  if (open && run->rows->request->shard.parts > 0)
+    table_note(&run->rows->table, "%s", shard_end);
   for (struct rows *r = run->rows; r < run->rows + run->count && open; r++)
     fine &= !r->cannot_open && (!r->is_open || table_flush(&r->table));
-  tour_free(t);
   return open && fine && !error ? EXIT_DONE : EXIT_FILE;
 }
 
@@ -207,6 +300,10 @@ static enum exit_code finish(struct rows_run *run, enum exit_code code)
 enum exit_code rows_table(struct rows *r)
 {
   const struct style *style = &r->request->style;
+  if (r->request->shard.parts > 0 && ((r->visit && !r->any_order) || r->opens_late))
+    return complain(style->command, "--shard: this table has no row for each point by itself"), EXIT_USAGE;
+  if (r->request->skip_complete && shard_is_there(style->output, &r->request->shard))
+    return EXIT_DONE;
   struct rows_run run = { .count = 1, .rows = r };
   struct quantities *all = &r->sheet.asked->quantities;
   struct point_file file = { .v0_may_be_nan = r->sheet.asked->from_steady },

@@ -1,7 +1,7 @@
 /* Formulas by name: the paper's, those that hold where one of the paper's does not, and those of the books that were
  * read.
  *
- * A book is a file in libconfig's format; docs/formulas.md has its members. Books are read when options are read,
+ * A book is a file in libconfig's format; docs/guide/formulas.md has its members. Books are read when options are read,
  * before anything is computed, and stay for as long as the program runs; after that any thread may ask. */
 #ifndef SCALLOP_COMPARE_BOOK_BOOK_H
 #define SCALLOP_COMPARE_BOOK_BOOK_H

@@ -1,4 +1,4 @@
-/* claims/: the ledger of the paper's claims, with verdicts (data/claims.tsv); docs/errata.md lists what no row decides.
+/* The ledger of the paper's claims, with verdicts (data/claims.tsv); docs/background/errata.md lists the others.
  *
  * A row is one claim for one gait under one set of conditions. Claims about an order, "... + O(T^n)", are the rows of
  * asymptotics' lists of formulas, or of a book: order.c and book.c go through these under their conditions, trial.c
@@ -21,7 +21,7 @@ enum claim_verdict { CLAIM_HOLDS, CLAIM_SHARPER, CLAIM_UNDECIDED, CLAIM_REFUTED 
 const char *claim_verdict_text(enum claim_verdict verdict);
 
 /* How it is known: for all parameters with which the motion has the modes of the row's (a claim in words: by
- * docs/theory.md); for the crawler that is named; from `sampled` crawlers, or other cases; from doubles */
+ * docs/background/theory.md); for the crawler that is named; from `sampled` crawlers, or other cases; from doubles */
 enum claim_evidence { NO_EVIDENCE, PROVEN_FOR_ALL, CERTIFIED_CRAWLER, SAMPLED, MEASURED };
 
 /* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a book's */

@@ -83,7 +83,7 @@ struct statement {
   bool outside;               /* of the paper's conditions */
   bool of_its_gaits_alone;    /* the paper's: no row for another */
   bool of_its_crawler;        /* the paper's, not the ledger's */
-  bool proven;                /* for the paper's gaits, in docs/theory.md: The motion in words */
+  bool proven;                /* for the paper's gaits, in docs/background/theory.md: The motion in words */
 };
 /* In the order of the ledger; the last has name NULL. Those of families and figures are decided with the paper's
  * crawler, and then with the ledger's. */
@@ -145,10 +145,6 @@ bool set_conditions(struct scallop_crawler *c, const char *conditions);
 int compare(double a, double b);
 /* Of a certified number: 1: it is 0, to 2^-80; -1: it is not; 0: not known */
 int is_zero(double x);
-
-/* The last double before f, positive at low and not at high, is not positive any more */
-typedef double function_of(const void *context, double x);
-double last_positive(function_of *f, const void *context, double low, double high);
 
 /* A number of each of 400 random crawlers (random.c), which the data of the statement says */
 void at_random(struct question *q, struct scallop_crawler any);

@@ -140,19 +140,16 @@ static void opposes_motion(struct question *q, struct scallop_crawler c)
   conclude_steady(q, c, &s, -(s.regime == SCALLOP_SLIDING && s.v_start < 0 && s.displacement < 0));
 }
 
-static double displacement_at(const void *crawler, double F1)
-{
-  struct scallop_crawler c = *(const struct scallop_crawler *)crawler;
-  c.F1 = F1;
-  return steady(NULL, c).displacement;
-}
-
 /* Both asymmetries, sliding, and no displacement: it is continuous, so where it changes its sign it is 0. */
 static void two_asymmetries_suffice(struct question *q, struct scallop_crawler c)
 {
   const char *others = options(q, c);
+  double F1 = 70, beyond = 94; /* the displacement is positive, and is not */
+  for (double x; halfway(&x, F1, beyond);) {
+    c.F1 = x;
+    *(steady(NULL, c).displacement > 0 ? &F1 : &beyond) = x;
+  }
   struct scallop_crawler d = c;
-  const double F1 = last_positive(displacement_at, &c, 70, 94);
   c.F1 = short_number(F1 * (1 - 1e-10), 12);
   d.F1 = short_number(F1 * (1 + 1e-10), 12);
   const struct solved s = steady(q, c), t = steady(q, d);

@@ -69,7 +69,6 @@ static struct place place_at(const struct family *f, double x)
 }
 
 static double minus_speed(void *family, double x) { return -place_at(family, x).speed; }
-static double start_of(const void *family, double x) { return place_at(family, x).v_start; }
 
 /* F1/F2 to 7838, 1/Froude from 1e-3 to 92 (forces) or 91 */
 static void scan(struct family *f)
@@ -84,8 +83,12 @@ static void scan(struct family *f)
     f->scan[i] = place_at(f, x);
   f->boundary = NAN;
   for (int i = 1; isnan(f->boundary) && i < f->count; i++)
-    if (f->scan[i - 1].v_start > 0 && f->scan[i].v_start <= 0)
-      f->boundary = last_positive(start_of, f, f->scan[i - 1].x, f->scan[i].x);
+    if (f->scan[i - 1].v_start > 0 && f->scan[i].v_start <= 0) {
+      double behind = f->scan[i].x;
+      f->boundary = f->scan[i - 1].x;
+      for (double mid; halfway(&mid, f->boundary, behind);)
+        *(place_at(f, mid).v_start > 0 ? &f->boundary : &behind) = mid;
+    }
 }
 
 /* Certified */

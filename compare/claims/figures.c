@@ -11,25 +11,27 @@
 
 static const double ratios[] = { 2, 10, 40 };
 
-static struct solved extension_at(const void *crawler, double T)
+static struct solved extension_at(struct scallop_crawler c, double T)
 {
-  struct scallop_crawler c = *(const struct scallop_crawler *)crawler;
   c.T = T;
   return extension(NULL, c, 0);
 }
 
-static double minus_v_end(void *crawler, double T) { return -extension_at(crawler, T).v_end; }
+static double minus_v_end(void *crawler, double T)
+{
+  return -extension_at(*(struct scallop_crawler *)crawler, T).v_end;
+}
 
 /* The least d(dx_C) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
 static double least_growth(const struct scallop_crawler *c)
 {
   enum { STEPS = 400 };
   const double onset = sticking_onset(c), growth = (c->F1 - c->F2) / (8 * (c->m1 + c->m2));
-  double T = onset / (10 * STEPS), dxC = extension_at(c, T).dxC, least = INFINITY;
+  double T = onset / (10 * STEPS), dxC = extension_at(*c, T).dxC, least = INFINITY;
   for (int j = 1; j <= STEPS; j++) {
     const double before = T, moved = dxC;
     T = onset * j / STEPS;
-    dxC = extension_at(c, T).dxC;
+    dxC = extension_at(*c, T).dxC;
     least = fmin(least, (dxC - moved) / (growth * (T - before) * (T + before)));
   }
   return least;

@@ -124,7 +124,7 @@ static bool is_of_paper(const struct scallop_formula *f)
 
 /* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of
  * finite sums is proven so, and one of the paper's formulas for the quadratic gait, whose degree in T is low
- * (docs/theory.md, The ledger's proofs). False: the two contradict each other. */
+ * (docs/background/theory.md, The ledger's proofs). False: the two contradict each other. */
 static bool prove_for_all(struct proof *p)
 {
   const struct scallop_formula *f = p->f;

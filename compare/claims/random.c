@@ -1,6 +1,6 @@
 /* Statements about every crawler: held against random ones, masses and forces within a factor of 10, 0.05 < alpha <
- * 0.95, Froude from 0.1. Those that hold have their proofs in docs/theory.md, The motion in words; here stands how far
- * each is from failing. */
+ * 0.95, Froude from 0.1. Those that hold have their proofs in docs/background/theory.md, The motion in words; here
+ * stands how far each is from failing. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -158,8 +158,8 @@ void at_random(struct question *q, struct scallop_crawler c)
 
 const struct fact steady_state_is_unique = {
   .number = SEVERAL_STATES,
-  .holds = "proven for continuous l' (docs/theory.md, How many steady states); the solver finds one for %d of 400 "
-           "quasi-random crawlers"
+  .holds = "proven for continuous l' (docs/background/theory.md, How many steady states); the solver finds one for %d "
+           "of 400 quasi-random crawlers"
 };
 
 #define SET "400 quasi-random crawlers, masses and forces within 100:1"

@@ -130,13 +130,6 @@ int periods_from_rest(const struct scallop_crawler *c, double near, int most)
   return 0;
 }
 
-double last_positive(function_of *f, const void *context, double low, double high)
-{
-  for (double x; halfway(&x, low, high);)
-    *(f(context, x) > 0 ? &low : &high) = x;
-  return low;
-}
-
 struct printed printed(struct scallop_crawler c, const char *formula)
 {
   const struct scallop_formula *known = formula_named(formula);

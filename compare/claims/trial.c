@@ -136,8 +136,6 @@ static void begin_at_end(struct trial *m)
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];
   struct series *speed = &m->series.phase.dx1, *length = &m->series.phase.dx2;
   SCOPED(series, back);
-  SCOPED(fmpq, one);
-  fmpq_one(one);
   fmpq_one(m->crawler.L);
   scallop_speed_series(speed, last, NULL, &ring);
   series_set_x(&back);
@@ -146,14 +144,13 @@ static void begin_at_end(struct trial *m)
   series_integral(length, speed, &ring);
   series_set_si(&back, 1);
   series_sub(length, &back, length, &ring);
-  series_truncate(speed, TERMS_AT_END);
   series_truncate(length, TERMS_AT_END);
   m->series.value[Q_DX1] = speed;
   m->series.value[Q_DX2] = length;
   m->series.status = SCALLOP_OK;
   m->terms = SCALLOP_MOST_TERMS; /* no more to be had */
   for (int k = 1; k < CLAIM_POINTS; k++)
-    sample_end(sample_at(m, one, k, (PRECISION - 64) / 4), last);
+    sample_end(sample_at(m, m->crawler.L, k, (PRECISION - 64) / 4), last);
 }
 
 void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler, const struct condition *condition,

@@ -12,6 +12,7 @@ static const struct axis_choice {
 } axes[] = { { "F1/F2", "F1_over_F2", "0.01:100:41" },    { "m1/m2", "m1_over_m2", "0.01:100:41" },
              { "alpha", "alpha", "0.01:0.99:41:linear" }, { "T", "T", "0.01:100:41" },
              { "froude", "froude", "0.01:100:41" },       { NULL } };
+#define MAP_AXES "F1/F2, m1/m2, alpha, T or froude"
 static const char *const sources[] = { "book", "published", "derived", "limit", NULL };
 static const char *const quantities[] = { "v_start", "v_mid", "displacement", "mean_velocity", "t1", "dT",
                                           "v_end",   "dx1",   "dx2",          "dxC",           NULL };
@@ -28,7 +29,7 @@ static const struct option options_of_breakdown[] = {
                 FROM_TO(1e-20, DBL_MAX, "a number from 1e-20 on")), /* errors are known to some 1e-32 */
   OPTION_FLAG("all", breakdown_options, all),
   OPTION_WORD("only", breakdown_options, only, kinds),
-  OPTION("map", read_text, OPTION_FIELD(breakdown_options, map), .values = 2, .allowed = "the name of what varies"),
+  OPTION("map", read_text, OPTION_FIELD(breakdown_options, map), .values = 2, .allowed = MAP_AXES),
   OPTION_TEXT("x", breakdown_options, range[0], "FROM:TO:COUNT"),
   OPTION_TEXT("y", breakdown_options, range[1], "FROM:TO:COUNT"),
   OPTION_POINT("T"),
@@ -70,7 +71,7 @@ static const char *add_axis(struct breakdown_options *o, int i)
   while (axis->name && strcmp(name, axis->name) != 0 && strcmp(name, axis->variable) != 0)
     axis++;
   if (!axis->name)
-    return wrong_text("--map: '%.80s' is not allowed here: it takes F1/F2, m1/m2, alpha, T or froude%s", name,
+    return wrong_text("--map: '%.80s' is not allowed here: it takes " MAP_AXES "%s", name,
                       did_you_mean(nearest_in(name, axes, sizeof *axes)));
   const char *range = o->range[i] ? o->range[i] : axis->range, *option = i == 0 ? "x" : "y";
   o->map[i] = axis->name;

@@ -27,7 +27,8 @@ struct command {
   enum exit_code (*run)(const struct arguments *arguments, const void *options);
 };
 extern const struct command command_phase, command_steady, command_trajectory, command_series, command_claims,
-    command_order, command_figure, command_workprec, command_stress, command_breakdown, command_summary, command_run;
+    command_order, command_figure, command_workprec, command_stress, command_breakdown, command_summary, command_run,
+    command_merge;
 extern const struct command *const commands[]; /* NULL-terminated */
 
 struct arguments {
@@ -39,7 +40,7 @@ struct arguments {
   unsigned long given; /* a bit for each row of the options, in their order */
   union {              /* the struct of the command; its first member is the request */
     struct request request;
-    char room[1536];
+    char room[2048];
     void *aligned;
     double aligned_too;
   } options;

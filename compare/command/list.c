@@ -5,19 +5,13 @@
 #include "compare/command/commands.h"
 #include "compare/text/shipped.h"
 
-const struct command *const commands[] = { &command_phase,
-                                           &command_steady,
-                                           &command_trajectory,
-                                           &command_series,
-                                           &command_claims,
-                                           &command_order,
-                                           &command_figure,
-                                           &command_workprec,
-                                           &command_stress,
-                                           &command_breakdown,
-                                           &command_summary,
-                                           &command_run,
-                                           NULL };
+const struct command *const commands[] = { &command_phase,      &command_steady,
+                                           &command_trajectory, &command_series,
+                                           &command_claims,     &command_order,
+                                           &command_figure,     &command_workprec,
+                                           &command_stress,     &command_breakdown,
+                                           &command_summary,    &command_run,
+                                           &command_merge,      NULL };
 
 const struct command *command_named(const char *name)
 {

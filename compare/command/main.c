@@ -1,6 +1,8 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
+#include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -89,6 +91,11 @@ static enum exit_code run(const struct arguments *a)
   const struct request *r = &a->options.request;
   point_tell_recording(&r->point, &r->style);
   progress_begin(r->style.quiet);
+  if (r->threads.given) { /* for what is parallel by OpenMP, which is loaded later */
+    char number[24];
+    snprintf(number, sizeof number, "%ld", r->threads.value);
+    setenv("OMP_NUM_THREADS", number, true);
+  }
   enum exit_code code = command_make(a);
   if (code == EXIT_DONE)
     tell_decimal_commas(&r->sweep, &r->style);

@@ -151,10 +151,9 @@ static bool write_sample(void *context, const struct scallop_sample *s)
 static void trace(struct rows *rows, struct at *at)
 {
   const struct trajectory_options *o = (const void *)rows->request;
-  struct trajectory *t = rows->context;
+  const struct trajectory *plan = rows->context;
   double v0 = at_v0(at);
-  t->rows = rows;
-  t->at = at;
+  struct trajectory own = { .end = plan->end, .rows = rows, .at = at }, *t = &own;
   t->until = t->end.is_formula ? at_formula(at, &t->end.formula) : t->end.number;
   if (at->why[0] != '\0' || isnan(v0))
     return;
@@ -195,6 +194,7 @@ static const char *plan_trajectory(const void *options, struct rows *rows)
   rows->notes_parameters = true;
   rows->head = head;
   rows->visit = trace;
+  rows->any_order = true;
   for (int i = 0; (v = sweep_variable(&o->request.sweep, i)) && !wrong; i++)
     wrong = v->target == TARGET_LABEL ? NULL : rows_own(rows, "%s", v->name);
   for (const struct quantity_row *row = quantity_rows; row->name && !wrong; row++)

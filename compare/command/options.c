@@ -1,7 +1,10 @@
 /* The arguments of a command: read, completed, and held against its rules. */
+#include <inttypes.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "compare/answers/shard.h"
 #include "compare/answers/vary.h"
 #include "compare/book/book.h"
 #include "compare/columns/columns.h"
@@ -21,7 +24,7 @@ const struct option *option_of(const struct command *command, const char *name)
   "`LC_ALL=C awk -f cheapest.awk FILE` summarises a table; the script is in scripts/plots/ of the sources, and " \
   "installed in share/scallop/"
 #define COUNTED "`--stats` prints what was done"
-#define BY_SYMPY "sympy makes it of the text form in three lines: docs/formulas.md"
+#define BY_SYMPY "sympy makes it of the text form in three lines: docs/guide/formulas.md"
 #define LEDGERS \
   "`scallop claims | diff - FILE` compares with any ledger; data/claims.tsv of the sources is the tool's own"
 static const struct removed_option {
@@ -99,7 +102,7 @@ const char *option_take(struct arguments *a, const struct option *o, const char 
 static const char *smooth_of(const struct arguments *a)
 {
   double sigma;
-  for (int i = 2; i < a->count; i++) {
+  for (int i = a->count - 1; i >= 2; i--) { /* the last one holds */
     const char *behind = strncmp(a->all[i], "--smooth", 8) == 0 ? a->all[i] + 8 : NULL;
     const char *value = !behind ? NULL : *behind == '=' ? behind + 1 : *behind ? NULL : a->all[i + 1];
     if (value && read_number(value, &sigma) && sigma > 0)
@@ -216,6 +219,42 @@ static const char *idle_sweep(const struct arguments *a)
                     v->name);
 }
 
+/* The name of the sweep: of all that is asked for, but for what is no matter of its rows */
+static void name_sweep(struct arguments *a)
+{
+  struct request *r = &a->options.request;
+  uint64_t name = shard_name_text(UINT64_C(0xcbf29ce484222325), SCALLOP_VERSION);
+  for (int i = 1; i < a->count; i++) {
+    char option[OPTION_VALUE];
+    const char *text = strcmp(a->all[i], "-o") == 0 ? "--output" : a->all[i];
+    snprintf(option, sizeof option, "%.*s", (int)strcspn(text, "="), text);
+    const struct option *o = strncmp(option, "--", 2) == 0 ? option_of(a->command, option + 2) : NULL;
+    if (o
+        && word_place(o->name, (const char *const[]){ "shard", "skip-complete", "threads", "output", "quiet", NULL })
+               >= 0)
+      i += strchr(text, '=') ? 0 : option_values(o);
+    else
+      name = shard_name_text(name, text);
+  }
+  name = r->points ? shard_name_file(name, r->points) : name;
+  name = r->book ? shard_name_file(name, r->book) : name;
+  snprintf(r->shard.sweep, sizeof r->shard.sweep, "%016" PRIx64, name);
+}
+
+/* NULL, or why there is no such shard */
+static const char *no_shard(struct arguments *a)
+{
+  const struct request *r = &a->options.request;
+  if (!command_has_rows(a->command, r))
+    return "--shard: this table has no row for each point";
+  if (r->style.format != FORMAT_TSV && r->style.format != FORMAT_NPY)
+    return "--shard: a shard is of the format tsv or npy, whose head says which part it is";
+  if (r->points && strcmp(r->points, "-") == 0)
+    return "--shard: standard input has no parts: --points FILE";
+  name_sweep(a);
+  return NULL;
+}
+
 bool options_are_sound(struct arguments *a)
 {
   static const struct option_rule of_all[] = {
@@ -223,12 +262,22 @@ bool options_are_sound(struct arguments *a)
     { "mu1", RULE_WITH, "F1 F1_over_F2", "sets F1, and is beside another option that does" },
     { "mu2", RULE_WITH, "F2", "sets F2, and is beside another option that does" },
     { "g", RULE_WITHOUT, "mu1 mu2", "is the gravity behind --mu1 and --mu2, and both are missing" },
+    { "skip-complete", RULE_WITHOUT, "shard", NULL },
+    { "skip-complete", RULE_WITHOUT, "output", "needs -o FILE: the shard that may be there" },
+    { "shard", RULE_WITH, "plot", "has nothing to do with --plot: draw the merged table" },
     { "plot-x plot-y plot-by plot-x-range plot-y-range plot-title plot-size", RULE_WITHOUT, "plot", NULL },
     { NULL, RULE_WITH, NULL, NULL }
   };
   const struct command *c = a->command;
+  const struct request *r = &a->options.request;
+  const struct style *style = &r->style;
   const char *wrong = idle_sweep(a);
+  wrong = wrong ? wrong : vary_sample(&a->options.request);
   wrong = wrong ? wrong : broken_rule(a, of_all);
+  if (!wrong && r->shard.parts > 0)
+    wrong = no_shard(a);
+  if (!wrong && style->format == FORMAT_NPY && !style->output && option_of(c, "format"))
+    wrong = no_npy_to_pipe;
   wrong = wrong ? wrong : broken_rule(a, c->rules);
   wrong = wrong || !c->complete ? wrong : c->complete(&a->options);
   return !wrong || complain(c->name, "%s", wrong);

@@ -1,4 +1,6 @@
 /* How the values of options are read. */
+#include <limits.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "compare/answers/vary.h"
@@ -120,10 +122,41 @@ const char *read_plot(void *options, const struct option *o, const char *text)
   return plot_set(&r->style.plot, o->name, text);
 }
 
+const char *read_sample(void *options, const struct option *o, const char *text)
+{
+  struct samples *s = &((struct request *)options)->samples;
+  char copy[OPTION_VALUE];
+  long seed = 0;
+  snprintf(copy, sizeof copy, "%s", text);
+  char *count = strchr(copy, ':'), *behind = count ? strchr(count + 1, ':') : NULL;
+  const bool is_sobol = strncmp(copy, "sobol:", 6) == 0;
+  (void)o;
+  if (behind)
+    *behind++ = '\0';
+  bool fine = is_sobol ? !behind && read_count(count + 1, 1, SWEEP_RANGE, &s->count)
+                       : strncmp(copy, "random:", 7) == 0 && behind && read_count(behind, 0, LONG_MAX, &seed)
+                             && read_count(count + 1, 1, (long)SWEEP_POINTS, &s->count);
+  s->sampling = is_sobol ? SAMPLING_SOBOL : SAMPLING_RANDOM;
+  s->seed = (uint64_t)seed;
+  return fine ? NULL : not_allowed(text, "sobol:N with N from 1 to 1e9, or random:N:SEED, all whole numbers");
+}
+
+const char *read_shard(void *options, const struct option *o, const char *text)
+{
+  struct shard *s = &((struct request *)options)->shard;
+  char part[OPTION_VALUE];
+  const char *slash = strchr(text, '/');
+  (void)o;
+  snprintf(part, sizeof part, "%.*s", (int)(slash ? slash - text : 0), text);
+  bool fine = slash && read_count(slash + 1, 1, SWEEP_RANGE, &s->parts) && read_count(part, 1, s->parts, &s->part);
+  return fine ? NULL : not_allowed(text, "I/N, the I-th of N parts, with I from 1 to N");
+}
+
 const char *read_choice(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
   (void)o;
   columns_free(r->style.choice);
+  r->style.chosen = true;
   return columns_read(&r->style.choice, text);
 }

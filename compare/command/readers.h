@@ -27,7 +27,9 @@ option_reader read_parameter, /* of the point, or what varies, by its name      
     read_format, read_output, /* of the style                                                           */
     read_digits,              /* likewise, from 1 to most                                               */
     read_plot,                /* likewise, of its plot, by its name                                     */
-    read_choice;              /* likewise: which columns                                                */
+    read_choice,              /* likewise: which columns                                                */
+    read_sample,              /* of the request: how many samples, and of which kind                    */
+    read_shard;               /* likewise: which part of the sweep                                      */
 
 struct option {
   const char *name; /* without the dashes; NULL behind the last */
@@ -63,7 +65,8 @@ struct option_rule {
 #define OPTIONS_PHASE OPTION_POINT("phase"), OPTION_POINT("v0")
 #define OPTIONS_VARY \
   OPTION_POINT("mu1"), OPTION_POINT("mu2"), OPTION_POINT("g"), OPTION_POINT("F1_over_F2"), OPTION_POINT("m1_over_m2"), \
-      OPTION_POINT("froude"), OPTION_POINT("label"), OPTION("and", read_product, )
+      OPTION_POINT("froude"), OPTION_POINT("label"), OPTION("and", read_product, ), OPTION("sample", read_sample, ), \
+      OPTION("shard", read_shard, ), OPTION_FLAG("skip-complete", request, skip_complete)
 #define OPTION_FLAG(name, type, member) OPTION(name, read_flag, OPTION_FIELD(type, member))
 #define OPTION_TEXT(name, type, member, what) OPTION(name, read_text, OPTION_FIELD(type, member), .allowed = what)
 #define OPTION_WORD(name, type, member, list) OPTION(name, read_word, OPTION_FIELD(type, member), .words = list)
@@ -92,7 +95,9 @@ extern const char *const reference_words[];
 #define OPTION_QUIET OPTION_FLAG("quiet", request, style.quiet)
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(NULL, NULL, )
-#define OPTIONS_LAST OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_QUIET, NO_MORE_OPTIONS
+#define OPTIONS_LAST \
+  OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_COUNT("threads", request, threads, 1, MOST_THREADS), \
+      OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS), OPTIONS_LAST
 
 #endif

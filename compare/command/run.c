@@ -152,7 +152,7 @@ static enum exit_code run_all(struct wanted *all, int count, const struct scene_
       code = worse(code, run_scene(s, given));
     else if (!given->quiet)
       fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", given->command, s->scene.name,
-              s->scene.request.sweep.products > 0 ? sweep_points(&s->scene.request.sweep) : 1, s->scene.wants);
+              sweep_points(&s->scene.request.sweep), s->scene.wants);
   return code;
 }
 

@@ -254,7 +254,7 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
   if (!begin_table(&b))
     return EXIT_FILE;
   for (int j = 0; j <= b.cells[1] && !table_failed(&b.table); j++) {
-    progress_show("row %d of %d", j, b.cells[1]);
+    progress_count(j, b.cells[1]);
     write_row(&b, j);
   }
   progress_end();

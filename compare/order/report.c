@@ -5,7 +5,7 @@
 
 #include "compare/order/order.h"
 
-const char *const report_formats[] = { "tsv", "json", "csv", "markdown", "table", "junit", NULL };
+const char *const report_formats[] = { "tsv", "json", "csv", "markdown", "table", "npy", "junit", NULL };
 
 #define AT(member) offsetof(struct series, member)
 static const struct table_column of_series[] = {

@@ -34,7 +34,7 @@ static const struct scallop_gait_family measured = {
   .allowed = "measured:FILE, a table of t and l, or of t, x1 and x2, its name without control characters",
   .sentence = "a curve through a recording, a table of t and l, or of t, x1 and x2; L, T and alpha are its own. Behind "
               "FILE :monotone, :cubic, :smooth or :phases chooses the curve, :smooth=SIGMA states the noise, :period=P "
-              "the period (docs/gaits.md)"
+              "the period (docs/reference/gaits.md)"
 };
 
 const struct scallop_gait_family *gait_family(int i)

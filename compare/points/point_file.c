@@ -147,6 +147,16 @@ bool point_file_next(struct point_file *r, struct sweep_place *place, const stru
   return true;
 }
 
+long point_file_count(const char *name)
+{
+  struct tsv tsv;
+  long rows = 0;
+  for (bool more = tsv_open(&tsv, name, TSV_POINTS); more && tsv_next(&tsv); rows++)
+    continue;
+  tsv_close(&tsv);
+  return rows;
+}
+
 long point_file_rows(const struct point_file *r, long read)
 {
   return lround((double)read * r->bytes / r->read); /* no comments */

@@ -27,6 +27,8 @@ void point_file_close(struct point_file *file);
 /* Goes to the point of the next row, which is the base but for what the row says. False: there is none, or the file
  * cannot be read (tsv_error of file->tsv). */
 bool point_file_next(struct point_file *file, struct sweep_place *place, const struct point *base);
+/* How many rows a file of that name has. */
+long point_file_count(const char *name);
 /* About how many rows there are, of which so many have been read; 0: that is not known. */
 long point_file_rows(const struct point_file *file, long read);
 

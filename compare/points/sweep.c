@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <gsl/gsl_qrng.h>
+
 #include "compare/text/values.h"
 
 bool sweep_variable_of_name(struct sweep_variable *v, const char *name)
@@ -46,15 +48,19 @@ const struct sweep_variable *sweep_variable(const struct sweep *s, int i)
   return NULL;
 }
 
+static long points_of(const struct sweep_product *p)
+{
+  long points = 1;
+  for (int g = 0; g < p->groups; g++)
+    points *= p->group[g].count;
+  return points;
+}
+
 long sweep_points(const struct sweep *s)
 {
-  long points = 0;
-  for (const struct sweep_product *p = s->product; p < s->product + s->products; p++) {
-    long of_product = 1;
-    for (int g = 0; g < p->groups; g++)
-      of_product *= p->group[g].count;
-    points += of_product;
-  }
+  long points = s->products == 0;
+  for (int p = 0; p < s->products; p++)
+    points += points_of(&s->product[p]);
   return points;
 }
 
@@ -90,11 +96,50 @@ static void note(struct sweep_place *p, const char *name, const char *wrong)
     snprintf(p->why, POINT_STATUS, "%s: %s", name, wrong);
 }
 
+/* The splitmix64 of Steele, Lea and Flood (2014): output n of a seed, from 0 to 1 */
+static double random_number(uint64_t seed, uint64_t n)
+{
+  uint64_t z = seed + (n + 1) * UINT64_C(0x9e3779b97f4a7c15);
+  z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+  z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+  return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+/* Draws sample i of a group. A Sobol sequence goes on from the sample that was drawn last, or begins anew. */
+static void draw(struct sweep_walk *w, const struct sweep_group *g, long i)
+{
+  const bool is_sobol = g->sampling == SAMPLING_SOBOL;
+  if (w->sampled == g && w->drawn == i)
+    return;
+  for (int k = 0; k < g->variables && !is_sobol; k++)
+    w->sample[k] = random_number(g->seed, (uint64_t)i * (uint64_t)g->variables + (uint64_t)k);
+  if (is_sobol && (w->sampled != g || w->drawn > i)) {
+    sweep_walk_end(w);
+    w->generator = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)g->variables);
+    w->drawn = -1;
+  }
+  for (; is_sobol && w->generator && w->drawn < i; w->drawn++)
+    gsl_qrng_get(w->generator, w->sample);
+  w->sampled = g;
+  w->drawn = i;
+}
+
+void sweep_walk_end(struct sweep_walk *w)
+{
+  if (w->generator)
+    gsl_qrng_free(w->generator);
+  w->generator = NULL;
+}
+
 /* Value i of a range whose ends are known, as a text; inner ones are decimal: 0.07 for a reader, and the same on every
  * machine, whose logarithms may differ in the last digit */
-static void write_value(char text[DIGITS_TEXT], const struct sweep_variable *v, double from, double to, long i)
+static void write_value(char text[DIGITS_TEXT], struct sweep_walk *w, const struct sweep_group *g, int variable, long i,
+                        double from, double to)
 {
-  const double steps = (double)(v->count - 1), k = (double)i;
+  const struct sweep_variable *v = &g->variable[variable];
+  if (v->is_sampled)
+    draw(w, g, i);
+  const double steps = v->is_sampled ? 1 : (double)(v->count - 1), k = v->is_sampled ? w->sample[variable] : (double)i;
   const bool is_end = k == 0 || k == steps, is_formula = v->from.is_formula || v->to.is_formula;
   double x = k == 0       ? from
              : k == steps ? to
@@ -104,6 +149,18 @@ static void write_value(char text[DIGITS_TEXT], const struct sweep_variable *v, 
   number_text(text, x, digits);
   if (digits > 0 && read_number(text, &x))
     number_text(text, x, 0);
+}
+
+double sweep_number(struct sweep_walk *w, const struct sweep_group *g, int variable, long i)
+{
+  const struct sweep_variable *v = &g->variable[variable];
+  const long k = v->count == 1 && !v->is_sampled ? 0 : i;
+  char text[DIGITS_TEXT];
+  double x = NAN;
+  if (!v->texts)
+    write_value(text, w, g, variable, k, v->from.number, v->to.number);
+  (void)read_number(v->texts ? v->texts[k] : text, &x);
+  return x;
 }
 
 /* What follows from other parameters follows from them as they are now, and the Froude number is last. */
@@ -134,18 +191,20 @@ void sweep_set(struct sweep_place *p, const struct sweep_variable *v, double val
   settle(p);
 }
 
-void sweep_step(struct sweep_place *p, const struct sweep_product *product, int g, long i, sweep_formula *value,
-                void *context)
+/* From a place where the groups in front of group g are set to one where that is set too, to its value i. */
+static void step(struct sweep_walk *w, int g, long i, sweep_formula *value, void *context)
 {
-  const struct sweep_group *group = &product->group[g];
-  const bool is_last = g == product->groups - 1;
+  struct sweep_place *p = &w->place[g + 1];
+  const struct sweep_group *group = &w->product->group[g];
+  const bool is_last = g == w->product->groups - 1;
+  sweep_place_copy(p, &w->place[g]);
   for (const struct sweep_variable *v = group->variable; v < group->variable + group->variables; v++) {
-    const long k = v->count == 1 ? 0 : i;
+    const long k = v->count == 1 && !v->is_sampled ? 0 : i;
     const char *text = v->texts ? v->texts[k] : p->written[v->place];
     if (!v->texts) {
       double from = v->from.is_formula ? value(context, p, &v->from.formula) : v->from.number;
       double to = v->to.is_formula ? value(context, p, &v->to.formula) : v->to.number;
-      write_value(p->written[v->place], v, from, to, k);
+      write_value(p->written[v->place], w, group, (int)(v - group->variable), k, from, to);
     }
     /* a value of a list was found good when the sweep was read, if not at this point */
     if (v->target == TARGET_LABEL)
@@ -158,4 +217,40 @@ void sweep_step(struct sweep_place *p, const struct sweep_product *product, int 
   if (!was_outside && !is_last) /* what is set further in may bring it back */
     p->why[0] = '\0';
   p->ends_group = is_last && i == group->count - 1;
+}
+
+/* Goes to the product that the point is of, before its first group. */
+static void find_product(struct sweep_walk *w, const struct sweep *s, const struct point *about, long number)
+{
+  const struct sweep_product *p = s->product;
+  long first = 0;
+  for (long points; number - first >= (points = points_of(p)); p++)
+    first += points;
+  if (p == w->product)
+    return;
+  w->product = p;
+  w->first = first;
+  memset(w->value, -1, sizeof w->value);
+  sweep_place_set(&w->place[0], about);
+}
+
+const struct sweep_place *sweep_point(struct sweep_walk *w, const struct sweep *s, const struct point *about,
+                                      long number, sweep_formula *value, void *context)
+{
+  if (s->products == 0)
+    return sweep_place_set(&w->place[0], about), &w->place[0];
+  find_product(w, s, about, number);
+  long of_group[SWEEP_GROUPS], rest = number - w->first;
+  const int groups = w->product->groups;
+  bool as_it_was = true;
+  for (int g = groups; g-- > 0; rest /= w->product->group[g].count)
+    of_group[g] = rest % w->product->group[g].count;
+  for (int g = 0; g < groups; g++) {
+    as_it_was = as_it_was && w->value[g] == of_group[g];
+    if (as_it_was)
+      continue;
+    w->value[g] = of_group[g];
+    step(w, g, of_group[g], value, context);
+  }
+  return &w->place[groups];
 }

@@ -3,6 +3,8 @@
 #ifndef SCALLOP_COMPARE_POINTS_SWEEP_H
 #define SCALLOP_COMPARE_POINTS_SWEEP_H
 
+#include <stdint.h>
+
 #include "compare/points/point.h"
 #include "compare/text/digits.h"
 #include "asymptotics/formula.h"
@@ -29,8 +31,13 @@ struct sweep_variable {
   long count;         /* values; 1: the same throughout its group */
   const char **texts; /* a list of values as they were written, in one piece of memory; NULL: a range */
   bool is_log;        /* a range */
+  bool is_sampled;    /* a range: count is that of the samples of its group */
   struct sweep_end from, to;
 };
+
+/* Samples of all variables of a group at once: points of a Sobol sequence, as GSL has it, or random ones, of which
+ * number d of point i is the output i n + d of splitmix64, n being how many numbers a point has. */
+enum sampling { SAMPLING_NONE, SAMPLING_SOBOL, SAMPLING_RANDOM };
 
 struct sweep {
   int products; /* at least one, which may have no groups: one point */
@@ -40,6 +47,8 @@ struct sweep {
       int variables;
       struct sweep_variable variable[SWEEP_VARIABLES];
       long count;
+      enum sampling sampling; /* of its ranges that are sampled */
+      uint64_t seed;
     } group[SWEEP_GROUPS];
   } * product;
 };
@@ -52,7 +61,7 @@ const char *sweep_wrong(const struct sweep_variable *variable, const struct poin
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product);
 /* The variables of all products, one after another: number i, or NULL after the last. */
 const struct sweep_variable *sweep_variable(const struct sweep *sweep, int i);
-long sweep_points(const struct sweep *sweep);
+long sweep_points(const struct sweep *sweep); /* 1 where nothing varies */
 void sweep_free(struct sweep *sweep);
 
 /* A point of a sweep or of a file, and what is beside its parameters */
@@ -75,8 +84,22 @@ void sweep_set(struct sweep_place *place, const struct sweep_variable *variable,
 
 /* The value of a formula at the point as it is so far */
 typedef double sweep_formula(void *context, const struct sweep_place *place, const struct formula *formula);
-/* From a place where the groups in front of group g are set to one where that is set too, to its value i. */
-void sweep_step(struct sweep_place *place, const struct sweep_product *product, int g, long i, sweep_formula *value,
-                void *context);
+/* A way through the points of a sweep, in any order; a step to the next is quickest. */
+struct sweep_walk {
+  const struct sweep_product *product;        /* of the point where it is; NULL: it is nowhere yet */
+  long first;                                 /* the number of that product's first point          */
+  long value[SWEEP_GROUPS];                   /* of each group                                     */
+  struct sweep_place place[SWEEP_GROUPS + 1]; /* in front of the groups, behind the first, ... */
+  const struct sweep_group *sampled;          /* a group of samples, and the one that was drawn last, its numbers: */
+  long drawn;
+  double sample[SWEEP_VARIABLES]; /* from 0 to 1 */
+  void *generator;                /* of GSL      */
+};
+void sweep_walk_end(struct sweep_walk *walk);
+/* The point of that number, from 0, of what varies about a point. */
+const struct sweep_place *sweep_point(struct sweep_walk *walk, const struct sweep *sweep, const struct point *about,
+                                      long number, sweep_formula *value, void *context);
+/* Value i of a variable of a group that takes numbers, and whose ends, if it is a range, are no formulas. */
+double sweep_number(struct sweep_walk *walk, const struct sweep_group *group, int variable, long i);
 
 #endif

@@ -8,7 +8,7 @@
  *
  * with y certified, of a trajectory a closed form, and the changes from binary128 arithmetic: differences, not
  * derivatives, so that kinks and square roots at the boundaries of modes count for what they are. Where y is 0 there is
- * a unit all the same, but no ulp. The promise is an error of at most 8 units; docs/stability.md lists the
+ * a unit all the same, but no ulp. The promise is an error of at most 8 units; docs/background/stability.md lists the
  * exceptions. */
 #ifndef SCALLOP_COMPARE_STRESS_STRESS_H
 #define SCALLOP_COMPARE_STRESS_STRESS_H

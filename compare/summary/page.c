@@ -69,14 +69,10 @@ static int digits_of(const struct page *p, double x, double unknown)
   return isnan(unknown) || p->digits_are_given ? p->digits : digits_known(x, unknown);
 }
 
-static double unknown_of(const struct page *p, enum quantity_id q)
-{
-  return at_data_error(p->at, quantity_named(p->asked, quantity_rows[q].name));
-}
-
 static int digits_of_value(const struct page *p, enum quantity_id q)
 {
-  return digits_of(p, value(p, q), unknown_of(p, q));
+  const int place = quantity_named(p->asked, quantity_rows[q].name);
+  return digits_of(p, at_number(p->at, place), at_data_error(p->at, place));
 }
 
 /* "from -0.31 to -0.297" */
@@ -86,26 +82,12 @@ static void write_interval(const struct page *p, double low, double high)
   fprintf(p->file, "from %.*g to %.*g", digits_of(p, low, unknown), low, digits_of(p, high, unknown), high);
 }
 
-static const enum quantity_id recorded[] = { Q_DISPLACEMENT, Q_MEAN_VELOCITY, Q_V_START, Q_V_MID, Q_MULTIPLIER };
-enum { RECORDED = sizeof recorded / sizeof *recorded };
-
-/* All at once, before any of them is computed. Returns whether there is a recording. */
-static bool ask_for_intervals(const struct page *p)
-{
-  char name[QUANTITY_NAME];
-  const bool is_recorded = gait_file_of(p->at->place.point.crawler.gait) != NULL;
-  for (int i = 0; i < 2 * RECORDED && is_recorded; i++) {
-    snprintf(name, sizeof name, "%s.%s", i % 2 ? "high" : "low", quantity_rows[recorded[i / 2]].name);
-    quantity_named(p->asked, name);
-  }
-  return is_recorded;
-}
-
+/* Columns of the row, which the page takes the place of */
 static void write_intervals(const struct page *p)
 {
   fputs("  As far as the recording tells:\n", p->file);
-  for (int i = 0; i < RECORDED; i++) {
-    const char *name = quantity_rows[recorded[i]].name;
+  for (enum quantity_id q = Q_V_START; q <= Q_MULTIPLIER; q++) {
+    const char *name = quantity_rows[q].name;
     fprintf(p->file, "  %-14s ", name);
     write_interval(p, number(p, "low.%s", name), number(p, "high.%s", name));
     fputc('\n', p->file);
@@ -360,7 +342,7 @@ static void visit(struct rows *rows, struct at *at, const char *const *not_held,
   }
   find_formulas(&p);
   p.digits_are_given = digits > 0;
-  p.is_recorded = ask_for_intervals(&p);
+  p.is_recorded = gait_file_of(at->place.point.crawler.gait) != NULL;
   p.study = at->is_outside ? NULL : study_of(at);
   if (!p.study || isnan(value(&p, Q_V_START))) {
     fprintf(p.file, "\nThis crawler has no page: %s.\n", at->why);

@@ -138,6 +138,51 @@ static void print_legend(const struct aligned *a, const char *const *names, FILE
     }
 }
 
+/* In lines of 80 columns, and what their symbols are */
+static void print_constants(const struct aligned *a, const char *const *cells, const bool *varies, FILE *file)
+{
+  enum { WIDE = 80 };
+  int at = fprintf(file, "# in every row:");
+  const char *comma = "";
+  for (int i = 0; i < a->columns; i++) {
+    const char *value = cells[a->columns + i], *unit = a->column[i].meaning.unit;
+    if (varies[i])
+      continue;
+    at += fprintf(file, "%s", comma);
+    if (at + (int)(strlen(cells[i]) + strlen(value) + strlen(unit)) + 6 > WIDE)
+      at = fprintf(file, "\n#  ") - 1;
+    at += fprintf(file, " %s = %s%s%s", cells[i], value, *unit ? " " : "", unit);
+    comma = ",";
+  }
+  fputc('\n', file);
+  for (int i = 0; i < a->columns; i++)
+    if (!varies[i] && a->column[i].meaning.has_symbols) {
+      fprintf(file, "# %s: ", cells[i]);
+      print_meaning(file, &a->column[i]);
+    }
+}
+
+/* Columns with the same cell in every row go into the head; the cells of the others move together. */
+static void gather(struct aligned *a, const char **cells, FILE *file)
+{
+  const int columns = a->columns;
+  bool varies[TABLE_COLUMNS] = { false };
+  int kept = 0;
+  for (int i = 0; i < columns; kept += varies[i++])
+    for (long k = 2; k < a->rows; k++)
+      varies[i] = varies[i] || strcmp(cells[k * columns + i], cells[columns + i]) != 0;
+  if (kept == 0 || kept == columns)
+    return;
+  print_constants(a, cells, varies, file);
+  for (long from = 0, to = 0; from < a->rows * columns; from++)
+    if (varies[from % columns])
+      cells[to++] = cells[from];
+  a->columns = 0;
+  for (int i = 0; i < columns; i++)
+    if (varies[i])
+      a->column[a->columns++] = a->column[i];
+}
+
 bool aligned_print(struct aligned *a, const char *const *names, FILE *file, column_meaning *meaning, bool last)
 {
   const long count = a->rows * a->columns;
@@ -148,6 +193,10 @@ bool aligned_print(struct aligned *a, const char *const *names, FILE *file, colu
     cells[i] = cell;
   if (cells) {
     measure(a, cells, meaning);
+    if (a->gathers && !a->has_begun && last && a->rows > 2) {
+      gather(a, cells, file);
+      names = cells;
+    }
     for (long k = 1; upright && k < a->rows; k++) {
       fputs(k > 1 ? "\n" : "", file);
       print_upright(a, cells, cells + k * a->columns, file);

@@ -24,6 +24,7 @@ struct aligned {
   size_t size;
   long rows;      /* that are kept, with that of the names */
   bool has_begun; /* some rows are printed  */
+  bool gathers;   /* of a table in one block the columns that are the same in every row are put into its head */
   bool upright;   /* each row is printed upright, without cells that are "-" */
   int columns;
   struct aligned_column {

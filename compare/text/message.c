@@ -35,8 +35,8 @@ bool complain(const char *command, const char *format, ...)
 
 const char *wrong_text(const char *format, ...)
 {
-  static char text[4][640];
-  static unsigned turn;
+  static _Thread_local char text[4][640];
+  static _Thread_local unsigned turn;
   va_list arguments;
   va_start(arguments, format);
   vsnprintf(text[++turn % 4], sizeof *text, format, arguments);

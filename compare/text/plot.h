@@ -7,7 +7,7 @@
 
 #include "compare/text/aligned.h"
 
-/* Each text is as an option takes it (docs/plots.md), or NULL. */
+/* Each text is as an option takes it (docs/reference/plots.md), or NULL. */
 struct plot {
   const char *file;               /* the picture: its name ends in .svg, .png or .pdf; NULL: no picture     */
   const char *table;              /* a file, in TSV                                                         */

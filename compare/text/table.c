@@ -13,7 +13,7 @@
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
 
-const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown", "table", NULL };
+const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown", "table", "npy", NULL };
 
 /* What stands around the cells of a row; what means something in a text; a text with one of which stands in quotes,
  * NULL: each does; and what goes out of texts of other tables as it is */
@@ -27,7 +27,8 @@ static const struct {
                      [FORMAT_JSON] = { "{", ", ", "}\n", &in_json, NULL, SHOWS_CHARACTERS, false },
                      [FORMAT_CSV] = { "", ",", "\n", &in_csv, ",\"", SHOWS_BYTES, false },
                      [FORMAT_MARKDOWN] = { "| ", " | ", " |\n", &in_markdown, "", SHOWS_CHARACTERS, false },
-                     [FORMAT_TABLE] = { "", "", "", &in_plain, "", SHOWS_CHARACTERS, true } };
+                     [FORMAT_TABLE] = { "", "", "", &in_plain, "", SHOWS_CHARACTERS, true },
+                     [FORMAT_NPY] = { .has_notes = false } };
 
 /* People read what goes to a terminal. */
 static enum format format_of(const struct style *style)
@@ -37,6 +38,10 @@ static enum format format_of(const struct style *style)
 }
 
 bool table_is_for_people(const struct style *style) { return format_of(style) == FORMAT_TABLE; }
+
+const char no_npy_to_pipe[] =
+    "--format npy needs -o FILE, the name of a file that is no pipe or device: the head of the "
+    "file is completed behind its last row";
 
 static const char *name_of(const char *output) { return output ? output : "standard output"; }
 
@@ -49,6 +54,8 @@ static bool open_sink(struct table *t, const char *output)
   if (error != 0)
     return complain(t->style->command, "cannot write %s: %s", name_of(output), file_error(error));
   t->sinks++;
+  if (t->sink[t->sinks - 1].format == FORMAT_NPY && !t->sink[t->sinks - 1].out.target)
+    return complain(t->style->command, "%s", no_npy_to_pipe);
   return true;
 }
 
@@ -58,6 +65,7 @@ bool table_open(struct table *t, const struct style *style)
   struct sink *s = t->sink;
   s->format = format_of(style);
   s->aligned.upright = style->upright;
+  s->aligned.gathers = !style->chosen;
   s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
               : style->digits <= DBL_DECIMAL_DIG              ? style->digits
                                                               : 0;
@@ -142,15 +150,29 @@ static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
     put(to, text);
 }
 
+/* Rows are moved to the file in blocks. */
+static void store(struct sink *s) { note_error(s, npy_move(&s->stored, s->out.stream, s->head, &s->kept)); }
+
+static void keep_record(const struct table *t, struct sink *s, const struct table_cell *cells)
+{
+  enum { BLOCK = 4096 };
+  note_error(s, npy_row(&s->kept, cells, s->digits));
+  if (!t->is_part && s->kept.rows >= BLOCK)
+    store(s);
+}
+
 /* Writes a row, or the names of the columns, to a sink. */
 static void emit(struct table *t, struct sink *s, const struct table_cell *cells, int count)
 {
   bool aligned = s->format == FORMAT_TABLE;
   count -= s == t->sink ? t->only_drawn : 0;
-  FILE *to = aligned ? aligned_begin_row(&s->aligned, count) : s->out.stream;
+  if (s->format == FORMAT_NPY)
+    return keep_record(t, s, cells);
+  FILE *to = aligned && !t->is_part ? aligned_begin_row(&s->aligned, count) : s->out.stream;
   if (!to)
     return note_error(s, ENOMEM);
-  progress_clear();
+  if (!t->is_part)
+    progress_clear();
   for (int i = 0; i < count; i++) {
     put(to, i == 0 ? marks[s->format].begin : marks[s->format].between);
     if (s->format == FORMAT_JSON) {
@@ -168,6 +190,15 @@ static void emit(struct table *t, struct sink *s, const struct table_cell *cells
     print_aligned(t, s, false);
 }
 
+static void begin_records(struct table *t, int count)
+{
+  struct sink *s = t->sink;
+  s->notes = strdup(t->notes ? t->notes : "");
+  s->head = npy_head_size(t->names, count, s->notes);
+  npy_begin(&s->kept, count);
+  npy_begin(&s->stored, count);
+}
+
 void table_begin_rows(struct table *t)
 {
   struct table_choice *choice = t->style->choice;
@@ -182,9 +213,11 @@ void table_begin_rows(struct table *t)
   t->names = choice ? choice->names : t->columns;
   for (int i = 0; i < count; i++)
     names[i] = (struct table_cell){ .kind = CELL_CARRIED, .text = (char *)t->names[i] };
+  if (t->sink->format == FORMAT_NPY)
+    begin_records(t, count);
   write_notes(t);
   for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
-    if (s->format != FORMAT_JSON)
+    if (s->format != FORMAT_JSON && s->format != FORMAT_NPY)
       emit(t, s, names, count);
     const int written = count - (s == t->sink ? t->only_drawn : 0);
     for (int i = 0; s->format == FORMAT_MARKDOWN && i < written; i++)
@@ -231,10 +264,68 @@ void table_text(struct table *t, const char *text) { keep(t, CELL_TEXT, NAN, tex
 void table_carried(struct table *t, const char *text) { keep(t, CELL_CARRIED, NAN, text); }
 void table_count(struct table *t, long count) { table_rounded(t, (double)count, "%.0f"); }
 
-void table_repeat(struct table *t, const struct table *row)
+bool table_doubles(struct table *t, const double *const *columns, long rows)
 {
-  for (const struct table_cell *c = row->row; c < row->row + row->count; c++)
-    keep(t, c->kind, c->value, c->text);
+  struct sink *s = t->sink;
+  bool whole = t->sinks == 1 && s->format == FORMAT_NPY && s->digits == 0 && !t->style->choice;
+  for (int i = 0; i < t->count; i++)
+    whole = whole && columns[i];
+  double *to = whole ? npy_doubles(&s->kept, rows) : NULL;
+  for (int i = 0; i < t->count && to; i++)
+    for (long k = 0; k < rows; k++)
+      to[k * t->count + i] = columns[i][k];
+  if (to && !t->is_part)
+    store(s);
+  return to != NULL;
+}
+
+bool table_part(struct table *part, const struct table *t)
+{
+  *part = (struct table){ .style = t->style, .count = t->count, .names = t->names, .is_part = true };
+  for (int i = 0; i < t->sinks; i++) {
+    const struct sink *of = &t->sink[i];
+    struct sink *s = &part->sink[i];
+    s->format = of->format;
+    s->digits = of->digits;
+    npy_begin(&s->kept, of->kept.columns);
+    s->out.stream = open_memstream(&s->text, &s->size);
+    part->sinks += s->out.stream != NULL;
+  }
+  return part->sinks == t->sinks;
+}
+
+/* The cells of a part, each with a NUL behind it, as rows for people */
+static void join_aligned(struct table *t, struct sink *s, const struct sink *part)
+{
+  const int count = t->style->choice ? t->style->choice->count : t->count;
+  for (const char *cell = part->text; cell < part->text + part->size;) {
+    FILE *to = aligned_begin_row(&s->aligned, count);
+    for (int i = 0; i < count; i++, cell += strlen(cell) + 1)
+      if (to)
+        fwrite(cell, 1, strlen(cell) + 1, to);
+    if (!to)
+      return note_error(s, ENOMEM);
+    if (aligned_is_full(&s->aligned))
+      print_aligned(t, s, false);
+  }
+}
+
+void table_join(struct table *t, struct table *part)
+{
+  progress_clear();
+  for (int i = 0; i < t->sinks; i++) {
+    struct sink *s = &t->sink[i], *p = &part->sink[i];
+    note_error(s, p->error != 0 ? p->error : fflush(p->out.stream) != 0 ? errno : 0);
+    if (s->error != 0)
+      continue;
+    if (s->format == FORMAT_NPY)
+      note_error(s, npy_move(&s->stored, s->out.stream, s->head, &p->kept));
+    else if (s->format == FORMAT_TABLE)
+      join_aligned(t, s, p);
+    else if (fwrite(p->text, 1, p->size, s->out.stream) != p->size)
+      note_error(s, errno);
+    rewind(p->out.stream);
+  }
 }
 
 void table_rounded(struct table *t, double value, const char *format)
@@ -290,8 +381,19 @@ FILE *table_page(struct table *t)
 
 bool table_failed(const struct table *t) { return t->sink[0].error != 0; }
 
+/* Completes the file of a FORMAT_NPY. */
+static void complete(struct table *t)
+{
+  struct sink *s = t->sink;
+  if (s->format != FORMAT_NPY || s->error != 0)
+    return;
+  store(s);
+  note_error(s, npy_write_head(&s->stored, s->out.stream, s->head, t->names, s->notes));
+}
+
 bool table_flush(struct table *t)
 {
+  complete(t);
   note_error(t->sink, file_flush(&t->sink[0].out));
   return !table_failed(t);
 }
@@ -313,7 +415,10 @@ static void release(struct table *t, int from)
   free(t->notes);
   for (struct sink *s = t->sink + from; s < t->sink + t->sinks; s++) {
     aligned_free(&s->aligned);
+    npy_free(&s->kept);
+    free(s->notes);
     file_close(&s->out, false);
+    free(s->text);
   }
   for (int i = 0; i < TABLE_COLUMNS; i++)
     free(t->row[i].text);
@@ -325,10 +430,13 @@ bool table_close(struct table *t)
   write_notes(t);
   if (s->format == FORMAT_TABLE)
     print_aligned(t, s, true);
+  complete(t);
   note_error(s, file_close(&s->out, s->error == 0));
   if (s->error != 0 && !(t->style->choice && t->style->choice->refused))
     complain(t->style->command, "cannot write %s: %s", name_of(t->style->output), file_error(s->error));
   bool drawn = s->error == 0 && (t->sinks == 1 || draw(t));
+  npy_free(&s->kept);
+  free(s->notes);
   release(t, 1);
   return drawn;
 }

@@ -10,23 +10,16 @@
 #include "compare/text/aligned.h"
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
+#include "compare/text/npy.h"
 #include "compare/text/plot.h"
 #include "model/version.h"
 
 /* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is
  * given */
-enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMATS };
+enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMAT_NPY, FORMATS };
 enum { PEOPLE_DIGITS = 6 };
 extern const char *const format_names[FORMATS + 1]; /* NULL-terminated */
-
-/* A cell of a row: a number, a number as it stands, a text, or a cell of another table */
-enum cell_kind { CELL_NUMBER, CELL_DIGITS, CELL_TEXT, CELL_CARRIED };
-struct table_cell {
-  enum cell_kind kind;
-  double value; /* of a number; nan: only the text says it */
-  char *text;   /* of all but CELL_NUMBER */
-  size_t room;  /* of text                */
-};
+extern const char no_npy_to_pipe[];                 /* what is said of a FORMAT_NPY there */
 
 /* A choice of columns (compare/columns): what it shows of each row takes the place of the row. */
 struct table_choice {
@@ -47,6 +40,7 @@ struct style {
   long digits; /* significant ones; 0: as many as read back exactly */
   bool quiet;
   bool has_output, has_format; /* are given */
+  bool chosen;                 /* the columns are: people get these */
   bool upright;                /* an aligned table has its rows one by one, each upright */
   column_meaning *meaning;     /* of columns, for people, or NULL */
   struct table_choice *choice; /* NULL: all columns */
@@ -60,11 +54,17 @@ struct table {
     struct file out;
     enum format format;
     long digits;
-    struct aligned aligned; /* rows of a FORMAT_TABLE */
-    int error;              /* of the first write that failed */
+    struct aligned aligned;  /* rows of a FORMAT_TABLE */
+    struct npy kept, stored; /* rows of a FORMAT_NPY: in memory, and in the file */
+    char *notes;             /* likewise: '#' lines of its head */
+    long head;               /* likewise: the size of that      */
+    int error;               /* of the first write that failed */
+    char *text;              /* of a part: what is written      */
+    size_t size;
   } sink[2];
   int sinks;
-  char *notes; /* '#' lines that wait until the choice of columns is found good */
+  bool is_part; /* of another table, in memory */
+  char *notes;  /* '#' lines that wait until the choice of columns is found good */
   const char *columns[TABLE_COLUMNS];
   int count, at;                        /* columns; the next one in this row */
   int only_drawn;                       /* of the columns the last ones, which are for the picture alone */
@@ -96,8 +96,14 @@ void table_rounded(struct table *table, double value, const char *format); /* fe
 void table_digits(struct table *table, const char *number);                /* a number as it stands, of any length */
 void table_text(struct table *table, const char *text);
 void table_carried(struct table *table, const char *text); /* of another table: in JSON a number where it is one */
-/* The row that was written last into a table that was never opened, as a row of this one. */
-void table_repeat(struct table *table, const struct table *row);
+/* So many rows of doubles, columns[i] being the column i. False: nothing is written, as a column is NULL, or the output
+ * takes cells one by one. */
+bool table_doubles(struct table *table, const double *const *columns, long rows);
+
+/* A part of a table whose rows have begun, in memory: rows that are written into it, by whichever thread, become rows
+ * of the table when they are joined, and the part is empty again. table_abandon ends it. False: out of memory. */
+bool table_part(struct table *part, const struct table *table);
+void table_join(struct table *table, struct table *part);
 
 /* A table as a list of columns, each with its name and what it writes of a row; the last has name NULL. put writes one
  * cell. The functions below take the member of the row that lies `at`: { TABLE_COLUMN("order", column_number,

@@ -10,6 +10,7 @@
 #include "compare/text/file.h"
 #include "compare/text/json.h"
 #include "compare/text/message.h"
+#include "compare/text/npy.h"
 
 static const char too_many[] = "this line has more than 256 columns";
 
@@ -156,6 +157,28 @@ static char *row_of(struct tsv *tsv)
   return *line == '#' || *line == '%' || (*line == '\0' && !tsv->fault) || is_rule(tsv, line) ? NULL : line;
 }
 
+static bool next_record(struct tsv *tsv)
+{
+  tsv->count = 0;
+  if (tsv->number == tsv->npy->rows)
+    return false;
+  tsv->length = tsv->npy->size - 1;
+  tsv->count = npy_next(tsv->npy, tsv->buffer, LONGEST_LINE, tsv->cell);
+  if (tsv->count < 0)
+    return tsv->error = EPIPE, false;
+  tsv->number++;
+  return true;
+}
+
+void tsv_skip(struct tsv *tsv, long rows)
+{
+  if (!tsv->npy || fseeko(tsv->file, (off_t)rows * (off_t)tsv->npy->size, SEEK_CUR) != 0)
+    while (rows-- > 0 && tsv_next(tsv))
+      continue;
+  else
+    tsv->number += rows;
+}
+
 bool tsv_next(struct tsv *tsv)
 {
   char *line = NULL;
@@ -163,6 +186,8 @@ bool tsv_next(struct tsv *tsv)
     tsv->waits = false;
     return true;
   }
+  if (tsv->npy)
+    return next_record(tsv);
   while (!line && read_line(tsv))
     line = row_of(tsv);
   if (!line)
@@ -276,12 +301,29 @@ static bool is_of_names(struct tsv *tsv)
   return i < tsv->count && !is_number(tsv, i);
 }
 
+/* The file begins as one of NumPy: its columns are named in its head. */
+static bool begin_npy(struct tsv *tsv)
+{
+  const char *wrong = (tsv->npy = malloc(sizeof *tsv->npy)) ? npy_open(tsv->npy, tsv->file, true) : "out of memory";
+  tsv->fault = wrong ? wrong : tsv->npy->columns > TSV_CELLS ? too_many : NULL;
+  tsv->waits = tsv->fault != NULL;
+  for (int i = 0; !tsv->fault && i < tsv->npy->columns; i++)
+    if (tsv->npy->column[i].kind != 'V')
+      tsv->column[tsv->columns++] = tsv->npy->column[i].name;
+  return true;
+}
+
 static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
 {
   *tsv = (struct tsv){ .name = name, .style = style, .file = file, .error = file ? 0 : errno };
   tsv->buffer = file ? malloc(LONGEST_LINE + 1) : NULL;
   if (file && !tsv->buffer)
     tsv->error = ENOMEM;
+  const int first = tsv->buffer ? getc(file) : EOF;
+  if (first == 0x93)
+    return begin_npy(tsv);
+  if (first != EOF)
+    ungetc(first, file);
   if (!tsv->buffer || !tsv_next(tsv) || tsv->fault) {
     tsv->waits = tsv->fault != NULL;
     return tsv->error == 0;
@@ -314,6 +356,9 @@ void tsv_close(struct tsv *tsv)
 {
   if (tsv->file && tsv->file != stdin)
     fclose(tsv->file);
+  if (tsv->npy)
+    npy_close(tsv->npy);
+  free(tsv->npy);
   free(tsv->buffer);
   free(tsv->header);
   free(tsv->comment);
@@ -325,7 +370,9 @@ const char *tsv_error(struct tsv *tsv)
   if (!tsv->error)
     return NULL;
   return wrong_text("cannot read %.300s: %s", tsv->name,
-                    tsv->error == EFBIG ? "a line has more than a million characters" : strerror(tsv->error));
+                    tsv->error == EFBIG   ? "a line has more than a million characters"
+                    : tsv->error == EPIPE ? "it ends before its last row"
+                                          : strerror(tsv->error));
 }
 
 const char *tsv_number(struct tsv *tsv, int column)
@@ -365,8 +412,8 @@ const char *tsv_taken_for(const struct tsv *tsv, char text[80])
 {
   static const char separators[] = "\t,; |{", *const names[] = { "tabs", "commas", "semicolons", "blanks", "|" };
   const char *at = strchr(separators, tsv->separator);
-  if (tsv->separator == '{')
-    snprintf(text, 80, "JSON");
+  if (tsv->npy || tsv->separator == '{')
+    snprintf(text, 80, tsv->npy ? "an array of NumPy" : "JSON");
   else
     snprintf(text, 80, "columns between %s%s", names[at - separators], tsv->commas ? ", decimal commas" : "");
   return text;

@@ -1,5 +1,5 @@
 /* Tables as text, one row at a time, as programs and people write them: the cells of a row between tabs, commas,
- * semicolons, blanks or |, or the members of a JSON object (a row is a line).
+ * semicolons, blanks or |, or the members of a JSON object (a row is a line), or the records of an array of NumPy.
  *
  * The first row settles what separates the cells. Empty lines, lines that begin with # or %, and Markdown's line of
  * dashes are passed over; lines end with LF, CRLF or CR; a byte order mark at the head is dropped. A line of more than
@@ -39,6 +39,7 @@ struct tsv {
   char *buffer;                      /* the current line        */
   size_t length;                     /* of what was read of it  */
   bool ended_by_return;              /* likewise                */
+  struct npy_file *npy;              /* a file of NumPy; else NULL */
 };
 
 /* Opens a file, or for "-" standard input, and reads the names of its columns: the first row, if its first cell is no
@@ -52,6 +53,8 @@ void tsv_close(struct tsv *tsv);
 /* Goes on to the next row, and splits it unless it has a fault. False: there is none, or the file cannot be read
  * (tsv_error). */
 bool tsv_next(struct tsv *tsv);
+/* Passes over so many rows. */
+void tsv_skip(struct tsv *tsv, long rows);
 /* "cannot read FILE: why", or NULL. */
 const char *tsv_error(struct tsv *tsv);
 

@@ -65,7 +65,7 @@ void scallop_measured_text(const struct scallop_measured *measured, char *text, 
 
 /* How far the truth may be from value, where others has the same quantity of each other gait, nan for none: the root of
  * the sum of the squares of twice the standard deviation with new noise, and of the largest change with another curve.
- * Of synthetic recordings some 95 in 100 have the truth inside (docs/gaits.md). nan: no other has a value. */
+ * Of synthetic recordings some 95 in 100 have the truth inside (docs/reference/gaits.md). nan: no other has a value. */
 double scallop_measured_error(double value, const double others[SCALLOP_MEASURED_OTHERS]);
 
 #ifdef __cplusplus

@@ -52,10 +52,10 @@ void scallop_certified_steady_init(struct scallop_certified_steady *steady);
 void scallop_certified_steady_clear(struct scallop_certified_steady *steady);
 
 /* The steady state, proven to exist and to be the only one: P(v) - v never rises and changes its sign across the ball
- * v_start, over all of which the modes are the same; where l' does not jump it is 0 only once (docs/theory.md), else it
- * has one sign beyond either end of the ball. SCALLOP_EUNDECIDED also where the steady states fill an interval, as they
- * can where l' jumps; SCALLOP_EDOMAIN also where l' is not 0 where a phase begins or has ended, and the piece does not
- * say that it jumps. Accuracy and statuses as above. */
+ * v_start, over all of which the modes are the same; where l' does not jump it is 0 only once
+ * (docs/background/theory.md), else it has one sign beyond either end of the ball. SCALLOP_EUNDECIDED also where the
+ * steady states fill an interval, as they can where l' jumps; SCALLOP_EDOMAIN also where l' is not 0 where a phase
+ * begins or has ended, and the piece does not say that it jumps. Accuracy and statuses as above. */
 enum scallop_status scallop_certified_steady(const struct scallop_rational_crawler *crawler, long digits,
                                              struct scallop_certified_steady *steady, const char **why);
 

@@ -9,7 +9,7 @@ struct bracket {
 };
 
 /* No contraction, and a balance of nothing but rounding, that of the decimals included: c lies in an interval of steady
- * states. Only where l' jumps over 0 can c pass a period without being sheared by a curve (docs/theory.md). */
+ * states. Only where l' jumps over 0 can c go a period unsheared by a curve (docs/background/theory.md). */
 static bool flat(const struct walker *s, double c)
 {
   struct period p;

@@ -50,9 +50,14 @@ printf '{"version": "%s", "abi": %s, "libraries": "%s", "command": "%s", "data":
   "$version" "$abi" "$(beside "$libdir")" "$(beside "$bindir/scallop")" >"$DESTDIR$package/installed.json"
 chmod 644 "$DESTDIR$package/installed.json"
 put "$datadir/scallop/data" data/*.tsv asymptotics/published/paper.cfg
-put "$datadir/doc/scallop" docs/*.* LICENSE
+pages=$datadir/doc/scallop
+put "$pages" docs/*.* LICENSE
+for folder in guide reference background development; do
+  put "$pages/$folder" docs/$folder/*
+done
 # A link to a file of the sources becomes the name of the file
-sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$datadir"/doc/scallop/*.md
+sed -i -e 's|\[\([^]]*\)\](\.\./[^)]*)|\1|g' "$DESTDIR$pages"/*.md
+sed -i -e 's|\[\([^]]*\)\](\.\./\.\./[^)]*)|\1|g' "$DESTDIR$pages"/*/*.md
 put "$datadir/scallop/scenes" data/scenes/*.cfg
 put "$datadir/scallop/plots" scripts/plots/plot.sh scripts/plots/common.gp scripts/plots/figure*.gp
 put "$datadir/scallop/plots/plot" scripts/plots/plot/*.awk

@@ -1,10 +1,8 @@
 #!/bin/sh
-# What takes longer than the tables of tables.sh: how far the series reach, into TABLES, and grids for plots, into MAPS:
-# scripts/dev/maps.sh SCALLOP TABLES MAPS
+# Grids for plots, into MAPS: scripts/dev/maps.sh SCALLOP MAPS
 set -eu
-scallop=$1 tables=$2 maps=$3
+scallop=$1 maps=$2
 mkdir -p "$maps"
-"$scallop" run data/scenes/map_reach.cfg --into "$tables" --quiet --no-plots
 # An even number of values: none at F1 = F2 or alpha = 1/2, where the modes are others. A region has the same number in all maps.
 set --
 for map in "froude_alpha froude alpha --x 0.01:100:90 --y 0.01:0.99:90" "ratio_froude F1/F2 froude --x 0.1:10:90 --y 0.003:100:90"; do

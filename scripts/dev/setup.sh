@@ -49,6 +49,7 @@ core.wasm             | binaryen                      | found wasm-opt
 core.wasm             | wasi-libc                     | there /usr/lib/wasm32-wasi/libc.a
 core.wasm             | libclang-rt-dev-wasm32        | there /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a
 core.wasm             | nodejs                        | found node
+check-cluster         | slurmctld slurmd slurm-client munge parallel procps | found slurmctld && found slurmd && found sbatch && found munged && found parallel
 explorer check-explorer | npm                         | found npm
 ROWS
 }

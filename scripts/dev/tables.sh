@@ -1,6 +1,6 @@
 #!/bin/sh
 # Writes the tables of data/ that take seconds into a folder, from their scenes: scripts/dev/tables.sh SCALLOP FOLDER
-# map_reach, stress and workprec take minutes: scripts/dev/maps.sh, and `scallop run data/scenes/NAME.cfg --into data`.
+# map_reach, stress and workprec take minutes: `scallop run data/scenes/NAME.cfg --into data`.
 set -eu
 scallop=$1 folder=$2
 mkdir -p "$folder"

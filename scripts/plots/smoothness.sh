@@ -1,5 +1,5 @@
 #!/bin/sh
-# The figure of docs/gaits.md: which smoothness of a measured gait the displacement needs. On the left l'' of the curves through 30 rows of the
+# The figure of docs/reference/gaits.md: which smoothness of a measured gait the displacement needs. On the left l'' of the curves through 30 rows of the
 # sinusoidal gait near the turn of l, where the exact l'' jumps; on the right the error of the displacement as rows are added.
 #     scripts/plots/smoothness.sh SCALLOP FILE.png
 set -eu

@@ -4,7 +4,7 @@
 
     python3 scripts/python/recordings.py [--noise 0.003] [--recordings 20] >recordings.tsv
 
-Crawlers as in docs/gaits.md: recordings of one period from a random start in it, without and with noise."""
+Crawlers as in docs/reference/gaits.md: recordings of one period from a random start in it, without and with noise."""
 
 import argparse
 import sys

@@ -6,6 +6,7 @@
 #include "compare/points/gaits.h"
 #include "model/gaits.h"
 #include "model/law.h"
+#include "tests/support/odd_gaits.h"
 #include "tests/support/random_gait.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/solved.h"
@@ -138,6 +139,13 @@ TEST(halves_are_quadratic)
 TEST(minimum_jerk_is_a_polynomial)
 {
   check_same_motions(gait_of_text("polynomial:0,0,1.0,-1.5,0.6").gait, &minimum_jerk_gait, 1e-12);
+}
+
+/* Written out by hand, by laws of another kind */
+TEST(gaits_by_hand)
+{
+  check_same_motions(gait_of_text("polynomial:0,12,-4,-3").gait, &leaning_gait, 1e-12);
+  check_same_motions(&scallop_gait_quadratic, &ramps_gait, 1e-12);
 }
 
 /* skewed is a trapezoid without a plateau, but for the definition of the rest by 1 - beta */

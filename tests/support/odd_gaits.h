@@ -118,6 +118,62 @@ static const struct scallop_gait stride_gait = { "stride",
                                                  { { stride_extension, 2, 0, 0, 1.5, 1, false, false },
                                                    { stride_contraction, 2, 0, 0, 1.5, -1, false, false } } };
 
+/* By their polynomial laws: l, l' and l'' at offset u, and where l'' has a value, by bisection, as it is monotone in a
+ * piece */
+static inline double law_sum(const struct scallop_piece *p, double u, int order)
+{
+  double sum = 0;
+  for (int k = p->law->degree; k >= (order > 0 ? order : 0); k--)
+    sum = sum * u + p->law->polynomial.c[k] * (order < 0 ? 1. / (k + 1) : order == 0 ? 1 : k);
+  return (p->anchor == SCALLOP_FROM_START || order == 0 ? 1 : -1) * p->direction * (order < 0 ? sum * u : sum)
+         / p->law->polynomial.denominator;
+}
+static inline double law_length(const struct scallop_piece *p, double u) { return law_sum(p, u, -1); }
+static inline double law_rate(const struct scallop_piece *p, double u) { return law_sum(p, u, 0); }
+static inline double law_bend(const struct scallop_piece *p, double u) { return law_sum(p, u, 1); }
+static inline double law_when(const struct scallop_piece *p, double a)
+{
+  double low = p->begin, high = p->end;
+  if (law_bend(p, low) > law_bend(p, high)) {
+    low = p->end;
+    high = p->begin;
+  }
+  if (!(law_bend(p, low) <= a && a <= law_bend(p, high)))
+    return NAN;
+  for (double mid; (mid = 0.5 * (low + high)) != low && mid != high;)
+    *(law_bend(p, mid) < a ? &low : &high) = mid;
+  return high;
+}
+static const struct scallop_curve law_curve = { law_length, law_rate, law_bend, law_when, NULL };
+
+/* leaning: l' = 12/5 s (1 - s) (2 + s); ramps: the quadratic gait, which does not say that it is one */
+static const struct scallop_law leaning_first = { SCALLOP_LAW_POLYNOMIAL, 3, .polynomial = { { 0, 24, -12, -12 }, 5 } },
+                                leaning_last = { SCALLOP_LAW_POLYNOMIAL, 3, .polynomial = { { 0, 36, -48, 12 }, 5 } },
+                                one_ramp = { SCALLOP_LAW_POLYNOMIAL, 1, .polynomial = { { 0, 4 }, 1 } };
+#define BY_LAW(from, to, anchored, sign, exactly) \
+  { \
+    .begin = (from), .end = (to), .anchor = SCALLOP_FROM_##anchored, .direction = (sign), .curve = &law_curve, \
+    .law = &(exactly) \
+  }
+#define LEANING_PEAK 1.514712742658157179 /* at (sqrt 7 - 1)/3 */
+#define LEANING(sign) BY_LAW(0, 0.5, START, sign, leaning_first), BY_LAW(0.5, 0, END, sign, leaning_last)
+static const struct scallop_piece leaning_extension[] = { LEANING(1) }, leaning_contraction[] = { LEANING(-1) };
+static const struct scallop_gait leaning_gait = { "leaning",
+                                                  { { leaning_extension, 2, 4.8, -7.2, LEANING_PEAK, 1, false, false },
+                                                    { leaning_contraction, 2, -4.8, 7.2, LEANING_PEAK, -1, false,
+                                                      false } } };
+#define RAMP_BY_LAW(anchored, sign, bend) \
+  { \
+    .begin = SCALLOP_FROM_##anchored == SCALLOP_FROM_START ? 0 : 0.5, \
+    .end = SCALLOP_FROM_##anchored == SCALLOP_FROM_START ? 0.5 : 0, .anchor = SCALLOP_FROM_##anchored, \
+    .direction = (sign), .linear = true, .acceleration = (bend), .curve = &scallop_curve_linear, .law = &one_ramp \
+  }
+static const struct scallop_piece ramps_extension[] = { RAMP_BY_LAW(START, 1, 4), RAMP_BY_LAW(END, 1, -4) },
+                                  ramps_contraction[] = { RAMP_BY_LAW(START, -1, -4), RAMP_BY_LAW(END, -1, 4) };
+static const struct scallop_gait ramps_gait = {
+  "ramps", { { ramps_extension, 2, 4, -4, 2, 1, false, false }, { ramps_contraction, 2, -4, 4, 2, -1, false, false } }
+};
+
 /* parabola: l' = 6 s (1 - s) in one piece, which has its anchor at one end only, and which a straight line can touch at
  * a rational point */
 static const struct scallop_law parabola_law = { SCALLOP_LAW_POLYNOMIAL, 2, .polynomial = { { 0, 6, -6 }, 1 } };

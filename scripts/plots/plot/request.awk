@@ -1,7 +1,7 @@
 # The request, the table, and which picture of which columns it gets. Of the environment: PLOT_of, what the table is of, "" in a scene; PLOT_table,
 # its path; PLOT_file, the picture, whose ending is its format; PLOT_output, where it is written until it is complete; PLOT_x to PLOT_size as in
-# docs/plots.md; PLOT_log_x and PLOT_log_y, "1"; PLOT_units, lines of a column, a tab and its unit; PLOT_picture, the name of a picture that comes
-# with the tool, or PLOT_script, the path of a script for gnuplot, instead of what such a table gets.
+# docs/reference/plots.md; PLOT_log_x and PLOT_log_y, "1"; PLOT_units, lines of a column, a tab and its unit; PLOT_picture, the name of a
+# picture that comes with the tool, or PLOT_script, the path of a script for gnuplot, instead of what such a table gets.
 BEGIN {
   FS = "\t"
   of = ENVIRON["PLOT_of"]

@@ -8,7 +8,7 @@ first bad row; `UnsolvedError` (an ArithmeticError) says why there is no answer;
 `CommandError` are about the library and the command.
 
 ctypes releases the global interpreter lock while the library computes, so that other threads of Python run meanwhile;
-they must leave the arrays alone that are being read. docs/python.md is the manual.
+they must leave the arrays alone that are being read. docs/reference/python.md is the manual.
 """
 
 from importlib.util import find_spec as _find_spec

@@ -219,14 +219,6 @@ TEST(kinematic_length)
   assert_int_equal(differences, 0);
 }
 
-/* "L_kin = L for a piecewise quadratic form [...] and pi^2 L / 8 for a sinusoidal form". */
-TEST(kinematic_length_of_the_two_gaits)
-{
-  double L = crawler[0].L, pi2 = 9.8696044010893586188;
-  CHECK_RELATIVE(scallop_kinematic_length(&scallop_gait_quadratic, SCALLOP_EXTENSION, L), L, ROUNDING);
-  CHECK_RELATIVE(scallop_kinematic_length(&scallop_gait_sinusoidal, SCALLOP_EXTENSION, L), pi2 / 8 * L, ROUNDING);
-}
-
 /* How the printed formulas compare with each other: the sizes are the sums of those in the table. */
 TEST(equations_26_and_27_agree)
 {

@@ -45,14 +45,12 @@ TEST(lists_and_ranges_of_options)
   assert_null(vary_text(&r, "gait", "quadratic"));
   assert_null(vary_text(&r, "gait", "sinusoidal"));
   assert_int_equal(sweep_points(&r.sweep), 15);
-  struct sweep_place place;
-  sweep_place_set(&place, &r.point);
-  for (int g = 0; g < 2; g++)
-    sweep_step(&place, r.sweep.product, g, 1 + g, NULL, NULL);
-  assert_true(place.point.v0 == 0 && place.point.crawler.T == 0.1);
+  struct sweep_walk walk = { .product = NULL };
+  const struct point *p = &sweep_point(&walk, &r.sweep, &r.point, 7, NULL, NULL)->point;
+  assert_true(p->v0 == 0 && p->crawler.T == 0.1);
   asked_free(r.asked);
   sweep_free(&r.sweep);
-  assert_int_equal(sweep_points(&r.sweep), 0);
+  assert_int_equal(sweep_points(&r.sweep), 1);
 }
 
 TEST(no_lists_and_ranges)
@@ -65,7 +63,7 @@ TEST(no_lists_and_ranges)
                 { "F1", "1:10:-3", "COUNT is" },
                 { "F1", "1:10:2.5", "COUNT is" },
                 { "F1", "1:10:1000000001", "COUNT is" },
-                { "F1", "1:10", "is no range" },
+                { "F1", "1:10:", "COUNT is" },
                 { "F1", "1:10:5:log:", "is no range" },
                 { "F1", "1:10:5:Log", "is no range" },
                 { "F1", "1:2:3,4", "is no range" },
@@ -98,17 +96,16 @@ TEST(no_lists_and_ranges)
 TEST(copies_stand_alone)
 {
   struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  struct sweep_walk walk = { .product = NULL };
   struct sweep_place place, copy[2];
   assert_null(vary_text(&r, "F2", "0.3:7:4"));
   assert_null(vary_text(&r, "alpha", "0.2,0.7"));
   assert_null(vary_text(&r, "T", "0.01:3:5:log"));
-  sweep_place_set(&place, &r.point);
-  for (int g = 0; g < 3; g++)
-    sweep_step(&place, r.sweep.product, g, 1, NULL, NULL);
+  sweep_place_copy(&place, sweep_point(&walk, &r.sweep, &r.point, 10 + 5 + 1, NULL, NULL));
   assert_string_equal(place.point.written[5], "0.0416179145029");
   const struct point origin = place.point;
   sweep_place_copy(&copy[0], &place);
-  sweep_step(&place, r.sweep.product, 2, 3, NULL, NULL);
+  sweep_place_copy(&place, sweep_point(&walk, &r.sweep, &r.point, 10 + 5 + 3, NULL, NULL));
   sweep_place_copy(&copy[1], &copy[0]);
   for (int i = 0; i < 2; i++) {
     assert_true(same_crawler(&copy[i].point.crawler, &origin.crawler));

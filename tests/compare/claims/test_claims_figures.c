@@ -50,8 +50,8 @@ TEST(boundary_is_a_kink)
   }
 }
 
-/* docs/theory.md, Where the start velocity vanishes: the multiplier is a smooth number times f g, so at the boundary it
- * jumps by the ratio of these, and d v_start/dx by g/(1 - multiplier). */
+/* docs/background/theory.md, Where the start velocity vanishes: the multiplier is a smooth number times f g, so at the
+ * boundary it jumps by the ratio of these, and d v_start/dx by g/(1 - multiplier). */
 TEST(jump_of_the_slope)
 {
   for (int i = 0; i < 2; i++) {
@@ -111,8 +111,8 @@ TEST(figures_of_steady_states)
   }
 }
 
-/* docs/theory.md: with s = (F1-F2) T^2/(4 m2 L), from rest, up to sticking, dx_C/dT = (F1-F2) T/M [1 - (2 F1/(F1-F2))
- * s^2 (3+s)/(1+s)^3], and beyond it (F1-F2) T/M / (1+s)^2, until body 1 never moves. */
+/* docs/background/theory.md: with s = (F1-F2) T^2/(4 m2 L), from rest, up to sticking, dx_C/dT = (F1-F2) T/M [1 - (2
+ * F1/(F1-F2)) s^2 (3+s)/(1+s)^3], and beyond it (F1-F2) T/M / (1+s)^2, until body 1 never moves. */
 TEST(extension_from_rest)
 {
   struct random r = { 77 };

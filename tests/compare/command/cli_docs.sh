@@ -48,19 +48,30 @@ END
 
 [ "$(wc -l <README.md)" -le 150 ] || note "$(wc -l <README.md) lines"
 finish "README.md has at most 150 lines"
-long=$(/usr/bin/python3 "$scratch/long.py" README.md SECURITY.md docs/*.md)
+long=$(/usr/bin/python3 "$scratch/long.py" README.md SECURITY.md docs/*.md docs/*/*.md)
 [ -z "$long" ] || note "$long"
 finish "lines of documents have at most 120 characters"
-broken=$(/usr/bin/python3 "$scratch/links.py" README.md SECURITY.md docs/*.md)
+broken=$(/usr/bin/python3 "$scratch/links.py" README.md SECURITY.md docs/*.md docs/*/*.md)
 [ -z "$broken" ] || note "$broken"
 finish "links between documents resolve"
-for page in docs/*.md; do
-  [ "$page" = docs/README.md ] || grep -q -F "]($(basename "$page"))" docs/README.md || note "docs/README.md has no link to $page"
+for page in docs/*.md docs/*/*.md; do
+  [ "$page" = docs/README.md ] || grep -q -F "](${page#docs/})" docs/README.md || note "docs/README.md has no link to $page"
 done
 finish "the index has every document"
+terms=$(grep '^| ' docs/glossary.md | grep -c -v -e '^| term ' -e '^|---')
+[ "$terms" -le 40 ] || note "$terms terms"
+[ "$terms" -ge 30 ] || note "only $terms terms found"
+finish "the glossary has at most 40 terms"
+# Pages that the sources and texts name, beside links
+git ls-files 2>/dev/null | grep -v -e '^CHANGELOG' -e '^tests/corpus/' | xargs grep -ohE '\bdocs/[a-z/-]+\.md\b' | sort -u >"$scratch/named"
+[ "$(wc -l <"$scratch/named")" -ge 8 ] || [ ! -e .git ] || note "only $(wc -l <"$scratch/named") pages are named"
+while read -r page; do
+  [ -f "$page" ] || note "no $page, which $(git grep -l -F "$page" | head -n 1) names"
+done <"$scratch/named"
+finish "pages that the sources name are there"
 sh scripts/dev/commands.sh "$tool" >"$scratch/commands.md"
-cmp -s "$scratch/commands.md" docs/commands.md || note "$(diff docs/commands.md "$scratch/commands.md" | head -n 5); make docs writes it anew"
-finish "docs/commands.md is what --help prints"
+cmp -s "$scratch/commands.md" docs/reference/commands.md || note "$(diff docs/reference/commands.md "$scratch/commands.md" | head -n 5); make docs"
+finish "docs/reference/commands.md is what --help prints"
 "$tool" claims --summary 2>"$scratch/counts" >/dev/null
 grep -o -e '[0-9]* checks' -e '[0-9]* hold,' -e '[0-9]* errors fall faster than claimed' -e '[0-9]* are refuted' -e '[0-9]* statements in words' \
   -e '[0-9]* fail under some condition' "$scratch/counts" >"$scratch/phrases"

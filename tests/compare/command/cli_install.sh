@@ -84,7 +84,7 @@ for name in scallop-core scallop; do
   agrees static "a program with lib$name, static"
 done
 # Each block of C is a program, which prints a line. What includes a header of derived/ needs libscallop, and calls FLINT itself.
-awk '/^```/ { inside = $0 == "```c"; n += inside; next } inside { print >("example" n ".c") }' "$root/docs/library.md"
+awk '/^```/ { inside = $0 == "```c"; n += inside; next } inside { print >("example" n ".c") }' "$root/docs/reference/library.md"
 for example in example*.c; do
   name=scallop-core flint=
   if grep -q '/derived/' "$example"; then
@@ -94,13 +94,13 @@ for example in example*.c; do
   # shellcheck disable=SC2046,SC2086
   quietly "$compiler" -std=c11 -Wall -Wextra -Werror -o example "$example" $(flags --cflags --libs $name) $flint
   LD_LIBRARY_PATH=$place/usr/lib ./example >got 2>&1 || note "$example: exit code $?"
-  tr '\n' ' ' <"$root/docs/library.md" | grep -q -F "It prints \`$(cat got)\`." || note "$example prints: $(cat got)"
+  tr '\n' ' ' <"$root/docs/reference/library.md" | grep -q -F "It prints \`$(cat got)\`." || note "$example prints: $(cat got)"
 done
-finish "the examples of docs/library.md"
+finish "the examples of docs/reference/library.md"
 pages=$place/usr/share/doc/scallop
-links=$(cd "$pages" && grep -ohE '\]\([^)#]+' ./*.md | sed 's/^](//' | grep -v '^https\?:' | sort -u)
+links=$(cd "$pages" && grep -oE '\]\([^)#]+' ./*.md ./*/*.md | sed 's|[^/]*:](||' | grep -v 'https\?:' | sort -u)
 [ "$(echo "$links" | wc -l)" -gt 20 ] || note "links of the pages: $links"
-for link in $links; do
+for link in $links; do # from the folder of the page
   [ -f "$pages/$link" ] || note "no $link"
 done
 finish "what the installed pages link to is there"

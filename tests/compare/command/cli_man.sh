@@ -107,8 +107,19 @@ END
   completes 'steady stress' help st
   completes '' help steady st
   completes '' nonsense --
-  completes '' steady --gait q
-  completes '--gait' steady --T 1 --g
+  completes quadratic steady --gait q
+  completes quadratic steady --gait = q
+  completes 'quadratic sinusoidal trapezoidal skewed constant: minimum-jerk polynomial: measured:' steady --gait =
+  completes 'tsv table' steady --T 1 --format t
+  completes 'json junit' order errors.txt --format j
+  completes 'm1/m2' breakdown --map m
+  completes 'T' breakdown --map F1/F2 T
+  completes 'dx1 dx2 dxC' claims --formula 1 --of dx
+  completes '' steady --T 1
+  completes '' steady --output s
+  completes '' steady --certified s
+  [ ! -e s ] || note "completion writes a file"
+  completes '--gait' steady --T 1 --ga
   for command in $commands; do
     options=$(help_options "scallop-$command" | sed 's/^/--/' | tr '\n' ' ')
     completes "${options% }" "$command" --

@@ -23,6 +23,7 @@ awk 'BEGIN { for (i = 0; i <= 400; i++) print i/400, 3 - cos(i*atan2(0, -1)/200)
 awk 'BEGIN { for (i = 0; i < 3000; i++) printf "%s{ name = \"f%d\"; of = \"v_end\"; claimed = 3; text = \"(F1-F2)/M*T + %d*T^3\"; }", i ? "," : "formulas = (", i, i; print ");" }' >book.cfg
 keep_counts_apart
 for command in "stress --cases 100000 -o none" "steady --T 1:2:900000000 -o none" "breakdown --map F1/F2 T --x 1:9:3000 --y 1:2:3000 -o none" \
+  "breakdown --map F1/F2 T --boundaries --x 1:9:2001 --y 1:2:2001 -o none" \
   "steady --certified --points rows.tsv -o none" "breakdown --gait measured:noisy.tsv" \
   "breakdown --gait measured:noisy.tsv --only event" "workprec -o none" "claims --gait sinusoidal" "claims --book book.cfg"; do
   # shellcheck disable=SC2086

@@ -321,10 +321,10 @@ fi
 
 # ---- the tests of the package, and the examples in its docstrings and in the documents ----
 if /usr/bin/python3 -c 'import pytest' 2>err; then
-  SCALLOP_COMMAND=$tool SCALLOP_PAGES=$root/docs/python.md:$root/docs/order.md /usr/bin/python3 -m pytest -q -p no:cacheprovider --pyargs crawling_scallop \
+  SCALLOP_COMMAND=$tool SCALLOP_PAGES=$root/docs/reference/python.md:$root/docs/guide/order.md /usr/bin/python3 -m pytest -q -p no:cacheprovider --pyargs crawling_scallop \
     >said 2>&1 || note "$(grep -m 3 -e ^FAILED -e ^ERROR said || tail -n 3 said)"
   grep -q -E '^[3-9][0-9] passed' said || note "$(tail -n 1 said)"
-  finish "pytest --pyargs crawling_scallop, with the examples of docs/python.md and docs/order.md"
+  finish "pytest --pyargs crawling_scallop, with the examples of docs/reference/python.md and docs/guide/order.md"
 fi
 if command -v mypy >/dev/null && [ -f "$root/pyproject.toml" ]; then
   MYPYPATH=$root/scripts/python mypy --strict --config-file "$root/pyproject.toml" --cache-dir "$scratch/mypy" -p crawling_scallop >said 2>&1 || note "$(head -n 3 said)"

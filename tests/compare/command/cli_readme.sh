@@ -8,11 +8,11 @@ awk -v dir="$scratch" '
   /^```console$/ { inside = 1; next }
   /^```$/        { inside = 0 }
   inside && /^\$ / { n++; print substr($0, 3) > (dir "/" n ".cmd"); printf "" > (dir "/" n ".shown"); next }
-  inside         { print > (dir "/" n ".shown") }' README.md docs/*.md
+  inside         { print > (dir "/" n ".shown") }' README.md docs/*.md docs/*/*.md
 failed=0 count=0
 for command in "$scratch"/*.cmd; do
   count=$((count + 1))
-  sed "s|build/scallop|$1|g" "$command" >"$scratch/run.sh"
+  sed "s|\bbuild/|$(dirname "$1")/|g" "$command" >"$scratch/run.sh" # outputs of examples go to the build, too
   sh "$scratch/run.sh" >"$scratch/got" 2>"$scratch/errors"
   if diff "${command%.cmd}.shown" "$scratch/got" >"$scratch/difference"; then
     printf 'ok readme: %s\n' "$(cat "$command")"

@@ -53,13 +53,13 @@ print(found.verdict, found.reason, "numpy" in sys.modules, crawling_scallop.load
 END
 [ "$(cat got)" = "pass order 2.04 in rows 1 to 4 False $(cd apart/lib/python3*/site-packages && pwd)/crawling_scallop/lib/libscallop.so.$(sed -n 's/^#define SCALLOP_ABI //p' "$root/model/version.h")" ] || note "$(cat got)"
 finish "the command and order() with nothing else installed"
-# The steps of the workflow in docs/order.md
+# The steps of the workflow in docs/guide/order.md
 awk 'BEGIN { print "h,L2,H1"; for (h = 1; h > 0.01; h /= 2) printf "%.17g,%.17g,%.17g\n", h, h ^ 2, h }' >errors.csv
-sed -n 's/^      - run: \(scallop order .*\)$/\1/p' "$root/docs/order.md" >steps.sh
+sed -n 's/^      - run: \(scallop order .*\)$/\1/p' "$root/docs/guide/order.md" >steps.sh
 [ "$(wc -l <steps.sh)" -eq 2 ] || note "$(wc -l <steps.sh) steps"
 quietly env PATH="$scratch/apart/bin:$PATH" GITHUB_STEP_SUMMARY=summary.md sh -e steps.sh
 grep -q '<testcase' orders.xml && grep -q '| pass |' summary.md || note "$(cat orders.xml summary.md)"
-finish "the workflow of docs/order.md"
+finish "the workflow of docs/guide/order.md"
 venv beside --system-site-packages
 tested beside
 if [ "${WITH_FLINT:-1}" != 0 ]; then

@@ -23,12 +23,15 @@ static double no_formula(void *context, const struct sweep_place *place, const s
 }
 
 /* To value index[g] of each group g */
-static void move(struct sweep_place *place, const struct point *base, const struct sweep_product *product,
-                 const long *index)
+static void move(struct sweep_place *place, const struct point *base, struct sweep_product *product, const long *index)
 {
-  sweep_place_set(place, base);
+  static struct sweep_walk walk;
+  const struct sweep sweep = { 1, product };
+  long number = 0;
+  walk.product = NULL;
   for (int g = 0; g < product->groups; g++)
-    sweep_step(place, product, g, index[g], no_formula, NULL);
+    number = number * product->group[g].count + index[g];
+  sweep_place_copy(place, sweep_point(&walk, &sweep, base, number, no_formula, NULL));
 }
 
 TEST(every_combination_the_first_slowest)
@@ -87,6 +90,43 @@ TEST(ranges_are_decimal)
     assert_true(place.point.crawler.alpha == v.from.number);
     move(&place, &base, &product, (const long[SWEEP_GROUPS]){ 4 });
     assert_true(place.point.crawler.alpha == v.to.number && place.ends_group);
+  }
+}
+
+/* In any order, by one walk, and by one for each point */
+TEST(a_walk_depends_on_no_other_point)
+{
+  const char *gaits[] = { "quadratic", "sinusoidal", "minimum-jerk" };
+  struct sweep_variable F1 = listed("F1", NULL, 1), alpha = listed("alpha", NULL, 1), T = listed("T", NULL, 7);
+  F1.is_sampled = alpha.is_sampled = F1.is_log = true;
+  F1.from.number = T.from.number = 1;
+  F1.to.number = T.to.number = 10;
+  alpha.from.number = 0.2;
+  alpha.to.number = 0.8;
+  for (int kind = SAMPLING_SOBOL; kind <= SAMPLING_RANDOM; kind++) {
+    struct sweep_product product[] = {
+      { .groups = 2, .group = { { 1, { listed("gait", gaits, 3) }, 3 }, { 1, { T }, 7 } } },
+      { .groups = 2,
+        .group = { { 2, { F1, alpha }, 50, (enum sampling)kind, 1303 }, { 1, { listed("gait", gaits, 3) }, 3 } } }
+    };
+    const struct sweep sweep = { 2, product };
+    const struct point base = point_initial(NULL);
+    struct sweep_walk walk = { .product = NULL };
+    double mean = 0;
+    assert_int_equal(sweep_points(&sweep), 171);
+    for (long k = 0; k < 171; k++) {
+      struct sweep_walk fresh = { .product = NULL };
+      const long i = k * 100 % 171;
+      const struct point *p = &sweep_point(&walk, &sweep, &base, i, no_formula, NULL)->point,
+                         *q = &sweep_point(&fresh, &sweep, &base, i, no_formula, NULL)->point;
+      assert_true(same_crawler(&p->crawler, &q->crawler));
+      assert_true(i < 21 ? p->crawler.T == 1 + (double)(i % 7) * 1.5
+                         : p->crawler.alpha > 0.2 && p->crawler.alpha < 0.8);
+      mean += i < 21 ? 0 : p->crawler.alpha / 150;
+      sweep_walk_end(&fresh);
+    }
+    assert_true(fabs(mean - 0.5) <= (kind == SAMPLING_SOBOL ? 0.01 : 0.05));
+    sweep_walk_end(&walk);
   }
 }
 

@@ -45,7 +45,7 @@ TEST(a_text_begins_no_row_and_no_cell)
                                         "{\"T\": 0, \"status\": \"a\\\\|b c d,e\"}\n", "T,status\n0,\"a\\|b c d,e\"\n",
                                         "| T | status |\n| --- | --- |\n| 0 | a\\\\\\|b c d,e |\n",
                                         "# book: a?b?c?d?e\nT  status\n0  a\\|b c d,e\n" };
-  for (int i = 0; i < FORMATS; i++) {
+  for (int i = 0; i <= FORMAT_TABLE; i++) {
     struct style o = { .command = "test", .output = "table", .format = (enum format)i, .has_format = true };
     struct table t;
     assert_true(table_open(&t, &o));

@@ -1,5 +1,5 @@
 /* Measured gaits: that curves through exact samples come near the gait, that a recording is understood however it is
- * given, and that the truth lies within the stated interval as often as docs/gaits.md says. RECORDINGS=400
+ * given, and that the truth lies within the stated interval as often as docs/reference/gaits.md says. RECORDINGS=400
  * build/test_measured prints the table of that page. */
 #include <math.h>
 #include <stdio.h>

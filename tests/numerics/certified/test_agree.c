@@ -53,13 +53,13 @@ static struct motion steady_of_papers_gait(struct random *r, int i)
 /* Gaits whose l' changes its sign, rests or jumps within a phase, with more modes than are kept, and with phases of two
  * kinds; all but the last have a steady state to certify. Where rounding is not magnified: ordinary crawlers, some of
  * them stuck for a while, some with equal forces */
-enum { ODD = 10, CONTINUOUS = 9 };
+enum { ODD = 12, CONTINUOUS = 11 };
 static struct scallop_crawler odd_crawler(struct random *r, int i, int gaits)
 {
   static const struct scallop_gait *const odd[ODD] = { &there_and_back_gait, &detour_gait, &teeth.gait,
                                                        &pause_gait,          &wait_gait,   &hesitant_gait,
                                                        &curved_first,        &curved_last, &jerk_last,
-                                                       &stride_gait };
+                                                       &leaning_gait,        &ramps_gait,  &stride_gait };
   static const enum family families[] = { STICK_SLIP, ORDINARY, ORDINARY, EQUAL_FORCES };
   return random_crawler(r, families[i / ODD % 4], odd[i % gaits]);
 }

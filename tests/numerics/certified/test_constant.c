@@ -1,5 +1,5 @@
-/* The gait constant:R. With R = 0, l' constant out and back, all is known in closed form (docs/theory.md), and is what
- * R -> 0 tends to. */
+/* The gait constant:R. With R = 0, l' constant out and back, all is known in closed form (docs/background/theory.md),
+ * and is what R -> 0 tends to. */
 #include <float.h>
 
 #include "compare/points/gaits.h"
@@ -63,7 +63,7 @@ struct steady {
   long double v_start, v_mid, multiplier;
 };
 
-/* The cases of docs/theory.md, for 0 < delta < 1 and a > b */
+/* The cases of docs/background/theory.md, for 0 < delta < 1 and a > b */
 static struct steady steady_by_hand(const struct model *m)
 {
   long double start = contraction(m, m->U), k = m->delta * (m->a - m->b) / (1 - m->delta);

@@ -1,6 +1,6 @@
 /* The intervals of a phase put back into Newton's law, the friction law, and the momentum and energy
  * balances, for thousands of random crawlers. Newton's law with Coulomb's inclusion has one solution
- * (uniqueness: docs/theory.md), so an interval list that passes everything here is that solution.
+ * (uniqueness: docs/background/theory.md), so an interval list that passes everything here is that solution.
  *
  * Tolerances: ROUNDINGS unit roundoffs (DBL_EPSILON/2) times the sum of the absolute values of the
  * terms of the sum that is checked. ROUNDINGS = 16: an end of an interval comes from one division or

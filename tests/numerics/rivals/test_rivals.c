@@ -98,11 +98,11 @@ static const struct refused {
 TEST(bad_input)
 {
   for (const struct refused *f = refusals; f < refusals + sizeof refusals / sizeof *refusals; f++)
-    FOR_KINDS(k)
-  if (!f->make || k == kinds) {
-    RIVAL(rival, f->make ? f->make(f->with) : k->make(k->coarse));
-    check_refused(rival, &f->crawler, f->v0, NULL, f->wanted);
-  }
+    FOR_KINDS (k)
+      if (!f->make || k == kinds) {
+        RIVAL(rival, f->make ? f->make(f->with) : k->make(k->coarse));
+        check_refused(rival, &f->crawler, f->v0, NULL, f->wanted);
+      }
 }
 
 /* Lengths, times and forces in other units: powers of two, so every digit must stay; and nothing may be remembered of
@@ -113,8 +113,7 @@ TEST(other_units_and_crawlers)
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal), other = scallop_crawler_default();
   struct scallop_crawler d = in_units(&c, &u);
   other.T = 7;
-  FOR_KINDS(k)
-  {
+  FOR_KINDS (k) {
     RIVAL(rival, k->make(k->sharp));
     struct scallop_rival_period a = rival_period(rival, &c, 0.731);
     rival_period(rival, &other, -3.1);
@@ -133,17 +132,17 @@ TEST(other_units_and_crawlers)
  * integration. */
 TEST(at_rest)
 {
-  FOR_KINDS(k)
-  for (int i = 0; i < 2 * SMOOTH_GAITS && isfinite(k->rest); i++)
-    for (double with = k->make == moreau ? 1 : k->sharp; with <= k->sharp; with *= 8) {
-      struct scallop_crawler c = with_gait(every_gait[i / 2]);
-      c.F1 = i % 2 ? 4e5 : 1e3;
-      c.F2 = i % 2 ? 1e3 : 4e5;
-      RIVAL(rival, k->make(with));
-      struct scallop_rival_period p = rival_period(rival, &c, 0);
-      assert_true(p.v_mid == 0 && p.v_end == 0 && (k->make == moreau || p.evaluations == 0));
-      CHECK_NEAR(p.displacement, 0, k->rest * c.L);
-    }
+  FOR_KINDS (k)
+    for (int i = 0; i < 2 * SMOOTH_GAITS && isfinite(k->rest); i++)
+      for (double with = k->make == moreau ? 1 : k->sharp; with <= k->sharp; with *= 8) {
+        struct scallop_crawler c = with_gait(every_gait[i / 2]);
+        c.F1 = i % 2 ? 4e5 : 1e3;
+        c.F2 = i % 2 ? 1e3 : 4e5;
+        RIVAL(rival, k->make(with));
+        struct scallop_rival_period p = rival_period(rival, &c, 0);
+        assert_true(p.v_mid == 0 && p.v_end == 0 && (k->make == moreau || p.evaluations == 0));
+        CHECK_NEAR(p.displacement, 0, k->rest * c.L);
+      }
 }
 
 /* It ends at once, and touches nothing. With more than enough the answer is what it is without. */
@@ -151,8 +150,7 @@ TEST(patience_ends)
 {
   const long enough = 1000000;
   struct scallop_crawler c = scallop_crawler_default();
-  FOR_KINDS(k)
-  {
+  FOR_KINDS (k) {
     RIVAL(rival, k->make == smoothed ? scallop_smoothed_rival(1e-2, 1e-6) : k->make(k->coarse));
     long left;
     PATIENCE(patience, left);
@@ -181,11 +179,11 @@ TEST(patience_ends)
 TEST(steady_states)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  FOR_KINDS(k)
-  if (k->steady > 0) {
-    RIVAL(rival, k->make(k->sharp));
-    check_steady(rival, &c, 0, k->sharp, k->steady * c.L / c.T / (1 - steady_of(&c).period.multiplier));
-  }
+  FOR_KINDS (k)
+    if (k->steady > 0) {
+      RIVAL(rival, k->make(k->sharp));
+      check_steady(rival, &c, 0, k->sharp, k->steady * c.L / c.T / (1 - steady_of(&c).period.multiplier));
+    }
 }
 
 /* Gaits that break their promises. To be smooth: no step across the jump is short enough. To be monotone: no end of
@@ -234,15 +232,15 @@ TEST(no_convergence)
 TEST(goes_nowhere)
 {
   struct scallop_rival_steady s;
-  FOR_KINDS(k)
-  for (int i = 0; k->steady > 0 && i < 2; i++) {
-    struct scallop_crawler c = { 2.3, 0.9, 1.7, 1.7, 3.1, 1.2, 0.5, every_gait[i] };
-    RIVAL(rival, k->make(k->coarse));
-    assert_int_equal(scallop_rival_root(rival, &c, 1e-9, NULL, &s), SCALLOP_OK);
-    CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
-    assert_int_equal(scallop_rival_simulate(rival, &c, 0.5, 1e-9, NULL, &s), SCALLOP_OK);
-    CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
-  }
+  FOR_KINDS (k)
+    for (int i = 0; k->steady > 0 && i < 2; i++) {
+      struct scallop_crawler c = { 2.3, 0.9, 1.7, 1.7, 3.1, 1.2, 0.5, every_gait[i] };
+      RIVAL(rival, k->make(k->coarse));
+      assert_int_equal(scallop_rival_root(rival, &c, 1e-9, NULL, &s), SCALLOP_OK);
+      CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
+      assert_int_equal(scallop_rival_simulate(rival, &c, 0.5, 1e-9, NULL, &s), SCALLOP_OK);
+      CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
+    }
 }
 
 int main(void)
