@@ -21,9 +21,9 @@ static inline bool halfway(double *x, double low, double high)
 enum { NUMBER_TEXT = 48, DIGITS_TEXT = NUMBER_TEXT };
 void number_text(char text[NUMBER_TEXT], double x, long digits);
 
-/* The quick form alone, for digits = 0. False: left to the library; so are subnormal numbers, nan and the
+/* The quick form alone, for digits <= 17. False: left to the library; so are subnormal numbers, nan and the
  * infinities. */
-bool digits_write_quickly(char text[NUMBER_TEXT], double x);
+bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits);
 
 /* The double nearest to a number of at most 19 digits in plain decimal notation, -12.5 or 1.25e-3, and nothing else.
  * False: left to strtod, and x is unchanged: another notation or no number, more digits, zero, outside the normal
