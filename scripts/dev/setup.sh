@@ -32,7 +32,7 @@ tests reproduce bare  | python3 python3-jinja2        | module jinja2
 tests bare            | locales                       | there /usr/share/i18n/locales/de_DE
 tests                 | pkgconf                       | found pkg-config
 tests                 | python3-mpmath python3-numpy  | module mpmath,numpy
-rooms size check-report check-explorer | python3      | found /usr/bin/python3
+rooms size bench-sweeps check-report check-explorer | python3      | found /usr/bin/python3
 check-report check-explorer | chromium                | found chromium || found chromium-browser || found google-chrome
 lint                  | clang-tidy clang-format cppcheck | found clang-tidy && found clang-format && found cppcheck
 fuzz matrix core.wasm | clang                         | found clang

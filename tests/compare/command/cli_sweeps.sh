@@ -1,6 +1,7 @@
 #!/bin/sh
 # Large sweeps: on threads, as files of NumPy, sampled, in shards that are merged.
 # Usage: sh tests/compare/command/cli_sweeps.sh build/scallop. One line for each check; non-zero if any failed.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
 . "$(dirname "$0")/../../support/common.sh"
 
 # ---- threads ----
@@ -300,5 +301,20 @@ done <<'END'
 --skip-complete needs -o FILE|steady --skip-complete --shard 1/2
 END
 finish "--shard: what is no shard is refused"
+
+# ---- the documents ----
+sed -n '/^```$/,/^```$/s/^scallop //p' "$root/docs/sweeps.md" >commands
+[ "$(wc -l <commands)" = 3 ] || note "$(wc -l <commands) commands in docs/sweeps.md"
+while read -r command; do
+  # shellcheck disable=SC2086
+  run 0 $command
+done <commands
+python <<'END'
+import numpy
+a, b = numpy.load("sweep.npy", mmap_mode="r"), numpy.load("samples.npy", mmap_mode="r")
+if a.shape != (10**6,) or not (a["status"] == b"ok").all() or b.shape != (10**6,) or not (b["alpha"] < 0.8).all():
+    bad(a.shape, b.shape)
+END
+finish "the examples of docs/sweeps.md"
 
 exit $failed
