@@ -48,10 +48,10 @@ END
 
 [ "$(wc -l <README.md)" -le 150 ] || note "$(wc -l <README.md) lines"
 finish "README.md has at most 150 lines"
-long=$(/usr/bin/python3 "$scratch/long.py" README.md SECURITY.md docs/*.md docs/*/*.md)
+long=$(/usr/bin/python3 "$scratch/long.py" README.md CONTRIBUTING.md SECURITY.md docs/*.md docs/*/*.md)
 [ -z "$long" ] || note "$long"
 finish "lines of documents have at most 120 characters"
-broken=$(/usr/bin/python3 "$scratch/links.py" README.md SECURITY.md docs/*.md docs/*/*.md)
+broken=$(/usr/bin/python3 "$scratch/links.py" README.md CONTRIBUTING.md SECURITY.md docs/*.md docs/*/*.md)
 [ -z "$broken" ] || note "$broken"
 finish "links between documents resolve"
 for page in docs/*.md docs/*/*.md; do
@@ -62,6 +62,8 @@ terms=$(grep '^| ' docs/glossary.md | grep -c -v -e '^| term ' -e '^|---')
 [ "$terms" -le 40 ] || note "$terms terms"
 [ "$terms" -ge 30 ] || note "only $terms terms found"
 finish "the glossary has at most 40 terms"
+grep -q "^version: $("$tool" --version | sed 's/^scallop \([^ ]*\).*/\1/')\$" CITATION.cff || note "$(grep '^version' CITATION.cff)"
+finish "CITATION.cff has the version"
 # Pages that the sources and texts name, beside links
 git ls-files 2>/dev/null | grep -v -e '^CHANGELOG' -e '^tests/corpus/' | xargs grep -ohE '\bdocs/[a-z/-]+\.md\b' | sort -u >"$scratch/named"
 [ "$(wc -l <"$scratch/named")" -ge 8 ] || [ ! -e .git ] || note "only $(wc -l <"$scratch/named") pages are named"
