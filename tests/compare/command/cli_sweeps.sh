@@ -303,8 +303,8 @@ END
 finish "--shard: what is no shard is refused"
 
 # ---- the documents ----
-sed -n '/^```$/,/^```$/s/^scallop //p' "$root/docs/sweeps.md" >commands
-[ "$(wc -l <commands)" = 3 ] || note "$(wc -l <commands) commands in docs/sweeps.md"
+sed -n '/^```$/,/^```$/s/^scallop //p' "$root/docs/guide/sweeps.md" >commands
+[ "$(wc -l <commands)" = 3 ] || note "$(wc -l <commands) commands in docs/guide/sweeps.md"
 while read -r command; do
   # shellcheck disable=SC2086
   run 0 $command
@@ -315,6 +315,6 @@ a, b = numpy.load("sweep.npy", mmap_mode="r"), numpy.load("samples.npy", mmap_mo
 if a.shape != (10**6,) or not (a["status"] == b"ok").all() or b.shape != (10**6,) or not (b["alpha"] < 0.8).all():
     bad(a.shape, b.shape)
 END
-finish "the examples of docs/sweeps.md"
+finish "the examples of docs/guide/sweeps.md"
 
 exit $failed
