@@ -55,7 +55,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs single-order check check-report check-cluster reproduce bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
+.PHONY: all help docs single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -78,8 +78,9 @@ $(call object,$(filter $(flint),$(parts)) $(addprefix threads/,$(threaded))): AL
 $(B)/tests/%.o: ALL_CFLAGS += -ffp-contract=off
 $(call object,$(cvode)): ALL_CFLAGS += -DWITH_SUNDIALS=$(with_sundials)
 $(call object,$(cvode)): $(B)/with-sundials-$(with_sundials)
-$(B)/with-sundials-$(with_sundials):
-	@mkdir -p $(@D) && rm -f $(B)/with-sundials-* && touch $@
+$(call object,$(filter compare/%,$(parts)) compare/command/main): $(B)/with-libconfig-$(if $(filter 0,$(WITH_LIBCONFIG)),0,1)
+$(B)/with-%:
+	@mkdir -p $(@D) && rm -f $(B)/with-$(firstword $(subst -, ,$*))-* && touch $@
 
 # Scenes, their plot scripts, the completion and the texts of --help, in the program
 $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
@@ -147,6 +148,8 @@ gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates $(GATES)
 ## docs:       docs/reference/commands.md anew, from --help
 docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/reference/commands.md
 include explorer/rules.mk
+## bench-sweeps: what a row of a sweep costs, beside the batch call
+bench-sweeps: $(B)/scallop $(B)/libscallop-core.a ; @/usr/bin/python3 scripts/dev/bench-sweeps.py $(B)
 ## check-cluster: the Slurm script and the line of GNU parallel of docs/guide/sweeps.md, on a private Slurm of which a node dies; needs root, Debian
 check-cluster: $(program)
 	@$(script)

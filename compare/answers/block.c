@@ -31,6 +31,8 @@ static bool add_column(struct block *b, const struct quantity *q)
   b->kind[b->columns++] = q->kind;
   if (q->kind == QUANTITY_NUMBER && q->which < CRAWLER_NUMBERS)
     *column = b->parameter[q->which];
+  else if (q->kind == QUANTITY_RATIO && q->which == FROUDE)
+    *column = b->number[Q_FROUDE];
   else if (q->kind == QUANTITY_ANSWER && q->motion == OF_STEADY && q->which < FIRST_OF_PHASE)
     *column = b->number[q->which];
   b->takes_modes |= q->kind == QUANTITY_MODES;
@@ -131,7 +133,7 @@ bool block_rows(struct block *b, struct rows *r, struct at *at, struct sweep_wal
   struct table *t = &r->table;
   for (int done = 0; done < count;) {
     const struct sweep_place *here = sweep_point(w, &q->sweep, &q->point, first + done, at_formula_so_far, at);
-    if (here->why[0] != '\0')
+    if (here->why[0] != '\0' || here->point.ratio[FROUDE] > 0) /* then the number is the one that was given */
       return false;
     done += take_points(b, done, w, here, count - done);
   }

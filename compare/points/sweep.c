@@ -131,35 +131,36 @@ void sweep_walk_end(struct sweep_walk *w)
   w->generator = NULL;
 }
 
-/* Value i of a range whose ends are known, as a text; inner ones are decimal: 0.07 for a reader, and the same on every
- * machine, whose logarithms may differ in the last digit */
-static void write_value(char text[DIGITS_TEXT], struct sweep_walk *w, const struct sweep_group *g, int variable, long i,
-                        double from, double to)
+/* Value i of a range whose ends are known; inner ones are decimal: 0.07 for a reader, and the same on every machine,
+ * whose logarithms may differ in the last digit */
+static double range_value(struct sweep_walk *w, const struct sweep_group *g, int variable, long i, double from,
+                          double to)
 {
   const struct sweep_variable *v = &g->variable[variable];
   if (v->is_sampled)
     draw(w, g, i);
   const double steps = v->is_sampled ? 1 : (double)(v->count - 1), k = v->is_sampled ? w->sample[variable] : (double)i;
   const bool is_end = k == 0 || k == steps, is_formula = v->from.is_formula || v->to.is_formula;
+  char text[DIGITS_TEXT];
   double x = k == 0       ? from
              : k == steps ? to
              : v->is_log  ? exp(log(from) + k * ((log(to) - log(from)) / steps))
                           : from + k * ((to - from) / steps);
-  const int digits = is_end ? 0 : v->is_log ? 12 : is_formula ? 0 : 15;
-  number_text(text, x, digits);
-  if (digits > 0 && read_number(text, &x))
-    number_text(text, x, 0);
+  if (is_end || (is_formula && !v->is_log))
+    return x;
+  number_text(text, x, v->is_log ? 12 : 15);
+  (void)read_number(text, &x);
+  return x;
 }
 
 double sweep_number(struct sweep_walk *w, const struct sweep_group *g, int variable, long i)
 {
   const struct sweep_variable *v = &g->variable[variable];
   const long k = v->count == 1 && !v->is_sampled ? 0 : i;
-  char text[DIGITS_TEXT];
   double x = NAN;
   if (!v->texts)
-    write_value(text, w, g, variable, k, v->from.number, v->to.number);
-  (void)read_number(v->texts ? v->texts[k] : text, &x);
+    return range_value(w, g, variable, k, v->from.number, v->to.number);
+  (void)read_number(v->texts[k], &x);
   return x;
 }
 
@@ -204,7 +205,7 @@ static void step(struct sweep_walk *w, int g, long i, sweep_formula *value, void
     if (!v->texts) {
       double from = v->from.is_formula ? value(context, p, &v->from.formula) : v->from.number;
       double to = v->to.is_formula ? value(context, p, &v->to.formula) : v->to.number;
-      write_value(p->written[v->place], w, group, (int)(v - group->variable), k, from, to);
+      number_text(p->written[v->place], range_value(w, group, (int)(v - group->variable), k, from, to), 0);
     }
     /* a value of a list was found good when the sweep was read, if not at this point */
     if (v->target == TARGET_LABEL)

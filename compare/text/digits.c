@@ -113,7 +113,7 @@ static void write_digits(char *text, uint64_t n, int exponent, int precision)
 /* floor(log10(2^n)), |n| <= 1024 */
 static int power_of_ten_in(int n) { return (int)((n * 315653L + (1024L << 20)) >> 20) - 1024; }
 
-bool digits_write_quickly(char text[NUMBER_TEXT], double x)
+bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits)
 {
   const uint64_t hidden = 1ULL << (DBL_MANT_DIG - 1);
   const double size = fabs(x);
@@ -133,16 +133,19 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x)
   const uint64_t mantissa = (bits & (hidden - 1)) | hidden;
   const wide V = times(mantissa << shift, p->g), half_ulp = p->g >> (65 - shift);
   const uint64_t whole = (uint64_t)(V >> 64);
-  const uint32_t unit = whole >= 100000000000000000U ? 10 : 1;          /* of the 17th digit */
+  const uint64_t unit = whole >= 100000000000000000U ? 10 : 1;          /* of the 17th digit */
   const wide least_half = mantissa == hidden ? half_ulp / 2 : half_ulp; /* doubles below a power of 2 are nearer */
-  int precision = 15;
-  for (uint32_t step = 100 * unit; step >= unit; precision++, step /= 10) {
-    const uint32_t rest = (uint32_t)(whole % 1000) % step;
+  int precision = digits > 0 ? (int)digits : 15;
+  uint64_t step = unit;
+  for (int i = precision; i < MOST_DIGITS; i++)
+    step *= 10;
+  for (; step >= unit; precision++, step /= 10) {
+    const uint64_t rest = step <= 1000 ? (uint32_t)(whole % 1000) % (uint32_t)step : whole % step;
     const wide over = (wide)rest << 64 | (uint64_t)V, half = (wide)step << 63;
     const wide off = over < half ? over : 2 * half - over; /* of the number of so many digits that is nearest to V */
-    if (half - off < error || (off + error >= least_half && off < half_ulp + error))
+    if (half - off < error || (digits == 0 && off + error >= least_half && off < half_ulp + error))
       return false;
-    if (off < least_half) { /* it reads back, as one of 17 digits always does */
+    if (digits > 0 || off < least_half) { /* it reads back, as one of 17 digits always does */
       write_digits(text, (whole - rest + (over < half ? 0 : step)) / unit, first + (unit > 1), precision);
       return true;
     }
@@ -153,7 +156,7 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x)
 void number_text(char text[NUMBER_TEXT], double x, long digits)
 {
   int precision = digits > 0 ? (int)digits : 15;
-  if (digits == 0 && digits_write_quickly(text, x))
+  if (digits <= MOST_DIGITS && digits_write_quickly(text, x, digits))
     return;
   do
     snprintf(text, NUMBER_TEXT, "%.*g", precision, isnan(x) ? NAN : x); /* nan of either sign */

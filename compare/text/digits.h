@@ -24,9 +24,9 @@ void number_text(char text[NUMBER_TEXT], double x, long digits);
 /* The significant digits of x, from 1 to 6, of which the last but one is that of the first digit of what is unknown */
 int digits_known(double x, double unknown);
 
-/* The quick form alone, for digits = 0. False: left to the library; so are subnormal numbers, nan and the
+/* The quick form alone, for digits <= 17. False: left to the library; so are subnormal numbers, nan and the
  * infinities. */
-bool digits_write_quickly(char text[NUMBER_TEXT], double x);
+bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits);
 
 /* The double nearest to a number of at most 19 digits in plain decimal notation, -12.5 or 1.25e-3, and nothing else.
  * False: left to strtod, and x is unchanged: another notation or no number, more digits, zero, outside the normal

@@ -32,13 +32,14 @@ static void tick(int signal)
   const int error = errno;
   const double time = stopwatch_now(), passed = time - work.begun;
   const long done = work.done, all = work.all;
-  char line[300], count[50] = "", left[50] = "";
+  char line[300], count[50] = "", left[80] = "";
   (void)signal;
   if (passed < LEAST || time < work.next)
     return;
   if (done > 0 && done <= all) {
     snprintf(count, sizeof count, " %ld of %ld,", done, all);
-    snprintf(left, sizeof left, ", about %ld s left", (long)(passed * (double)(all - done) / (double)done + 0.5));
+    snprintf(left, sizeof left, ", about %ld s left, %ld in 10 s",
+             (long)(passed * (double)(all - done) / (double)done + 0.5), (long)(10 * (double)done / passed));
   }
   snprintf(line, sizeof line, "\r\033[Kscallop:%s%s%s %ld s%s", *work.what ? " " : "", work.what, count, (long)passed,
            left);

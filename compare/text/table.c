@@ -135,13 +135,21 @@ static void put_text(FILE *to, enum format format, const char *text, bool carrie
   put(to, quote);
 }
 
-static void put_cell(FILE *to, const struct sink *s, const struct table_cell *c)
+/* The text of a number, which is that of the row before where the number is */
+static const char *number_in(struct sink *s, int column, double x)
 {
-  char number[NUMBER_TEXT];
+  const bool is_same = s->last[column].is_there && memcmp(&s->last[column].value, &x, sizeof x) == 0;
+  if (!is_same)
+    number_text(s->last[column].text, x, s->digits);
+  s->last[column].is_there = true;
+  s->last[column].value = x;
+  return s->last[column].text;
+}
+
+static void put_cell(FILE *to, struct sink *s, const struct table_cell *c, int column)
+{
   const bool json = s->format == FORMAT_JSON, is_number = c->kind == CELL_NUMBER, is_carried = c->kind == CELL_CARRIED;
-  const char *text = is_number ? number : c->text;
-  if (is_number)
-    number_text(number, c->value, s->digits);
+  const char *text = is_number ? number_in(s, column, c->value) : c->text;
   if (json && c->kind != CELL_TEXT && (isinf(c->value) || strcmp(text, "nan") == 0))
     put(to, !is_number || isnan(c->value) ? "null" : c->value > 0 ? "1e999" : "-1e999");
   else if (c->kind == CELL_TEXT || (is_carried && !(json && json_takes_number(text))))
@@ -179,7 +187,7 @@ static void emit(struct table *t, struct sink *s, const struct table_cell *cells
       put_text(to, s->format, t->names[i], true);
       put(to, ": ");
     }
-    put_cell(to, s, &cells[i]);
+    put_cell(to, s, &cells[i], i);
     if (aligned)
       putc('\0', to);
   }

@@ -59,7 +59,12 @@ struct table {
     char *notes;             /* likewise: '#' lines of its head */
     long head;               /* likewise: the size of that      */
     int error;               /* of the first write that failed */
-    char *text;              /* of a part: what is written      */
+    struct {                 /* the last number of each column, as it is written: many columns change seldom */
+      bool is_there;
+      double value;
+      char text[NUMBER_TEXT];
+    } last[TABLE_COLUMNS];
+    char *text; /* of a part: what is written      */
     size_t size;
   } sink[2];
   int sinks;

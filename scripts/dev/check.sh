@@ -7,6 +7,7 @@ shift
 at_a_time=${JOBS:-$(getconf _NPROCESSORS_ONLN)}
 case $at_a_time in '' | *[!0-9]* | 0*) echo "check.sh: JOBS: '$at_a_time' is not a number of 1 or more" >&2; exit 2 ;; esac
 runs=$build/check
+for ran in "$runs"/*/seconds; do [ ! -f "$ran" ] || echo "$(basename "$(dirname "$ran")") $(cat "$ran")"; done >"$build/check.seconds"
 rm -rf "$runs"
 mkdir -p "$runs"
 
@@ -56,7 +57,6 @@ report() { # TEST...: each as soon as it and those before it have ended, which t
   [ "$failed" = 0 ]
 }
 
-# The long ones come first, so that the others fill the cores beside them.
 together='' alone=''
 for script in tests/compare/command/cli_*; do
   name=$(basename "$script")
@@ -72,10 +72,11 @@ for program in "$@"; do
   together="$together $(basename "$program")"
 done
 : >"$build/check.log"
-each() { # NUMBER-AT-A-TIME TEST...
+each() { # NUMBER-AT-A-TIME TEST...: those that took longest in the last run first, so that the others fill the cores beside them
   number=$1
   shift
-  [ $# = 0 ] || printf '%s\n' "$@" | xargs -P "$number" -n 1 sh "$(dirname "$0")/test.sh" --within "$runs" $$ "$build"
+  [ $# = 0 ] || printf '%s\n' "$@" | awk 'FILENAME != "-" { took[$1] = $2; next } { print $1 in took ? took[$1] : 9999, $1 }' "$build/check.seconds" - |
+    sort -s -r -n | cut -d ' ' -f 2 | xargs -P "$number" -n 1 sh "$(dirname "$0")/test.sh" --within "$runs" $$ "$build"
 }
 # shellcheck disable=SC2086
 { each "$at_a_time" $together; each 1 $alone; } | report $together $alone

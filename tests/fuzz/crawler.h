@@ -9,10 +9,8 @@
 
 #include "tests/support/random_crawler.h"
 
-/* Ratios to a few hundred; to 10^18; any bit pattern at all, for the gaits of the library alone: those of the tests are
- * not written for offsets of 10^-159. */
+/* Ratios to a few hundred; to 10^18; any bit pattern at all, for the paper's two gaits alone */
 enum wildness { TAME, WIDE, RAW, WILDNESSES };
-
 enum { RAW_GAITS = 2 };
 
 struct fuzz_case {

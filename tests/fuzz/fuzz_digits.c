@@ -22,7 +22,7 @@ static void write_and_read(double x)
   char text[NUMBER_TEXT], plain[NUMBER_TEXT], quick[NUMBER_TEXT], short_text[NUMBER_TEXT], wanted[NUMBER_TEXT];
   number_text(text, x, 0);
   write_plainly(plain, x);
-  if (strcmp(text, plain) != 0 || (digits_write_quickly(quick, x) && strcmp(quick, plain) != 0))
+  if (strcmp(text, plain) != 0 || (digits_write_quickly(quick, x, 0) && strcmp(quick, plain) != 0))
     fuzz_fail("%a is written '%s', plainly '%s'", x, text, plain);
   double back = NAN, quick_back;
   if (isnan(x) ? strcmp(text, "nan") != 0 : !same_bits(strtod(text, NULL), x))

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from ._errors import CommandError, DomainError, MissingError, ScallopError, UnsolvedError
 from ._library import VERSION as __version__
 from ._library import load
-from ._observed import Order, order
+from ._observed import Order, order, orders
 
 if TYPE_CHECKING or _find_spec("numpy"):
     from ._exact import Ball, Certified, Series, Terms, certified, series
@@ -32,11 +32,11 @@ else:
     def __getattr__(name: str) -> object:
         if name.startswith("_"):
             raise AttributeError(name)
-        raise ModuleNotFoundError(f"crawling_scallop.{name} needs NumPy; without it there are order() and load()")
+        raise ModuleNotFoundError(f"crawling_scallop.{name} needs NumPy; without it there are order(), orders() and load()")
 
 __all__ = ["Ball", "Certified", "CommandError", "DomainError", "Estimate", "Event", "Formula", "Gait", "Intervals", "Measured",
            "MissingError", "Order", "Phase", "PhaseErrors", "Reach", "ScallopError", "Series", "Steady", "SteadyErrors",
            "Terms", "Trajectory", "UnsolvedError", "Verdict", "__version__", "certified", "command", "constant", "events",
-           "formula", "formulas", "gait_of", "gaits", "intervals", "load", "measured", "minimum_jerk", "order", "phase",
+           "formula", "formulas", "gait_of", "gaits", "intervals", "load", "measured", "minimum_jerk", "order", "orders", "phase",
            "phase_errors", "polynomial", "published", "reach", "run", "series", "skewed", "steady", "steady_errors",
            "table", "tables", "trajectory", "trapezoidal"]

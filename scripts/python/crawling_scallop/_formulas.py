@@ -162,6 +162,7 @@ def formula(text: str, motion: str = "steady", parts: Optional[Mapping[str, str]
     Returns
     -------
     Formula
+        Call it for its values.
 
     Raises
     ------

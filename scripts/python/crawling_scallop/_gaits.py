@@ -75,6 +75,7 @@ def gait_of(family: str, *numbers: float) -> Gait:
     Returns
     -------
     Gait
+        A value for the parameter `gait`.
 
     Examples
     --------
@@ -121,6 +122,7 @@ def trapezoidal(up: npt.ArrayLike = 0.25, down: npt.ArrayLike = 0.25) -> Gait:
     Returns
     -------
     Gait
+        A value for the parameter `gait`.
     """
     ups, downs = _pair("up", up), _pair("down", down)
     return gait_of("trapezoidal", ups[0], downs[0], ups[1], downs[1])
@@ -137,6 +139,7 @@ def skewed(beta: npt.ArrayLike = 0.25) -> Gait:
     Returns
     -------
     Gait
+        A value for the parameter `gait`.
     """
     return gait_of("skewed", *_pair("beta", beta))
 
@@ -153,6 +156,7 @@ def constant(ramp: npt.ArrayLike = 0) -> Gait:
     Returns
     -------
     Gait
+        A value for the parameter `gait`.
     """
     return gait_of("constant", *_pair("ramp", ramp))
 
@@ -168,6 +172,7 @@ def polynomial(coefficients: npt.ArrayLike) -> Gait:
     Returns
     -------
     Gait
+        A value for the parameter `gait`.
     """
     numbers = column("coefficients", coefficients)
     if numbers.ndim != 1 or not 3 <= numbers.size <= c.MOST_NUMBERS:
@@ -181,6 +186,7 @@ def minimum_jerk() -> Gait:
     Returns
     -------
     Gait
+        A value for the parameter `gait`.
     """
     return gait_of("minimum-jerk")
 

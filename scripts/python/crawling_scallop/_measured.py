@@ -177,6 +177,7 @@ def measured(t: npt.ArrayLike, l: npt.ArrayLike, fit: str = "chosen", sigma: Uni
     Returns
     -------
     Measured
+        A value for the parameter `gait`; its own `steady` and `phase` say how far an answer may be off.
 
     Raises
     ------

@@ -265,6 +265,7 @@ def phase(kind: str, v0: npt.ArrayLike = 0, m1: npt.ArrayLike = 1, m2: npt.Array
     Returns
     -------
     Phase
+        Arrays of the common shape, or numbers where every parameter is a number; rows as for :func:`steady`.
 
     Raises
     ------
@@ -332,7 +333,7 @@ def steady_errors(m1: npt.ArrayLike = 1, m2: npt.ArrayLike = 1, F1: npt.ArrayLik
     Returns
     -------
     SteadyErrors
-        nan where :func:`steady` has no answer, where steady states fill an interval, and for a gait without an exact law.
+        A number is nan where :func:`steady` has no answer, where steady states fill an interval, and for a gait without an exact law.
 
     Examples
     --------
@@ -369,7 +370,7 @@ def phase_errors(kind: str, v0: npt.ArrayLike = 0, m1: npt.ArrayLike = 1, m2: np
     Returns
     -------
     PhaseErrors
-        nan where :func:`phase` has no answer, and for a gait without an exact law.
+        A number is nan where :func:`phase` has no answer, and for a gait without an exact law.
     """
     number = kind_of(kind)
     columns = together(dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, T=T, alpha=alpha, v0=v0), gait)
@@ -428,6 +429,7 @@ def trajectory(v0: float = 0, periods: int = 1, samples: int = 100, m1: float = 
     Returns
     -------
     Trajectory
+        Arrays of ``periods*samples + 1`` numbers.
 
     Raises
     ------

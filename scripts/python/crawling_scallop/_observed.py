@@ -5,7 +5,8 @@ from __future__ import annotations
 import ctypes
 import math
 import reprlib
-from typing import Iterable, NamedTuple
+from fractions import Fraction
+from typing import Any, Iterable, Mapping, NamedTuple, Sequence, Union
 
 from . import _library as c
 from ._errors import DomainError
@@ -66,13 +67,26 @@ def _number(name: str, value: float) -> float:
         raise DomainError(f"{name} = {value!r}: a number is wanted") from None
 
 
-def _wanted(expect: float | None, at_least: float | None, tol: float, values: bool) -> ctypes.Structure:
+# An order: a number, or a text such as "3/2"
+Expected = Union[float, str]
+
+
+def _expected(name: str, value: Expected) -> float:
+    if not isinstance(value, str):
+        return _number(name, value)
+    try:
+        return float(Fraction(value))
+    except (ValueError, ZeroDivisionError, OverflowError):
+        raise DomainError(f"{name} = {value!r}: a number, or a fraction such as '3/2'") from None
+
+
+def _wanted(expect: Expected | None, at_least: Expected | None, tol: float, values: bool) -> ctypes.Structure:
     if expect is not None and at_least is not None:
         raise DomainError("expect and at_least exclude each other")
     order = math.nan
     for name, value in (("expect", expect), ("at_least", at_least)):
         if value is not None:
-            order = _number(name, value)
+            order = _expected(name, value)
             if not math.isfinite(order):
                 raise DomainError(f"{name} = {value!r}: a finite number")
     tolerance = _number("tol", tol)
@@ -81,7 +95,7 @@ def _wanted(expect: float | None, at_least: float | None, tol: float, values: bo
     return c.OrderWanted(order, tolerance, at_least is not None, bool(values))
 
 
-def order(h: Iterable[float], err: Iterable[float], expect: float | None = None, at_least: float | None = None,
+def order(h: Iterable[float], err: Iterable[float], expect: Expected | None = None, at_least: Expected | None = None,
           tol: float = 0.1, noise: float | Iterable[float] = 0, values: bool = False) -> Order:
     """Judge the order p of ``err ~ C h^p`` as h -> 0.
 
@@ -93,9 +107,9 @@ def order(h: Iterable[float], err: Iterable[float], expect: float | None = None,
         Step sizes > 0, in any order.
     err : sequence of float
         Errors; they may have signs.
-    expect : float, optional
-        The order that is expected. Without it and `at_least` the order is measured, and nothing passes.
-    at_least : float, optional
+    expect : float or str, optional
+        The order that is expected, 1.5 or ``"3/2"``. Without it and `at_least` the order is measured, and nothing passes.
+    at_least : float or str, optional
         The same, but a higher order passes, too.
     tol : float, optional
         How far the order may be off, and how wide its interval may be on either side.
@@ -107,6 +121,7 @@ def order(h: Iterable[float], err: Iterable[float], expect: float | None = None,
     Returns
     -------
     Order
+        The order, its interval, and a verdict with its reason.
 
     Raises
     ------
@@ -138,3 +153,65 @@ def order(h: Iterable[float], err: Iterable[float], expect: float | None = None,
     return Order(verdict, verdict == "pass", result.order, result.low, result.high,
                  library.scallop_order_interval_text(result.interval).decode(), result.used, result.gci,
                  result.asymptotic_ratio, result.reason.decode(), pairwise, uses)
+
+
+def _series_of(h: Any, errors: Any) -> tuple[Any, dict[str, Any]]:
+    """The step sizes, and the errors by their names"""
+    if hasattr(errors, "items"):  # a mapping, or a frame of pandas
+        named = {str(name): list(values) for name, values in errors.items()}
+        if not isinstance(h, str):
+            return h, named
+        if h not in named:
+            raise DomainError(f"h = {h!r}: there is no such column among {', '.join(named)}")
+        return named.pop(h), named
+    rows = [list(row) for row in errors]
+    if len({len(row) for row in rows}) > 1:
+        raise DomainError("errors: its rows have different lengths")
+    return h, {str(i): list(column) for i, column in enumerate(zip(*rows))}
+
+
+def orders(h: Iterable[float] | str, errors: Any,
+           expect: Expected | Sequence[Expected] | Mapping[str, Expected] | None = None,
+           **options: Any) -> dict[str, Order]:
+    """Judge the order of each column of a table, as `order` does.
+
+    Parameters
+    ----------
+    h : sequence of float or str
+        Step sizes; of a mapping or a frame it may be the name of their column.
+    errors : array of two dimensions, mapping, or pandas.DataFrame
+        A column for each series: of an array a row for each `h`, whose columns are called ``'0'``, ``'1'``, ...
+        Rows in which a series has None or a nan of a frame are invalid in this series, not left out.
+    expect : float, str, sequence or mapping, optional
+        The order of all columns, of each in turn, or by name: a column that is not named there is only measured.
+    **options
+        As in `order`.
+
+    Returns
+    -------
+    dict of Order
+
+    Examples
+    --------
+    >>> import crawling_scallop
+    >>> found = crawling_scallop.orders("h", {"h": [1, 0.5, 0.25], "L2": [1, 0.25, 0.0625], "H1": [1, 0.5, 0.25]},
+    ...                                 expect={"L2": 2, "H1": "2/2"})
+    >>> all(one.passed for one in found.values())
+    True
+    """
+    steps, named = _series_of(h, errors)
+    steps = _floats("h", steps)
+    wanted: Mapping[str, Expected | None]
+    if isinstance(expect, Mapping):
+        unknown = [name for name in expect if name not in named]
+        if unknown:
+            raise DomainError(f"expect: there is no column {unknown[0]!r} among {', '.join(named)}")
+        wanted = expect
+    elif isinstance(expect, Sequence) and not isinstance(expect, str):
+        if len(expect) != len(named):
+            raise DomainError(f"expect: {len(expect)} orders for {len(named)} columns")
+        wanted = dict(zip(named, expect))
+    else:
+        wanted = {name: expect for name in named}
+    return {name: order(steps, [math.nan if x is None else x for x in err], expect=wanted.get(name), **options)
+            for name, err in named.items()}

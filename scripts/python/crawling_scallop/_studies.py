@@ -274,6 +274,7 @@ def reach(tol: float = 1e-2, quantity: Optional[str] = None, order: int = 8, m1:
     Returns
     -------
     list of Reach
+        One for each quantity and series.
 
     Examples
     --------

@@ -32,6 +32,7 @@ def trajectory(motion: Trajectory, ax: Optional[Any] = None) -> Any:
     Returns
     -------
     matplotlib.axes.Axes
+        What was drawn into.
     """
     ax = _axes(ax)
     for name, label, style in (("x1", "body 1", "-"), ("x2", "body 2", "-"), ("xC", "centre", "--")):
@@ -93,6 +94,7 @@ def reach(rows: Sequence[Reach], events: Sequence[Event] = (), ax: Optional[Any]
     Returns
     -------
     matplotlib.axes.Axes
+        What was drawn into.
     """
     ax = _axes(ax)
     drawn = [row for row in rows if 0 < row.T < math.inf]

@@ -10,7 +10,7 @@ if pid == 0:
     os.execv(sys.argv[1], sys.argv[1:])
 said = b""
 try:
-    while not re.search(rb"\r\x1b\[Kscallop: .*[0-9]+ of [0-9]+, [0-9]+ s, about [0-9]+ s left", said):
+    while not re.search(rb"\r\x1b\[Kscallop: .*[0-9]+ of [0-9]+, [0-9]+ s, about [0-9]+ s left, [0-9]+ in 10 s", said):
         said += os.read(terminal, 4096) or sys.exit("no line, but: " + repr(said[-200:]))
 except OSError:
     sys.exit("no line, but: " + repr(said[-200:]))

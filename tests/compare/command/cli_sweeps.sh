@@ -1,6 +1,7 @@
 #!/bin/sh
 # Large sweeps: on threads, as files of NumPy, sampled, in shards that are merged.
 # Usage: sh tests/compare/command/cli_sweeps.sh build/scallop. One line for each check; non-zero if any failed.
+root=$(cd "$(dirname "$0")/../../.." && pwd)
 . "$(dirname "$0")/../../support/common.sh"
 
 # ---- threads ----
@@ -36,6 +37,29 @@ for threads in 0 -1 1.5 many 1025; do
   grep -q "^scallop steady: --threads: '$threads' is not allowed here: it takes a whole number from 1 to 1024" err || note "$(cat err)"
 done
 finish "rows and messages do not depend on the threads"
+
+# ---- blocks ---- (with --stats points are computed one by one)
+while read -r arguments; do
+  # shellcheck disable=SC2086
+  "$tool" steady $arguments --stats --threads 1 >one.tsv 2>one.err
+  code=$?
+  for threads in 1 2; do
+    # shellcheck disable=SC2086
+    run $code steady $arguments --threads $threads
+    cmp -s out one.tsv || note "$arguments: $(diff out one.tsv | head -n 2)"
+  done
+done <<'END'
+--m1 0.5:2:70 --F1 2:6:71
+--T 1e-3:1e3:2500:log --alpha 0.5,0.3
+--froude 0.01:100:2000:log --F1 1,2
+--F1_over_F2 1:10:1500 --gait sinusoidal,quadratic
+--gait quadratic,trapezoidal,minimum-jerk --F1 1:3:1100 --m2 2
+--m1 1:2 --F1 1:100:log --T 0.01:10:log --alpha 0.1:0.9 --sample sobol:3000
+--L 1e-300,1,2 --F1 1:3:600 --m1 1e300,1
+--F1 1:9:1200 --F2 5 --alpha 0.5 --T 3
+--T 0.1:sticking_onset:1100 --and --F1 1:2:7
+END
+finish "neighbours that are solved together give the rows that each gives alone"
 
 # ---- files of NumPy ----
 run 0 steady --m1 0.5:2:70 --F1 2:6:71 --gait quadratic,sinusoidal -o all.tsv
@@ -277,5 +301,20 @@ done <<'END'
 --skip-complete needs -o FILE|steady --skip-complete --shard 1/2
 END
 finish "--shard: what is no shard is refused"
+
+# ---- the documents ----
+sed -n '/^```$/,/^```$/s/^scallop //p' "$root/docs/guide/sweeps.md" >commands
+[ "$(wc -l <commands)" = 3 ] || note "$(wc -l <commands) commands in docs/guide/sweeps.md"
+while read -r command; do
+  # shellcheck disable=SC2086
+  run 0 $command
+done <commands
+python <<'END'
+import numpy
+a, b = numpy.load("sweep.npy", mmap_mode="r"), numpy.load("samples.npy", mmap_mode="r")
+if a.shape != (10**6,) or not (a["status"] == b"ok").all() or b.shape != (10**6,) or not (b["alpha"] < 0.8).all():
+    bad(a.shape, b.shape)
+END
+finish "the examples of docs/guide/sweeps.md"
 
 exit $failed

@@ -27,10 +27,16 @@ static bool check_writing(double x)
 {
   char wanted[DIGITS_TEXT], text[DIGITS_TEXT], whole[DIGITS_TEXT];
   wanted_text(wanted, x);
-  bool quickly = digits_write_quickly(text, x);
+  bool quickly = digits_write_quickly(text, x, 0);
   number_text(whole, x, 0);
   if ((quickly && strcmp(text, wanted) != 0) || strcmp(whole, wanted) != 0)
     fail_msg("%a is written '%s', quickly '%s', and is '%s'", x, whole, quickly ? text : "", wanted);
+  for (int digits = 1; digits <= 17; digits++) {
+    snprintf(wanted, sizeof wanted, "%.*g", digits, x);
+    number_text(whole, x, digits);
+    if ((digits_write_quickly(text, x, digits) && strcmp(text, wanted) != 0) || strcmp(whole, wanted) != 0)
+      fail_msg("%a with %d digits is written '%s', quickly '%s', and is '%s'", x, digits, whole, text, wanted);
+  }
   return quickly;
 }
 
@@ -152,7 +158,7 @@ TEST(leaves_the_rest_to_the_library)
   static const double rest[] = { NAN, INFINITY, -INFINITY, 0x1p-1074, 0x1p-1023, DBL_MIN, 1e100, 1e-100 };
   char text[DIGITS_TEXT];
   for (size_t i = 0; i < sizeof rest / sizeof *rest; i++)
-    assert_false(digits_write_quickly(text, rest[i]));
+    assert_false(digits_write_quickly(text, rest[i], 0));
 }
 
 TEST(reads_what_the_library_reads)

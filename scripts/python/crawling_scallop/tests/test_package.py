@@ -60,6 +60,12 @@ def test_bad_arrays(bad: Any) -> None:
         s.steady(F1=bad)
 
 
+@pytest.mark.parametrize("bad", [3 + 0j, np.array([3 + 0j]), ["3"], np.array([(3, 4)], "f8,f8"), {3: 4}])
+def test_arrays_of_what_is_no_number(bad: Any) -> None:
+    with pytest.raises(s.DomainError, match="F1: real numbers are wanted"):
+        s.steady(F1=bad)
+
+
 def test_arrays_in_memory() -> None:
     F1 = np.linspace(1.1, 5, 20)
     wanted = s.steady(F1=F1).displacement
@@ -162,4 +168,5 @@ def test_plots() -> None:
     axes = plot.order(h, [x**2 for x in h], s.order(h, [x**2 for x in h], expect=2))
     assert axes.get_title().startswith("pass")
     row = s.Reach("displacement", "derived", 8, 1e-2, 2.5, 0.5, 1e-2, "-", "-", "certified")
-    assert len(plot.reach([row, row._replace(T=math.inf)], [s.Event(2.7, 0.5, "-", "-", "certified")]).lines) == 2
+    lines = plot.reach([row, row._replace(T=math.inf)], [s.Event(2.7, 0.5, "-", "-", "certified")]).lines
+    assert [len(line.get_xdata()) for line in lines] == [1, 2]
