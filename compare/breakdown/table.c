@@ -7,7 +7,7 @@
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/progress.h"
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 
 struct report {
   const struct breakdown_options *options;
