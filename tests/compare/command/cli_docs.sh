@@ -48,10 +48,10 @@ END
 
 [ "$(wc -l <README.md)" -le 150 ] || note "$(wc -l <README.md) lines"
 finish "README.md has at most 150 lines"
-long=$(/usr/bin/python3 "$scratch/long.py" README.md CONTRIBUTING.md SECURITY.md docs/*.md docs/*/*.md)
+long=$(/usr/bin/python3 "$scratch/long.py" README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md docs/*.md docs/*/*.md)
 [ -z "$long" ] || note "$long"
 finish "lines of documents have at most 120 characters"
-broken=$(/usr/bin/python3 "$scratch/links.py" README.md CONTRIBUTING.md SECURITY.md docs/*.md docs/*/*.md)
+broken=$(/usr/bin/python3 "$scratch/links.py" README.md CHANGELOG.md CONTRIBUTING.md SECURITY.md docs/*.md docs/*/*.md)
 [ -z "$broken" ] || note "$broken"
 finish "links between documents resolve"
 for page in docs/*.md docs/*/*.md; do
@@ -62,6 +62,9 @@ terms=$(grep '^| ' docs/glossary.md | grep -c -v -e '^| term ' -e '^|---')
 [ "$terms" -le 40 ] || note "$terms terms"
 [ "$terms" -ge 30 ] || note "only $terms terms found"
 finish "the glossary has at most 40 terms"
+versions=$(awk '/^## / { if (n > 60) print name ": " n " lines"; name = $0; n = 0 } { n++ } END { if (n > 60) print name ": " n " lines"; if (!name) print "none" }' CHANGELOG.md)
+[ -z "$versions" ] || note "$versions"
+finish "CHANGELOG.md has at most 60 lines a version"
 grep -q "^version: $("$tool" --version | sed 's/^scallop \([^ ]*\).*/\1/')\$" CITATION.cff || note "$(grep '^version' CITATION.cff)"
 finish "CITATION.cff has the version"
 # Pages that the sources and texts name, beside links
