@@ -81,7 +81,7 @@ static void write_intervals(const struct page *p)
   for (enum quantity_id q = Q_V_START; q <= Q_MULTIPLIER; q++) {
     const char *name = quantity_rows[q].name;
     fprintf(p->file, "  %-14s ", name);
-    write_interval(p, number(p, "low.%s", name), number(p, "high.%s", name));
+    write_interval(p, number(p, wrong_text("low.%s", name)), number(p, wrong_text("high.%s", name)));
     fputc('\n', p->file);
   }
   if (number(p, "low.displacement") < 0 && number(p, "high.displacement") > 0)
