@@ -43,7 +43,7 @@ static bool add_column(struct block *b, const struct quantity *q)
 struct block *block_new(const struct rows *r)
 {
   const struct column_list *list = &r->sheet.columns;
-  bool fine = !r->visit && !r->sheet.as_written && !r->request->stats && !r->request->points;
+  bool fine = !r->visit && !r->sheet.as_written && !counts_are_wanted && !r->request->points;
   struct block *b = fine ? calloc(1, sizeof *b) : NULL;
   for (int i = 0; i < list->count && b && fine; i++)
     fine = !list->item[i].formula && add_column(b, &r->sheet.asked->quantities.item[list->item[i].place]);

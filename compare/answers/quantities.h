@@ -23,7 +23,7 @@
 #include <stdbool.h>
 
 #include "asymptotics/asymptotics.h"
-#include "compare/text/aligned.h"
+#include "compare/tables/aligned.h"
 #include "compare/points/sweep.h"
 #include "model/model.h"
 

@@ -6,7 +6,7 @@
 #include "compare/points/gaits.h"
 #include "compare/points/sweep.h"
 #include "compare/text/message.h"
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 #include "compare/text/values.h"
 
 enum { MOST_NOTES = 16 };

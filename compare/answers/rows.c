@@ -11,7 +11,7 @@
 #include "compare/book/book.h"
 #include "compare/points/counts.h"
 #include "compare/points/defaults.h"
-#include "compare/text/tsv.h"
+#include "compare/tables/tsv.h"
 #include "compare/text/values.h"
 
 _Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");

@@ -7,7 +7,7 @@
 #include <sys/types.h>
 
 #include "compare/answers/request.h"
-#include "compare/text/npy.h"
+#include "compare/tables/npy.h"
 
 #define SHARD_LINE "shard: %ld of %ld of sweep %s"
 extern const char shard_end[];

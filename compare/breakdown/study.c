@@ -66,21 +66,16 @@ const char *study_why_none(const struct study *s)
 
 const char *study_where(const struct study *s, double T)
 {
-  static char text[200];
   const struct event *e = s->events.event, *modes = e;
   if (s->events.count == 0 || T <= e->T)
     return "below the first event";
   while (modes < e + s->events.count - 1 && modes->of != CHANGE_OF_MODES)
     modes++;
   if (modes == e)
-    snprintf(text, sizeof text,
-             "above the first event, T = %.6g: from there on the series does not describe the motion", e->T);
-  else
-    snprintf(text, sizeof text,
-             "above T = %.6g, where a body turns in another piece of the gait and the series is not exact any more; "
-             "the modes change at T = %.6g",
-             e->T, modes->T);
-  return text;
+    return wrong_text("above the first event, T = %.6g: from there on the series does not describe the motion", e->T);
+  return wrong_text("above T = %.6g, where a body turns in another piece of the gait and the series is not exact any "
+                    "more; the modes change at T = %.6g",
+                    e->T, modes->T);
 }
 
 /* Series */

@@ -7,7 +7,7 @@
 #include "compare/book/book.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/progress.h"
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 
 struct report {
   const struct breakdown_options *options;
@@ -83,15 +83,15 @@ static void write_limit(struct report *r)
 {
   enum { BITS = 128 };
   struct row row = row_of(r, "event", QUANTITIES, "-", 0);
-  char note[120];
   const char *ends;
   SCOPED(arb, T);
   SCOPED(arf, least);
   bool proven = r->study.motion.of == OF_STEADY
                 && scallop_steady_modes_hold(&r->study.crawler, BITS, T, &ends, NULL) == SCALLOP_OK;
   arb_get_lbound_arf(least, T, BITS);
-  snprintf(note, sizeof note, proven ? "the limit T -> 0; these modes are proven up to T = %.4g" : "the limit T -> 0",
-           arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
+  const char *note = !proven ? "the limit T -> 0"
+                             : wrong_text("the limit T -> 0; these modes are proven up to T = %.4g",
+                                          arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
   row.modes = r->study.events.first;
   write_row(r, &row, note, proven ? "certified" : *r->study.derived.modes ? "derived" : "double");
 }
@@ -109,8 +109,7 @@ static void write_changes(struct report *r, const char *what, enum quantity_id o
 
 static void write_reach(struct report *r, const struct comparison *c)
 {
-  char text[160];
-  const char *note = text, *status = "binary128";
+  const char *note, *status = "binary128";
   double T = comparison_reach(c);
   struct row row = row_of(r, "reach", c->item.quantity, series_name(&c->item), T);
   row.order = c->item.source == FROM_DERIVED ? (double)c->item.before : NAN;
@@ -126,10 +125,9 @@ static void write_reach(struct report *r, const struct comparison *c)
     status = comparison_is_proven(c, T) ? "certified" : status;
   } else {
     row.error = comparison_limit(c);
-    snprintf(text, sizeof text,
-             isnan(row.error) ? "the error does not fall below the tolerance as T -> 0"
-                              : "the error tends to %.6g as T -> 0, which is not below the tolerance",
-             row.error);
+    note = isnan(row.error)
+               ? "the error does not fall below the tolerance as T -> 0"
+               : wrong_text("the error tends to %.6g as T -> 0, which is not below the tolerance", row.error);
   }
   write_row(r, &row, note, status);
 }
@@ -178,15 +176,13 @@ static void write_best(struct report *r, enum quantity_id quantity)
   for (int i = 0; i < BEST; i++) {
     struct row row = row_of(r, "best", quantity, "derived", best_time(r, i));
     const struct best_order best = study_best_order(&r->study, quantity, row.T);
-    char note[240];
     if (isinf(best.error))
       continue;
-    snprintf(note, sizeof note, "%s%s", best.gains_from_more ? "more terms are better still; " : "",
-             study_where(&r->study, row.T));
     row.order = (double)best.order;
     row.error = best.error;
     row.modes = events_modes_at(&r->study.events, row.T);
-    write_row(r, &row, note, "certified");
+    const char *more = best.gains_from_more ? "more terms are better still; " : "";
+    write_row(r, &row, wrong_text("%s%s", more, study_where(&r->study, row.T)), "certified");
   }
 }
 
@@ -279,9 +275,7 @@ static bool is_of_a_row(const void *context, const struct scallop_formula *f)
 static bool serves(const struct report *r)
 {
   const struct given_word *only = &r->options->quantity;
-  char what[80] = "this motion";
-  if (only->given)
-    snprintf(what, sizeof what, "the %s of this motion", only->value);
+  const char *what = only->given ? wrong_text("the %s of this motion", only->value) : "this motion";
   return book_serves("breakdown", r->options->request.book, is_of_a_row, r, what);
 }
 

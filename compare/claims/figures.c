@@ -17,10 +17,7 @@ static struct solved extension_at(struct scallop_crawler c, double T)
   return extension(NULL, c, 0);
 }
 
-static double minus_v_end(void *crawler, double T)
-{
-  return -extension_at(*(struct scallop_crawler *)crawler, T).v_end;
-}
+static double minus_v_end(void *c, double T) { return -extension_at(*(struct scallop_crawler *)c, T).v_end; }
 
 /* The least d(dx_C) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
 static double least_growth(const struct scallop_crawler *c)

@@ -11,7 +11,7 @@
 #include "compare/columns/columns.h"
 #include "compare/points/point_flint.h"
 #include "compare/text/digits.h"
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 
 /* Solutions */
 

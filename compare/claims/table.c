@@ -53,9 +53,7 @@ static const char *evidence_text(const struct claim_row *row)
 {
   static const char *const texts[] = { "-", "proven for all parameters", "certified for the crawler named", NULL,
                                        "measured in doubles" };
-  static char sampled[40];
-  snprintf(sampled, sizeof sampled, "sampled: %d cases, no seed", row->sampled);
-  return row->evidence == SAMPLED ? sampled : texts[row->evidence];
+  return row->evidence == SAMPLED ? wrong_text("sampled: %d cases, no seed", row->sampled) : texts[row->evidence];
 }
 
 /* A long formula, for people, as far as it fits into a line */
@@ -72,8 +70,7 @@ static void write_line(struct report *r, const struct line *line)
 {
   static const char *const sources[] = { "paper", "corrected", "book" };
   const struct claim_row *row = &line->row;
-  char derived[24], shortened[SHORT_TEXT];
-  snprintf(derived, sizeof derived, "%ld", row->derived_order);
+  char shortened[SHORT_TEXT];
   put(r, ALL, "claim", row->claim);
   put(r, ALL, "equation", row->equation);
   put(r, ALL, "quantity", row->quantity);
@@ -88,7 +85,7 @@ static void write_line(struct report *r, const struct line *line)
   put_number(r, SUMMARY, "failed", line->count[CLAIM_REFUTED], "%.0f");
   put(r, SUMMARY, "condition", row->conditions);
   /* none: every coefficient that was looked at vanishes */
-  put(r, ROWS, "derived_order", !row->proven ? NULL : row->exact ? "none" : derived);
+  put(r, ROWS, "derived_order", !row->proven ? NULL : row->exact ? "none" : wrong_text("%ld", row->derived_order));
   put(r, ROWS, "coefficient", row->coefficient);
   put(r, ROWS, "corrected", row->corrected);
   put(r, ROWS | ERRORS, "conditions", row->conditions);

@@ -9,7 +9,7 @@
 #define SCALLOP_COMPARE_COLUMNS_COLUMNS_H
 
 #include "asymptotics/formula.h"
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 
 struct column {
   char *name;

@@ -91,6 +91,7 @@ static enum exit_code run(const struct arguments *a)
   const struct request *r = &a->options.request;
   point_tell_recording(&r->point, &r->style);
   progress_begin(r->style.quiet);
+  counts_are_wanted = r->stats;
   if (r->threads.given) { /* for what is parallel by OpenMP, which is loaded later */
     char number[24];
     snprintf(number, sizeof number, "%ld", r->threads.value);

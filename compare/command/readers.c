@@ -6,7 +6,7 @@
 #include "compare/answers/vary.h"
 #include "compare/columns/columns.h"
 #include "compare/command/readers.h"
-#include "compare/text/plot.h"
+#include "compare/tables/plot.h"
 
 const char *const reference_words[] = { "exact", "certified", NULL };
 

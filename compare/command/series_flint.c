@@ -88,17 +88,15 @@ static bool open_report(struct report *r)
   const struct request *request = &r->options->request;
   const struct kind *k = r->kind;
   bool has_source = !k->symbolic || strcmp(k->source, "derived") != 0;
-  char parameters[PARAMETERS_TEXT], order[32] = "";
+  char parameters[PARAMETERS_TEXT];
   int error = r->language ? file_open(&r->out, request->style.output) : 0;
   if (error != 0)
     return cannot_write(&request->style, error);
   if (!r->language && !table_open(&r->table, &request->style))
     return false;
-  if (k->has_order)
-    snprintf(order, sizeof order, " --order %ld", r->order);
   remark(r, "scallop " SCALLOP_VERSION);
   remark(r, "command: series%s%s%s%s", k->symbolic ? " --symbolic" : "", has_source ? " --source " : "",
-         has_source ? k->source : "", order);
+         has_source ? k->source : "", k->has_order ? wrong_text(" --order %ld", r->order) : "");
   parameters_text(parameters, &request->point, r->language ? varied : NULL, true);
   remark(r, "parameters:%s", parameters);
   if (request->point.has_v0)
@@ -160,13 +158,11 @@ static void write_row(struct report *r, const struct motion_in_rows *m, const ch
 /* A motion of which nothing is known has its reason in the last column. */
 static void write_failure(struct report *r, const struct motion_in_rows *m, const struct series_answer *a)
 {
-  char text[sizeof r->why + 16];
   const char *why = a->why ? a->why : scallop_status_text(a->status);
   if (!*r->why) /* it may stand in what ends with the motion */
     snprintf(r->why, sizeof r->why, "%s", why);
-  snprintf(text, sizeof text, "no %s: %s", r->kind->symbolic ? "formula" : "series", why);
   if (!r->language)
-    write_row(r, m, "-", NULL, "-", text, NULL, NULL);
+    write_row(r, m, "-", NULL, "-", wrong_text("no %s: %s", r->kind->symbolic ? "formula" : "series", why), NULL, NULL);
 }
 
 struct sum { /* a quantity of a motion: its terms from the power first to below another */
@@ -209,15 +205,14 @@ static struct written term_of(const struct report *r, const struct sum *s, slong
 static void write_term(struct report *r, const struct sum *s, slong power, struct written term)
 {
   const struct expansion *e = s->expansion;
-  char number[24], *text = flint_malloc(strlen(term.text) + 2);
+  char *text = flint_malloc(strlen(term.text) + 2);
   SCOPED(arb, sum, error);
   sprintf(text, "%s%s", term.negative ? "-" : "", term.text);
-  snprintf(number, sizeof number, "%ld", (long)power);
   if (!r->kind->symbolic)
     series_value(sum, s->series, e->at, power + 1, e->precision);
   if (s->exact)
     arb_sub(error, sum, s->exact, e->precision);
-  write_row(r, s->motion, s->quantity, e->is_closed ? NULL : number, text,
+  write_row(r, s->motion, s->quantity, e->is_closed ? NULL : wrong_text("%ld", (long)power), text,
             r->kind->symbolic ? e->derived.modes : e->status, sum, s->exact ? error : NULL);
   flint_free(text);
 }

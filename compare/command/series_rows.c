@@ -45,9 +45,7 @@ static void add_derived(struct series_names *list, const struct series_options *
 {
   bool of_phase = o->request.scene ? o->request.scene->is_about_phase : o->request.point.has_v0;
   enum quantity_of of = of_phase ? OF_PHASE : OF_STEADY;
-  char kind[32] = "limit.";
-  if (is_from(o, "derived"))
-    snprintf(kind, sizeof kind, "derived_%ld.", o->order.value);
+  const char *kind = is_from(o, "derived") ? wrong_text("derived_%ld.", o->order.value) : "limit.";
   for (int q = quantity_first(of); q < (int)quantity_end(of); q++)
     if (quantity_rows[q].has_series)
       snprintf(list->name[list->count++], SERIES_NAME, "%s%s", kind, quantity_rows[q].name);
@@ -137,13 +135,10 @@ static const char *begin_compared(struct rows *rows, const struct series_names *
 {
   struct quantities *all = &rows->sheet.asked->quantities;
   struct compared *c = rows->context = calloc(1, sizeof *c + (size_t)list->count * times * sizeof *c->point);
-  char name[SERIES_NAME + 8];
   if (!c)
     return rows_no_memory;
-  for (; c->count < list->count; c->count++) {
-    snprintf(name, sizeof name, "%s.%s", kind, list->name[c->count]);
-    c->quantity[c->count] = quantity_named(all, name);
-  }
+  for (; c->count < list->count; c->count++)
+    c->quantity[c->count] = quantity_named(all, wrong_text("%s.%s", kind, list->name[c->count]));
   c->steady = quantity_named(all, "v_start");
   return NULL;
 }
@@ -254,14 +249,12 @@ static void write_formula(struct table *table, const struct quantity *series, do
   static const char *const phases[] = { "extension", "contraction" };
   const struct scallop_formula *f = series->formula;
   enum scallop_phase_kind kind = series->phase > 0 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
-  char order[32] = "-";
-  if (f->remainder > 0)
-    snprintf(order, sizeof order, f->remainder == 1 ? "O(T)" : "O(T^%d)", f->remainder);
+  const int n = f->remainder;
   table_text(table, f->name);
   table_text(table, f->equation);
   table_text(table, f->setting == SCALLOP_STEADY ? "period" : phases[kind]);
   table_text(table, formula_quantity_text(f, kind));
-  table_text(table, order);
+  table_text(table, n <= 0 ? "-" : n == 1 ? "O(T)" : wrong_text("O(T^%d)", n));
   table_number(table, published);
   table_number(table, exact);
   table_number(table, published - exact);

@@ -82,7 +82,6 @@ static const char *add_all_series(const struct grid *g, const double *tolerances
 {
   const struct breakdown_options *o = g->options;
   const char *wrong = NULL, *quantity = quantity_rows[g->quantity].name, *published = NULL;
-  char called[QUANTITY_NAME], series[QUANTITY_NAME];
   const struct scallop_formula *f;
   for (int i = 0; (f = listed_formula(i)) && !wrong; i++)
     if (!book_formula(i) && is_about_quantity(&g->quantity, f))
@@ -91,12 +90,12 @@ static const char *add_all_series(const struct grid *g, const double *tolerances
       wrong = add_series(g, f->name, f->name, tolerances);
   if (!wrong && breakdown_takes(o, FROM_PUBLISHED) && published)
     wrong = add_series(g, "published", published, tolerances);
-  snprintf(called, sizeof called, "derived_%ld", o->order.value);
-  snprintf(series, sizeof series, "derived_%ld.%s", o->order.value, quantity);
+  const char *derived = wrong_text("derived_%ld", o->order.value);
   if (!wrong && breakdown_takes(o, FROM_DERIVED))
-    wrong = add_series(g, called, series, tolerances);
-  snprintf(series, sizeof series, "limit.%s", quantity);
-  return wrong || !breakdown_takes(o, FROM_LIMIT) ? wrong : add_series(g, "limit", series, tolerances);
+    wrong = add_series(g, derived, wrong_text("%s.%s", derived, quantity), tolerances);
+  if (!wrong && breakdown_takes(o, FROM_LIMIT))
+    wrong = add_series(g, "limit", wrong_text("limit.%s", quantity), tolerances);
+  return wrong;
 }
 
 /* The axes, what they set, and what may be wanted beside it; F1/F2 as an axis is not F1. */
@@ -118,8 +117,8 @@ const char *breakdown_map(const struct breakdown_options *o, struct rows *rows)
   static const double usual[] = { BREAKDOWN_MAP_TOLERANCES, 0 };
   const double given[] = { o->tolerance.value, 0 };
   struct grid g = { o, rows, quantity_of_name(o->quantity.value) };
-  char what[80], *command;
-  snprintf(what, sizeof what, "the %s of the steady state", quantity_rows[g.quantity].name);
+  const char *what = wrong_text("the %s of the steady state", quantity_rows[g.quantity].name);
+  char *command;
   if (!book_serves("breakdown", o->request.book, is_about_quantity, &g.quantity, what))
     return "";
   rows->of = "map";

@@ -5,7 +5,7 @@
 
 #include "asymptotics/observed/order.h"
 #include "compare/text/message.h"
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 
 /* The orders that are expected: of columns by their names, or one for each column of errors in their order, or one for
  * all. */

@@ -6,7 +6,7 @@
 
 #include "compare/order/order.h"
 #include "compare/text/memory.h"
-#include "compare/text/tsv.h"
+#include "compare/tables/tsv.h"
 #include "compare/text/values.h"
 
 enum { MOST_Y = 64 };

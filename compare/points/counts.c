@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <sys/resource.h>
 
+bool counts_are_wanted;
 static long counts[COUNTS]; /* by any thread */
 
 static const char *const names[COUNTS] = {

@@ -3,6 +3,8 @@
 #ifndef SCALLOP_COMPARE_POINTS_COUNTS_H
 #define SCALLOP_COMPARE_POINTS_COUNTS_H
 
+#include <stdbool.h>
+
 #include "numerics/numerics.h"
 
 enum count {
@@ -27,6 +29,8 @@ enum count {
   COUNTS
 };
 
+/* Are they printed? Then points are solved one by one, as the batch call counts nothing. */
+extern bool counts_are_wanted;
 void count_add(enum count what, long n);
 void count_work(const struct scallop_work *work);
 /* All of them, on standard error */

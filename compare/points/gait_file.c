@@ -7,7 +7,7 @@
 
 #include "compare/text/memory.h"
 #include "compare/text/message.h"
-#include "compare/text/tsv.h"
+#include "compare/tables/tsv.h"
 #include "compare/text/values.h"
 
 enum { MOST_ROWS = 100000 };

@@ -4,7 +4,7 @@
 
 #include "compare/points/sweep.h"
 #include "compare/text/message.h"
-#include "compare/text/tsv.h"
+#include "compare/tables/tsv.h"
 
 struct point_file {
   struct tsv tsv;

@@ -7,7 +7,7 @@
 
 #include "compare/points/gaits.h"
 #include "compare/text/digits.h"
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 #include "compare/text/values.h"
 #include "model/exact/fractions.h"
 

@@ -6,7 +6,7 @@
 
 #include "compare/answers/rows.h"
 #include "compare/config/config.h"
-#include "compare/text/plot.h"
+#include "compare/tables/plot.h"
 
 enum { SCENE_WANTS = 32 };
 

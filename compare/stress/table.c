@@ -65,7 +65,7 @@ static const struct measure {
   { "estimate_least", "%.4f", estimate_known, 0, true },
   { "estimate_most", "%.4f", estimate, 1, true },
 };
-enum { MEASURES = sizeof measures / sizeof *measures, VERDICT = 200 };
+enum { MEASURES = sizeof measures / sizeof *measures };
 
 static void begin_rows(struct table *t, const char *const *before, bool of_many, const char *const *after)
 {
@@ -77,10 +77,9 @@ static void begin_rows(struct table *t, const char *const *before, bool of_many,
   table_begin_rows(t);
 }
 
-static const char *verdict(char text[VERDICT], const char *broken, bool more)
+static const char *verdict(const char *broken, bool more)
 {
-  snprintf(text, VERDICT, "broken: %s%s", broken ? broken : "", more ? ", and more" : "");
-  return broken ? text : "holds";
+  return broken ? wrong_text("broken: %s%s", broken, more ? ", and more" : "") : "holds";
 }
 
 /* How many cases of each kind, and how long a trajectory is: it takes as long as so many periods do. A check of all
@@ -224,7 +223,7 @@ static double choose(const struct run *run, const struct row *r, const struct me
 static void write_row(struct run *run, const struct row *r)
 {
   struct table *t = &run->table;
-  char arguments[STRESS_ARGUMENTS] = "-", text[VERDICT];
+  char arguments[STRESS_ARGUMENTS] = "-";
   const int counts[] = { r->cases, r->refused, r->undecided, r->other_modes };
   table_text(t, r->family->name);
   table_text(t, r->gait->name);
@@ -233,7 +232,7 @@ static void write_row(struct run *run, const struct row *r)
   table_text(t, r->worst ? r->quantity : "-");
   for (int m = 0; m < MEASURES; m++)
     table_rounded(t, choose(run, r, &measures[m]), measures[m].format);
-  table_text(t, verdict(text, r->what, r->broken > 1));
+  table_text(t, verdict(r->what, r->broken > 1));
   if (r->worst)
     stress_arguments(r->worst_at, arguments);
   table_text(t, arguments);
@@ -260,9 +259,7 @@ static bool begin(struct run *run)
   const struct stress_options *o = run->options;
   const struct point *p = &o->request.point;
   struct table *t = &run->table;
-  char cases[40] = "";
-  if (o->cases.value > 0)
-    snprintf(cases, sizeof cases, " --cases %ld", o->cases.value);
+  const char *cases = o->cases.value > 0 ? wrong_text(" --cases %ld", o->cases.value) : "";
   if (!table_head(t, &o->request.style, "stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "",
                   o->family ? o->family : "", p->has_gait ? " --gait " : "", p->has_gait ? p->crawler.gait->name : "",
                   o->full ? " --full" : "", o->check ? " --check" : "", cases, o->seed.value))
@@ -303,7 +300,6 @@ enum exit_code stress_table(const struct stress_options *o)
 static void write_number(struct table *t, const struct stress_case *s, int q)
 {
   const struct stress_number *n = &s->number[q];
-  char text[VERDICT];
   table_text(t, quantity_rows[q].name);
   table_number(t, n->judged ? n->got : NAN);
   table_number(t, n->judged ? n->exact : NAN);
@@ -311,9 +307,7 @@ static void write_number(struct table *t, const struct stress_case *s, int q)
     if (!measures[m].of_many)
       table_rounded(t, n->judged ? measures[m].of(n) : NAN, measures[m].format);
   table_rounded(t, n->judged ? 1.0005 * n->estimate : NAN, "%.4g"); /* up */
-  table_text(t, s->outcome == STRESS_REFUSED ? s->why
-                : !n->judged && !n->broken   ? "-"
-                                             : verdict(text, n->broken, false));
+  table_text(t, s->outcome == STRESS_REFUSED ? s->why : !n->judged && !n->broken ? "-" : verdict(n->broken, false));
 }
 
 enum exit_code stress_point(const struct stress_options *o)

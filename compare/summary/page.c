@@ -1,7 +1,6 @@
 /* What a summary asks of a point, as columns of a table; and the same as a page, in sentences. That of `breakdown` is a
  * part of it. */
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -49,19 +48,12 @@ static void find_formulas(struct page *p)
 
 /* The motion */
 
-/* As printf writes the name of a quantity */
-static double number(const struct page *p, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static double number(const struct page *p, const char *format, ...)
+static double number(const struct page *p, const char *name)
 {
-  char name[2 * QUANTITY_NAME];
-  va_list values;
-  va_start(values, format);
-  vsnprintf(name, sizeof name, format, values);
-  va_end(values);
   return at_number(p->at, quantity_named(p->asked, name));
 }
 
-static double value(const struct page *p, enum quantity_id q) { return number(p, "%s", quantity_rows[q].name); }
+static double value(const struct page *p, enum quantity_id q) { return number(p, quantity_rows[q].name); }
 
 /* The digits of x that what a recording does not tell leaves of it; unknown: nan where there is none */
 static int digits_of(const struct page *p, double x, double unknown)
@@ -89,7 +81,7 @@ static void write_intervals(const struct page *p)
   for (enum quantity_id q = Q_V_START; q <= Q_MULTIPLIER; q++) {
     const char *name = quantity_rows[q].name;
     fprintf(p->file, "  %-14s ", name);
-    write_interval(p, number(p, "low.%s", name), number(p, "high.%s", name));
+    write_interval(p, number(p, wrong_text("low.%s", name)), number(p, wrong_text("high.%s", name)));
     fputc('\n', p->file);
   }
   if (number(p, "low.displacement") < 0 && number(p, "high.displacement") > 0)
@@ -164,19 +156,13 @@ static void write_error(const struct page *p, double error)
 }
 
 /* "O(T)", "O(T^4)" */
-static const char *order_text(char text[24], double order)
-{
-  snprintf(text, 24, order == 1 ? "O(T)" : "O(T^%g)", order);
-  return text;
-}
+static const char *order_text(double order) { return order == 1 ? "O(T)" : wrong_text("O(T^%g)", order); }
 
 static void write_verdict(const struct page *p, const struct told *t)
 {
   const struct claim_row *c = claim_of(p->at, t->formula);
-  double limit = number(p, "error_limit.%s", t->name);
-  char claimed[24], derived[24];
-  order_text(claimed, c->claimed_order);
-  order_text(derived, (double)c->derived_order);
+  double limit = number(p, wrong_text("error_limit.%s", t->name));
+  const char *claimed = order_text(c->claimed_order), *derived = order_text((double)c->derived_order);
   if (c->verdict == CLAIM_UNDECIDED)
     fprintf(p->file, "undecided: %s", c->reason);
   else if (c->exact)
@@ -196,10 +182,10 @@ static void write_verdict(const struct page *p, const struct told *t)
 static void write_reach(const struct page *p, const struct told *t)
 {
   static const int percents[] = { PAGE_PERCENTS };
-  double T = 1, limit = number(p, "error_limit.%s", t->name);
+  double T = 1, limit = number(p, wrong_text("error_limit.%s", t->name));
   for (int i = 0; i < 2 && isfinite(T) && T > 0; i++) { /* else the second is known by the first */
     const int percent = percents[i];
-    T = number(p, "reach_%g.%s", percent / 100., t->name);
+    T = number(p, wrong_text("reach_%g.%s", percent / 100., t->name));
     fputs(i == 0 ? "       off " : ", ", p->file);
     if (isnan(T))
       fprintf(p->file, "%d %%: no exact value", percent);
@@ -225,10 +211,10 @@ static const char *equation_of(const struct told *t)
 /* Formulas with the same value and claim, as (26) and (27), are told once. */
 static void write_formula(const struct page *p, const struct told *t)
 {
-  const double of_formula = number(p, "value.%s", t->name);
+  const double of_formula = number(p, wrong_text("value.%s", t->name));
   char equations[400] = "", names[1000] = "";
   for (const struct told *u = p->told; u < p->told + p->formulas; u++) {
-    const double other = number(p, "value.%s", u->name);
+    const double other = number(p, wrong_text("value.%s", u->name));
     const char *comma = u == t ? "" : ", ";
     bool same = u->of == t->of && u->formula->remainder == t->formula->remainder
                 && (other == of_formula || (isnan(other) && isnan(of_formula)));
@@ -245,7 +231,7 @@ static void write_formula(const struct page *p, const struct told *t)
     return;
   }
   fprintf(p->file, "= %.*g, exact %.*g", p->digits, of_formula, p->digits, value(p, t->of));
-  write_error(p, number(p, "deviation.%s", t->name));
+  write_error(p, number(p, wrong_text("deviation.%s", t->name)));
   fprintf(p->file, " [%s]\n       ", names);
   write_verdict(p, t);
   fputc('\n', p->file);

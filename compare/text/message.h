@@ -16,7 +16,8 @@ char *printed_line(const char *format, va_list arguments, const char *kept) __at
 /* "scallop NAME: message" on stderr. Returns false. */
 bool complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* What is wrong, as printf makes it, also of the last three such texts: until four calls later. */
+/* What is wrong, or another short text, as printf makes it, also of the last three such texts: until four calls later,
+ * and in one thread. */
 const char *wrong_text(const char *format, ...) __attribute__((format(printf, 1, 2), returns_nonnull));
 
 /* The place of a word in a list of words (NULL-terminated), or -1. */

@@ -9,7 +9,7 @@
 #include "compare/answers/answer_flint.h"
 #include "compare/text/progress.h"
 #include "compare/text/stopwatch.h"
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 #include "numerics/rivals/rival.h"
 
 /* The quantities that are compared: Q_V_START and Q_DISPLACEMENT. */

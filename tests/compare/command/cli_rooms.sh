@@ -22,28 +22,28 @@ mkdir -p model numerics asymptotics compare/text compare/maps compare/breakdown
 echo 'double law(double t);' >model/law.h
 printf '#include "model/law.h"\ndouble law(double t) { return t; }\n' >model/law.c
 printf '#include "model/law.h"\ndouble solve(void);\ndouble solve(void) { return law(1); }\n' >numerics/solve.c
-echo 'extern int written;' >compare/text/table.h
-printf '#include "compare/text/table.h"\nint written;\n' >compare/text/table.c
-printf '#include "compare/text/table.h"\nint grid(void);\nint grid(void)\n{\n  return written;\n}\n' >compare/maps/grid.c
+echo 'extern int written;' >compare/tables/table.h
+printf '#include "compare/tables/table.h"\nint written;\n' >compare/tables/table.c
+printf '#include "compare/tables/table.h"\nint grid(void);\nint grid(void)\n{\n  return written;\n}\n' >compare/maps/grid.c
 judge 0
 [ ! -s out ] || note "of a house in order: $(cat out)"
 finish "make rooms: a house in order"
 
 # Upward: by an include, by a call without one, by data without one
-cp compare/text/table.c kept.c
-printf '#include "compare/maps/map.h"\n' >>compare/text/table.c
+cp compare/tables/table.c kept.c
+printf '#include "compare/maps/map.h"\n' >>compare/tables/table.c
 : >compare/maps/map.h
 judge 1
-said "text must not use maps: compare/text/table.c:3 includes compare/maps/map.h"
+said "text must not use maps: compare/tables/table.c:3 includes compare/maps/map.h"
 printf 'int grid(void);\nint (*const row)(void) = grid;\n' >>kept.c
-cp kept.c compare/text/table.c
+cp kept.c compare/tables/table.c
 judge 1
-said "text must not use maps: compare/text/table.c uses grid of compare/maps/grid.c"
+said "text must not use maps: compare/tables/table.c uses grid of compare/maps/grid.c"
 said "circle in the house, of maps, text:"
-sed '/grid/d' kept.c >compare/text/table.c
+sed '/grid/d' kept.c >compare/tables/table.c
 printf 'extern int written;\nint *law_written(void);\nint *law_written(void) { return &written; }\n' >model/data.c
 judge 1
-said "model must not use text: model/data.c uses written of compare/text/table.c"
+said "model must not use text: model/data.c uses written of compare/tables/table.c"
 rm model/data.c
 mkdir compare/cellar
 : >compare/cellar/box.h

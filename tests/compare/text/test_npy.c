@@ -1,5 +1,5 @@
 /* Files of NumPy: a file does not depend on the order in which its rows came, nor on how they were shared out. */
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 #include "compare/text/values.h"
 #include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"

@@ -1,4 +1,4 @@
-#include "compare/text/npy.h"
+#include "compare/tables/npy.h"
 
 #include <errno.h>
 #include <limits.h>

@@ -1,8 +1,8 @@
 /* Text for people. Cells are kept, and printed in columns of equal width; a single row is printed upright, its long
  * texts in several lines. Of a long table the first ALIGNED_ROWS rows decide how wide columns are and which hold
  * numbers; further rows come in blocks of as many, and a column is wider from the block on that needs it. */
-#ifndef SCALLOP_COMPARE_TEXT_ALIGNED_H
-#define SCALLOP_COMPARE_TEXT_ALIGNED_H
+#ifndef SCALLOP_COMPARE_TABLES_ALIGNED_H
+#define SCALLOP_COMPARE_TABLES_ALIGNED_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,11 +1,11 @@
 /* Pictures of finished tables. scripts/plots/plot.sh draws them, with gnuplot: it is handed the table, what that is of,
  * and the options, as variables of its environment, so that no text is a command. */
-#ifndef SCALLOP_COMPARE_TEXT_PLOT_H
-#define SCALLOP_COMPARE_TEXT_PLOT_H
+#ifndef SCALLOP_COMPARE_TABLES_PLOT_H
+#define SCALLOP_COMPARE_TABLES_PLOT_H
 
 #include <stdbool.h>
 
-#include "compare/text/aligned.h"
+#include "compare/tables/aligned.h"
 
 /* Each text is as an option takes it (docs/reference/plots.md), or NULL. */
 struct plot {

@@ -1,7 +1,7 @@
-/* compare/text/plot and scripts/plots/plot.sh: what gnuplot is told, what becomes of the picture, and what is said
+/* compare/tables/plot and scripts/plots/plot.sh: what gnuplot is told, what becomes of the picture, and what is said
  * where there is none. A program of the test's own takes the place of gnuplot and keeps what it is told as the picture;
  * the last tests are of gnuplot itself, if it is installed. */
-#include "compare/text/plot.h"
+#include "compare/tables/plot.h"
 #include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"
 

@@ -4,13 +4,13 @@
  * two of bytes, at least 8; numbers in it are written out (then at least 32). So what a file looks like depends on its
  * rows alone, and not on their order or on how they were shared out: it is widened in place where a longer text comes.
  * The head has a fixed length, and is written last. '#' lines stand in it as comments, behind its dictionary. */
-#ifndef SCALLOP_COMPARE_TEXT_NPY_H
-#define SCALLOP_COMPARE_TEXT_NPY_H
+#ifndef SCALLOP_COMPARE_TABLES_NPY_H
+#define SCALLOP_COMPARE_TABLES_NPY_H
 
 #include <stdbool.h>
 #include <stdio.h>
 
-#include "compare/text/aligned.h"
+#include "compare/tables/aligned.h"
 
 /* A cell of a row: a number, a number as it stands, a text, or a cell of another table */
 enum cell_kind { CELL_NUMBER, CELL_DIGITS, CELL_TEXT, CELL_CARRIED };

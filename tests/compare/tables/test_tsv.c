@@ -1,5 +1,5 @@
 /* Tables as people have them: what separates cells, which names columns have, how numbers are written. */
-#include "compare/text/tsv.h"
+#include "compare/tables/tsv.h"
 #include "compare/text/message.h"
 #include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"

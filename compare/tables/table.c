@@ -1,5 +1,5 @@
 #define _GNU_SOURCE /* asprintf */
-#include "compare/text/table.h"
+#include "compare/tables/table.h"
 
 #include <errno.h>
 #include <float.h>
@@ -138,8 +138,7 @@ static void put_text(FILE *to, enum format format, const char *text, bool carrie
 /* The text of a number, which is that of the row before where the number is */
 static const char *number_in(struct sink *s, int column, double x)
 {
-  const bool is_same = s->last[column].is_there && memcmp(&s->last[column].value, &x, sizeof x) == 0;
-  if (!is_same)
+  if (!s->last[column].is_there || memcmp(&s->last[column].value, &x, sizeof x) != 0)
     number_text(s->last[column].text, x, s->digits);
   s->last[column].is_there = true;
   s->last[column].value = x;
@@ -192,8 +191,7 @@ static void emit(struct table *t, struct sink *s, const struct table_cell *cells
       putc('\0', to);
   }
   put(to, marks[s->format].end);
-  if (ferror(to))
-    note_error(s, errno);
+  note_error(s, ferror(to) ? errno : 0);
   if (aligned_is_full(&s->aligned))
     print_aligned(t, s, false);
 }
@@ -222,7 +220,7 @@ void table_begin_rows(struct table *t)
   for (int i = 0; i < count; i++)
     names[i] = (struct table_cell){ .kind = CELL_CARRIED, .text = (char *)t->names[i] };
   if (t->sink->format == FORMAT_NPY)
-    begin_records(t, count);
+    begin_records(t, count - t->only_drawn);
   write_notes(t);
   for (struct sink *s = t->sink; s < t->sink + t->sinks; s++) {
     if (s->format != FORMAT_JSON && s->format != FORMAT_NPY)

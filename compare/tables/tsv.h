@@ -4,8 +4,8 @@
  * The first row settles what separates the cells. Empty lines, lines that begin with # or %, and Markdown's line of
  * dashes are passed over; lines end with LF, CRLF or CR; a byte order mark at the head is dropped. A line of more than
  * a million characters, or with a NUL byte, is a row with a fault; one that is too long is the last. */
-#ifndef SCALLOP_COMPARE_TEXT_TSV_H
-#define SCALLOP_COMPARE_TEXT_TSV_H
+#ifndef SCALLOP_COMPARE_TABLES_TSV_H
+#define SCALLOP_COMPARE_TABLES_TSV_H
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "compare/text/tsv.h"
+#include "compare/tables/tsv.h"
 
 #include <ctype.h>
 #include <errno.h>
@@ -8,9 +8,9 @@
 #include <strings.h>
 
 #include "compare/text/file.h"
-#include "compare/text/json.h"
+#include "compare/tables/json.h"
 #include "compare/text/message.h"
-#include "compare/text/npy.h"
+#include "compare/tables/npy.h"
 
 static const char too_many[] = "this line has more than 256 columns";
 

@@ -1,6 +1,6 @@
 /* Rows of a table in JSON lines. */
-#ifndef SCALLOP_COMPARE_TEXT_JSON_H
-#define SCALLOP_COMPARE_TEXT_JSON_H
+#ifndef SCALLOP_COMPARE_TABLES_JSON_H
+#define SCALLOP_COMPARE_TABLES_JSON_H
 
 struct json_member {
   char *name, *value;

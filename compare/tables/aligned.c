@@ -1,4 +1,4 @@
-#include "compare/text/aligned.h"
+#include "compare/tables/aligned.h"
 
 #include <ctype.h>
 #include <stdlib.h>

@@ -1,17 +1,17 @@
 /* Tables: TSV with '#' lines on top, JSON with one object a line, CSV, Markdown, or aligned for people, to standard
  * output, to a file that appears when it is complete (compare/text/file.h), or to a pipe or a device. */
-#ifndef SCALLOP_COMPARE_TEXT_TABLE_H
-#define SCALLOP_COMPARE_TEXT_TABLE_H
+#ifndef SCALLOP_COMPARE_TABLES_TABLE_H
+#define SCALLOP_COMPARE_TABLES_TABLE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 
-#include "compare/text/aligned.h"
+#include "compare/tables/aligned.h"
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
-#include "compare/text/npy.h"
-#include "compare/text/plot.h"
+#include "compare/tables/npy.h"
+#include "compare/tables/plot.h"
 #include "model/version.h"
 
 /* FORMAT_TABLE: aligned, for people (aligned.h), with 6 significant digits: what a terminal gets where no format is

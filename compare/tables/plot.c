@@ -1,4 +1,4 @@
-#include "compare/text/plot.h"
+#include "compare/tables/plot.h"
 
 #include <math.h>
 #include <stddef.h>

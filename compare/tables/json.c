@@ -1,4 +1,4 @@
-#include "compare/text/json.h"
+#include "compare/tables/json.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
