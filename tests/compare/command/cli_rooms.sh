@@ -18,7 +18,7 @@ judge() { # CODE
 }
 said() { grep -q -F -e "$1" out || note "'$1' is not among: $(cat out err)"; }
 
-mkdir -p model numerics asymptotics compare/text compare/maps compare/breakdown
+mkdir -p model numerics asymptotics compare/tables compare/maps compare/breakdown
 echo 'double law(double t);' >model/law.h
 printf '#include "model/law.h"\ndouble law(double t) { return t; }\n' >model/law.c
 printf '#include "model/law.h"\ndouble solve(void);\ndouble solve(void) { return law(1); }\n' >numerics/solve.c
@@ -34,16 +34,16 @@ cp compare/tables/table.c kept.c
 printf '#include "compare/maps/map.h"\n' >>compare/tables/table.c
 : >compare/maps/map.h
 judge 1
-said "text must not use maps: compare/tables/table.c:3 includes compare/maps/map.h"
+said "tables must not use maps: compare/tables/table.c:3 includes compare/maps/map.h"
 printf 'int grid(void);\nint (*const row)(void) = grid;\n' >>kept.c
 cp kept.c compare/tables/table.c
 judge 1
-said "text must not use maps: compare/tables/table.c uses grid of compare/maps/grid.c"
-said "circle in the house, of maps, text:"
+said "tables must not use maps: compare/tables/table.c uses grid of compare/maps/grid.c"
+said "circle in the house, of maps, tables:"
 sed '/grid/d' kept.c >compare/tables/table.c
 printf 'extern int written;\nint *law_written(void);\nint *law_written(void) { return &written; }\n' >model/data.c
 judge 1
-said "model must not use text: model/data.c uses written of compare/tables/table.c"
+said "model must not use tables: model/data.c uses written of compare/tables/table.c"
 rm model/data.c
 mkdir compare/cellar
 : >compare/cellar/box.h
@@ -72,10 +72,10 @@ sed -i 's/kinds\[1\]/radius/' compare/breakdown/reach.c
 judge 0
 finish "make rooms: a circle through a table of function pointers"
 
-printf '#ifndef BOX_H\n#define BOX_H\n#endif\n' | tee model/box.h numerics/box.h >compare/text/other.h
+printf '#ifndef BOX_H\n#define BOX_H\n#endif\n' | tee model/box.h numerics/box.h >compare/tables/other.h
 judge 1
-said "BOX_H guards compare/text/other.h and model/box.h and numerics/box.h"
-rm model/box.h numerics/box.h compare/text/other.h
+said "BOX_H guards compare/tables/other.h and model/box.h and numerics/box.h"
+rm model/box.h numerics/box.h compare/tables/other.h
 judge 0
 finish "make rooms: include guards that are the same"
 
@@ -85,14 +85,14 @@ finish "make rooms: include guards that are the same"
   printf '  return i;\n}\n'
 } >numerics/many.c # 61 lines from its name on
 for i in $(seq 26); do : >"compare/maps/header$i.h"; done
-seq 451 | sed 's|^|// |' >compare/text/long.h
+seq 451 | sed 's|^|// |' >compare/tables/long.h
 most=$(awk '$1 == "model" { print $2 }' "${rooms%.py}.txt")
 seq "$most" | sed 's|^|// |' >model/long.h
 printf "// %118d\n" 1 >>numerics/many.c
 judge 1
 said "numerics/many.c: many: 61 lines, 60 are allowed"
 said "compare/maps: 28 files, 25 are allowed"
-said "compare/text/long.h: 451 lines, 450 are allowed"
+said "compare/tables/long.h: 451 lines, 450 are allowed"
 said "model: $((most + 3)) lines, $most are allowed"
 said "numerics/many.c:63: 121 columns"
 [ "$(wc -l <out)" = 5 ] || note "more is refused: $(cat out)"
