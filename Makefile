@@ -37,7 +37,7 @@ flint     := $(in_flint) $(addprefix tests/,$(in_flint) fuzz/flint/%) %_flint
 built      = $(if $(filter 0,$(WITH_FLINT)),$(filter-out $(flint),$(1)),$(1))
 found      = $(call built,$(basename $(sort $(shell find $(1) -name '$(2).c'))))
 # What a build without GSL has not
-in_gsl     = numerics/rivals/% compare/text/gsl
+in_gsl     = numerics/rivals/% compare/text/gsl compare/points/sobol
 cvode     := $(if $(filter 0,$(WITH_GSL)),,numerics/rivals/cvode)
 left_out  := compare/command/main $(cvode) $(if $(filter 0,$(WITH_GSL)),$(in_gsl))
 parts     := $(filter-out $(left_out),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper

@@ -136,6 +136,8 @@ const char *read_sample(void *options, const struct option *o, const char *text)
   bool fine = is_sobol ? !behind && read_count(count + 1, 1, SWEEP_RANGE, &s->count)
                        : strncmp(copy, "random:", 7) == 0 && behind && read_count(behind, 0, LONG_MAX, &seed)
                              && read_count(count + 1, 1, (long)SWEEP_POINTS, &s->count);
+  if (is_sobol && !sweep_sobol.begin)
+    return "this program was built without GSL, which has the Sobol sequences: random:N:SEED";
   s->sampling = is_sobol ? SAMPLING_SOBOL : SAMPLING_RANDOM;
   s->seed = (uint64_t)seed;
   return fine ? NULL : not_allowed(text, "sobol:N with N from 1 to 1e9, or random:N:SEED, all whole numbers");

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <gsl/gsl_qrng.h>
-
 #include "compare/text/values.h"
 
 bool sweep_variable_of_name(struct sweep_variable *v, const char *name)
@@ -96,6 +94,8 @@ static void note(struct sweep_place *p, const char *name, const char *wrong)
     snprintf(p->why, POINT_STATUS, "%s: %s", name, wrong);
 }
 
+struct sweep_sobol sweep_sobol;
+
 /* The splitmix64 of Steele, Lea and Flood (2014): output n of a seed, from 0 to 1 */
 static double random_number(uint64_t seed, uint64_t n)
 {
@@ -115,11 +115,11 @@ static void draw(struct sweep_walk *w, const struct sweep_group *g, long i)
     w->sample[k] = random_number(g->seed, (uint64_t)i * (uint64_t)g->variables + (uint64_t)k);
   if (is_sobol && (w->sampled != g || w->drawn > i)) {
     sweep_walk_end(w);
-    w->generator = gsl_qrng_alloc(gsl_qrng_sobol, (unsigned)g->variables);
+    w->generator = sweep_sobol.begin(g->variables);
     w->drawn = -1;
   }
   for (; is_sobol && w->generator && w->drawn < i; w->drawn++)
-    gsl_qrng_get(w->generator, w->sample);
+    sweep_sobol.next(w->generator, w->sample);
   w->sampled = g;
   w->drawn = i;
 }
@@ -127,7 +127,7 @@ static void draw(struct sweep_walk *w, const struct sweep_group *g, long i)
 void sweep_walk_end(struct sweep_walk *w)
 {
   if (w->generator)
-    gsl_qrng_free(w->generator);
+    sweep_sobol.end(w->generator);
   w->generator = NULL;
 }
 

@@ -38,6 +38,12 @@ struct sweep_variable {
 /* Samples of all variables of a group at once: points of a Sobol sequence, as GSL has it, or random ones, of which
  * number d of point i is the output i n + d of splitmix64, n being how many numbers a point has. */
 enum sampling { SAMPLING_NONE, SAMPLING_SOBOL, SAMPLING_RANDOM };
+/* Sobol sequences in so many dimensions (sobol.c); begin NULL: this build has none. */
+extern struct sweep_sobol {
+  void *(*begin)(int dimensions);
+  void (*next)(void *generator, double *x);
+  void (*end)(void *generator);
+} sweep_sobol;
 
 struct sweep {
   int products; /* at least one, which may have no groups: one point */
