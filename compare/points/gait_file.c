@@ -40,7 +40,7 @@ static const char *find_columns(struct columns *c, struct tsv *tsv)
   const int t = column_called(tsv, times), l = column_called(tsv, lengths);
   const int bodies[2] = { column_called(tsv, first), column_called(tsv, second) };
   const bool has_bodies = bodies[0] >= 0 && bodies[1] >= 0;
-  if (tsv->columns == 0 && (tsv->count == 2 || tsv->fault))
+  if (tsv->columns == 0 && (tsv->count == 2 || tsv->count == 0 || tsv->fault))
     return NULL;
   if (tsv->columns == 0)
     return tsv_at(tsv, "%d column%s without a header that names t and l, or t, x1 and x2: two are wanted, t and l",

@@ -93,6 +93,9 @@ static char *take_cell(const struct tsv *tsv, char **rest)
 
 static void split(struct tsv *tsv, char *line)
 {
+  const char separator = tsv->separator;
+  if (separator == '\t' && tsv->style == TSV_ANY && !strchr(line, '\t')) /* in this line blanks do */
+    tsv->separator = ' ';
   if (tsv->separator == '|') {
     line += *line == '|';
     size_t n = strlen(line);
@@ -102,14 +105,15 @@ static void split(struct tsv *tsv, char *line)
   for (char *rest = line; rest;) {
     const char *at = rest;
     char *cell = take_cell(tsv, &rest);
-    if (*cell == '\0' && *at != '"' && (tsv->runs || (tsv->style == TSV_ANY && !rest && tsv->count >= tsv->columns)))
+    if (*cell == '\0' && *at != '"'
+        && (tsv->runs || tsv->separator == ' ' || (tsv->style == TSV_ANY && !rest && tsv->count >= tsv->columns)))
       continue;
-    if (tsv->count == TSV_CELLS) {
+    if (tsv->count == TSV_CELLS)
       tsv->fault = too_many;
-      return;
-    }
-    tsv->cell[tsv->count++] = cell;
+    else
+      tsv->cell[tsv->count++] = cell;
   }
+  tsv->separator = separator;
 }
 
 /* The members of the first object name the columns; another one may lack some. NULL, or what is wrong. */
@@ -199,7 +203,7 @@ bool tsv_next(struct tsv *tsv)
     tsv->separator = separator_of(line);
     if (tsv->separator == ' ' && tsv->style == TSV_POINTS && !strchr(line, ' '))
       tsv->separator = '\t'; /* one column */
-    tsv->runs = tsv->separator == ' ' || (tsv->style == TSV_ANY && tsv->separator == '\t' && strstr(line, "\t\t"));
+    tsv->runs = (tsv->style == TSV_ANY && tsv->separator == '\t' && strstr(line, "\t\t"));
   }
   if (tsv->fault)
     return true;
@@ -275,11 +279,10 @@ static bool keep_names(struct tsv *tsv)
 /* The first row is given as one of data, the comment above it being its names where it has as many words. */
 static void name_by_comment(struct tsv *tsv)
 {
-  struct tsv of_comment = { .style = TSV_ANY, .separator = ' ', .runs = true };
+  struct tsv of_comment = { .style = TSV_ANY };
   if (!tsv->comment)
     return;
   of_comment.separator = strchr(tsv->comment, tsv->separator) ? tsv->separator : separator_of(tsv->comment);
-  of_comment.runs = of_comment.separator == ' ';
   split(&of_comment, tsv->comment);
   name_columns(&of_comment);
   for (int i = 0; i < of_comment.columns; i++)
