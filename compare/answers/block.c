@@ -88,7 +88,7 @@ static int take_points(struct block *b, int at, struct sweep_walk *w, const stru
 {
   if (w->product && w->product != b->product)
     keep_values(b, w, &here->point);
-  const struct sweep_group *last = b->last;
+  const struct sweep_group *last = w->product ? b->last : NULL;
   const long begin = last ? w->value[w->product->groups - 1] : 0, left = last ? last->count - begin : 1;
   count = left < count ? (int)left : count;
   for (int k = 0; k < CRAWLER_NUMBERS; k++) {

@@ -40,7 +40,7 @@ static bool take_line(struct shard *s, char *lines)
   char *at = lines ? strstr(lines, "# shard: ") : NULL, *next = at ? strchr(at, '\n') : NULL;
   if (!next || (at > lines && at[-1] != '\n') || !read_line(s, at))
     return false;
-  memmove(at, next + 1, strlen(next));
+  memmove(at, next + 1, strlen(next + 1) + 1);
   return true;
 }
 

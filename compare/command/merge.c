@@ -21,7 +21,7 @@ struct merge {
 static const char *place(struct merge *m, const struct shard_file *s, int i)
 {
   const char *name = m->names[i];
-  if (i == 0) {
+  if (!m->shards) {
     m->first = s->shard;
     m->is_array = s->is_array;
     m->shards = calloc((size_t)s->shard.parts, sizeof *m->shards);
@@ -58,6 +58,8 @@ static const char *missing(const struct merge *m)
   char list[MOST_NAMED * 24] = "";
   size_t used = 0;
   long count = 0;
+  if (!m->shards)
+    return "no shard is given";
   for (long part = 1; part <= m->first.parts; part++)
     if (!m->shards[part - 1] && count++ < MOST_NAMED)
       used += (size_t)snprintf(list + used, sizeof list - used, " %ld", part);
@@ -111,6 +113,8 @@ static int write_all(const struct merge *m, FILE *to)
   struct shard_file first, s;
   struct npy file;
   long head = 0;
+  if (!m->shards)
+    return EINVAL;
   int error = shard_open(&first, file_read(m->shards[0])) ? EIO : 0;
   if (m->is_array && error == 0) {
     for (int i = 0; i < first.array.columns; i++)

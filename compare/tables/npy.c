@@ -41,7 +41,8 @@ static void put_double(char *to, int width, double x)
   char text[NUMBER_TEXT] = "";
   if (width > 0) {
     number_text(text, x, 0);
-    memcpy(to, text, strlen(text));
+    for (const char *c = text; *c; c++)
+      *to++ = *c;
   } else
     memcpy(to, &x, sizeof x);
 }
@@ -95,9 +96,11 @@ static bool has_room(struct npy *n, long rows)
     return true;
   const long room = 2 * (n->rows + rows);
   char *grown = realloc(n->records, (size_t)room * n->size);
-  n->room = grown ? room : n->room;
-  n->records = grown ? grown : n->records;
-  return grown != NULL;
+  if (!grown)
+    return false;
+  n->room = room;
+  n->records = grown;
+  return true;
 }
 
 /* A cell of another table is a number where a double holds all that is written. */
@@ -120,7 +123,7 @@ static int width_of(const char *text)
 
 int npy_row(struct npy *n, const struct table_cell *cells, long digits)
 {
-  int width[TABLE_COLUMNS], own[TABLE_COLUMNS];
+  int width[TABLE_COLUMNS], own[TABLE_COLUMNS] = { 0 };
   double x[TABLE_COLUMNS];
   size_t size;
   char text[NUMBER_TEXT];
@@ -132,7 +135,7 @@ int npy_row(struct npy *n, const struct table_cell *cells, long digits)
     }
   }
   int error = widens(n, own, width, &size) ? widen(n, width, size) : 0;
-  if (error != 0 || !has_room(n, 1))
+  if (error != 0 || !has_room(n, 1) || !n->records)
     return ENOMEM;
   char *to = n->records + (size_t)n->rows++ * n->size;
   memset(to, 0, n->size);
@@ -187,7 +190,7 @@ static int widen_file(struct npy *file, FILE *to, long head, const int *width, s
 
 int npy_move(struct npy *file, FILE *to, long head, struct npy *from)
 {
-  int width[TABLE_COLUMNS], error = 0;
+  int width[TABLE_COLUMNS] = { 0 }, error = 0;
   size_t size;
   if (from->rows == 0)
     return 0;

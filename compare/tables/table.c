@@ -138,7 +138,7 @@ static void put_text(FILE *to, enum format format, const char *text, bool carrie
 /* The text of a number, which is that of the row before where the number is */
 static const char *number_in(struct sink *s, int column, double x)
 {
-  if (!s->last[column].is_there || memcmp(&s->last[column].value, &x, sizeof x) != 0)
+  if (!s->last[column].is_there || !(s->last[column].value == x) || signbit(s->last[column].value) != signbit(x))
     number_text(s->last[column].text, x, s->digits);
   s->last[column].is_there = true;
   s->last[column].value = x;

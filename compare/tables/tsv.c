@@ -271,7 +271,7 @@ static bool is_number(struct tsv *tsv, int column)
 static bool keep_names(struct tsv *tsv)
 {
   tsv->header = tsv->buffer;
-  tsv->buffer = malloc(LONGEST_LINE + 1);
+  tsv->buffer = calloc(1, LONGEST_LINE + 1);
   tsv->error = tsv->buffer ? tsv->error : ENOMEM;
   return tsv->buffer != NULL;
 }
@@ -319,7 +319,7 @@ static bool begin_npy(struct tsv *tsv)
 static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
 {
   *tsv = (struct tsv){ .name = name, .style = style, .file = file, .error = file ? 0 : errno };
-  tsv->buffer = file ? malloc(LONGEST_LINE + 1) : NULL;
+  tsv->buffer = file ? calloc(1, LONGEST_LINE + 1) : NULL;
   if (file && !tsv->buffer)
     tsv->error = ENOMEM;
   const int first = tsv->buffer ? getc(file) : EOF;

@@ -37,6 +37,7 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Those that this program was built with */
 static bool is_there(const struct kind *k) { return k->make != scallop_cvode_rival || scallop_has_cvode(); }
+/* NOLINTNEXTLINE(bugprone-macro-parentheses): k is declared */
 #define FOR_KINDS(k) \
   for (const struct kind *k = kinds; k < kinds + KINDS; k++) \
     if (is_there(k))
