@@ -163,7 +163,7 @@ static int threads_of(struct tour *t)
   const int threads = any_order && !is_short ? threads_wanted(run->rows->request) : 1;
   const long each = points / (CHUNKS * threads), most = takes_long ? MOST_AT_ONCE : BLOCK_ROWS;
   t->chunk = t->file || each < 1 ? 1 : !takes_long || each > most ? most : each;
-  const long chunks = (points + t->chunk - 1) / t->chunk;
+  const long chunks = points / t->chunk + (points % t->chunk != 0);
   return threads < chunks ? threads : (int)(chunks > 0 ? chunks : 1);
 }
 

@@ -37,10 +37,11 @@ enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Those that this program was built with */
 static bool is_there(const struct kind *k) { return k->make != scallop_cvode_rival || scallop_has_cvode(); }
-/* NOLINTNEXTLINE(bugprone-macro-parentheses): k is declared */
+/* NOLINTBEGIN(bugprone-macro-parentheses): k is declared */
 #define FOR_KINDS(k) \
   for (const struct kind *k = kinds; k < kinds + KINDS; k++) \
     if (is_there(k))
+/* NOLINTEND(bugprone-macro-parentheses) */
 
 TEST(sundials_is_there_or_left_out)
 {
