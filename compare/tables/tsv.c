@@ -414,9 +414,9 @@ bool tsv_is_missing(const char *cell)
 const char *tsv_taken_for(const struct tsv *tsv, char text[80])
 {
   static const char separators[] = "\t,; |{", *const names[] = { "tabs", "commas", "semicolons", "blanks", "|" };
-  const char *at = strchr(separators, tsv->separator);
-  if (tsv->npy || tsv->separator == '{')
-    snprintf(text, 80, tsv->npy ? "an array of NumPy" : "JSON");
+  const char *at = tsv->separator ? strchr(separators, tsv->separator) : NULL;
+  if (!at || *at == '{')
+    snprintf(text, 80, tsv->npy ? "an array of NumPy" : at ? "JSON" : "no rows");
   else
     snprintf(text, 80, "columns between %s%s", names[at - separators], tsv->commas ? ", decimal commas" : "");
   return text;
