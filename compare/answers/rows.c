@@ -139,12 +139,13 @@ static void put_number(const struct sheet *s, struct table *t, struct at *at, in
 {
   const struct quantity *q = &s->asked->quantities.item[quantity];
   double x = at_number(at, quantity);
-  char shortest[NUMBER_TEXT], format[8];
+  char shortest[NUMBER_TEXT];
   const double unknown = t->sink->digits == PEOPLE_DIGITS && !t->style->digits ? at_data_error(at, quantity) : NAN;
-  snprintf(format, sizeof format, "%%.%dg", isnan(unknown) ? 3 : digits_known(x, unknown));
-  if (q->kind == QUANTITY_ESTIMATE || !isnan(unknown))
+  if (q->kind == QUANTITY_ESTIMATE || !isnan(unknown)) {
+    char format[8];
+    snprintf(format, sizeof format, "%%.%dg", isnan(unknown) ? 3 : digits_known(x, unknown));
     table_rounded(t, x, format);
-  else if (q->kind != QUANTITY_NUMBER || !s->as_written)
+  } else if (q->kind != QUANTITY_NUMBER || !s->as_written)
     table_number(t, x);
   else { /* with all the digits that were given: --digits is of what is proven */
     const char *written = at->place.is_unread ? NULL : at->place.point.written[q->which];

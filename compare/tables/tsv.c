@@ -190,8 +190,8 @@ bool tsv_next(struct tsv *tsv)
     tsv->waits = false;
     return true;
   }
-  if (tsv->npy)
-    return next_record(tsv);
+  if (tsv->next_record)
+    return tsv->next_record(tsv);
   while (!line && read_line(tsv))
     line = row_of(tsv);
   if (!line)
@@ -305,8 +305,13 @@ static bool is_of_names(struct tsv *tsv)
 }
 
 /* The file begins as one of NumPy: its columns are named in its head. */
-static bool begin_npy(struct tsv *tsv)
+static bool begin_npy(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
 {
+  *tsv = (struct tsv){ .name = name, .style = style, .file = file, .buffer = calloc(1, LONGEST_LINE + 1) };
+  if (!tsv->buffer)
+    return tsv->error = ENOMEM, false;
+  tsv->next_record = next_record;
+  tsv->close_npy = npy_close;
   const char *wrong = (tsv->npy = malloc(sizeof *tsv->npy)) ? npy_open(tsv->npy, tsv->file, true) : "out of memory";
   tsv->fault = wrong ? wrong : tsv->npy->columns > TSV_CELLS ? too_many : NULL;
   tsv->waits = tsv->fault != NULL;
@@ -322,11 +327,6 @@ static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE 
   tsv->buffer = file ? calloc(1, LONGEST_LINE + 1) : NULL;
   if (file && !tsv->buffer)
     tsv->error = ENOMEM;
-  const int first = tsv->buffer ? getc(file) : EOF;
-  if (first == 0x93)
-    return begin_npy(tsv);
-  if (first != EOF)
-    ungetc(first, file);
   if (!tsv->buffer || !tsv_next(tsv) || tsv->fault) {
     tsv->waits = tsv->fault != NULL;
     return tsv->error == 0;
@@ -346,7 +346,14 @@ static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE 
 
 bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
 {
-  return begin(tsv, strcmp(file, "-") == 0 ? "standard input" : file, style, file_read(file));
+  const char *name = strcmp(file, "-") == 0 ? "standard input" : file;
+  FILE *stream = file_read(file);
+  const int first = stream ? getc(stream) : EOF;
+  if (first == 0x93)
+    return begin_npy(tsv, name, style, stream);
+  if (first != EOF)
+    ungetc(first, stream);
+  return begin(tsv, name, style, stream);
 }
 
 bool tsv_open_text(struct tsv *tsv, const char *name, const char *text)
@@ -360,7 +367,7 @@ void tsv_close(struct tsv *tsv)
   if (tsv->file && tsv->file != stdin)
     fclose(tsv->file);
   if (tsv->npy)
-    npy_close(tsv->npy);
+    tsv->close_npy(tsv->npy);
   free(tsv->npy);
   free(tsv->buffer);
   free(tsv->header);

@@ -39,7 +39,9 @@ struct tsv {
   char *buffer;                      /* the current line        */
   size_t length;                     /* of what was read of it  */
   bool ended_by_return;              /* likewise                */
-  struct npy_file *npy;              /* a file of NumPy; else NULL */
+  struct npy_file *npy;              /* a file of NumPy, which is read by: else NULL */
+  bool (*next_record)(struct tsv *);
+  void (*close_npy)(struct npy_file *);
 };
 
 /* Opens a file, or for "-" standard input, and reads the names of its columns: the first row, if its first cell is no
