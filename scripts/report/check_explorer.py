@@ -299,7 +299,8 @@ class Check:
             row = self.command(*words[1:], cwd=folder)[0]
         shown = self.answers()
         self.expect(self.state()["L"] == row["L"], "a table's own L is not taken")
-        self.expect(all(shown[n] == float(row[n]) for n in NAMES), f"a measured gait: {shown}, of the command {row}")
+        # the curve through the rows is computed in long double, which has 113 bits in the page and 64 in the command
+        self.expect(all(math.isclose(shown[n], float(row[n]), rel_tol=1e-12) for n in NAMES), f"a measured gait: {shown}, of the command {row}")
         state = self.state()
         self.load(self.page.run("location.hash"))
         self.expect(self.state() == state and self.answers() == shown, "a link does not restore a measured gait")
@@ -331,8 +332,8 @@ class Check:
             seen += self.watched(lambda seen: "Computing the errors" not in seen[-1]["said"])
             gap = self.page.run("beat.gap")
             self.measured.append(f"{where}: {gap:.0f} ms is the longest time without an answer, {gap / self.solved():.0f} steady states of the command")
-            parts = {one["part"] for one in seen if one["shown"] and "errors" in one["said"]}
-            self.expect(len(parts) > 5, f"{where}: {len(parts)} states of progress are shown: {seen[-1]}")
+            parts = {one["part"] for one in seen if one["shown"] and "Computing" in one["said"]}
+            self.expect(len(parts) > 2, f"{where}: {len(parts)} states of progress are shown: {seen[-1]}")
             self.expect("errors" not in seen[-1]["said"], f"{where}: after {LONGEST_WORK} s it says {seen[-1]['said']}")
             self.reports(where)
         self.stopped()
@@ -342,7 +343,7 @@ class Check:
         running = lambda seen: seen[-1]["shown"] and "Computing" in seen[-1]["said"]  # noqa: E731
         self.page.run("explorer.change({ F1: '5' })")
         self.expect(running(self.watched(running, 5)), "no progress is shown after another input")
-        for stop in (lambda: self.key("Escape", "Escape", 27), lambda: self.page.run("document.getElementById('work-stop')?.click()")):
+        for F1, stop in (6, lambda: self.key("Escape", "Escape", 27)), (7, lambda: self.page.run("document.getElementById('work-stop')?.click()")):
             stop()
             self.pause(0.5)
             first = self.page.run(WORK)
@@ -352,7 +353,10 @@ class Check:
             self.expect(first["part"] == later["part"] and later["shown"], f"the work goes on after it was stopped: {first}, {later}")
             self.expect(pale > 0, "pictures from before look like those of the crawler")
             self.page.run("document.getElementById('work-stop')?.click()")
-            self.expect(running(self.watched(running, 5)), "the work does not go on")
+            goes_on = self.watched(lambda seen: not seen[-1]["said"].startswith("Stopped at "), 5)[-1]
+            self.expect(not goes_on["said"].startswith("Stopped at "), f"the work does not go on: {goes_on}")
+            self.page.run(f"explorer.change({{ F1: '{F1}' }})")
+            self.expect(running(self.watched(running, 5)), "no progress is shown after a third input")
         before = self.answers()
         self.page.run("document.getElementById('usual').click()")
         self.settle()
