@@ -19,7 +19,8 @@ static inline long shard_begin(const struct shard *s, long part, long points)
   return points / s->parts * (part - 1) + (part - 1 < left ? part - 1 : left);
 }
 
-/* A name that goes on: of what a text says, of what a file holds. */
+/* A name that begins, and one that goes on: of what a text says, of what a file holds. */
+#define SHARD_NO_NAME UINT64_C(0xcbf29ce484222325) /* FNV-1a begins with it */
 uint64_t shard_name_text(uint64_t name, const char *text);
 uint64_t shard_name_file(uint64_t name, const char *path);
 

@@ -26,17 +26,21 @@ struct report {
   bool heading; /* its head is written */
 };
 
-/* A column: its name, or its cell */
-static void put(struct report *r, unsigned tables, const char *name, const char *text)
+/* A column: its name, or its cell, as `cell` writes it */
+static void put_as(struct report *r, unsigned tables, const char *name, const char *text,
+                   void (*cell)(struct table *table, const char *text))
 {
   if (!(tables & r->of))
     return;
   if (r->heading)
     table_columns(&r->table, (const char *const[]){ name, NULL });
-  else if (strcmp(name, "derived_order") == 0) /* a number, but "none" or "-" */
-    table_carried(&r->table, text ? text : "-");
   else
-    table_text(&r->table, text && *text ? text : "-");
+    cell(&r->table, text && *text ? text : "-");
+}
+
+static void put(struct report *r, unsigned tables, const char *name, const char *text)
+{
+  put_as(r, tables, name, text, table_text);
 }
 
 static void put_number(struct report *r, unsigned tables, const char *name, double x, const char *format)
@@ -84,8 +88,12 @@ static void write_line(struct report *r, const struct line *line)
   put_number(r, SUMMARY, "checks", line->checks, "%.0f");
   put_number(r, SUMMARY, "failed", line->count[CLAIM_REFUTED], "%.0f");
   put(r, SUMMARY, "condition", row->conditions);
-  /* none: every coefficient that was looked at vanishes */
-  put(r, ROWS, "derived_order", !row->proven ? NULL : row->exact ? "none" : wrong_text("%ld", row->derived_order));
+  /* a number, or none: every coefficient that was looked at vanishes */
+  put_as(r, ROWS, "derived_order",
+         !row->proven ? NULL
+         : row->exact ? "none"
+                      : wrong_text("%ld", row->derived_order),
+         table_carried);
   put(r, ROWS, "coefficient", row->coefficient);
   put(r, ROWS, "corrected", row->corrected);
   put(r, ROWS | ERRORS, "conditions", row->conditions);

@@ -223,7 +223,7 @@ static const char *idle_sweep(const struct arguments *a)
 static void name_sweep(struct arguments *a)
 {
   struct request *r = &a->options.request;
-  uint64_t name = shard_name_text(UINT64_C(0xcbf29ce484222325), SCALLOP_VERSION);
+  uint64_t name = shard_name_text(SHARD_NO_NAME, SCALLOP_VERSION);
   for (int i = 1; i < a->count; i++) {
     char option[OPTION_VALUE];
     const char *text = strcmp(a->all[i], "-o") == 0 ? "--output" : a->all[i];

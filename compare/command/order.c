@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "compare/columns/columns.h"
 #include "compare/command/commands.h"
 #include "compare/order/order.h"
 
@@ -15,19 +16,6 @@ struct order_options {
 };
 _Static_assert(sizeof(struct order_options) <= sizeof((struct arguments *)NULL)->options,
                "arguments has room for them");
-
-/* Reads a number, or a fraction of two: 3/2. */
-static bool read_fraction(const char *text, double *value)
-{
-  char top[NUMBER_LENGTH + 1];
-  size_t length = strcspn(text, "/");
-  double above, below = 1;
-  bool good = length <= NUMBER_LENGTH;
-  snprintf(top, sizeof top, "%.*s", (int)(good ? length : 0), text);
-  good = good && read_number(top, &above) && (text[length] == '\0' || read_number(text + length + 1, &below));
-  *value = good && below != 0 ? above / below : NAN;
-  return isfinite(*value);
-}
 
 /* Reads "2", "2,3/2" or "L2=2,H1=1". */
 static const char *read_orders(void *options, const struct option *o, const char *text)
@@ -44,7 +32,8 @@ static const char *read_orders(void *options, const struct option *o, const char
       return n == MOST_ORDERS ? "more than 32 orders" : "a name is too long";
     wanted->of[n].name = number ? at + strspn(at, " ") : NULL;
     wanted->of[n].length = length;
-    if (!read_fraction(number ? number + 1 : item, &wanted->of[n].order))
+    wanted->of[n].order = text_number(number ? number + 1 : item);
+    if (!isfinite(wanted->of[n].order))
       return no_number(number ? number + 1 : item, o->allowed);
     if (!wanted->of[n].name != !wanted->of[0].name)
       return "either each order has the name of its column, or none has";

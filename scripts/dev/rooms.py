@@ -30,7 +30,7 @@ def lines_of(path):
 
 
 def room(path):
-    """model/law.c: model; compare/tables/table.h: text; None outside of the rooms"""
+    """model/law.c: model; compare/tables/table.h: tables; None outside of the rooms"""
     return os.path.basename(os.path.dirname(path)) if os.path.dirname(path) in FOLDERS else None
 
 

@@ -321,7 +321,7 @@ def steady_errors(m1: npt.ArrayLike = 1, m2: npt.ArrayLike = 1, F1: npt.ArrayLik
                   gait: GaitLike = "quadratic") -> SteadyErrors:
     """Estimate how far what :func:`steady` returns is off, from binary128 arithmetic.
 
-    Row by row, some 0.2 ms each.
+    Row by row: 0.05 ms of processor time each for the default gait, as measured on one machine.
 
     Parameters
     ----------
