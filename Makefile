@@ -87,7 +87,7 @@ $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
 $(B)/shipped_scripts.c: $(addprefix scripts/plots/,plot.sh common.gp) $(sort $(wildcard scripts/plots/plot/*.awk scripts/plots/figure*.gp))
 $(B)/shipped_completion.c: scripts/dev/completion.bash
 $(B)/shipped_help.c: $(sort $(wildcard docs/help/*.txt))
-$(B)/asymptotics/published/paper.c: scripts/dev/book.awk asymptotics/published/paper.cfg
+$(B)/asymptotics/published/paper.c: scripts/dev/formulas.awk asymptotics/published/paper.cfg
 	@mkdir -p $(@D) && awk -f $^ >$@
 $(B)/shipped_%.c: scripts/dev/embed.sh
 	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $<,$^) >$@

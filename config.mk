@@ -4,7 +4,7 @@
 WITH_FLINT    ?= 1
 # GSL: the general-purpose methods to compare with, and what needs FLINT in the program. 0: without both; tests need it.
 WITH_GSL      ?= 1
-# libconfig: scenes and books of formulas. 0: the program refuses these.
+# libconfig: scenes and formula files. 0: the program refuses these.
 WITH_LIBCONFIG ?= 1
 # OpenMP: many steady states, and maps, on all cores. auto: where the compiler has it; 0: on one.
 WITH_OPENMP   ?= auto

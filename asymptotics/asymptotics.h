@@ -57,7 +57,7 @@ struct scallop_values scallop_exchanged(const struct scallop_values *values);
 /* The symbol that stands in the place of another then; *sign becomes -1 if its sign changes, else 1. */
 enum scallop_symbol scallop_symbol_exchanged(enum scallop_symbol symbol, int *sign);
 
-/* What a formula gives: the word for it in a book of formulas, and the constant. "rear" is body 1 in an extension and 2
+/* What a formula gives: the word for it in a formula file, and the constant. "rear" is body 1 in an extension and 2
  * in a contraction, whichever body turns; a book calls its position at the end, and that of the other body, by the
  * number of the body: dx1, dx2. */
 #define SCALLOP_QUANTITY_LIST(QUANTITY) \

@@ -1,4 +1,4 @@
-/* Formulas as text: one language for the columns of a scene, the published series and any book of formulas. A formula
+/* Formulas as text: one language for the columns of a scene, the published series and any formula file. A formula
  * is read once into operations, and evaluated as often as needed in double (below), in balls or as a series in T
  * (formula_flint.h).
  *

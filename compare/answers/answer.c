@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/text/digits.h"
 #include "numerics/numerics.h"
 

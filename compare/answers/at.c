@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "compare/answers/flint.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/columns/columns.h"
 #include "compare/points/counts.h"
 #include "compare/points/gaits.h"

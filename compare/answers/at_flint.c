@@ -6,7 +6,7 @@
 #include "asymptotics/derived/derived.h"
 #include "compare/answers/answer_flint.h"
 #include "compare/answers/at.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/points/counts.h"
 #include "compare/points/gaits.h"
 #include "compare/points/point_flint.h"

@@ -71,7 +71,7 @@ enum quantity_kind {
   QUANTITY_ERROR,
   QUANTITY_RELATIVE,
   QUANTITY_DATA,      /* of another quantity: which times what a recording does not tell is added, -1 or 1 */
-  QUANTITY_PUBLISHED, /* series: of the paper, or of a book */
+  QUANTITY_PUBLISHED, /* series: of the paper, or of a formula file */
   QUANTITY_DERIVED,
   QUANTITY_LIMIT,
   QUANTITY_GAIT, /* texts */

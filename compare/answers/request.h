@@ -34,7 +34,7 @@ struct request {
   } samples;                      /* of the ranges without a count */
   struct sweep sweep;             /* what varies; no product: one point, else point is where nothing varies */
   const char *points;             /* file name, "-" for standard input, or NULL */
-  const char *book;               /* file name of a book of formulas, or NULL     */
+  const char *formulas;           /* file name of a formula file, or NULL     */
   struct given_number smooth;     /* the noise of a measured gait's recording, which is read with it */
   struct given_count threads;     /* on how many rows are computed */
   bool stats;                     /* prints afterwards what was computed */

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "compare/answers/shard.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/points/counts.h"
 #include "compare/points/defaults.h"
 #include "compare/tables/tsv.h"

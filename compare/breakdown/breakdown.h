@@ -6,7 +6,7 @@
 #include "compare/answers/quantities.h"
 #include "compare/text/values.h"
 
-enum breakdown_source { FROM_BOOK, FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT };
+enum breakdown_source { FROM_USER, FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT };
 
 struct breakdown_options {
   struct request request;

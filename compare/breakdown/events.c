@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "compare/answers/answer.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/breakdown/motion.h"
 #include "compare/points/gaits.h"
 #include "compare/text/digits.h"
@@ -186,7 +186,7 @@ static void describe_move(struct event *e, const struct signature *before, const
                      : (body == 1 ? from.s1 : from.s2) == 0 ? "starts"
                                                             : "turns";
   snprintf(e->what, sizeof e->what, "body %d %s in the %s during piece %d of the gait, no longer during piece %d", body,
-           does, book_phases[kind_of(before->motion, phase)], after->part[phase][i], before->part[phase][i]);
+           does, phase_names[kind_of(before->motion, phase)], after->part[phase][i], before->part[phase][i]);
 }
 
 /* Behind the others; without memory it is left out. */

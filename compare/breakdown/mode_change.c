@@ -1,4 +1,4 @@
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/breakdown/motion.h"
 
 #include <stdarg.h>
@@ -66,7 +66,7 @@ static void tell_differences(char *text, const struct difference *first, int cou
     while (d < first + count && (a[d->of] == b[d->of] || (d->from_none && a[d->of] > 0 && b[d->of] > 0)))
       d++;
     if (d < first + count)
-      tell(text, b[d->of] > a[d->of] ? d->more : d->less, body, book_phases[phase]);
+      tell(text, b[d->of] > a[d->of] ? d->more : d->less, body, phase_names[phase]);
   }
 }
 
@@ -87,7 +87,7 @@ static void tell_signs(char *text, const struct answer *before, const struct ans
     if (a * b < 0)
       tell(text, "%s velocity changes sign", phase == 0 ? "start" : "mid");
     else if (a != b)
-      tell(text, "the %s %s from rest", book_phases[phase], b == 0 ? "begins" : "no longer begins");
+      tell(text, "the %s %s from rest", phase_names[phase], b == 0 ? "begins" : "no longer begins");
   }
 }
 

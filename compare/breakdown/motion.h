@@ -99,7 +99,7 @@ void relative_error(arb_t x, const arb_t exact, slong precision);
 struct series_item { /* one series for one quantity */
   enum breakdown_source source;
   enum quantity_id quantity;
-  const struct scallop_formula *formula; /* of a book, or published */
+  const struct scallop_formula *formula; /* of a formula file, or published */
   slong before;                          /* derived: the terms below T^before */
 };
 struct series_item series_of_formula(const struct scallop_formula *formula, enum quantity_id quantity);

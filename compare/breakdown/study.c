@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/breakdown/motion.h"
 #include "compare/points/gaits.h"
 
@@ -82,7 +82,7 @@ const char *study_where(const struct study *s, double T)
 
 bool breakdown_takes(const struct breakdown_options *o, enum breakdown_source source)
 {
-  static const char *const names[] = { "book", "published", "derived", "limit" };
+  static const char *const names[] = { "user", "published", "derived", "limit" };
   return !o->source.given || strcmp(o->source.value, names[source]) == 0;
 }
 
@@ -101,9 +101,9 @@ bool series_is_about(const struct scallop_formula *f, const struct motion *m, en
 struct series_item series_of_formula(const struct scallop_formula *f, enum quantity_id quantity)
 {
   int i = 0;
-  while (book_formula(i) && book_formula(i) != f)
+  while (user_formula(i) && user_formula(i) != f)
     i++;
-  return (struct series_item){ book_formula(i) ? FROM_BOOK : FROM_PUBLISHED, quantity, f, 0 };
+  return (struct series_item){ user_formula(i) ? FROM_USER : FROM_PUBLISHED, quantity, f, 0 };
 }
 
 const char *series_name(const struct series_item *item)

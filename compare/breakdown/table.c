@@ -4,7 +4,7 @@
 
 #include "compare/points/defaults.h"
 #include "compare/points/gaits.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/breakdown/motion.h"
 #include "compare/text/progress.h"
 #include "compare/tables/table.h"
@@ -215,14 +215,14 @@ static bool begin(struct report *r)
   struct table *t = &r->table;
   if (!table_head(t, &request->style, "breakdown"))
     return false;
-  if (request->book)
-    table_note(t, "book: %s", request->book);
+  if (request->formulas)
+    table_note(t, "formulas: %s", request->formulas);
   /* T is what is looked for; a phase is one of duration T */
   note_parameters(t, &request->point, (const char *const[]){ "T", m->of == OF_STEADY ? NULL : "alpha", NULL }, false);
   if (m->of == OF_PHASE) {
     char v0[NUMBER_TEXT];
     number_text(v0, m->v0, 0);
-    table_note(t, "%s from v0 = %s; T is its duration, not the period", book_phases[m->phase], v0);
+    table_note(t, "%s from v0 = %s; T is its duration, not the period", phase_names[m->phase], v0);
   }
   if (r->study.derived.status != SCALLOP_OK)
     table_note(t, "no derived series: %s", study_why_none(&r->study));
@@ -276,7 +276,7 @@ static bool serves(const struct report *r)
 {
   const struct given_word *only = &r->options->quantity;
   const char *what = only->given ? wrong_text("the %s of this motion", only->value) : "this motion";
-  return book_serves("breakdown", r->options->request.book, is_of_a_row, r, what);
+  return formula_file_serves("breakdown", r->options->request.formulas, is_of_a_row, r, what);
 }
 
 enum exit_code breakdown_table(const struct breakdown_options *o)

@@ -1,7 +1,7 @@
 /* The ledger of the paper's claims, with verdicts (data/claims.tsv); docs/background/errata.md lists the others.
  *
  * A row is one claim for one gait under one set of conditions. Claims about an order, "... + O(T^n)", are the rows of
- * asymptotics' lists of formulas, or of a book: order.c and book.c go through these under their conditions, trial.c
+ * asymptotics' lists of formulas, or of a formula file: order.c and user.c go through these under their conditions, trial.c
  * expands and samples the motion, proof.c finds what the formula leaves out. Claims in words are one row and one
  * function in random.c (every crawler), examples.c, families.c (crawlers that differ in one number) or figures.c.
  *
@@ -13,7 +13,7 @@
 
 #include "asymptotics/observed/order.h"
 #include "compare/answers/request.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 
 struct scallop_rational_crawler; /* model/exact/ball.h */
 
@@ -24,8 +24,8 @@ const char *claim_verdict_text(enum claim_verdict verdict);
  * docs/background/theory.md); for the crawler that is named; from `sampled` crawlers, or other cases; from doubles */
 enum claim_evidence { NO_EVIDENCE, PROVEN_FOR_ALL, CERTIFIED_CRAWLER, SAMPLED, MEASURED };
 
-/* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a book's */
-enum claim_source { OF_PAPER, OF_CORRECTED, OF_BOOK };
+/* Whose claim a row is: the paper's, one of the formulas that hold where the paper's do not, or a formula file's */
+enum claim_source { OF_PAPER, OF_CORRECTED, OF_USER };
 
 enum { CLAIM_NAME = 64, CLAIM_POINTS = 35 };
 /* v0 of the rows from v0, in units of sqrt(L (F1 + F2)/M), rounded to two digits: no coincidence */
@@ -46,8 +46,8 @@ struct claim_row {
   long derived_order;
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none */
   char *leading_error;  /* of a formula proven for all: that term as a formula; the ledger's own, or NULL */
-  char *formula;        /* its text, of a book; likewise */
-  double error_at_T;    /* of a book: the formula over the certified value, less 1, at the given T */
+  char *formula;        /* its text, of a formula file; likewise */
+  double error_at_T;    /* of a formula file: the formula over the certified value, less 1, at the given T */
   struct scallop_order_result fit;
   struct scallop_order_point points[CLAIM_POINTS]; /* from the largest T */
   int count;
@@ -75,11 +75,11 @@ void ledger_free(struct ledger *ledger);
  * where one of the paper's does not. T is not used; F1 > F2 and alpha > 1/2 (exchanged where a row says so). only: the
  * names of the requested rows (formula_is_listed), or NULL for all. */
 void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const char *only);
-/* Of one formula; of the books that were read. A crawler that is not given is changed to meet the formula's
+/* Of one formula; of the formula files that were read. A crawler that is not given is changed to meet the formula's
  * conditions. */
 void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                         const struct scallop_formula *formula);
-void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+void ledger_add_user(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                      const char *only);
 /* Claims in words, of the paper's crawler and of this one, of which F1, alpha and T are varied */
 void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler);
@@ -89,7 +89,7 @@ struct claims_options { /* of `scallop claims` */
   const char *errors;        /* the names whose errors are wanted, or NULL */
   struct given_word verdict; /* of the rows that are wanted, or all */
   bool summary;
-  const char *formula, *claimed; /* one formula instead of the paper's or of request.book; NULL: none */
+  const char *formula, *claimed; /* one formula instead of the paper's or of request.formulas; NULL: none */
   struct given_word of, start, phase;
 };
 enum exit_code claims_table(const struct claims_options *options);

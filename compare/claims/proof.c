@@ -198,7 +198,7 @@ static void judge(struct claim_row *row, const struct proof *p)
                  : row->exact                                                                  ? CLAIM_UNDECIDED
                                                                                                : CLAIM_REFUTED;
   char why[DIMENSION_WHY];
-  if (row->verdict == CLAIM_REFUTED && row->source == OF_BOOK && row->formula && dimension_refutes(why, p->m, p->f))
+  if (row->verdict == CLAIM_REFUTED && row->source == OF_USER && row->formula && dimension_refutes(why, p->m, p->f))
     add_reason(row, "%s", why);
   if (all)
     add_reason(row, "every coefficient vanishes");

@@ -16,7 +16,7 @@ struct line {
 };
 
 /* The tables, and which of them have a column */
-enum { LEDGER = 1, BOOK = 2, ROWS = LEDGER | BOOK, SUMMARY = 4, ERRORS = 8, ALL = ROWS | SUMMARY | ERRORS };
+enum { LEDGER = 1, USER = 2, ROWS = LEDGER | USER, SUMMARY = 4, ERRORS = 8, ALL = ROWS | SUMMARY | ERRORS };
 
 struct report {
   const struct claims_options *options;
@@ -72,7 +72,7 @@ static const char *short_text(const struct report *r, char text[SHORT_TEXT], con
 
 static void write_line(struct report *r, const struct line *line)
 {
-  static const char *const sources[] = { "paper", "corrected", "book" };
+  static const char *const sources[] = { "paper", "corrected", "user" };
   const struct claim_row *row = &line->row;
   char shortened[SHORT_TEXT];
   put(r, ALL, "claim", row->claim);
@@ -101,9 +101,9 @@ static void write_line(struct report *r, const struct line *line)
   put(r, ROWS, "source", sources[row->source]);
   put(r, ROWS, "measured", row->measured);
   put(r, ROWS, "reason", row->reason);
-  put(r, BOOK, "leading_error", short_text(r, shortened, row->leading_error));
-  put(r, BOOK, "formula", row->formula);
-  put_number(r, BOOK, "error_at_T", row->error_at_T, "%.3g");
+  put(r, USER, "leading_error", short_text(r, shortened, row->leading_error));
+  put(r, USER, "formula", row->formula);
+  put_number(r, USER, "error_at_T", row->error_at_T, "%.3g");
   put_number(r, ERRORS, "h", line->point.h, NULL);
   put_number(r, ERRORS, "err", line->point.err, NULL);
   put_number(r, ERRORS, "pairwise", line->point.pairwise, "%.2f");
@@ -111,7 +111,7 @@ static void write_line(struct report *r, const struct line *line)
   put(r, ROWS | SUMMARY, "evidence", evidence_text(row));
 }
 
-static bool is_of_book(const struct claims_options *o) { return o->request.book || o->formula; }
+static bool is_of_user(const struct claims_options *o) { return o->request.formulas || o->formula; }
 
 static bool is_worse(const struct claim_row *row, const struct claim_row *than)
 {
@@ -176,12 +176,12 @@ static void summarise(const struct ledger *ledger)
 }
 
 /* A formula is not refuted by a crawler that it is not for; but then it is not proven, either. */
-static enum exit_code summarise_book(const struct ledger *ledger, bool quiet)
+static enum exit_code summarise_user(const struct ledger *ledger, bool quiet)
 {
   int rows[2] = { 0 }, count[2][4] = { { 0 } }; /* outside and inside of the conditions of the formulas */
   for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++) {
-    rows[row->inside] += row->source == OF_BOOK;
-    count[row->inside][row->verdict] += row->source == OF_BOOK;
+    rows[row->inside] += row->source == OF_USER;
+    count[row->inside][row->verdict] += row->source == OF_USER;
   }
   for (int inside = 1; inside >= 0 && !quiet; inside--)
     if (inside || rows[0] > 0)
@@ -254,14 +254,14 @@ static void fill(struct report *r)
   rational_point(&exact, NULL, p);
   for (int i = 0; i < CRAWLER_NUMBERS; i++) /* of the claims T is not a part */
     has_crawler = has_crawler || (p->written[i] && strcmp(crawler_parameters[i], "T") != 0);
-  for (int words = 0; words < (o->errors || is_of_book(o) ? 1 : 2); words++)
+  for (int words = 0; words < (o->errors || is_of_user(o) ? 1 : 2); words++)
     for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
       if (!p->has_gait)
         c.gait = exact.gait = scallop_gait_named(scallop_gait_name(g));
       if (words)
         ledger_add_words(&r->ledger, &c);
-      else if (is_of_book(o))
-        ledger_add_book(&r->ledger, &exact, has_crawler, o->errors);
+      else if (is_of_user(o))
+        ledger_add_user(&r->ledger, &exact, has_crawler, o->errors);
       else
         ledger_add_orders(&r->ledger, &exact, o->errors);
     }
@@ -276,18 +276,18 @@ static void begin(struct report *r)
   table_command(&r->table, "claims%s%s%s%s%s", o->errors ? " --errors " : "", o->errors ? o->errors : "",
                 o->summary ? " --summary" : "", o->verdict.given ? " --verdict " : "",
                 o->verdict.given ? o->verdict.value : "");
-  if (o->request.book)
-    table_note(&r->table, "book: %s", o->request.book);
+  if (o->request.formulas)
+    table_note(&r->table, "formulas: %s", o->request.formulas);
   if (o->formula)
     table_note(&r->table, "formula: %s", o->formula);
   note_parameters(&r->table, &o->request.point, varied, false);
-  if (!is_of_book(o))
+  if (!is_of_user(o))
     table_note(&r->table, "v0, where it is fixed: %g or %g", v0, -v0);
   else if (o->request.point.written[crawler_place("T")])
     table_note(&r->table, "error_at_T: formula/exact - 1, certified, at the period T = %g", c->T);
   if (o->request.point.has_gait)
     table_note(&r->table, "gait: %s", c->gait->name);
-  r->of = o->errors ? ERRORS : o->summary ? SUMMARY : is_of_book(o) ? BOOK : LEDGER;
+  r->of = o->errors ? ERRORS : o->summary ? SUMMARY : is_of_user(o) ? USER : LEDGER;
   r->heading = true;
   write_line(r, &(struct line){ .checks = 0 });
   r->heading = false;
@@ -328,7 +328,8 @@ static enum exit_code refuse(const struct claims_options *o)
     complain("claims", "--errors: no claim about an order is called '%s'%s", o->errors,
              *instead ? instead : ": the first column of the ledger has the names");
   else
-    complain("claims", "%s: no formula of this book has a claim: claimed = 4; for + O(T^4)", o->request.book);
+    complain("claims", "%s: no formula of this formula file has a claim: claimed = 4; for + O(T^4)",
+             o->request.formulas);
   return EXIT_USAGE;
 }
 
@@ -341,8 +342,8 @@ static enum exit_code end(struct report *r)
     complain("claims", "the ledger contradicts itself: %s", r->ledger.contradiction);
     return EXIT_UNSOLVED;
   }
-  if (is_of_book(r->options))
-    return summarise_book(&r->ledger, quiet);
+  if (is_of_user(r->options))
+    return summarise_user(&r->ledger, quiet);
   if (!quiet)
     summarise(&r->ledger);
   return EXIT_DONE;

@@ -13,7 +13,7 @@ static const struct axis_choice {
              { "alpha", "alpha", "0.01:0.99:41:linear" }, { "T", "T", "0.01:100:41" },
              { "froude", "froude", "0.01:100:41" },       { NULL } };
 #define MAP_AXES "F1/F2, m1/m2, alpha, T or froude"
-static const char *const sources[] = { "book", "published", "derived", "limit", NULL };
+static const char *const sources[] = { "user", "published", "derived", "limit", NULL };
 static const char *const quantities[] = { "v_start", "v_mid", "displacement", "mean_velocity", "t1", "dT",
                                           "v_end",   "dx1",   "dx2",          "dxC",           NULL };
 static const char *const kinds[] = { "event", "reversal", "reach", "radius", "best", NULL };
@@ -22,7 +22,7 @@ static const struct option options_of_breakdown[] = {
   OPTIONS_ALPHA_GAIT,
   OPTIONS_PHASE,
   OPTION_WORD("source", breakdown_options, source, sources),
-  OPTION_BOOK,
+  OPTION_FORMULAS,
   OPTION_COUNT("order", breakdown_options, order, 1, 1000),
   OPTION_WORD("quantity", breakdown_options, quantity, quantities),
   OPTION_NUMBER("tol", breakdown_options, tolerance,
@@ -40,20 +40,20 @@ static const struct option options_of_breakdown[] = {
 static const struct option_rule rules[] = {
   { "all only phase v0", RULE_WITH, "map", NULL },
   { "x y boundaries T", RULE_WITHOUT, "map", NULL },
-  { "source order quantity tol book", RULE_WITH, "boundaries", NULL },
+  { "source order quantity tol formulas", RULE_WITH, "boundaries", NULL },
   { "quantity=v_start quantity=v_mid quantity=displacement quantity=mean_velocity", RULE_WITH, "phase v0",
     "is of the steady state: a phase has t1, dT, v_end, dx1, dx2 and dxC" },
   { "quantity=t1 quantity=dT quantity=v_end quantity=dx1 quantity=dx2 quantity=dxC", RULE_WITHOUT, "phase v0",
     "is of a phase: it needs --phase or --v0" },
-  { "order", RULE_WITH, "source=book source=published source=limit",
+  { "order", RULE_WITH, "source=user source=published source=limit",
     "needs the derived series: leave --source out, or --source derived" },
-  { "tol book", RULE_WITH, "only=event only=reversal only=radius only=best", "needs the rows of --only reach" },
+  { "tol formulas", RULE_WITH, "only=event only=reversal only=radius only=best", "needs the rows of --only reach" },
   { "quantity source order", RULE_WITH, "only=event only=reversal", "needs rows about series: leave --only out" },
-  { "order source=book source=published source=limit", RULE_WITH, "only=radius only=best",
+  { "order source=user source=published source=limit", RULE_WITH, "only=radius only=best",
     "needs the rows of --only reach" },
-  { "book", RULE_WITH, "source=published source=derived source=limit",
-    "needs its own series: leave --source out, or --source book" },
-  { "source=book", RULE_WITHOUT, "book", "book needs --book FILE" },
+  { "formulas", RULE_WITH, "source=published source=derived source=limit",
+    "needs its own series: leave --source out, or --source user" },
+  { "source=user", RULE_WITHOUT, "formulas", "formulas needs --formulas FILE" },
   { NULL, RULE_WITH, NULL, NULL }
 };
 static const struct breakdown_options initial = { .source = { "published", false },

@@ -11,19 +11,20 @@ static const struct option options_of_claims[] = {
   OPTION_TEXT("errors", claims_options, errors, "names of claims, separated by commas, or all"),
   OPTION_WORD("verdict", claims_options, verdict, verdicts),
   OPTION_FLAG("summary", claims_options, summary),
-  OPTION_BOOK,
+  OPTION_FORMULAS,
   OPTION_TEXT("formula", claims_options, formula, "a formula"),
-  OPTION_WORD("of", claims_options, of, book_quantities),
+  OPTION_WORD("of", claims_options, of, formula_quantities),
   OPTION_TEXT("claimed", claims_options, claimed, "a power of T, or equality"),
-  OPTION_WORD("start", claims_options, start, book_starts),
-  OPTION_WORD("phase", claims_options, phase, book_phases),
+  OPTION_WORD("start", claims_options, start, formula_starts),
+  OPTION_WORD("phase", claims_options, phase, phase_names),
   OPTIONS_OF_DOUBLES,
 };
 static const struct option_rule rules[] = {
   { "verdict", RULE_WITH, "errors", "is for the ledger itself: leave --errors out" },
-  { "summary", RULE_WITH, "errors verdict book formula", "sums up the whole ledger: leave the other option out" },
-  { "book", RULE_WITH, "formula", "and --formula exclude each other" },
-  { "T", RULE_WITHOUT, "book formula", "is of no claim: it is for --formula and --book, whose errors are told at T" },
+  { "summary", RULE_WITH, "errors verdict formulas formula", "sums up the whole ledger: leave the other option out" },
+  { "formulas", RULE_WITH, "formula", "and --formula exclude each other" },
+  { "T", RULE_WITHOUT, "formulas formula",
+    "is of no claim: it is for --formula and --formulas, whose errors are told at T" },
   { "T", RULE_WITH, "errors", "is none of the T of --errors" },
   { "of claimed start phase", RULE_WITHOUT, "formula", NULL },
   { "formula", RULE_WITHOUT, "of", "takes --of QUANTITY: what the formula gives" },
@@ -33,14 +34,14 @@ static const struct option_rule rules[] = {
 /* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
 
-/* The claims of a book, or of --formula */
+/* The claims of a formula file, or of --formula */
 static enum exit_code prove(const struct claims_options *o)
 {
   const struct formula_given given = { o->formula, o->of.value, o->start.value, o->phase.value, o->claimed };
   const struct flint_part *flint = flint_for("claims", "the proof");
   if (!flint)
     return EXIT_UNSOLVED;
-  enum exit_code code = o->formula ? book_add("claims", &given) : EXIT_DONE;
+  enum exit_code code = o->formula ? user_formula_add("claims", &given) : EXIT_DONE;
   return code == EXIT_DONE ? flint->claims_table(o) : code;
 }
 
@@ -49,7 +50,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   const struct claims_options *o = options;
   (void)arguments;
   const struct scallop_crawler *c = &o->request.point.crawler;
-  if (o->formula || o->request.book)
+  if (o->formula || o->request.formulas)
     return prove(o);
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",

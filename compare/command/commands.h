@@ -54,7 +54,7 @@ enum reading options_read(struct arguments *arguments, const struct command *com
 void options_free(struct arguments *arguments);
 /* Has it a row for each point? */
 bool command_has_rows(const struct command *command, const void *options);
-/* Makes the table that the options ask for, once the book that they name is read. */
+/* Makes the table that the options ask for, once the formula file that they name is read. */
 enum exit_code command_make(const struct arguments *arguments);
 
 /* What holds where no option is given. */

@@ -6,7 +6,7 @@
 
 #include "compare/answers/shard.h"
 #include "compare/answers/vary.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/columns/columns.h"
 #include "compare/command/commands.h"
 
@@ -30,6 +30,7 @@ const struct option *option_of(const struct command *command, const char *name)
 static const struct removed_option {
   const char *name, *command, *instead;
 } removed[] = {
+  { "book", NULL, "`--formulas FILE` reads a formula file" },
   { "against", "claims", LEDGERS },
   { "check", "claims", LEDGERS },
   { "emit c", "series", BY_SYMPY },
@@ -237,7 +238,7 @@ static void name_sweep(struct arguments *a)
       name = shard_name_text(name, text);
   }
   name = r->points ? shard_name_file(name, r->points) : name;
-  name = r->book ? shard_name_file(name, r->book) : name;
+  name = r->formulas ? shard_name_file(name, r->formulas) : name;
   snprintf(r->shard.sweep, sizeof r->shard.sweep, "%016" PRIx64, name);
 }
 
@@ -325,7 +326,9 @@ enum exit_code command_make(const struct arguments *a)
 {
   const struct request *request = &a->options.request;
   struct rows rows = { .request = request, .sheet.asked = request->asked };
-  enum exit_code code = request->book ? book_read(a->command->name, request->book, NULL, quantity_is_other) : EXIT_DONE;
+  enum exit_code code = request->formulas
+                            ? formula_file_read(a->command->name, request->formulas, NULL, quantity_is_other)
+                            : EXIT_DONE;
   if (code != EXIT_DONE)
     return code;
   if (!command_has_rows(a->command, request))

@@ -81,7 +81,7 @@ struct option_rule {
       OPTION_WORD("reference", request, reference, reference_words)
 extern const char *const reference_words[];
 #define OPTION_POINTS OPTION_TEXT("points", request, points, "a file name")
-#define OPTION_BOOK OPTION_TEXT("book", request, book, "a file name")
+#define OPTION_FORMULAS OPTION_TEXT("formulas", request, formulas, "a file name")
 #define OPTION_FORMAT OPTION("format", read_format, )
 #define OPTION_DIGITS(range, high) OPTION("digits", read_digits, .most = high, .allowed = range)
 #define DIGITS_OF_DOUBLES "from 1 to 17"

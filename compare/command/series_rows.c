@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "asymptotics/observed/order.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/command/series_options.h"
 #include "compare/points/counts.h"
 

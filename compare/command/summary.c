@@ -9,7 +9,7 @@ struct summary_options {
 static const struct summary_options initial = { .request.style.format = FORMAT_TABLE };
 
 static const struct option options_of_summary[] = {
-  OPTIONS_CRAWLER, OPTION_BOOK, OPTION_POINTS, OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS),
+  OPTIONS_CRAWLER, OPTION_FORMULAS, OPTION_POINTS, OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS),
   OPTIONS_LAST,
 };
 

@@ -8,7 +8,7 @@ static const struct option options_of_workprec[] = {
   OPTIONS_CRAWLER,
   OPTION_FLAG("quick", workprec_options, quick),
   OPTION_NUMBER("limit", workprec_options, limit, FROM_TO(1e-3, 3600, "seconds, from 0.001 to 3600")),
-  OPTION_BOOK,
+  OPTION_FORMULAS,
   OPTION_FORMAT,
   OPTIONS_PLOT,
   OPTIONS_LAST,

@@ -1,4 +1,4 @@
-/* Files in libconfig's format, scenes and books of formulas: read whole, checked for what libconfig would misread, and
+/* Files in libconfig's format, scenes and formula files: read whole, checked for what libconfig would misread, and
  * taken member by member into the fields of structs. */
 #ifndef SCALLOP_COMPARE_CONFIG_CONFIG_H
 #define SCALLOP_COMPARE_CONFIG_CONFIG_H

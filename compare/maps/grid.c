@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/breakdown/motion.h"
 #include "compare/points/defaults.h"
 
@@ -18,8 +18,8 @@ const struct sweep_variable *map_axis(const struct breakdown_options *o, int i)
 void map_head(struct table *t, const struct breakdown_options *o)
 {
   const struct sweep_variable *axes[] = { map_axis(o, 0), map_axis(o, 1) };
-  if (o->request.book)
-    table_note(t, "book: %s", o->request.book);
+  if (o->request.formulas)
+    table_note(t, "formulas: %s", o->request.formulas);
   for (int i = 0; i < 2; i++) {
     char from[NUMBER_TEXT], to[NUMBER_TEXT];
     number_text(from, axes[i]->from.number, 0);
@@ -77,16 +77,16 @@ static bool is_about_quantity(const void *context, const struct scallop_formula 
   return series_is_about(f, &steady, *(const enum quantity_id *)context);
 }
 
-/* For each formula of the book, and for each other source; of the paper's formulas the last one is the simplest. */
+/* For each formula of the formula file, and for each other source; of the paper's formulas the last one is the simplest. */
 static const char *add_all_series(const struct grid *g, const double *tolerances)
 {
   const struct breakdown_options *o = g->options;
   const char *wrong = NULL, *quantity = quantity_rows[g->quantity].name, *published = NULL;
   const struct scallop_formula *f;
   for (int i = 0; (f = listed_formula(i)) && !wrong; i++)
-    if (!book_formula(i) && is_about_quantity(&g->quantity, f))
+    if (!user_formula(i) && is_about_quantity(&g->quantity, f))
       published = f->name;
-    else if (book_formula(i) && breakdown_takes(o, FROM_BOOK) && is_about_quantity(&g->quantity, f))
+    else if (user_formula(i) && breakdown_takes(o, FROM_USER) && is_about_quantity(&g->quantity, f))
       wrong = add_series(g, f->name, f->name, tolerances);
   if (!wrong && breakdown_takes(o, FROM_PUBLISHED) && published)
     wrong = add_series(g, "published", published, tolerances);
@@ -119,7 +119,7 @@ const char *breakdown_map(const struct breakdown_options *o, struct rows *rows)
   struct grid g = { o, rows, quantity_of_name(o->quantity.value) };
   const char *what = wrong_text("the %s of the steady state", quantity_rows[g.quantity].name);
   char *command;
-  if (!book_serves("breakdown", o->request.book, is_about_quantity, &g.quantity, what))
+  if (!formula_file_serves("breakdown", o->request.formulas, is_about_quantity, &g.quantity, what))
     return "";
   rows->of = "map";
   if (asprintf(&command, "breakdown --map %s %s", o->map[0], o->map[1]) < 0)

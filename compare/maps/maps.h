@@ -12,7 +12,7 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *options);
 
 /* What varies along x (0) and y (1) */
 const struct sweep_variable *map_axis(const struct breakdown_options *options, int i);
-/* '#' lines: the book, both axes, and the parameters that hold */
+/* '#' lines: the formula file, both axes, and the parameters that hold */
 void map_head(struct table *table, const struct breakdown_options *options);
 
 #endif

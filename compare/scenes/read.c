@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "compare/answers/at.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/scenes/scene.h"
 #include "compare/text/file.h"
 #include "compare/text/shipped.h"
@@ -80,7 +80,7 @@ static bool read_root(struct scene *s, const config_setting_t *root)
                                            MEMBER(TEXTS, "notes", scene, head.note, .high = MOST_NOTES,
                                                   .count = offsetof(struct scene, head.notes)),
                                            MEMBER(WORD, "phase", scene, request.point.phase, .words = phases),
-                                           MEMBER(TEXT, "book", scene, book, ),
+                                           MEMBER(TEXT, "formulas", scene, formulas, ),
                                            OTHER("crawler"),
                                            OTHER("start"),
                                            OTHER("vary"),
@@ -90,8 +90,9 @@ static bool read_root(struct scene *s, const config_setting_t *root)
   if (!read_members(&s->config, root, members, s, "a scene") || !are_lines(s, root))
     return false;
   s->head.is_about_phase = start || config_setting_get_member(root, "phase");
-  const char *book = s->book ? path_beside(&s->config, s->book) : NULL;
-  if (s->book && (!book || book_read(s->config.command, book, NULL, quantity_is_other) != EXIT_DONE))
+  const char *formulas = s->formulas ? path_beside(&s->config, s->formulas) : NULL;
+  if (s->formulas
+      && (!formulas || formula_file_read(s->config.command, formulas, NULL, quantity_is_other) != EXIT_DONE))
     return false;
   return read_crawler(s, config_setting_get_member(root, "crawler")) && read_start(s, start)
          && scene_read_vary(s, config_setting_get_member(root, "vary"))

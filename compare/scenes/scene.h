@@ -14,7 +14,7 @@ struct scene {
   struct config config; /* whose texts all others point to */
   char *name;           /* of the file, without folder and .cfg */
   struct scene_head head;
-  const char *book;       /* whose formulas are quantities too, or NULL */
+  const char *formulas;   /* whose formulas are quantities too, or NULL */
   struct request request; /* the points of all wants */
   int wants;
   const config_setting_t *want[SCENE_WANTS];

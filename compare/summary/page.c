@@ -14,7 +14,7 @@ struct told { /* a series that pages tell of */
 
 static const struct told terms[] = { { PAGE_TERMS "v_start", Q_V_START, NULL },
                                      { PAGE_TERMS "displacement", Q_DISPLACEMENT, NULL } };
-enum { TERMS = sizeof terms / sizeof *terms, MOST_FORMULAS = BOOK_MOST + 8 };
+enum { TERMS = sizeof terms / sizeof *terms, MOST_FORMULAS = MAX_USER_FORMULAS + 8 };
 
 struct page {
   FILE *file;
@@ -121,7 +121,7 @@ static void write_stretches(const struct page *p)
   int count = stretches_of(stretch, &p->at->solved[STEADY_STATE].motion, p->answer);
   for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
     bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
-    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? book_phases[stretch[i].phase] : "",
+    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? phase_names[stretch[i].phase] : "",
             mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
   }
   if (count > MOST_STRETCHES)
@@ -348,10 +348,11 @@ static void page_of_breakdown(struct rows *rows, struct at *at)
 
 /* The columns */
 
-/* False: the book that was given has none of the page's formulas, and the message is on stderr. */
+/* False: the formulas that was given has none of the page's formulas, and the message is on stderr. */
 static bool serves(const struct request *request)
 {
-  return book_serves(request->style.command, request->book, is_told, NULL, "the steady v_start or displacement");
+  return formula_file_serves(request->style.command, request->formulas, is_told, NULL,
+                             "the steady v_start or displacement");
 }
 
 const char *summary_plan(struct rows *rows)

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/workprec/setting.h"
 #include "model/exact/scoped.h"
 
@@ -73,9 +73,9 @@ static bool is_compared(const void *context, const struct scallop_formula *f)
   return f->quantity == SCALLOP_STEADY_VELOCITY || f->quantity == SCALLOP_STEADY_DISPLACEMENT;
 }
 
-bool methods_serve(const char *book)
+bool methods_serve(const char *formulas)
 {
-  return book_serves("workprec", book, is_compared, NULL, "the steady v_start or displacement");
+  return formula_file_serves("workprec", formulas, is_compared, NULL, "the steady v_start or displacement");
 }
 
 static void add_formulas(struct settings *settings, const struct reference *reference)
@@ -84,9 +84,9 @@ static void add_formulas(struct settings *settings, const struct reference *refe
   const struct scallop_formula *published;
   for (int i = 0; (published = listed_formula(i)); i++)
     if (is_compared(NULL, published)) {
-      bool of_book = book_formula(i) != NULL;
-      settings_add(settings, reference, of_book ? "book" : "published", METHOD_FORMULA, solve_published, "%s",
-                   of_book ? published->name : published->equation)
+      bool of_user = user_formula(i) != NULL;
+      settings_add(settings, reference, of_user ? "user" : "published", METHOD_FORMULA, solve_published, "%s",
+                   of_user ? published->name : published->equation)
           ->formula = published;
     }
   for (const struct scallop_formula *f = scallop_corrected; turns != SCALLOP_TURNS_IN_BOTH && f->name; f++)

@@ -83,8 +83,8 @@ struct settings {
 
 /* methods.c. quick: fewer settings. */
 void methods_add(struct settings *settings, const struct reference *reference, bool quick);
-/* Is a formula of the book that was given, if any was, among them? False: the message is on stderr. */
-bool methods_serve(const char *book);
+/* Is a formula of the formula file that was given, if any was, among them? False: the message is on stderr. */
+bool methods_serve(const char *formulas);
 
 /* measure.c. Adds a setting; text is printed from format. */
 struct setting *settings_add(struct settings *settings, const struct reference *reference, const char *method,

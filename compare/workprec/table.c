@@ -128,7 +128,7 @@ enum exit_code workprec_table(const struct workprec_options *options)
                             : options->quick         ? WORKPREC_QUICK_LIMIT
                                                      : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
-  if (!methods_serve(options->request.book))
+  if (!methods_serve(options->request.formulas))
     return EXIT_USAGE;
   if (make_references(&r)) {
     r.clock = stopwatch_clock();

@@ -1,7 +1,7 @@
 """What setuptools needs to know beyond pyproject.toml: the wheel carries the shared library, the command, and the tables.
 
 `make` builds them with what this machine has: FLINT where it is installed; without GSL or libconfig the command has no scenes,
-no books and nothing that needs FLINT, and works all the same. SCALLOP_BUILD names a folder where they are built already."""
+no formula files and nothing that needs FLINT, and works all the same. SCALLOP_BUILD names a folder where they are built already."""
 
 import glob
 import json

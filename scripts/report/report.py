@@ -4,7 +4,7 @@
 scripts/report/report.py --tables data --plots build/plots --scenes data/scenes --output build/report/index.html
 
 page.html is the page, filled in by Jinja, which escapes whatever comes from a file (tables, scenes) unless it was built as markup:
-plots (plots), formulas (book). check_report.py drives a browser (browser) over the result.
+plots (plots), formulas (formula_file). check_report.py drives a browser (browser) over the result.
 
 The same input gives the same bytes. Exit codes: 0 done, 2 bad usage, 4 a file could not be read or written.
 """
@@ -21,7 +21,7 @@ sys.dont_write_bytecode = True
 import jinja2  # noqa: E402  (nothing is written beside the sources)
 from markupsafe import Markup  # noqa: E402
 
-import book  # noqa: E402
+import formula_file  # noqa: E402
 import journey  # noqa: E402
 import ledger  # noqa: E402
 import plots  # noqa: E402
@@ -43,12 +43,12 @@ def fingerprint(source):
 
 def inside(text):
     """The inside of a <math>; text that is no formula stays text."""
-    return book.typeset(text) or Markup("<mtext>{}</mtext>").format(text)
+    return formula_file.typeset(text) or Markup("<mtext>{}</mtext>").format(text)
 
 
 def typeset(text):
     """A formula within a line, or the text itself."""
-    shown = book.typeset(text)
+    shown = formula_file.typeset(text)
     return Markup("<math>{}</math>").format(shown) if shown else text
 
 
@@ -60,7 +60,7 @@ def order(power):
 
 def remainder(claimed):
     """What the paper prints behind a formula: + O(T^claimed), or nothing where it is an equality."""
-    return Markup("<mo>+</mo>{}").format(book.typeset(f"O(T^{claimed})")) if claimed.lstrip("-").isdigit() else ""
+    return Markup("<mo>+</mo>{}").format(formula_file.typeset(f"O(T^{claimed})")) if claimed.lstrip("-").isdigit() else ""
 
 
 def breakable(name):
@@ -100,7 +100,7 @@ def page(options):
         tables=read,
         scene=lambda name: tables.text_of(options.scenes / f"{name}.cfg"),
         drawing=lambda name: plots.drawing(options.plots / f"{name}.svg", name),
-        formulas=book.read(options.book),
+        formulas=formula_file.read(options.formulas),
         ledger=ledger,
         **{scope: [row for row in read["claims"].rows if ledger.scope(row) == scope] for scope in ("paper", "words")},
         explorer=EXPLORER if (options.output.parent / EXPLORER).resolve().is_file() else None  # the page's folder may not be there yet,
@@ -124,7 +124,7 @@ def main():
         parser.add_argument(f"--{name}", type=Path, required=True, metavar="FOLDER", help=what)
     parser.add_argument("--output", type=Path, required=True, metavar="FILE", help="the page")
     published = HERE.parents[1] / "asymptotics" / "published" / "paper.cfg"
-    parser.add_argument("--book", type=Path, default=published, metavar="FILE", help="the book of formulas (paper.cfg)")
+    parser.add_argument("--formulas", type=Path, default=published, metavar="FILE", help="the formula file (paper.cfg)")
     options = parser.parse_args()
     try:
         write(options.output, page(options))

@@ -40,7 +40,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   struct arguments read;
   enum exit_code code;
   struct wanted *all = calloc(1, sizeof *all);
-  bool reads_files = !text || strstr(text, "measured:") || strstr(text, "book");
+  bool reads_files = !text || strstr(text, "measured:") || strstr(text, "formulas");
   if (!reads_files && all && options_read(&read, &command_run, commands, 3, arguments, &code) == READ_RUN) {
     if (read_scene(all, text, (const void *)&read.options) == EXIT_DONE)
       judge(all);

@@ -1,5 +1,5 @@
 /* What the program uses of libconfig, for a build without it (WITH_LIBCONFIG=0). config_read_string refuses every text,
- * with a message that says why: such a program reads no scenes and no books, and has no setting to ask of. */
+ * with a message that says why: such a program reads no scenes and no formula files, and has no setting to ask of. */
 #ifndef SCALLOP_COMPARE_CONFIG_ABSENT_LIBCONFIG_H
 #define SCALLOP_COMPARE_CONFIG_ABSENT_LIBCONFIG_H
 
@@ -15,7 +15,7 @@ static inline void config_destroy(config_t *config) { config->root = 0; }
 static inline int config_error_line(const config_t *config) { return config->root ? 0 : 1; }
 static inline const char *config_error_text(const config_t *config)
 {
-  return config->root ? "" : "this program reads no scenes and no books: it was built without libconfig";
+  return config->root ? "" : "this program reads no scenes and no formula files: it was built without libconfig";
 }
 
 /* 0, which the compiler does not know: else it would complain of texts that are NULL. */

@@ -130,7 +130,7 @@ def _quoted(text: str) -> str:
 
 def decide(text: str, parts: Mapping[str, str], motion: str, of: str, claimed: Optional[int], start: Optional[str],
            gait: OneGait, crawler: Mapping[str, Any]) -> Verdict:
-    """See Formula.verdict: the formula as a book of its own."""
+    """See Formula.verdict: the formula as a formula file of its own."""
     if claimed is not None and (isinstance(claimed, bool) or not isinstance(claimed, int) or not 1 <= claimed < 1000):
         raise DomainError(f"claimed = {claimed!r}: a whole number from 1 to 999, or None for equality")
     unknown = set(crawler) - {"m1", "m2", "F1", "F2", "L", "alpha"}
@@ -145,8 +145,8 @@ def decide(text: str, parts: Mapping[str, str], motion: str, of: str, claimed: O
             members["phase"] = motion
     body = "".join(f"{name} = {value if isinstance(value, int) else _quoted(str(value))}; " for name, value in members.items())
     where = "".join(f"{name} = {_quoted(part)}; " for name, part in parts.items())
-    book = f"formulas = ( {{ {body}{f'where = {{ {where}}}; ' if where else ''}}} );"
-    row = run(["claims", "--book", "-", *_options(crawler, gait)], book, (0, 1, 3))[0]
+    formulas = f"formulas = ( {{ {body}{f'where = {{ {where}}}; ' if where else ''}}} );"
+    row = run(["claims", "--formulas", "-", *_options(crawler, gait)], text, (0, 1, 3))[0]
     order = row["derived_order"]
     return Verdict(row["verdict"], row["verdict"] in ("holds", "sharper"), int(order) if str(order).isdigit() else None,
                    str(row["coefficient"]), row["leading_error"], row["evidence"], row["reason"], row["conditions"],

@@ -367,8 +367,8 @@ static int length_of(const struct scallop_formula *list)
   return n;
 }
 
-/* All of the book, once each and in the order of the paper, with what is printed beside it */
-TEST(book_lists_every_formula)
+/* All of the formula file, once each and in the order of the paper, with what is printed beside it */
+TEST(the_file_lists_every_formula)
 {
   assert_int_equal(length_of(scallop_published), WANTED);
   for (int k = 0; k < WANTED; k++) {

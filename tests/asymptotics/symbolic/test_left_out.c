@@ -227,9 +227,9 @@ static bool check_formula(const struct scallop_formula *f, const struct scallop_
   return true;
 }
 
-/* Every formula of the paper's book, at crawlers like the paper's and others: an order that one of them has is not in
+/* Every formula of the paper's formula file, at crawlers like the paper's and others: an order that one of them has is not in
  * question here, only what stands there. */
-static int check_book(const struct scallop_gait *gait, struct random *r)
+static int check_formula_file(const struct scallop_gait *gait, struct random *r)
 {
   const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
   SCOPED(scallop_rational, c);
@@ -249,9 +249,9 @@ TEST(what_the_papers_formulas_leave_out)
   struct random_gait made;
   int compared = 0, sinusoidal = 0;
   for (long i = 0; i < check_cases(CRAWLERS); i++) {
-    compared += check_book(&scallop_gait_quadratic, &r);
-    compared += check_book(random_gait(&r, TRAPEZOIDAL, &made), &r);
-    sinusoidal += check_book(&scallop_gait_sinusoidal, &r);
+    compared += check_formula_file(&scallop_gait_quadratic, &r);
+    compared += check_formula_file(random_gait(&r, TRAPEZOIDAL, &made), &r);
+    sinusoidal += check_formula_file(&scallop_gait_sinusoidal, &r);
   }
   assert_true(compared > 2 * 25 && sinusoidal > 20);
   print_message("%d leading errors of rational gaits, %d of the sinusoidal one\n", compared, sinusoidal);

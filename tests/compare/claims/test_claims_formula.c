@@ -3,7 +3,7 @@
 #include "tests/support/full_ledger.h"
 
 #include "compare/points/gaits.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 
 /* The crawler of the ledger, or one with equal forces */
 static const struct scallop_crawler usual = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, NULL };

@@ -17,7 +17,7 @@ everything() { # FOLDER COMMAND...: what scallop prints and draws, started by CO
   shift
   {
     "$@" "$tool" order errors --expect 2 --format table
-    "$@" "$tool" claims --book "$root/docs/short-book.cfg" --gait quadratic --quiet
+    "$@" "$tool" claims --formulas "$root/docs/short-formulas.cfg" --gait quadratic --quiet
     "$@" "$tool" steady --T 0.5,1,1.5 --plot "$folder/plot.svg"
     (cd "$folder" && "$@" "$tool" run ../own.cfg)
   } >"$folder/out" 2>&1

@@ -85,18 +85,18 @@ spared() { # FILE ARGUMENT...: reads FILE under the name both; both.svg is a lin
 ln -s both both.svg
 printf '0 0\n1 1\n2 1.5\n4 0\n' >motion.txt
 printf 'T gait\n1 measured:both\n' | tr ' ' '\t' >names.tsv
-echo 'formulas = ( { name = "half"; start = "steady"; of = "v_start"; claimed = 1; text = "0"; } );' >book.cfg
-echo 'book = "both"; want = ( { what = "steady"; columns = [ "v_start", "half" ]; } );' >scene.cfg
+echo 'formulas = ( { name = "half"; start = "steady"; of = "v_start"; claimed = 1; text = "0"; } );' >mine.cfg
+echo 'formulas = "both"; want = ( { what = "steady"; columns = [ "v_start", "half" ]; } );' >scene.cfg
 echo 'want = ( { what = "steady"; columns = [ "v_start" ]; } );' >plain.cfg
 spared many.tsv steady --points both
 spared many.tsv steady --points -
 spared points.tsv series --points both
 spared square.txt order both
 spared motion.txt trajectory --gait measured:both
-spared book.cfg run scene.cfg
+spared mine.cfg run scene.cfg
 spared plain.cfg run both
 if [ "${WITH_FLINT:-1}" != 0 ]; then
-  spared book.cfg claims --book both
+  spared mine.cfg claims --formulas both
 fi
 cp motion.txt both
 run 4 steady --points names.tsv -o both

@@ -88,7 +88,7 @@ tool=$scratch/poor/bin/scallop
 run 0 steady --F1 3 --T 0.5
 "$build/scallop" steady --F1 3 --T 0.5 | cmp -s out - || note "another steady state"
 run 2 run figure2
-grep -q 'this program reads no scenes and no books: it was built without libconfig' err || note "$(cat err)"
+grep -q 'this program reads no scenes and no formula files: it was built without libconfig' err || note "$(cat err)"
 run 3 claims
 grep -q 'needs FLINT' err || note "$(cat err)"
 finish "its command: the orders, the steady state, and what it says of the rest"

@@ -41,15 +41,15 @@ TEST(cells_follow_the_format)
 /* Names of files, say, may have line breaks and whatever separates cells. */
 TEST(a_text_begins_no_row_and_no_cell)
 {
-  static const char *const wanted[] = { "# book: a?b?c?d?e\nT\tstatus\n0\ta\\|b c d,e\n",
+  static const char *const wanted[] = { "# formulas: a?b?c?d?e\nT\tstatus\n0\ta\\|b c d,e\n",
                                         "{\"T\": 0, \"status\": \"a\\\\|b c d,e\"}\n", "T,status\n0,\"a\\|b c d,e\"\n",
                                         "| T | status |\n| --- | --- |\n| 0 | a\\\\\\|b c d,e |\n",
-                                        "# book: a?b?c?d?e\nT  status\n0  a\\|b c d,e\n" };
+                                        "# formulas: a?b?c?d?e\nT  status\n0  a\\|b c d,e\n" };
   for (int i = 0; i <= FORMAT_TABLE; i++) {
     struct style o = { .command = "test", .output = "table", .format = (enum format)i, .has_format = true };
     struct table t;
     assert_true(table_open(&t, &o));
-    table_note(&t, "book: %s", "a\nb\rc\td\033e");
+    table_note(&t, "formulas: %s", "a\nb\rc\td\033e");
     table_columns(&t, columns);
     table_begin_rows(&t);
     write_row(&t, 0, "a\\|b\nc\td,e");

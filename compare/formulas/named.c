@@ -4,11 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/text/memory.h"
 #include "compare/text/values.h"
 
-/* Those of the books that were read: in the order of reading, and as a tree by their names */
+/* Those of the formula files that were read: in the order of reading, and as a tree by their names */
 static struct scallop_formula **formulas;
 static int count;
 static void *by_name;
@@ -18,14 +18,14 @@ static int compare(const void *a, const void *b)
   return strcmp(((const struct scallop_formula *)a)->name, ((const struct scallop_formula *)b)->name);
 }
 
-const struct scallop_formula *book_formula_named(const char *name)
+const struct scallop_formula *user_formula_named(const char *name)
 {
   const struct scallop_formula wanted = { .name = name };
   struct scallop_formula *const *found = tfind(&wanted, &by_name, compare);
   return found ? *found : NULL;
 }
 
-bool book_keep(struct scallop_formula *f)
+bool user_formula_keep(struct scallop_formula *f)
 {
   struct scallop_formula **more = with_room(formulas, count, sizeof(struct scallop_formula *));
   formulas = more ? more : formulas;
@@ -35,7 +35,7 @@ bool book_keep(struct scallop_formula *f)
   return true;
 }
 
-const struct scallop_formula *book_formula(int i) { return i < count ? formulas[i] : NULL; }
+const struct scallop_formula *user_formula(int i) { return i < count ? formulas[i] : NULL; }
 
 /* At place i of the paper's and then of those that correct them; listed: of those that listed_formula has */
 static const struct scallop_formula *of_tool(int i, bool listed)
@@ -52,7 +52,7 @@ static const struct scallop_formula *of_tool(int i, bool listed)
 const struct scallop_formula *listed_formula(int i) { return i < count ? formulas[i] : of_tool(i - count, true); }
 const struct scallop_formula *formula_at(int i) { return i < count ? formulas[i] : of_tool(i - count, false); }
 
-/* The formula of the books and of the paper at place i that has the equation, alone or beside others, or NULL */
+/* The formula of the formula files and of the paper at place i that has the equation, alone or beside others, or NULL */
 static const struct scallop_formula *of_equation(const char *equation, int i)
 {
   const struct scallop_formula *f = NULL;
@@ -65,8 +65,8 @@ static const struct scallop_formula *of_equation(const char *equation, int i)
 
 const struct scallop_formula *formula_named(const char *name)
 {
-  const struct scallop_formula *of_book = book_formula_named(name),
-                               *f = of_book ? of_book : scallop_formula_named(name);
+  const struct scallop_formula *of_user = user_formula_named(name),
+                               *f = of_user ? of_user : scallop_formula_named(name);
   return f || of_equation(name, 1) ? f : of_equation(name, 0);
 }
 
@@ -96,15 +96,16 @@ const char *formula_instead(const char *name)
   return used > 0 ? text : did_you_mean(nearest(name, names));
 }
 
-bool book_serves(const char *command, const char *file, formula_is_for *is_for, const void *context, const char *what)
+bool formula_file_serves(const char *command, const char *file, formula_is_for *is_for, const void *context,
+                         const char *what)
 {
   int found = 0;
   for (int i = 0; file && i < count; i++)
-    found += is_for(context, book_formula(i));
+    found += is_for(context, user_formula(i));
   if (file && found == 0)
-    return complain(command, "--book: no formula of %s is about %s", file, what);
-  return found <= BOOK_MOST
-         || complain(command, "--book: more than %d formulas of %s are about %s", BOOK_MOST, file, what);
+    return complain(command, "--formulas: no formula of %s is about %s", file, what);
+  return found <= MAX_USER_FORMULAS
+         || complain(command, "--formulas: more than %d formulas of %s are about %s", MAX_USER_FORMULAS, file, what);
 }
 
 struct read_once {
@@ -143,7 +144,7 @@ bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol sy
   return takes;
 }
 
-void book_forget_formulas(void)
+void forget_user_formulas(void)
 {
   for (struct read_once *first; (first = atomic_load(&all));) {
     atomic_store(&all, first->next);

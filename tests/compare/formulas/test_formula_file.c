@@ -1,7 +1,7 @@
-/* The reader of books, beside the table that the build makes of the paper's book by other means
- * (scripts/dev/book.awk). */
+/* The reader of formula files, beside the table that the build makes of the paper's formula file by other means
+ * (scripts/dev/formulas.awk). */
 #include "compare/answers/quantities.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "tests/support/said.h"
 
 #include <string.h>
@@ -33,34 +33,36 @@ static void check_same(const struct scallop_formula *read, const struct scallop_
     check_texts(read->when[i], built->when[i]);
 }
 
-TEST(the_papers_book_in_both_readers)
+TEST(the_papers_file_in_both_readers)
 {
   const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };
   int n = 0;
-  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg", NULL, quantity_is_other), EXIT_DONE);
-  assert_int_equal(book_read("test", "asymptotics/published/paper.cfg", NULL, quantity_is_other), EXIT_DONE); /* once */
+  assert_int_equal(formula_file_read("test", "asymptotics/published/paper.cfg", NULL, quantity_is_other), EXIT_DONE);
+  assert_int_equal(formula_file_read("test", "asymptotics/published/paper.cfg", NULL, quantity_is_other),
+                   EXIT_DONE); /* once */
   for (int i = 0; i < 2; i++)
     for (const struct scallop_formula *f = lists[i]; f->name; f++, n++) {
-      assert_non_null(book_formula(n));
-      check_same(book_formula(n), f);
-      assert_ptr_equal(formula_named(f->name), book_formula(n)); /* before the one that comes with the tool */
+      assert_non_null(user_formula(n));
+      check_same(user_formula(n), f);
+      assert_ptr_equal(formula_named(f->name), user_formula(n)); /* before the one that comes with the tool */
     }
-  assert_null(book_formula(n));
-  books_forget();
+  assert_null(user_formula(n));
+  formula_files_forget();
   assert_ptr_equal(formula_named("rest_dT"), scallop_formula_named("rest_dT"));
-  assert_null(book_formula(0));
+  assert_null(user_formula(0));
 }
 
 TEST(places_of_formulas)
 {
-  static const char book[] = "formulas = ( { name = \"rest_dT\"; of = \"dT\"; text = \"T\"; }, { name = \"b\"; of = "
-                             "\"dx2\"; text = \"t1\"; } );";
+  static const char formulas[] =
+      "formulas = ( { name = \"rest_dT\"; of = \"dT\"; text = \"T\"; }, { name = \"b\"; of = "
+      "\"dx2\"; text = \"t1\"; } );";
   int listed = 0, all = 0, published = 0, corrected = 0, conditional = 0;
   for (const struct scallop_formula *f = scallop_published; f->name; f++, published++)
     conditional += f->when != NULL;
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     corrected++;
-  assert_int_equal(book_read("test", "a text", book, quantity_is_other), EXIT_DONE);
+  assert_int_equal(formula_file_read("test", "a text", formulas, quantity_is_other), EXIT_DONE);
   while (listed_formula(listed))
     listed++;
   while (formula_at(all))
@@ -92,25 +94,25 @@ TEST(sides_of_conditions)
 static bool is_dT(const char *name) { return strcmp(name, "dT") == 0; }
 
 /* What is refused leaves nothing that could be used after its file is closed, and names are asked about. */
-TEST(books_forgotten_and_read_again)
+TEST(formula_files_forgotten_and_read_again)
 {
   static const char
       good[] = "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; } );",
       taken[] =
           "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; }, { name = \"dT\"; of = \"t1\"; text = \"1\"; } );";
   struct said said;
-  books_forget();
+  formula_files_forget();
   for (int i = 0; i < 3; i++) {
-    assert_int_equal(book_read("test", "x.cfg", good, NULL), EXIT_DONE);
+    assert_int_equal(formula_file_read("test", "x.cfg", good, NULL), EXIT_DONE);
     assert_int_equal(formula_read_once(formula_named("a"))->count, 1);
-    books_forget();
+    formula_files_forget();
     said_begin(&said);
-    enum exit_code code = book_read("test", "x.cfg", taken, is_dT);
+    enum exit_code code = formula_file_read("test", "x.cfg", taken, is_dT);
     said_end(&said);
     assert_int_equal(code, EXIT_USAGE);
     assert_non_null(
         strstr(said.text, "x.cfg:1: 'dT' cannot be the name of a formula: there is a quantity of this name"));
-    books_forget();
-    assert_null(book_formula(0));
+    formula_files_forget();
+    assert_null(user_formula(0));
   }
 }

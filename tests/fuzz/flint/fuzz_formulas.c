@@ -1,11 +1,11 @@
-/* A book of formulas: one that is taken has formulas that can be evaluated, in double and as series, which agree with
+/* a formula file: one that is taken has formulas that can be evaluated, in double and as series, which agree with
  * themselves; one that is not has a message. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "asymptotics/derived/evaluate.h"
 #include "compare/answers/quantities.h"
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "tests/fuzz/target.h"
 #include "tests/support/scoped.h"
 
@@ -94,15 +94,15 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   char *text = fuzz_text(data, size);
   if (text) {
     written_begin(&written);
-    enum exit_code code = book_read("claims", "x.cfg", text, quantity_is_other);
+    enum exit_code code = formula_file_read("claims", "x.cfg", text, quantity_is_other);
     written_end(&written);
     if (written.out_size > 0 || (written.err_size > 0) != (code != EXIT_DONE)
         || (code != EXIT_DONE && code != EXIT_USAGE))
       fuzz_fail("exit code %d, on standard output '%s', on standard error '%s'", (int)code, written.out, written.err);
     written_free(&written);
-    for (int i = 0; code == EXIT_DONE && book_formula(i); i++)
-      judge(book_formula(i), &values);
-    books_forget();
+    for (int i = 0; code == EXIT_DONE && user_formula(i); i++)
+      judge(user_formula(i), &values);
+    formula_files_forget();
   }
   free(text);
   return 0;

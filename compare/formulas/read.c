@@ -1,65 +1,65 @@
-/* A book of formulas, from its file; what has no meaning is refused. */
+/* a formula file, from its file; what has no meaning is refused. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/book/book.h"
+#include "compare/formulas/formula_file.h"
 #include "compare/config/config.h"
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
 
 /* dx1 and dx2 are of the body that turns and of the other one */
-const char *const book_quantities[] = {
+const char *const formula_quantities[] = {
   "dx1",           "dx2",           "t1",         "dT",        "dxC",     "v_end", "v_change",
   "rear_at_first", "rear_at_last",  "v_at_first", "v_at_last", "v_start", "v_mid", "displacement",
   "mean_velocity", "friction_work", NULL
 };
-const char *const book_starts[] = { "rest", "v0", "steady", NULL };
-const char *const book_phases[] = { "extension", "contraction", NULL };
+const char *const formula_starts[] = { "rest", "v0", "steady", NULL };
+const char *const phase_names[] = { "extension", "contraction", NULL };
 static const char *const turns[] = { "in both phases", "not in the contraction", "not in the extension", NULL };
 enum { DX1, DX2, NOTHING = -1 };
 enum { FROM_REST, FROM_V0, FROM_STEADY };
 enum { MOST_CLAIMED = 999 };
 
 /* The files that were read, whose texts the formulas have */
-struct book_file {
-  struct book_file *next;
+struct formula_file {
+  struct formula_file *next;
   struct config config;
 };
-static struct book_file *files;
+static struct formula_file *files;
 
 enum { MOST_PARTS = 16, MOST_CONDITIONS = 8 };
 
-struct book_entry {
+struct formula_entry {
   struct scallop_formula formula;
   struct scallop_part parts[MOST_PARTS + 1];
   const char *when[MOST_CONDITIONS + 1];
-  int conditions, start, phase, of; /* start, phase, of: places among the words of book.h */
+  int conditions, start, phase, of; /* start, phase, of: places among the words of formula_file.h */
   const struct config *config;
   const config_setting_t *group;
 };
 
-static const struct member members[] = { MEMBER(TEXT, "name", book_entry, formula.name, ),
-                                         MEMBER(TEXT, "equation", book_entry, formula.equation, ),
-                                         MEMBER(WORD, "start", book_entry, start, .words = book_starts),
-                                         MEMBER(WORD, "phase", book_entry, phase, .words = book_phases),
-                                         MEMBER(WORD, "of", book_entry, of, .words = book_quantities),
+static const struct member members[] = { MEMBER(TEXT, "name", formula_entry, formula.name, ),
+                                         MEMBER(TEXT, "equation", formula_entry, formula.equation, ),
+                                         MEMBER(WORD, "start", formula_entry, start, .words = formula_starts),
+                                         MEMBER(WORD, "phase", formula_entry, phase, .words = phase_names),
+                                         MEMBER(WORD, "of", formula_entry, of, .words = formula_quantities),
                                          OTHER("claimed"),
-                                         MEMBER(TEXT, "text", book_entry, formula.text, ),
+                                         MEMBER(TEXT, "text", formula_entry, formula.text, ),
                                          OTHER("where"),
-                                         MEMBER(TEXTS, "when", book_entry, when, .high = MOST_CONDITIONS,
-                                                .count = offsetof(struct book_entry, conditions)),
-                                         MEMBER(TEXT, "corrected", book_entry, formula.corrected, ),
-                                         MEMBER(WORD, "turns", book_entry, formula.turns, .words = turns),
+                                         MEMBER(TEXTS, "when", formula_entry, when, .high = MOST_CONDITIONS,
+                                                .count = offsetof(struct formula_entry, conditions)),
+                                         MEMBER(TEXT, "corrected", formula_entry, formula.corrected, ),
+                                         MEMBER(WORD, "turns", formula_entry, formula.turns, .words = turns),
                                          { .name = NULL } };
 
-static const struct book_entry *entry_named(const char *name)
+static const struct formula_entry *entry_named(const char *name)
 {
-  return (const void *)book_formula_named(name); /* whose first member it is */
+  return (const void *)user_formula_named(name); /* whose first member it is */
 }
 
-static const config_setting_t *member_of(const struct book_entry *e, const char *name)
+static const config_setting_t *member_of(const struct formula_entry *e, const char *name)
 {
   return config_setting_get_member(e->group, name);
 }
@@ -73,7 +73,7 @@ static bool is_symbol(const char *name)
 }
 
 /* of: what is called so; other: what else the name says, or NULL. */
-static bool check_name(const struct book_entry *e, const config_setting_t *at, const char *name, const char *of,
+static bool check_name(const struct formula_entry *e, const config_setting_t *at, const char *name, const char *of,
                        const char *other)
 {
   size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_");
@@ -86,7 +86,7 @@ static bool check_name(const struct book_entry *e, const config_setting_t *at, c
   return !other || refuse_at(e->config, at, "'%s' cannot be the name of a %s: %s", name, of, other);
 }
 
-static bool check_names(const struct book_entry *e, name_is_taken *taken)
+static bool check_names(const struct formula_entry *e, name_is_taken *taken)
 {
   const char *name = e->formula.name;
   if (!name || !e->formula.text || e->of < 0)
@@ -95,7 +95,7 @@ static bool check_names(const struct book_entry *e, name_is_taken *taken)
                      : !e->formula.text ? "text"
                                         : "'of', the quantity that it gives");
   const config_setting_t *at = member_of(e, "name");
-  const struct book_entry *other = entry_named(name);
+  const struct formula_entry *other = entry_named(name);
   bool good = check_name(e, at, name, "formula", taken && taken(name) ? "there is a quantity of this name" : NULL);
   const bool elsewhere = other && other->config != e->config;
   return good
@@ -104,11 +104,11 @@ static bool check_names(const struct book_entry *e, name_is_taken *taken)
                           elsewhere ? other->config->path : ""));
 }
 
-static bool check_motion(const struct book_entry *e)
+static bool check_motion(const struct formula_entry *e)
 {
   bool is_steady = e->start == FROM_STEADY;
-  if (is_steady != (e->of >= BOOK_STEADY))
-    return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of %s", book_quantities[e->of],
+  if (is_steady != (e->of >= FORMULA_STEADY))
+    return refuse_at(e->config, member_of(e, "of"), "%s is a quantity of %s", formula_quantities[e->of],
                      is_steady ? "one phase: give it start = \"rest\" or \"v0\""
                                : "the steady state: give it start = \"steady\"");
   if (e->phase == SCALLOP_CONTRACTION && e->start != FROM_V0)
@@ -120,10 +120,10 @@ static bool check_motion(const struct book_entry *e)
          || refuse_at(e->config, member_of(e, "turns"), "turns is about the steady state: start = \"steady\"");
 }
 
-static void set_meaning(struct book_entry *e)
+static void set_meaning(struct formula_entry *e)
 {
   static const enum scallop_setting moving[] = { SCALLOP_MOVING_EXTENSION, SCALLOP_MOVING_CONTRACTION };
-  const char *word = book_quantities[e->of];
+  const char *word = formula_quantities[e->of];
   if (e->of == DX1 || e->of == DX2)
     word = (e->of == DX1) == (e->phase == SCALLOP_EXTENSION) ? "rear_at_end" : "front_at_end";
   for (int q = 0; q < SCALLOP_QUANTITIES; q++)
@@ -171,7 +171,7 @@ static const char *wrong_with_condition(const struct scallop_formula *formula, c
   return wrong ? wrong : wrong_with(formula, sides.right, NOT_OF_CRAWLER, message);
 }
 
-static bool check_texts(const struct book_entry *e)
+static bool check_texts(const struct formula_entry *e)
 {
   const struct scallop_formula *f = &e->formula;
   char message[FORMULA_MESSAGE];
@@ -189,7 +189,7 @@ static bool check_texts(const struct book_entry *e)
   return true;
 }
 
-static bool read_parts(struct book_entry *e)
+static bool read_parts(struct formula_entry *e)
 {
   const config_setting_t *where = member_of(e, "where");
   if (where && !config_setting_is_group(where))
@@ -209,7 +209,7 @@ static bool read_parts(struct book_entry *e)
 }
 
 /* n, or "equality"; none: nothing is claimed */
-static bool read_claimed(struct config *c, struct book_entry *e)
+static bool read_claimed(struct config *c, struct formula_entry *e)
 {
   const config_setting_t *at = member_of(e, "claimed");
   const char *text = at ? text_of(c, at) : NULL;
@@ -225,17 +225,17 @@ static bool read_entry(struct config *c, const config_setting_t *group, name_is_
 {
   if (!config_setting_is_group(group))
     return refuse_at(c, group, "a formula is a group: { name = \"...\"; text = \"...\"; }");
-  struct book_entry *e = calloc(1, sizeof *e);
+  struct formula_entry *e = calloc(1, sizeof *e);
   if (!e)
     return refuse_at(c, group, "out of memory");
-  *e = (struct book_entry){
+  *e = (struct formula_entry){
     .formula = { .equation = "-", .parts = e->parts }, .of = NOTHING, .config = c, .group = group
   };
   bool good = read_members(c, group, members, e, "a formula") && read_parts(e) && read_claimed(c, e)
               && check_names(e, taken) && check_motion(e);
   if (good) {
     set_meaning(e);
-    good = check_texts(e) && (book_keep(&e->formula) || refuse_at(c, NULL, "out of memory"));
+    good = check_texts(e) && (user_formula_keep(&e->formula) || refuse_at(c, NULL, "out of memory"));
   }
   if (!good)
     free(e);
@@ -259,13 +259,13 @@ static bool read_root(struct config *c, name_is_taken *taken)
 {
   static const struct member lists[] = { OTHER("formulas"), OTHER("corrected"), { .name = NULL } };
   int first = 0, i;
-  while (book_formula(first))
+  while (user_formula(first))
     first++;
-  if (!read_members(c, config_root(c), lists, NULL, "a book of formulas") || !read_list(c, "formulas", taken)
+  if (!read_members(c, config_root(c), lists, NULL, "a formula file") || !read_list(c, "formulas", taken)
       || !read_list(c, "corrected", taken))
     return false;
-  for (i = first; book_formula(i); i++) {
-    const char *name = book_formula(i)->name, *corrected = book_formula(i)->corrected;
+  for (i = first; user_formula(i); i++) {
+    const char *name = user_formula(i)->name, *corrected = user_formula(i)->corrected;
     if (corrected && !formula_named(corrected))
       return refuse_at(c, member_of(entry_named(name), "corrected"), "%s: there is no formula '%s'%s", name, corrected,
                        formula_instead(corrected));
@@ -276,7 +276,7 @@ static bool read_root(struct config *c, name_is_taken *taken)
 /* Opens a file, or a text of that name, from here on among those that were read. */
 static enum exit_code open_file(struct config **config, const char *command, const char *path, const char *text)
 {
-  struct book_file *file = calloc(1, sizeof *file);
+  struct formula_file *file = calloc(1, sizeof *file);
   if (!file)
     return complain(command, "out of memory"), EXIT_UNSOLVED;
   file->next = files;
@@ -293,9 +293,9 @@ static bool is_same_file(const char *a, const char *b)
          || (stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev && of_a.st_ino == of_b.st_ino);
 }
 
-enum exit_code book_read(const char *command, const char *path, const char *text, name_is_taken *taken)
+enum exit_code formula_file_read(const char *command, const char *path, const char *text, name_is_taken *taken)
 {
-  for (const struct book_file *f = files; f; f = f->next)
+  for (const struct formula_file *f = files; f; f = f->next)
     if (!text && is_same_file(f->config.path, path))
       return EXIT_DONE;
   struct config *c;
@@ -303,9 +303,9 @@ enum exit_code book_read(const char *command, const char *path, const char *text
   return code == EXIT_DONE && !read_root(c, taken) ? EXIT_USAGE : code;
 }
 
-enum exit_code book_add(const char *command, const struct formula_given *given)
+enum exit_code user_formula_add(const char *command, const struct formula_given *given)
 {
-  bool is_steady = word_place(given->of, book_quantities) >= BOOK_STEADY;
+  bool is_steady = word_place(given->of, formula_quantities) >= FORMULA_STEADY;
   const char *const texts[][2] = {
     { "name", "formula" },     { "text", given->text },
     { "of", given->of },       { "start", given->start || !is_steady ? given->start : "steady" },
@@ -322,7 +322,7 @@ enum exit_code book_add(const char *command, const struct formula_given *given)
 
 const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula *formula)
 {
-  const struct book_entry *e = entry_named(formula->name);
+  const struct formula_entry *e = entry_named(formula->name);
   const int line = e && &e->formula == formula ? config_setting_source_line(e->group) : 0;
   *text = '\0';
   if (line > 0) /* not of an option */
@@ -330,10 +330,10 @@ const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula
   return text;
 }
 
-void books_forget(void)
+void formula_files_forget(void)
 {
-  book_forget_formulas();
-  for (struct book_file *first; (first = files);) {
+  forget_user_formulas();
+  for (struct formula_file *first; (first = files);) {
     files = first->next;
     config_close(&first->config);
     free(first);

@@ -1,6 +1,6 @@
-# Makes a C table of a book of formulas: awk -f scripts/dev/book.awk asymptotics/published/paper.cfg. The lists `formulas` and
-# `corrected` become scallop_published and scallop_corrected (asymptotics/asymptotics.h). A book that is not well formed is refused;
-# `scallop claims --book` says what is wrong with it.
+# Makes a C table of a formula file: awk -f scripts/dev/formulas.awk asymptotics/published/paper.cfg. The lists `formulas` and
+# `corrected` become scallop_published and scallop_corrected (asymptotics/asymptotics.h). A formula file that is not well formed is refused;
+# `scallop claims --formulas` says what is wrong with it.
 BEGIN { RS = "\001" }
 { text = text $0 }
 
@@ -13,7 +13,7 @@ function take() { # the next token, in `token`; "" at the end
   return token
 }
 function fail(what) {
-  print "book.awk: " what " is wanted before '" token substr(text, 1, 40) "'" > "/dev/stderr"
+  print "formulas.awk: " what " is wanted before '" token substr(text, 1, 40) "'" > "/dev/stderr"
   failed = 1
   exit 1
 }
@@ -62,7 +62,7 @@ END {
   turns[""] = "SCALLOP_TURNS_IN_BOTH"
   turns["\"not in the contraction\""] = "SCALLOP_NO_TURN_IN_CONTRACTION"
   turns["\"not in the extension\""] = "SCALLOP_NO_TURN_IN_EXTENSION"
-  print "/* Made by scripts/dev/book.awk */\n#include \"asymptotics/asymptotics.h\"\n"
+  print "/* Made by scripts/dev/formulas.awk */\n#include \"asymptotics/asymptotics.h\"\n"
   print "enum { START_rest = SCALLOP_AT_REST_START, START_v0_extension = SCALLOP_MOVING_EXTENSION,"
   print "  START_v0_contraction = SCALLOP_MOVING_CONTRACTION, START_steady = SCALLOP_STEADY };"
   print "#define OF(word, name) OF_##word = SCALLOP_##name,\nenum { SCALLOP_QUANTITY_LIST(OF) OF_NONE };"

@@ -1,4 +1,4 @@
-"""The formulas of a book (asymptotics/published/paper.cfg), by their names, typeset in MathML."""
+"""The formulas of a formula file (asymptotics/published/paper.cfg), by their names, typeset in MathML."""
 import ast
 import re
 
@@ -109,11 +109,11 @@ def typeset(text):
 
 
 def read(path):
-    """The groups of a book by their names; each has its members as text."""
+    """The groups of a formula file by their names; each has its members as text."""
     source = re.sub(r"/\*.*?\*/", "", text_of(path), flags=re.S)
     groups = [dict(MEMBER.findall(re.sub(r"\{[^{}]*\}", "", group[1:-1]))) for group in GROUP.findall(source)]
-    book = {}
+    formulas = {}
     for group in groups:
         members = {key: "".join(re.findall(r'"([^"]*)"', value)) or value for key, value in group.items()}
-        book[members["name"]] = members
-    return book
+        formulas[members["name"]] = members
+    return formulas

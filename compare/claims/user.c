@@ -1,4 +1,4 @@
-/* The claims of a book, `claims --book` and `claims --formula`: each formula for each gait, at one crawler, or at one
+/* The claims of a formula file, `claims --formulas` and `claims --formula`: each formula for each gait, at one crawler, or at one
  * that its conditions allow. */
 #define _GNU_SOURCE /* asprintf */
 #include <math.h>
@@ -230,7 +230,7 @@ static void add_row(struct ledger *ledger, const struct scallop_rational_crawler
 void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                         const struct scallop_formula *f)
 {
-  add_row(ledger, crawler, is_given, f, OF_BOOK, NULL);
+  add_row(ledger, crawler, is_given, f, OF_USER, NULL);
 }
 
 /* Behind a formula that is refuted the one that holds to the claimed order */
@@ -238,7 +238,7 @@ static void add_with_correction(struct ledger *ledger, const struct scallop_rati
                                 const struct scallop_formula *f)
 {
   char name[CLAIM_NAME], *derived = NULL, *unused = NULL;
-  add_row(ledger, crawler, is_given, f, OF_BOOK, &derived);
+  add_row(ledger, crawler, is_given, f, OF_USER, &derived);
   if (!derived)
     return;
   struct scallop_formula right = *f;
@@ -252,11 +252,11 @@ static void add_with_correction(struct ledger *ledger, const struct scallop_rati
   free(unused);
 }
 
-void ledger_add_book(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+void ledger_add_user(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
                      const char *only)
 {
   const struct scallop_formula *f;
-  for (int i = 0; (f = book_formula(i)); i++)
+  for (int i = 0; (f = user_formula(i)); i++)
     if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)) && !ledger_expects(ledger))
       add_with_correction(ledger, crawler, is_given, f);
 }
