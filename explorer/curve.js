@@ -5,8 +5,8 @@ import { shown } from "./words.js";
 import { inParts } from "./work.js";
 
 export const QUANTITIES = {
-  mean_velocity: { title: "mean velocity", formula: "text_steady_xC", over: (_, T) => T }, displacement: { title: "displacement", formula: "text_steady_xC" },
-  v_start: { title: "v_start", formula: "text_steady_velocity" }, v_mid: { title: "v_mid" }, multiplier: { title: "multiplier" },
+  mean_velocity: { title: "mean velocity", formula: "eq28_displacement", over: (_, T) => T }, displacement: { title: "displacement", formula: "eq28_displacement" },
+  v_start: { title: "v_start", formula: "eq27_v_start" }, v_mid: { title: "v_mid" }, multiplier: { title: "multiplier" },
   friction_work: { title: "friction work" }, froude: { title: "Froude number" },
 };
 const COUNT = 401;

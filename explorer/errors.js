@@ -10,7 +10,7 @@ const ROUNDING = 64 * 2 ** -52; // of the exact number: below that an error is t
 const TOLERANCE = 0.01, HALVINGS = 28;
 const COLOURS = ["accent", "body2", "centre", "friction", "body1", "soft"];
 const STEADY = 3;
-const FIRST = ["text_steady_xC", "rest_xC_end", "text_extension_xC_end", "text_contraction_xC_end"]; // where another setting's was chosen
+const FIRST = ["eq28_displacement", "eq21_dxC", "eq23_dxC", "eq25_dxC"]; // where another setting's was chosen
 
 /** Of which settings formulas are, of what is shown: a steady state, or a phase from rest or from a velocity. */
 function applies(formula, start, phase) {

@@ -23,7 +23,7 @@ export class CrawlerMap {
   show(crawler, { x, y, show, formula }, gait) {
     Object.assign(this, { crawler, names: [x, y], what: show, gait });
     const steady = this.core.formulas.filter(({ setting, turns }) => setting === 3 && turns === 0);
-    this.formula = steady.find(({ name }) => name === formula) ?? steady.find(({ name }) => name === "text_steady_xC");
+    this.formula = steady.find(({ name }) => name === formula) ?? steady.find(({ name }) => name === "eq28_displacement");
     this.ranges = this.names.map((name) => range(name, crawler));
     this.sized();
     const fixed = { ...crawler, [AXES[x].sets]: 0, [AXES[y].sets]: 0 };

@@ -24,9 +24,9 @@ export function sceneOf(state) {
   const steady = state.start === "steady";
   const start = state.start === "rest" ? 'start = "rest";\n' : steady ? "" : `start = ${numberOf(state.v0)};\n`;
   const want = steady
-    ? 'what = "steady";\n  columns = [ "froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", "friction_work", "regime", "modes" ];'
-    : `what = "trajectory"; periods = ${numberOf(state.periods)}; samples = 40;\n  columns = [ "t", "x1", "x2", "xC", "v1", "v2", "l" ];`;
-  return `title = "a crawler of the explorer";\ncrawler = { ${crawler.join("; ")}; };\n${start}want = ( {\n  ${want}\n  file = "explorer.tsv";\n} );\n`;
+    ? 'kind = "steady";\n  columns = [ "froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", "friction_work", "regime", "modes" ];'
+    : `kind = "trajectory"; periods = ${numberOf(state.periods)}; samples = 40;\n  columns = [ "t", "x1", "x2", "xC", "v1", "v2", "l" ];`;
+  return `title = "a crawler of the explorer";\ncrawler = { ${crawler.join("; ")}; };\n${start}tables = ( {\n  ${want}\n  file = "explorer.tsv";\n} );\n`;
 }
 
 /** A table as TSV; numbers read back to the same doubles. */

@@ -4,7 +4,7 @@ import { PARAMETERS, numberOf } from "./core.js";
 export const USUAL = {
   m1: "1", m2: "1", F1: "4", F2: "1", L: "10", T: "1", alpha: "0.75", gait: "quadratic",
   start: "steady", v0: "0", periods: "8",
-  x: "F1/F2", y: "T", show: "modes", along: "x", of: "mean_velocity", formula: "text_steady_xC",
+  x: "F1/F2", y: "T", show: "modes", along: "x", of: "mean_velocity", formula: "eq28_displacement",
   phase: "extension", error: "absolute", order: "8", table_name: "", table: "",
 };
 export const LONGEST_TABLE = 20000; // characters of a measured gait that go into a link

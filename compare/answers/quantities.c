@@ -63,9 +63,9 @@ const struct quantity_row quantity_rows[] = {
   { "phase_regime", .of = OF_PHASE, .kind = QUANTITY_REGIME },
   { "phase_modes", .of = OF_PHASE, .kind = QUANTITY_MODES },
   { "phase_motion", .of = OF_PHASE, .kind = QUANTITY_WORDS },
-  { "first_event", NULL, "along T, as `breakdown` has it", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_EVENT },
-  { "first_event_T", .kind = QUANTITY_STUDIED, .which = STUDIED_EVENT_T },
-  { "first_event_froude", .kind = QUANTITY_FORMULA, .formula = "(m1 + m2)/(F1 + F2)*L/first_event_T/first_event_T" },
+  { "first_transition", NULL, "along T, as `breakdown` has it", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_TRANSITION },
+  { "first_transition_T", .kind = QUANTITY_STUDIED, .which = STUDIED_TRANSITION_T },
+  { "first_transition_froude", .kind = QUANTITY_FORMULA, .formula = "(m1 + m2)/(F1 + F2)*L/first_transition_T/first_transition_T" },
   { "reversals", NULL, "likewise", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_REVERSALS },
   { "best_order", NULL, "the terms below T^best_order have the least error of the displacement at this T",
     .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ORDER },
@@ -119,7 +119,7 @@ static const struct {
   [SCALLOP_REAR_AT_LAST] = { { Q_AT_LAST, Q_AT_LAST }, { "x1(T-dT)", "x2(T-dT)" } },
   [SCALLOP_REAR_AT_END] = { { Q_DX1, Q_DX2 }, { "x1(T)", "x2(T)" } },
   [SCALLOP_FRONT_AT_END] = { { Q_DX2, Q_DX1 }, { "x2(T)", "x1(T)" } },
-  [SCALLOP_CENTRE_AT_END] = { { Q_DXC, Q_DXC }, { "x_C(T)", "x_C(T)" } },
+  [SCALLOP_CENTRE_AT_END] = { { Q_DXC, Q_DXC }, { "dxC", "dxC" } },
   [SCALLOP_VELOCITY_AT_END] = { { Q_V_END, Q_V_END }, { "v(T)", "v(T)" } },
   [SCALLOP_VELOCITY_CHANGE] = { { Q_CHANGE, Q_CHANGE }, { "v(T)-v0", "v(T)-v0" } },
   [SCALLOP_STEADY_VELOCITY] = { { Q_V_START, Q_V_START }, { "v_start", "v_start" } },
@@ -240,7 +240,7 @@ static bool estimate_named(struct quantity *q, const char *name)
   return q->which < QUANTITIES;
 }
 
-/* "rest_dT:contraction", of a formula that both phases have; others are of the one that they are printed for */
+/* "eq14_dT:contraction", of a formula that both phases have; others are of the one that they are printed for */
 static bool published_named(struct quantity *q, const char *name)
 {
   static const char *const phases[] = { "extension", "contraction", NULL };

@@ -4,8 +4,8 @@
  * that have it (answer.c, answer_flint.c); or a formula of others, which is a row there and no more. Beside these there
  * are the labels of a sweep, the columns of a file of points, and
  *
- *     text_steady_xC, rest_dT, ...                a formula of the paper, as `series` names it; of a phase from rest
- *     rest_dT:contraction                         that of the contraction, whatever the point's phase is
+ *     eq28_displacement, eq14_dT, ...                a formula of the paper, as `series` names it; of a phase from rest
+ *     eq14_dT:contraction                         that of the contraction, whatever the point's phase is
  *     derived_8.displacement, derived_8.dxC, ...  the sum of the derived terms below T^8
  *     limit.displacement                          the limit T -> 0: the first term
  *     exact.S, error.S, relative.S   of a series S of these: what it should be, S - exact, and that over |exact|
@@ -92,11 +92,11 @@ enum studied { /* what takes a study of the crawler along T (compare/summary/stu
                STUDIED_DEVIATION,
                STUDIED_ERROR_LIMIT,
                STUDIED_ORDER,
-               STUDIED_EVENT_T,
+               STUDIED_TRANSITION_T,
                STUDIED_BEST_ORDER,
                STUDIED_BEST_ERROR,
                STUDIED_VERDICT,
-               STUDIED_EVENT,
+               STUDIED_TRANSITION,
                STUDIED_REVERSALS
 };
 

@@ -29,32 +29,32 @@ double motion_last_time(const struct motion *motion);
 enum { MODE_CHANGE_TEXT = 400 };
 const char *mode_change_text(char text[MODE_CHANGE_TEXT], const struct answer *before, const struct answer *after);
 
-/* events.c. What ends the expansion: where the sequence of modes changes as T grows, and where a body turns in another
+/* transitions.c. What ends the expansion: where the sequence of modes changes as T grows, and where a body turns in another
  * part of the gait. And what does not end it: where the crawler turns back. */
-enum event_kind { CHANGE_OF_MODES, CHANGE_OF_PART, CHANGE_OF_WAY };
-struct event {
+enum transition_kind { CHANGE_OF_MODES, CHANGE_OF_PART, CHANGE_OF_WAY };
+struct transition {
   double T;
-  enum event_kind of;
+  enum transition_kind of;
   char what[MODE_CHANGE_TEXT];
   struct scallop_modes modes[2]; /* from here on */
   const char *status;            /* how it is known: certified, binary128 or double */
   double error;                  /* of T, as far as the recording of a measured gait tells; else nan */
   bool is_own;                   /* of this curve: another one does not have it */
 };
-struct events {
-  struct scallop_modes first[2];   /* the modes below the first event   */
+struct transitions {
+  struct scallop_modes first[2];   /* the modes below the first transition   */
   double from, until;              /* searched: this range of T         */
   int per_octave;                  /* in so many steps                  */
-  enum event_kind finest;          /* what is looked for */
+  enum transition_kind finest;          /* what is looked for */
   bool is_rough;                   /* T to four digits, and nothing proven */
   long count, reversals, left_out; /* left_out: other curves through the recording do not have them */
-  struct event *event, *reversal;  /* reversals: changes of way, of a steady state */
+  struct transition *transition, *reversal;  /* reversals: changes of way, of a steady state */
 };
 /* limit_modes: those for T -> 0, or "" where they are not known. Takes a quarter of a second. Of a measured gait pieces
  * are no parts, and what changes is left out unless it does with other curves through the recording, too. */
-void events_find(struct events *events, const struct motion *motion, const char *limit_modes);
-void events_clear(struct events *events);
-const struct scallop_modes *events_modes_at(const struct events *events, double T);
+void transitions_find(struct transitions *transitions, const struct motion *motion, const char *limit_modes);
+void transitions_clear(struct transitions *transitions);
+const struct scallop_modes *transitions_modes_at(const struct transitions *transitions, double T);
 
 /* study.c. All that is found of a motion. Terms below T^STUDY_MANY tell the best order, and where the poles of a
  * rational function are; at STUDY_PLACES (reach.c) the answer in binary128 is kept, shared by all comparisons. */
@@ -69,7 +69,7 @@ struct study { /* zero at first */
   fmpq_t v0;
   struct series_answer derived; /* the terms below T^order; where there is no series no value, and modes "" */
   struct series_answer many;    /* likewise below T^STUDY_MANY; modes: NULL, before they are first asked for */
-  struct events events;         /* until: 0, likewise */
+  struct transitions transitions;         /* until: 0, likewise */
   struct scallop_singularity singularity; /* of the branch, where it has one, up to so many crossings; 0: likewise */
   int crossings;
   bool has_singularity;
@@ -79,12 +79,12 @@ struct study { /* zero at first */
  * which there is then no study. */
 const char *study_begin(struct study *study, const struct motion *motion, slong order);
 void study_clear(struct study *study);
-const struct events *study_events(struct study *study);
+const struct transitions *study_transitions(struct study *study);
 /* Of a quantity the derived series with the terms below T^STUDY_MANY, or NULL */
 const struct series *study_many(struct study *study, enum quantity_id quantity);
 /* Why there is no derived series */
 const char *study_why_none(const struct study *study);
-/* Whether the expansion is about the motion at T, in words, by its events; until the next call */
+/* Whether the expansion is about the motion at T, in words, by its transitions; until the next call */
 const char *study_where(const struct study *study, double T);
 struct best_order { /* of truncation: with the terms below T^order the size of the error is least */
   slong order;

@@ -40,16 +40,16 @@ void study_clear(struct study *s)
   if (s->places) {
     PARTS(SCOPED_CLEAR)
   }
-  events_clear(&s->events);
+  transitions_clear(&s->transitions);
   free(s->places);
   *s = (struct study){ .places = NULL };
 }
 
-const struct events *study_events(struct study *s)
+const struct transitions *study_transitions(struct study *s)
 {
-  if (s->events.until == 0)
-    events_find(&s->events, &s->motion, s->derived.modes);
-  return &s->events;
+  if (s->transitions.until == 0)
+    transitions_find(&s->transitions, &s->motion, s->derived.modes);
+  return &s->transitions;
 }
 
 const struct series *study_many(struct study *s, enum quantity_id quantity)
@@ -66,13 +66,13 @@ const char *study_why_none(const struct study *s)
 
 const char *study_where(const struct study *s, double T)
 {
-  const struct event *e = s->events.event, *modes = e;
-  if (s->events.count == 0 || T <= e->T)
-    return "below the first event";
-  while (modes < e + s->events.count - 1 && modes->of != CHANGE_OF_MODES)
+  const struct transition *e = s->transitions.transition, *modes = e;
+  if (s->transitions.count == 0 || T <= e->T)
+    return "below the first transition";
+  while (modes < e + s->transitions.count - 1 && modes->of != CHANGE_OF_MODES)
     modes++;
   if (modes == e)
-    return wrong_text("above the first event, T = %.6g: from there on the series does not describe the motion", e->T);
+    return wrong_text("above the first transition, T = %.6g: from there on the series does not describe the motion", e->T);
   return wrong_text("above T = %.6g, where a body turns in another piece of the gait and the series is not exact any "
                     "more; the modes change at T = %.6g",
                     e->T, modes->T);

@@ -44,7 +44,7 @@ static struct row row_of(const struct report *r, const char *what, enum quantity
 
 #define AT(member) offsetof(struct row, member)
 static const struct table_column columns[] = {
-  { TABLE_COLUMN("what", column_text, AT(what)) },
+  { TABLE_COLUMN("kind", column_text, AT(what)) },
   { TABLE_COLUMN("quantity", column_text, AT(quantity)) },
   { TABLE_COLUMN("series", column_text, AT(series)) },
   { TABLE_COLUMN("order", column_number, AT(order)) },
@@ -54,7 +54,7 @@ static const struct table_column columns[] = {
   { TABLE_COLUMN("error", column_rounded, AT(error)), .format = "%.4g" },
   { TABLE_COLUMN("modes", column_text, AT(modes_text)) },
   { TABLE_COLUMN("note", column_text, AT(note)) },
-  { TABLE_COLUMN("status", column_text, AT(status)) },
+  { TABLE_COLUMN("evidence", column_text, AT(status)) },
   { .name = NULL },
 };
 /* Of T, of a measured gait */
@@ -82,7 +82,7 @@ static void write_row(struct report *r, struct row *row, const char *note, const
 static void write_limit(struct report *r)
 {
   enum { BITS = 128 };
-  struct row row = row_of(r, "event", QUANTITIES, "-", 0);
+  struct row row = row_of(r, "transition", QUANTITIES, "-", 0);
   const char *ends;
   SCOPED(arb, T);
   SCOPED(arf, least);
@@ -92,13 +92,13 @@ static void write_limit(struct report *r)
   const char *note = !proven ? "the limit T -> 0"
                              : wrong_text("the limit T -> 0; these modes are proven up to T = %.4g",
                                           arf_get_d(least, ARF_RND_FLOOR) * (1 - 5e-4));
-  row.modes = r->study.events.first;
+  row.modes = r->study.transitions.first;
   write_row(r, &row, note, proven ? "certified" : *r->study.derived.modes ? "derived" : "double");
 }
 
-static void write_changes(struct report *r, const char *what, enum quantity_id of, const struct event *e, long count)
+static void write_changes(struct report *r, const char *what, enum quantity_id of, const struct transition *e, long count)
 {
-  for (const struct event *end = e + count; e < end; e++) {
+  for (const struct transition *end = e + count; e < end; e++) {
     struct row row = row_of(r, what, of, "-", e->T);
     row.modes = e->modes;
     row.low = e->T - e->error;
@@ -117,9 +117,9 @@ static void write_reach(struct report *r, const struct comparison *c)
   if (isnan(T)) {
     note = "there is no value: of the formula, where l'' = 0 at an end of a phase, or of the exact motion";
   } else if (isinf(T)) {
-    note = r->study.events.count > 0 ? "for every T up to permanent rest" : "for every T";
+    note = r->study.transitions.count > 0 ? "for every T up to permanent rest" : "for every T";
   } else if (T > 0) {
-    row.modes = events_modes_at(&r->study.events, T);
+    row.modes = transitions_modes_at(&r->study.transitions, T);
     row.error = comparison_error(c, T);
     note = study_where(&r->study, T);
     status = comparison_is_proven(c, T) ? "certified" : status;
@@ -146,7 +146,7 @@ static void write_reaches(struct report *r, enum quantity_id quantity)
 
 static void write_radius(struct report *r, enum quantity_id quantity)
 {
-  const struct event *first = r->study.events.count > 0 ? r->study.events.event : NULL;
+  const struct transition *first = r->study.transitions.count > 0 ? r->study.transitions.transition : NULL;
   struct radius radius;
   char note[sizeof radius.note + 100];
   if (!radius_of(&radius, &r->study, quantity))
@@ -154,20 +154,20 @@ static void write_radius(struct report *r, enum quantity_id quantity)
   else if (!first)
     snprintf(note, sizeof note, "%s; nothing else ends it", radius.note);
   else
-    snprintf(note, sizeof note, "%s; the first event, T = %.6g, comes %s", radius.note, first->T,
+    snprintf(note, sizeof note, "%s; the first transition, T = %.6g, comes %s", radius.note, first->T,
              first->T < radius.T ? "before" : "after");
   struct row row = row_of(r, "radius", quantity, radius.method, radius.T);
   row.error = fmax(radius.high - radius.T, radius.T - radius.low); /* nan where they are infinite */
   write_row(r, &row, note, radius.status);
 }
 
-/* At T from a sixteenth of the first event, or of the natural time, to four times that, by steps of a square root of
+/* At T from a sixteenth of the first transition, or of the natural time, to four times that, by steps of a square root of
  * 2. */
 enum { BEST_BELOW = 8, BEST_ABOVE = 4, BEST = BEST_BELOW + 1 + BEST_ABOVE };
 
 static double best_time(const struct report *r, int i)
 {
-  double about = r->study.events.count > 0 ? r->study.events.event[0].T : motion_natural_time(&r->study.motion);
+  double about = r->study.transitions.count > 0 ? r->study.transitions.transition[0].T : motion_natural_time(&r->study.motion);
   return i == BEST_BELOW ? about * (1 - 1e-9) : about * exp2((i - BEST_BELOW) / 2.0);
 }
 
@@ -180,7 +180,7 @@ static void write_best(struct report *r, enum quantity_id quantity)
       continue;
     row.order = (double)best.order;
     row.error = best.error;
-    row.modes = events_modes_at(&r->study.events, row.T);
+    row.modes = transitions_modes_at(&r->study.transitions, row.T);
     const char *more = best.gains_from_more ? "more terms are better still; " : "";
     write_row(r, &row, wrong_text("%s%s", more, study_where(&r->study, row.T)), "certified");
   }
@@ -188,10 +188,10 @@ static void write_best(struct report *r, enum quantity_id quantity)
 
 static void write_rows(struct report *r)
 {
-  const struct events *e = &r->study.events;
-  if (is_wanted(r, "event") && !r->options->quantity.given) {
+  const struct transitions *e = &r->study.transitions;
+  if (is_wanted(r, "transition") && !r->options->quantity.given) {
     write_limit(r);
-    write_changes(r, "event", QUANTITIES, e->event, e->count);
+    write_changes(r, "transition", QUANTITIES, e->transition, e->count);
   }
   if (is_wanted(r, "reversal") && is_about(r, Q_DISPLACEMENT))
     write_changes(r, "reversal", Q_DISPLACEMENT, e->reversal, e->reversals);
@@ -227,10 +227,10 @@ static bool begin(struct report *r)
   if (r->study.derived.status != SCALLOP_OK)
     table_note(t, "no derived series: %s", study_why_none(&r->study));
   table_note(t, "modes may change and change back unseen within a %dth of an octave of T, from T = %.3g to %.3g",
-             r->study.events.per_octave, r->study.events.from, r->study.events.until);
+             r->study.transitions.per_octave, r->study.transitions.from, r->study.transitions.until);
   if (is_recorded(r))
     table_note(t, "%ld changes are left out that other curves through the recording do not have",
-               r->study.events.left_out);
+               r->study.transitions.left_out);
   table_add(t, columns);
   if (is_recorded(r))
     table_add(t, of_recording);
@@ -245,8 +245,8 @@ static enum exit_code report(struct report *r)
     complain("breakdown", "no derived series: %s", study_why_none(&r->study));
     return EXIT_UNSOLVED;
   }
-  progress_show("events ...");
-  study_events(&r->study);
+  progress_show("transitions ...");
+  study_transitions(&r->study);
   progress_end();
   if (!begin(r))
     return EXIT_FILE;

@@ -56,7 +56,7 @@ struct claim_row {
   int sampled;
   bool in_words;
   char corrected[CLAIM_NAME]; /* of a refuted formula: the claim that holds, or "" */
-  char measured[200];         /* of a claim in words: the figure that decides */
+  char summary[200];          /* of a claim in words: the figure that decides */
   char reason[320];           /* of a verdict: why; of a refutation in words: an example to paste */
 };
 

@@ -9,9 +9,9 @@
 
 static void equal_forces_centre(struct question *q, struct scallop_crawler c)
 {
-  const struct printed by_8 = printed(c, "equal_xC_end");
+  const struct printed by_8 = printed(c, "eq8_dxC");
   conclude(q, is_zero(by_8.error),
-           "certified: dx_1/L = %.6f, dx_C/L = %.6f, and (8) gives %.6f; (1 - m1/m2)/2 dx_1 is right",
+           "certified: dx1/L = %.6f, dxC/L = %.6f, and (8) gives %.6f; (1 - m1/m2)/2 dx1 is right",
            extension(q, c, 0).dx1 / c.L, by_8.exact / c.L, by_8.value / c.L);
   show(q, "scallop phase --certified%s --columns dx1,dxC", options(q, c));
 }
@@ -20,8 +20,8 @@ static void keeps_the_centre(struct question *q, struct scallop_crawler c)
 {
   const double forth = extension(q, c, 0).dxC, back = contraction(q, c, 0).dxC;
   const int stays = is_zero(fabs(forth) + fabs(back));
-  conclude(q, stays, "by (6) x_C' = (m1-m2)/(2M) l'; certified: %s",
-           stays > 0 ? "|dx_C| < 2^-80 in both phases" : "dx_C is not 0");
+  conclude(q, stays, "by (6) xC' = (m1-m2)/(2M) l'; certified: %s",
+           stays > 0 ? "|dxC| < 2^-80 in both phases" : "dxC is not 0");
 }
 
 static void velocity_rises(struct question *q, struct scallop_crawler c)
@@ -34,7 +34,7 @@ static void velocity_rises(struct question *q, struct scallop_crawler c)
 static void moves_forward(struct question *q, struct scallop_crawler c)
 {
   const struct solved p = extension(q, c, 0);
-  conclude(q, compare(p.dxC, 0), "certified: dx_C/L = %.6f, dx_1/L = %.6f, dx_2/L = %.6f", p.dxC / c.L, p.dx1 / c.L,
+  conclude(q, compare(p.dxC, 0), "certified: dxC/L = %.6f, dx1/L = %.6f, dx2/L = %.6f", p.dxC / c.L, p.dx1 / c.L,
            p.dx2 / c.L);
   show(q, "scallop phase --certified%s --columns dx1,dx2,dxC", options(q, c));
 }
@@ -42,7 +42,7 @@ static void moves_forward(struct question *q, struct scallop_crawler c)
 static void moves_backward(struct question *q, struct scallop_crawler c)
 {
   const double v_mid = steady(q, c).v_mid, dxC = contraction(q, c, v_mid).dxC;
-  conclude(q, compare(0, dxC), "certified: from v_mid T/L = %.6f the centre moves by dx_C/L = %.6f in the contraction",
+  conclude(q, compare(0, dxC), "certified: from v_mid T/L = %.6f the centre moves by dxC/L = %.6f in the contraction",
            v_mid * c.T / c.L, dxC / c.L);
   show(q, "scallop phase --phase contraction%s --v0 %.7g --columns v0,dxC", options(q, c), v_mid);
 }
@@ -94,7 +94,7 @@ static void last_interval_carries(struct question *q, struct scallop_crawler c)
   const double duration = scallop_phase_duration(&c, SCALLOP_EXTENSION), dxC = extension(q, c, 0).dxC;
   const double by_21 = (c.F1 - c.F2) * duration * duration / (2 * (c.m1 + c.m2));
   conclude(q, compare(dxC, by_21),
-           "certified: dx_C/L = %.9f; with the friction of the first interval to the end it would be %.9f", dxC / c.L,
+           "certified: dxC/L = %.9f; with the friction of the first interval to the end it would be %.9f", dxC / c.L,
            by_21 / c.L);
   show(q, "dxC is below (F1-F2) 0.75^2/(2M) = 0.421875: scallop phase --certified%s --columns dxC", options(q, c));
 }
@@ -164,7 +164,7 @@ static void two_asymmetries_suffice(struct question *q, struct scallop_crawler c
 }
 
 /* v_start where the change of velocity from rest, v_end, rises or falls with the duration, wherever that is compared */
-static void where_dv_C_changes(struct question *q, struct scallop_crawler c)
+static void where_dvC_changes(struct question *q, struct scallop_crawler c)
 {
   const double *duration = q->claim->data;
   const int claimed = duration[0] < 1 ? 1 : -1; /* it rises, and v_start > 0 */
@@ -180,7 +180,7 @@ static void where_dv_C_changes(struct question *q, struct scallop_crawler c)
   }
   const struct solved s = steady(q, c);
   conclude(q, changes && s.displacement > 0 ? claimed * compare(s.v_start, 0) : 0,
-           "certified: from duration %g to %g dv_C changes by %.6f; v_start T/L = %.6f, displacement/L = %.6f",
+           "certified: from duration %g to %g dvC changes by %.6f; v_start T/L = %.6f, displacement/L = %.6f",
            duration[0], duration[1], dv[1] - dv[0], s.v_start * c.T / c.L, s.displacement / c.L);
   show(q, "scallop steady --certified%s --columns froude,v_start,displacement,regime,modes", options(q, c));
 }
@@ -264,16 +264,16 @@ static const char near_ratio[] = "%s, F1/F2 " NEAR_BOUNDARY, near_period[] = "%s
 static const char near_forces[] = "%s, F1 and F2 together, " NEAR_BOUNDARY;
 
 const struct statement statements_by_example[] = {
-  { "equal_forces_centre", "(8)", "dx_C", "%s, F1 = F2 = 1, m1 = 2", .test = equal_forces_centre },
-  { "equal_forces_and_masses_keep_the_centre", "4.1", "dx_C", "%s, F1 = F2 = 1", .test = keeps_the_centre },
+  { "equal_forces_centre", "(8)", "dxC", "%s, F1 = F2 = 1, m1 = 2", .test = equal_forces_centre },
+  { "equal_forces_and_masses_keep_the_centre", "4.1", "dxC", "%s, F1 = F2 = 1", .test = keeps_the_centre },
   { "velocity_rises_over_extension", "4.2", "v_end", "%s, from v0 = 20", .test = velocity_rises, .outside = true },
-  { "centre_moves_forward_in_an_extension", "4.3", "dx_C", "%s, m2 = 4, from rest", .test = moves_forward },
-  { "centre_moves_backward_in_a_contraction", "4.3", "dx_C", "%s in its steady state", .test = moves_backward },
+  { "centre_moves_forward_in_an_extension", "4.3", "dxC", "%s, m2 = 4, from rest", .test = moves_forward },
+  { "centre_moves_backward_in_a_contraction", "4.3", "dxC", "%s in its steady state", .test = moves_backward },
   { "longer_extension_is_faster", "4.3", "l'", "%s", .test = longer_extension_is_faster },
   { "first_interval_accelerates_l", "4.3.1", "l''", "%s, from rest", .test = first_interval_accelerates },
   { "body_1_is_slower_in_the_first_interval", "4.3.1", "v1, v2", "%s, from rest", .test = body_1_is_slower },
   { "body_1_is_slower_in_the_first_interval", "4.3.1", "v1, v2", "%s, m1 = 0.5, from rest", .test = body_1_is_slower },
-  { "last_interval_carries_the_centre_forward", "4.3.1, 5", "dx_C", "%s, an extension from rest",
+  { "last_interval_carries_the_centre_forward", "4.3.1, 5", "dxC", "%s, an extension from rest",
     .test = last_interval_carries },
   { "contraction_is_the_opposite_of_the_extension", "4.3.3", "v_end", "%s, alpha = 1/2, from v0 = 1",
     .test = contraction_is_opposite },
@@ -293,18 +293,18 @@ const struct statement statements_by_example[] = {
     .test = there_is, .shows = true },
   { "kinematic_length", "4.3.3", "L_kin", "L_kin = L for the quadratic gait, pi^2 L/8 for the sinusoidal one",
     .test = kinematic_length, .of_its_gaits_alone = true },
-  { "start_velocity_is_forward_where_dv_C_rises", "4.4", "v_start",
-    "%s, alpha = 0.51: dv_C rises at both durations, 0.51 T and 0.49 T", .test = where_dv_C_changes,
+  { "start_velocity_is_forward_where_dvC_rises", "4.4", "v_start",
+    "%s, alpha = 0.51: dvC rises at both durations, 0.51 T and 0.49 T", .test = where_dvC_changes,
     .data = (const double[]){ 0.485, 0.49, 0.51, 0.515, 0 } },
-  { "start_velocity_is_backward_where_dv_C_falls", "4.4", "v_start",
-    "%s, alpha = 0.75, T = 2.2: dv_C falls at the duration alpha T", .test = where_dv_C_changes,
+  { "start_velocity_is_backward_where_dvC_falls", "4.4", "v_start",
+    "%s, alpha = 0.75, T = 2.2: dvC falls at the duration alpha T", .test = where_dvC_changes,
     .data = (const double[]){ 1.64, 1.65, 1.66, 0 } },
   { v_mid, "4.4", "v_mid", near_ratio, .test = v_mid_peaks },
   { v_mid, "4.4", "v_mid", near_forces, .test = v_mid_peaks },
   { v_mid, "4.4", "v_mid", near_period, .test = v_mid_peaks },
-  { loss, "4.4", "dx_C", near_ratio, .test = contraction_loses_least },
-  { loss, "4.4", "dx_C", near_forces, .test = contraction_loses_least },
-  { loss, "4.4", "dx_C", near_period, .test = contraction_loses_least },
+  { loss, "4.4", "dxC", near_ratio, .test = contraction_loses_least },
+  { loss, "4.4", "dxC", near_forces, .test = contraction_loses_least },
+  { loss, "4.4", "dxC", near_period, .test = contraction_loses_least },
   { "start_velocity_opposes_motion_at_low_Froude", "5", "v_start", "%s, F1 = 90, alpha = 0.55",
     .test = opposes_motion },
   { "start_velocity_has_two_regimes", "4.5, 5", "v_start", "%s, F1/F2 = 4 and 40", .test = two_regimes },
@@ -312,12 +312,12 @@ const struct statement statements_by_example[] = {
   { "t1_is_small", "(A.6)", "t1", "%s, from v0 = 1", .test = t1_is_small, .data = (const double[]){ 1 } },
   { "t1_is_small", "(A.6), 4.3.3", "t1", "%s, from its steady v_start ~ 1/T, to a double's digits",
     .test = t1_is_small },
-  { "B_x2_first_switch_exceeds_its_remainder", "(B.3)", "x2(t1)", "%s, from v0 = 1", .test = exceeds_its_remainder },
-  { "rest_dT_without_remainder", "(13)", "dT", "as printed, without a remainder; %s, from rest",
-    .test = without_remainder, .data = "rest_dT_unexpanded" },
-  { "A_t1_without_remainder", "(A.5)", "t1", as_printed, .test = without_remainder, .data = "A_t1_unexpanded" },
-  { "A_dT_without_remainder", "(A.14)", "dT", as_printed, .test = without_remainder, .data = "A_dT_unexpanded" },
-  { "B_t1_without_remainder", "(B.2)", "t1", as_printed, .test = without_remainder, .data = "B_t1_unexpanded" },
-  { "B_dT_without_remainder", "(B.5)", "dT", as_printed, .test = without_remainder, .data = "B_dT_unexpanded" },
+  { "eqB3_x2_first_switch_exceeds_its_remainder", "(B.3)", "x2(t1)", "%s, from v0 = 1", .test = exceeds_its_remainder },
+  { "eq13_dT_without_remainder", "(13)", "dT", "as printed, without a remainder; %s, from rest",
+    .test = without_remainder, .data = "eq13_dT_unexpanded" },
+  { "eqA5_t1_without_remainder", "(A.5)", "t1", as_printed, .test = without_remainder, .data = "eqA5_t1_unexpanded" },
+  { "eqA14_dT_without_remainder", "(A.14)", "dT", as_printed, .test = without_remainder, .data = "eqA14_dT_unexpanded" },
+  { "eqB2_t1_without_remainder", "(B.2)", "t1", as_printed, .test = without_remainder, .data = "eqB2_t1_unexpanded" },
+  { "eqB5_dT_without_remainder", "(B.5)", "dT", as_printed, .test = without_remainder, .data = "eqB5_dT_unexpanded" },
   { .name = NULL },
 };

@@ -328,10 +328,10 @@ void contraction_loses_least(struct question *q, struct scallop_crawler c)
     back[i] = contraction(q, member(f, x[i]), s[i].v_mid).dxC / c.L;
   }
   conclude(q, crosses ? compare(back[1], fmax(back[0], back[2])) : 0,
-           "certified: dx_C/L of the contraction is %.6f, %.6f, %.6f there; of the extension %.6f, %.6f, %.6f", back[0],
+           "certified: dxC/L of the contraction is %.6f, %.6f, %.6f there; of the extension %.6f, %.6f, %.6f", back[0],
            back[1], back[2], forth[0], forth[1], forth[2]);
   if (!isnan(f->boundary))
-    show(q, "dx_C of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
+    show(q, "dxC of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
          options(q, member(f, x[1])), s[1].v_mid);
 }
 

@@ -19,7 +19,7 @@ static struct solved extension_at(struct scallop_crawler c, double T)
 
 static double minus_v_end(void *c, double T) { return -extension_at(*(struct scallop_crawler *)c, T).v_end; }
 
-/* The least d(dx_C) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
+/* The least d(dxC) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
 static double least_growth(const struct scallop_crawler *c)
 {
   enum { STEPS = 400 };
@@ -43,7 +43,7 @@ static void displacement_grows(struct question *q, struct scallop_crawler c)
     c.F1 = ratios[i] * c.F2;
     least = fmin(least, least_growth(&c));
   }
-  conclude(q, compare(least, 0), "least d(dx_C) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: %.6f", least);
+  conclude(q, compare(least, 0), "least d(dxC) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: %.6f", least);
 }
 
 static void velocity_change_peaks(struct question *q, struct scallop_crawler c)
@@ -57,7 +57,7 @@ static void velocity_change_peaks(struct question *q, struct scallop_crawler c)
     x[i] = golden_least(minus_v_end, &c, 0.01 * onset, onset, 1e-9 * onset) / onset;
   }
   conclude(q, compare(0.99, fmax(fmax(x[0], x[1]), x[2])),
-           "dv_C peaks at %.6f, %.6f, %.6f of the duration at which sticking begins", x[0], x[1], x[2]);
+           "dvC peaks at %.6f, %.6f, %.6f of the duration at which sticking begins", x[0], x[1], x[2]);
 }
 
 /* Of the displacement of an extension from v0, between two periods */
@@ -104,7 +104,7 @@ static void never_falls(struct question *q, struct scallop_crawler c)
     duration[i] = scallop_phase_duration(&c, SCALLOP_EXTENSION);
   }
   conclude(q, compare(dxC[1], dxC[0]),
-           "certified: from v0 = %.6g at F1 = %.6g dx_C/L is %.6f for T = %.4g and %.6f for T = %.4g; these extensions "
+           "certified: from v0 = %.6g at F1 = %.6g dxC/L is %.6f for T = %.4g and %.6f for T = %.4g; these extensions "
            "last %.6g and %.6g",
            fall.v0, fall.F1, dxC[0], fall.T[0], dxC[1], fall.T[1], duration[0], duration[1]);
   show(q,
@@ -171,7 +171,7 @@ static void goes_as_1_over_T(struct question *q, struct scallop_crawler c)
 
 static double velocity_by_27(struct scallop_crawler c, bool mirrored)
 {
-  return mirrored ? -velocity_by_27(exchanged(c), false) : printed(c, "text_steady_velocity").value;
+  return mirrored ? -velocity_by_27(exchanged(c), false) : printed(c, "eq27_v_start").value;
 }
 
 /* alpha in hundredths, by 8 from what the conditions say; the fourth is named. In a mirror bodies are exchanged. */
@@ -200,7 +200,7 @@ static void in_the_limit(struct question *q, struct scallop_crawler c)
              named / 100., largest, at);
   q->crawler.T = scallop_crawler_default().T; /* the command has its own */
   if (q->of_the_paper)
-    show(q, "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^text_steady_velocity.(27)'",
+    show(q, "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^eq27_v_start.(27)'",
          named / 100., options(q, q->crawler));
 }
 
@@ -221,23 +221,23 @@ static void is_reached(struct question *q, struct scallop_crawler c)
 }
 
 static const char grows[] = "displacement_grows_with_duration", reached[] = "steady_state_is_reached";
-static const char limit[] = "text_steady_velocity_in_the_limit", from_rest[] = "%s, from rest, F1/F2 = 2, 10, 40";
+static const char limit[] = "eq27_v_start_in_the_limit", from_rest[] = "%s, from rest, F1/F2 = 2, 10, 40";
 
 const struct statement statements_of_figures[] = {
-  { grows, "4.4", "dx_C", from_rest, .test = displacement_grows },
-  { "velocity_change_is_not_monotone", "4.4", "dv_C", from_rest, .test = velocity_change_peaks },
+  { grows, "4.4", "dxC", from_rest, .test = displacement_grows },
+  { "velocity_change_is_not_monotone", "4.4", "dvC", from_rest, .test = velocity_change_peaks },
   { "mean_velocity_vanishes_at_ratio_1", "4.5", "mean velocity", "%s", .test = vanishes_at_ratio_1 },
   { "mean_velocity_vanishes_at_large_ratio", "4.5", "mean velocity", "%s", .test = vanishes_at_large_ratio },
   { "mean_velocity_grows_with_alpha", "4.5", "mean velocity", "%s, alpha from 0.50 to 0.99", .test = grows_with_alpha },
   { "mean_velocity_goes_as_1_over_T", "4.3.3", "mean velocity", "%s", .test = goes_as_1_over_T },
   { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.51 to 0.99 by 0.08", .test = in_the_limit },
   { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", .test = in_the_limit },
-  { "text_steady_velocity_mirrored_in_the_limit", "(27)", "v_start",
+  { "eq27_v_start_mirrored_in_the_limit", "(27)", "v_start",
     "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08; with F1 m1 and F2 m2 exchanged below the line",
     .test = in_the_limit, .of_its_crawler = true },
-  { grows, "4.4", "dx_C", "%s, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
+  { grows, "4.4", "dxC", "%s, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
     .test = never_falls, .data = (const double[]){ 2, 4, 10, 40, 0 }, .outside = true, .of_its_crawler = true },
-  { grows, "4.4", "dx_C", "%s, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
+  { grows, "4.4", "dxC", "%s, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
     .test = never_falls, .data = (const double[]){ 0.25, 0.5, 0 }, .outside = true, .of_its_crawler = true },
   { "steady_state_is_unique", "5", "v_start", "l' continuous, any masses, forces > 0 and alpha", .test = at_random,
     .data = &steady_state_is_unique, .proven = true, .of_its_crawler = true },

@@ -32,16 +32,16 @@ enum { CONDITIONS = sizeof conditions / sizeof *conditions, AT_END = CONDITIONS 
 /* Claims that no text of asymptotics stands for: that x1(t1) is of order 2; the limit of the steady state as it is
  * derived; and l' and l near the end of an extension, h = T before it */
 static const struct scallop_formula size_of_first_switch = {
-  "A_x1_first_switch_size", "(A.7)", SCALLOP_MOVING_EXTENSION, SCALLOP_REAR_AT_FIRST, 2, .text = "0"
+  "eqA7_x1_first_switch_size", "(A.7)", SCALLOP_MOVING_EXTENSION, SCALLOP_REAR_AT_FIRST, 2, .text = "0"
 };
 static const struct scallop_formula limits[] = {
-  { "limit_steady_velocity", "(26), (27)", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1, .text = NULL },
-  { "limit_steady_xC", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, .text = NULL },
+  { "limit_v_start", "(26), (27)", SCALLOP_STEADY, SCALLOP_STEADY_VELOCITY, 1, .text = NULL },
+  { "limit_displacement", "(28)", SCALLOP_STEADY, SCALLOP_STEADY_DISPLACEMENT, 4, .text = NULL },
 };
 static const char *const when[] = { "T = 1", NULL };
 static const struct scallop_formula ends[] = {
-  { "A_dl_near_end", "(A.11)", .quantity = SCALLOP_REAR_AT_END, .remainder = 2, .text = "-T*lT", .when = when },
-  { "A_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "T^2/2*lT", .when = when,
+  { "eqA11_dl_near_end", "(A.11)", .quantity = SCALLOP_REAR_AT_END, .remainder = 2, .text = "-T*lT", .when = when },
+  { "eqA12_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "T^2/2*lT", .when = when,
     .corrected = "corrected_l_near_end" },
   { "corrected_l_near_end", "(A.12)", .quantity = SCALLOP_FRONT_AT_END, .remainder = 3, .text = "L + T^2/2*lT",
     .when = when },
@@ -147,7 +147,7 @@ static void fill(struct part *part)
 {
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
     add_formula(part, f, AS_IT_STANDS);
-    if (strcmp(f->name, "A_x1_first_switch") == 0)
+    if (strcmp(f->name, "eqA7_x1_first_switch") == 0)
       add_formula(part, &size_of_first_switch, AS_IT_STANDS);
   }
   for (int i = 0; i < 3; i++)

@@ -191,7 +191,7 @@ void conclude(struct question *q, int verdict, const char *format, ...)
   row->evidence = verdict == 0 ? NO_EVIDENCE : in_theory ? PROVEN_FOR_ALL : q->by;
   va_list numbers;
   va_start(numbers, format);
-  vsnprintf(row->measured, sizeof row->measured, format, numbers);
+  vsnprintf(row->summary, sizeof row->summary, format, numbers);
   va_end(numbers);
 }
 

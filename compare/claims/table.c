@@ -81,8 +81,8 @@ static void write_line(struct report *r, const struct line *line)
   put(r, ROWS | ERRORS, "gait", row->gait);
   put_number(r, ROWS | ERRORS, "claimed_order", row->claimed_order, NULL);
   put_number(r, ROWS, "order", row->fit.order, "%.6f");
-  put_number(r, ROWS, "order_lo", row->fit.low, "%.6f");
-  put_number(r, ROWS, "order_hi", row->fit.high, "%.6f");
+  put_number(r, ROWS, "order_low", row->fit.low, "%.6f");
+  put_number(r, ROWS, "order_high", row->fit.high, "%.6f");
   put_number(r, ROWS, "points", row->fit.used, "%.0f");
   put(r, ROWS | SUMMARY, "verdict", claim_verdict_text(row->verdict));
   put_number(r, SUMMARY, "checks", line->checks, "%.0f");
@@ -97,9 +97,9 @@ static void write_line(struct report *r, const struct line *line)
   put(r, ROWS, "coefficient", row->coefficient);
   put(r, ROWS, "corrected", row->corrected);
   put(r, ROWS | ERRORS, "conditions", row->conditions);
-  put(r, ROWS | ERRORS, "inside", row->inside ? "yes" : "no");
+  put(r, ROWS | ERRORS, "paper_conditions", row->inside ? "yes" : "no");
   put(r, ROWS, "source", sources[row->source]);
-  put(r, ROWS, "measured", row->measured);
+  put(r, ROWS, "summary", row->summary);
   put(r, ROWS, "reason", row->reason);
   put(r, USER, "leading_error", short_text(r, shortened, row->leading_error));
   put(r, USER, "formula", row->formula);

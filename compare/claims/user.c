@@ -149,7 +149,7 @@ static void write_change(struct claim_row *row, struct scallop_rational_crawler 
     if (i < 0 ? fmpq_is_zero(v0) : fmpq_equal(x, rational_field(before, i)))
       continue;
     char *text = decimal_fraction(x);
-    append(row->measured, sizeof row->measured, "%s%s=%s", *row->measured ? " " : "",
+    append(row->summary, sizeof row->summary, "%s%s=%s", *row->summary ? " " : "",
            i < 0 ? "v0" : crawler_parameters[i], text);
     flint_free(text);
   }

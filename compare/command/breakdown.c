@@ -16,7 +16,7 @@ static const struct axis_choice {
 static const char *const sources[] = { "user", "published", "derived", "limit", NULL };
 static const char *const quantities[] = { "v_start", "v_mid", "displacement", "mean_velocity", "t1", "dT",
                                           "v_end",   "dx1",   "dx2",          "dxC",           NULL };
-static const char *const kinds[] = { "event", "reversal", "reach", "radius", "best", NULL };
+static const char *const kinds[] = { "transition", "reversal", "reach", "radius", "best", NULL };
 static const struct option options_of_breakdown[] = {
   OPTIONS_TO_L,
   OPTIONS_ALPHA_GAIT,
@@ -47,8 +47,8 @@ static const struct option_rule rules[] = {
     "is of a phase: it needs --phase or --v0" },
   { "order", RULE_WITH, "source=user source=published source=limit",
     "needs the derived series: leave --source out, or --source derived" },
-  { "tol formulas", RULE_WITH, "only=event only=reversal only=radius only=best", "needs the rows of --only reach" },
-  { "quantity source order", RULE_WITH, "only=event only=reversal", "needs rows about series: leave --only out" },
+  { "tol formulas", RULE_WITH, "only=transition only=reversal only=radius only=best", "needs the rows of --only reach" },
+  { "quantity source order", RULE_WITH, "only=transition only=reversal", "needs rows about series: leave --only out" },
   { "order source=user source=published source=limit", RULE_WITH, "only=radius only=best",
     "needs the rows of --only reach" },
   { "formulas", RULE_WITH, "source=published source=derived source=limit",
@@ -87,7 +87,7 @@ static const char *add_axis(struct breakdown_options *o, int i)
   return wrong ? wrong_text("--%s: %s", o->range[i] ? option : "map", wrong) : NULL;
 }
 
-/* Is it the page about events and reach? A scene, whose files are tables, sets a format. */
+/* Is it the page about transitions and reach? A scene, whose files are tables, sets a format. */
 static bool is_page(const struct breakdown_options *o)
 {
   const struct request *r = &o->request;

@@ -1,10 +1,10 @@
-/* run and figure: what scenes want, made. */
+/* run and figure: the tables of scenes, made. */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 
-#include "compare/command/want.h"
+#include "compare/command/scene_table.h"
 #include "compare/points/counts.h"
 #include "compare/text/file.h"
 
@@ -55,11 +55,11 @@ static bool is_same_file(const char *a, const char *b)
 /* Do tables and plots of all scenes go to different files, and none to one that is read? */
 static enum exit_code check_files(const struct wanted *all, int count, const char *command)
 {
-  enum { MOST = 2 * SCENE_WANTS * 64 };
+  enum { MOST = 2 * SCENE_TABLES * 64 };
   static const char *path[MOST + 2];
   int files = 0;
   for (const struct wanted *s = all; s < all + count; s++)
-    for (const struct want *w = s->want; w < s->want + s->scene.wants && files < MOST; w++) {
+    for (const struct scene_table *w = s->table; w < s->table + s->scene.tables && files < MOST; w++) {
       path[files++] = w->files.table;
       if (w->files.has_plot)
         path[files++] = w->files.plot.file;
@@ -88,7 +88,7 @@ static void tell_written(const struct style *given, const char *file)
 static enum exit_code draw_plots(const struct wanted *s, const struct style *given)
 {
   enum exit_code code = EXIT_DONE;
-  for (const struct want *w = s->want; w < s->want + s->scene.wants; w++) {
+  for (const struct scene_table *w = s->table; w < s->table + s->scene.tables; w++) {
     bool drawn = w->files.has_plot && plot_draw(&w->files.plot, given->command);
     code = drawn || !w->files.has_plot ? code : EXIT_FILE;
     count_add(COUNT_PLOTS, drawn);
@@ -102,8 +102,8 @@ static enum exit_code judge(const struct wanted *s, const struct rows_run *run, 
                             const struct style *given)
 {
   long failed = 0;
-  for (int i = 0; i < s->scene.wants; i++)
-    tell_written(given, s->want[i].files.table);
+  for (int i = 0; i < s->scene.tables; i++)
+    tell_written(given, s->table[i].files.table);
   for (int i = 0; i < run->count; i++)
     failed += run->rows[i].failed_checks;
   if (run->unsolved > 0)
@@ -124,10 +124,10 @@ static enum exit_code run_scene(struct wanted *s, const struct style *given)
   struct rows_run run = { .count = s->tables, .rows = s->rows };
   enum exit_code code = run.count > 0 ? rows_visit(&run, NULL) : EXIT_DONE;
   bool go_on = code == EXIT_DONE;
-  for (int i = 0; go_on && i < s->scene.wants && code != EXIT_FILE; i++)
-    if (!s->want[i].rows) {
+  for (int i = 0; go_on && i < s->scene.tables && code != EXIT_FILE; i++)
+    if (!s->table[i].rows) {
       count_add(COUNT_COMMANDS, 1);
-      code = worse(code, command_make(&s->want[i].arguments));
+      code = worse(code, command_make(&s->table[i].arguments));
     }
   bool keep = code != EXIT_FILE && code != EXIT_USAGE;
   if (!rows_close(&run, keep))
@@ -140,9 +140,9 @@ static enum exit_code run_all(struct wanted *all, int count, const struct scene_
   const struct style *given = &o->request.style;
   int wants = 0;
   for (int i = 0; i < count; i++)
-    wants += all[i].scene.wants;
+    wants += all[i].scene.tables;
   if (given->has_output && wants > 1) {
-    complain(given->command, "-o names one file, and %d tables are wanted: --into FOLDER says where they go", wants);
+    complain(given->command, "-o names one file, and %d tables are requested: --into FOLDER says where they go", wants);
     return EXIT_USAGE;
   }
   enum exit_code code = check_files(all, count, given->command);
@@ -152,7 +152,7 @@ static enum exit_code run_all(struct wanted *all, int count, const struct scene_
       code = worse(code, run_scene(s, given));
     else if (!given->quiet)
       fprintf(stderr, "scallop %s: %s: fine, points: %ld, tables: %d\n", given->command, s->scene.name,
-              sweep_points(&s->scene.request.sweep), s->scene.wants);
+              sweep_points(&s->scene.request.sweep), s->scene.tables);
   return code;
 }
 

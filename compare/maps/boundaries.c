@@ -233,7 +233,7 @@ static bool begin_table(struct boundaries *b)
   for (int i = 0; i < 2; i++)
     snprintf(to[i], sizeof to[i], "to_%s", names[i]);
   table_columns(
-      t, (const char *const[]){ names[0], names[1], to[0], to[1], "region_1", "region_2", "what", "status", NULL });
+      t, (const char *const[]){ names[0], names[1], to[0], to[1], "region_1", "region_2", "change", "status", NULL });
   table_begin_rows(t);
   return true;
 }

@@ -53,7 +53,7 @@ static bool is_drawn(const struct style *style, const char *name)
   return !style->plot.file || !style->plot.y || style->choice || formula_is_listed(style->plot.y, name);
 }
 
-/* The error of a series, without tolerances, or how far it reaches: "error_published", "T_1e-2_published" */
+/* The error of a series, without tolerances, or how far it reaches: "error_published", "reach_1e-2_published" */
 static const char *add_series(const struct grid *g, const char *called, const char *series, const double *tolerances)
 {
   const char *wrong = NULL;
@@ -64,7 +64,7 @@ static const char *add_series(const struct grid *g, const char *called, const ch
   for (const double *of = tolerances; of && *of > 0 && !wrong; of++) {
     double power = log10(*of);
     bool is_power = power == rint(power);
-    snprintf(name, sizeof name, is_power ? "T_1e%.0f_%s" : "T_%g_%s", is_power ? power : *of, called);
+    snprintf(name, sizeof name, is_power ? "reach_1e%.0f_%s" : "reach_%g_%s", is_power ? power : *of, called);
     if (is_drawn(&g->options->request.style, name))
       wrong = rows_own(g->rows, "%s = reach_%g.%s", name, *of, series);
   }

@@ -16,8 +16,8 @@ static const struct table_column of_series[] = {
 };
 static const struct table_column of_order[] = {
   { TABLE_COLUMN("order", column_rounded, AT(result.order)), .format = "%.4f" },
-  { TABLE_COLUMN("low", column_rounded, AT(result.low)), .format = "%.4f" },
-  { TABLE_COLUMN("high", column_rounded, AT(result.high)), .format = "%.4f" },
+  { TABLE_COLUMN("order_low", column_rounded, AT(result.low)), .format = "%.4f" },
+  { TABLE_COLUMN("order_high", column_rounded, AT(result.high)), .format = "%.4f" },
   { TABLE_COLUMN("interval", column_text, AT(interval)) },
   { TABLE_COLUMN("points", column_count, AT(result.used)) },
   { .name = NULL },
@@ -28,7 +28,7 @@ static const struct table_column of_grids[] = {
   { .name = NULL },
 };
 static const struct table_column of_verdict[] = {
-  { TABLE_COLUMN("test", column_text, AT(test)) },
+  { TABLE_COLUMN("comparison", column_text, AT(test)) },
   { TABLE_COLUMN("expected", column_number, AT(wanted.order)) },
   { TABLE_COLUMN("tolerance", column_number, AT(wanted.tolerance)) },
   { TABLE_COLUMN("verdict", column_text, AT(verdict)) },

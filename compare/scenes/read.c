@@ -1,4 +1,4 @@
-/* A scene: its crawler, start and wants, and where the tables of these and their pictures go. */
+/* A scene: its crawler, start and tables, and where the tables of these and their pictures go. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -61,15 +61,15 @@ static bool are_lines(const struct scene *s, const config_setting_t *root)
                       "title and notes are lines of UTF-8, without a line break or another control character");
 }
 
-static bool take_wants(struct scene *s, const config_setting_t *want)
+static bool take_tables(struct scene *s, const config_setting_t *table)
 {
-  s->wants = want ? element_count(want) : 0;
-  if (s->wants == 0)
-    return refuse_at(&s->config, want, "nothing is wanted: want = ( { what = \"steady\"; } );");
-  if (s->wants > SCENE_WANTS)
-    return refuse_at(&s->config, want, "%d wants: %d at most", s->wants, SCENE_WANTS);
-  for (int i = 0; i < s->wants; i++)
-    s->want[i] = element_at(want, i);
+  s->tables = table ? element_count(table) : 0;
+  if (s->tables == 0)
+    return refuse_at(&s->config, table, "no table is requested: tables = ( { kind = \"steady\"; } );");
+  if (s->tables > SCENE_TABLES)
+    return refuse_at(&s->config, table, "%d tables: %d at most", s->tables, SCENE_TABLES);
+  for (int i = 0; i < s->tables; i++)
+    s->table[i] = element_at(table, i);
   return true;
 }
 
@@ -84,7 +84,7 @@ static bool read_root(struct scene *s, const config_setting_t *root)
                                            OTHER("crawler"),
                                            OTHER("start"),
                                            OTHER("vary"),
-                                           OTHER("want"),
+                                           OTHER("tables"),
                                            { .name = NULL } };
   const config_setting_t *start = config_setting_get_member(root, "start");
   if (!read_members(&s->config, root, members, s, "a scene") || !are_lines(s, root))
@@ -96,7 +96,7 @@ static bool read_root(struct scene *s, const config_setting_t *root)
     return false;
   return read_crawler(s, config_setting_get_member(root, "crawler")) && read_start(s, start)
          && scene_read_vary(s, config_setting_get_member(root, "vary"))
-         && take_wants(s, config_setting_get_member(root, "want"));
+         && take_tables(s, config_setting_get_member(root, "tables"));
 }
 
 static char *name_of(const char *path)
@@ -202,11 +202,11 @@ static bool read_plot(struct scene *s, struct plot *p, const config_setting_t *a
   return !p->script || find_script(s, at, p);
 }
 
-bool scene_read_files(struct scene_files *f, struct scene *s, const config_setting_t *want, const struct style *style)
+bool scene_read_files(struct scene_files *f, struct scene *s, const config_setting_t *table, const struct style *style)
 {
   const struct style *given = &s->request.style;
-  const config_setting_t *file = config_setting_get_member(want, "file");
-  const config_setting_t *plot = config_setting_get_member(want, "plot");
+  const config_setting_t *file = config_setting_get_member(table, "file");
+  const config_setting_t *plot = config_setting_get_member(table, "plot");
   f->table = file ? text_of(&s->config, file) : NULL;
   if (file && (!f->table || !*f->table))
     return refuse_at(&s->config, file, "file is a text");
@@ -219,7 +219,7 @@ bool scene_read_files(struct scene_files *f, struct scene *s, const config_setti
                      f->table);
   if (plot && (!f->table || (style->format != FORMAT_TSV && !given->has_format)))
     return refuse_at(&s->config, plot,
-                     "a plot is made from a table in a file, format tsv: this want needs file = \"...\"");
+                     "a plot is made from a table in a file, format tsv: this table needs file = \"...\"");
   if (plot && !read_plot(s, &f->plot, plot))
     return false;
   f->has_plot = plot && style->format == FORMAT_TSV;

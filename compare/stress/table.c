@@ -52,18 +52,18 @@ static const struct measure {
   double quantile; /* over all numbers of a family; WORST: of the one with the largest error/unit */
   bool of_many;    /* the row of a number does not have it */
 } measures[] = {
-  { "units", "%.3g", units, WORST, false },
+  { "error_units", "%.3g", units, WORST, false },
   { "ulp", "%.3g", ulps, WORST, false },
   { "condition", "%.3g", condition, WORST, false },
   { "digits", "%.1f", digits, WORST, false },
   { "ulp_median", "%.3g", ulps, 0.5, true },
-  { "rounding", "%.3g", rounding, 1, false },
-  { "perturbed", "%.3g", perturbed, 1, false },
+  { "spread_rounding", "%.3g", rounding, 1, false },
+  { "change_per_ulp", "%.3g", perturbed, 1, false },
   { "lost_double", "%.1f", lost_double, 1, false },
   { "lost_long_double", "%.1f", lost_long, 1, false },
   { "lost_binary128", "%.1f", lost_binary128, 1, false },
-  { "estimate_least", "%.4f", estimate_known, 0, true },
-  { "estimate_most", "%.4f", estimate, 1, true },
+  { "estimate_ratio_min", "%.4f", estimate_known, 0, true },
+  { "estimate_ratio_max", "%.4f", estimate, 1, true },
 };
 enum { MEASURES = sizeof measures / sizeof *measures };
 

@@ -250,7 +250,7 @@ static void write_best(const struct page *p, enum quantity_id of)
 }
 
 /* error is nan where there is no recording */
-static void write_event(const struct page *p, const struct event *e)
+static void write_transition(const struct page *p, const struct transition *e)
 {
   fprintf(p->file, "  T = %.*g%s", digits_of(p, e->T, e->error), e->T, p->is_recorded ? ", " : "");
   if (p->is_recorded)
@@ -258,21 +258,21 @@ static void write_event(const struct page *p, const struct event *e)
   fprintf(p->file, " (Froude %.3g): %s\n", motion_froude(&p->study->motion, e->T), e->what);
 }
 
-static void write_events(const struct page *p)
+static void write_transitions(const struct page *p)
 {
   enum { SHOWN = 8 };
-  const struct events *e = study_events(p->study);
+  const struct transitions *e = study_transitions(p->study);
   fputs("\nWhere the expansion ends\n", p->file);
   if (e->count == 0 && p->study->derived.status != SCALLOP_OK)
     fputs("  There is no expansion.\n", p->file);
   else if (e->count == 0)
     fprintf(p->file, "  Nowhere: the sequence of modes is the same at every T up to %.3g.\n", e->until);
   for (long i = 0; i < e->count && i < SHOWN; i++)
-    write_event(p, &e->event[i]);
+    write_transition(p, &e->transition[i]);
   if (e->left_out > 0)
     fprintf(p->file, "  Left out: %ld changes that other curves through the recording do not have\n", e->left_out);
   if (e->count > SHOWN)
-    fprintf(p->file, "  and %ld more events at larger T\n", e->count - SHOWN);
+    fprintf(p->file, "  and %ld more transitions at larger T\n", e->count - SHOWN);
   for (long i = 0; i < e->reversals; i++)
     fprintf(p->file, "%s T = %.*g", i == 0 ? "  The direction of crawling reverses at" : ",", p->digits,
             e->reversal[i].T);
@@ -290,20 +290,20 @@ static void write_summary(const struct page *p)
     fprintf(p->file, "  There is no derived series: %s.\n", study_why_none(p->study));
   for (int i = 0; i < TERMS; i++)
     write_best(p, terms[i].of);
-  write_events(p);
-  if (p->study->events.count > 0)
+  write_transitions(p);
+  if (p->study->transitions.count > 0)
     fprintf(p->file, "  T = %.*g is %s.\n", p->digits, T, study_where(p->study, T));
   fputs("\nMore: scallop steady --certified       proven digits\n"
         "      scallop claims                   the claims of the paper\n"
         "      scallop series --source derived  the expansion\n"
-        "      scallop breakdown --all          every event and reach\n",
+        "      scallop breakdown --all          every transition and reach\n",
         p->file);
 }
 
 static void write_breakdown(const struct page *p)
 {
   const int count = p->formulas + (p->study->derived.status == SCALLOP_OK ? TERMS : 0);
-  write_events(p);
+  write_transitions(p);
   fputs("\nUp to which T a series holds\n", p->file);
   for (const struct told *t = p->told; t < p->told + count; t++) {
     const char *first = t->formula ? equation_of(t) : "derived terms below T^8";
@@ -311,7 +311,7 @@ static void write_breakdown(const struct page *p)
     fprintf(p->file, "  %s%s%s, %s\n", first, named ? " " : "", named ? t->name : "", quantity_rows[t->of].name);
     write_reach(p, t);
   }
-  fputs("\nMore: --all, or --only event, reversal, reach, radius or best, gives the table with every row.\n", p->file);
+  fputs("\nMore: --all, or --only transition, reversal, reach, radius or best, gives the table with every row.\n", p->file);
 }
 
 /* To people a page, else a row. not_held: parameters that are left out */
@@ -359,7 +359,7 @@ const char *summary_plan(struct rows *rows)
 {
   static const char *const before[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
                                         "multiplier", "regime",  "modes", "motion" };
-  static const char *const behind[] = { "first_event", "first_event_T", "first_event_froude", "reversals", "best_order",
+  static const char *const behind[] = { "first_transition", "first_transition_T", "first_transition_froude", "reversals", "best_order",
                                         "best_error",  "status" };
   static const char *const of_formula[][2] = { { "", "value" },
                                                { "_error", "deviation" },

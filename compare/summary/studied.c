@@ -123,12 +123,12 @@ static double number(struct at *at, const struct quantity *q)
   case STUDIED_DEVIATION:
   case STUDIED_ERROR_LIMIT: return compared(at, q);
   case STUDIED_ORDER: return order_of(claim_of(at, at->asked->quantities.item[q->of].formula));
-  case STUDIED_EVENT_T: return s && study_events(s)->count > 0 ? s->events.event[0].T : NAN;
+  case STUDIED_TRANSITION_T: return s && study_transitions(s)->count > 0 ? s->transitions.transition[0].T : NAN;
   default: return best(at, q->which == STUDIED_BEST_ORDER);
   }
 }
 
-static const char *reversals_text(char text[MOTION_WORDS], const struct events *e)
+static const char *reversals_text(char text[MOTION_WORDS], const struct transitions *e)
 {
   size_t used = (size_t)snprintf(text, MOTION_WORDS, "%s", e->reversals == 0 ? "-" : "");
   for (long i = 0; i < e->reversals && used < MOTION_WORDS - NUMBER_TEXT; i++) {
@@ -146,8 +146,8 @@ static const char *text(struct at *at, const struct quantity *q)
     return "-";
   if (q->which == STUDIED_VERDICT)
     return claim_verdict_text(claim_of(at, at->asked->quantities.item[q->of].formula)->verdict);
-  const struct events *e = study_events(s);
-  return q->which == STUDIED_REVERSALS ? reversals_text(at->text, e) : e->count > 0 ? e->event[0].what : "-";
+  const struct transitions *e = study_transitions(s);
+  return q->which == STUDIED_REVERSALS ? reversals_text(at->text, e) : e->count > 0 ? e->transition[0].what : "-";
 }
 
 static const struct at_study_functions functions = { end, number, text };

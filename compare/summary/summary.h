@@ -1,6 +1,6 @@
 /* One crawler on one page: what it does, what the paper's formulas are worth for it, and where the expansion ends. The
  * page tells in sentences the quantities (answers/quantities.h) that a row of the table has: the motion is that of
- * `steady`, verdicts are those of `claims`, events, reaches and orders those of `breakdown`. Needs FLINT. */
+ * `steady`, verdicts are those of `claims`, transitions, reaches and orders those of `breakdown`. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 #define SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 
@@ -9,7 +9,7 @@
 #include "compare/claims/claims.h"
 
 /* `scallop summary`: a page, or a row, for each point; `scallop breakdown` without more: the part of the page about
- * events and reach */
+ * transitions and reach */
 const char *summary_plan(struct rows *rows);
 const char *breakdown_page(struct rows *rows);
 

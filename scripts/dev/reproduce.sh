@@ -71,7 +71,7 @@ echo "The paper's claims (data/claims.tsv has their rows, and how each verdict i
 "$scallop" claims --summary 2>&1 >/dev/null | sed 's/^/  /'
 echo
 echo "How the error of the steady-state series scales with T (alpha > 1/2, F1 > F2):"
-ledger 'c["inside"] == "yes" && (c["claim"] == "text_steady_velocity" || c["claim"] == "text_steady_xC") {
+ledger 'c["inside"] == "yes" && (c["claim"] == "eq27_v_start" || c["claim"] == "eq28_displacement") {
   printf "  %-13s %-6s %-11s claimed O(T^%s), derived T^%s: %s (%s)\n", c["quantity"], c["equation"], c["gait"], c["claimed_order"],
     c["derived_order"], c["verdict"], c["evidence"] }'
 echo

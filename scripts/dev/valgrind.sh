@@ -94,7 +94,7 @@ END
 0 stress --T 0.5
 0 stress --cases 3
 0 stress --phase contraction --v0 -1 --gait sinusoidal --format json
-0 claims --errors rest_dT,text_steady_xC --gait quadratic
+0 claims --errors eq14_dT,eq28_displacement --gait quadratic
 0 claims --quiet
 0 workprec --quick --limit 0.01
 END

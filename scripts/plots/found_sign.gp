@@ -1,7 +1,7 @@
 # The error of (A.25) as printed, and of (23), which has the other sign in front of T^3; a term of order T^4 vanishes there.
 eval picture(480, 340, 12)
 table = tables."/errors.tsv"
-array names[2] = [ "A_xC_end", "text_extension_xC_end" ]
+array names[2] = [ "eqA25_dxC", "eq23_dxC" ]
 array what[2] = [ "(A.25), + before T^3", "(23), − before T^3" ]
 is(name) = strcol(1) eq name && strcol(7) eq "yes"
 array slopes[2]

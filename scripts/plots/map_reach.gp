@@ -31,7 +31,7 @@ do for [k=0:3] {
   set xlabel (k < 2 ? "" : "F_1 / F_2") offset 0,0.3
   set ylabel (side == 0 ? "α" : "") offset 1,0
   if (k == 1) { set colorbox user origin 0.905,0.15 size 0.018,0.7 } else { unset colorbox }
-  name = "T_".word(tolerances, side+1)."_".word(series, k < 2 ? 1 : 2)
+  name = "reach_".word(tolerances, side+1)."_".word(series, k < 2 ? 1 : 2)
   T(x) = x > 0 && x < 1e300 ? (x < 0.05 ? 0.05 : x > 10 ? 10 : x) : NaN
   plot table using 1:2:($1/step):($1*step):($2-half):($2+half):(T(column(name))) with boxxyerror fillstyle solid noborder fillcolor palette, \
     table using 1:(column(name) == 0 ? $2 : NaN):($1/step):($1*step):($2-half):($2+half) with boxxyerror fillstyle solid noborder fillcolor rgb "#dddddd"

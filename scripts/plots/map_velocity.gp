@@ -26,9 +26,9 @@ do for [i=1:3] {
   set label 1 "F_2 = ".F2 at graph 0.02,0.9 textcolor rgb colour
   set format x (i == 3 ? "10^{%T}" : "")
   set xlabel (i == 3 ? "F_1 / F_2" : "")
-  plot changes using (here(0)):(-0.3):(0):(first(strcol("what")) ? 6.3 : 5.6) with vectors nohead lw 1.2 dt 3 lc rgb "#555555", \
-    changes using (first(strcol("what")) ? here(0) : NaN):(5.9):(what(strcol("what"))) with labels right font small, \
-    changes using (second(strcol("what")) ? here(0) : NaN):(5.1):(what(strcol("what"))) with labels left font small, \
+  plot changes using (here(0)):(-0.3):(0):(first(strcol("change")) ? 6.3 : 5.6) with vectors nohead lw 1.2 dt 3 lc rgb "#555555", \
+    changes using (first(strcol("change")) ? here(0) : NaN):(5.9):(what(strcol("change"))) with labels right font small, \
+    changes using (second(strcol("change")) ? here(0) : NaN):(5.1):(what(strcol("change"))) with labels left font small, \
     tables."/map_velocity_".F2.".tsv" using 1:(column("mean_velocity")) with lines lw 2.5 lc rgb colour
 }
 unset multiplot

@@ -51,8 +51,8 @@ def table():
     ratios = numpy.broadcast_to(RATIOS[:, numpy.newaxis], T.shape)
     crawlers = extension(ratios, T)
     exact = crawling_scallop.phase("extension", **crawlers)
-    columns = (ratios, T, exact.dxC / L, crawling_scallop.published("rest_xC_end", **crawlers) / L, exact.v_end * T / L,
-               crawling_scallop.published("rest_v1_end", **crawlers) * T / L)
+    columns = (ratios, T, exact.dxC / L, crawling_scallop.published("eq21_dxC", **crawlers) / L, exact.v_end * T / L,
+               crawling_scallop.published("eq18_v_end", **crawlers) * T / L)
     return numpy.stack(columns, axis=-1).reshape(-1, len(COLUMNS))
 
 

@@ -203,7 +203,7 @@ class Check:
         """A map after each of many changes is that of a page that begins with them; and it is solved anew only where it changes."""
         seen = "(({ classes, values, what, n }) => [n, ...(what === 'modes' ? Array.from(classes, (id) => explorer.core.className(id)) : values)].filter((_, i) => i % 37 === 0))(explorer.map)"
         self.load()
-        for change in ({"m2": "2"}, {"y": "alpha"}, {"T": "3"}, {"gait": "sinusoidal"}, {"show": "error"}, {"formula": "text_steady_velocity"}, {"x": "m1/m2"}, {"F1": "9"}, {"gait": "skewed:0.2"}):
+        for change in ({"m2": "2"}, {"y": "alpha"}, {"T": "3"}, {"gait": "sinusoidal"}, {"show": "error"}, {"formula": "eq27_v_start"}, {"x": "m1/m2"}, {"F1": "9"}, {"gait": "skewed:0.2"}):
             self.page.run(f"explorer.change({json.dumps(change)})")
             self.until_fine()
             after, fragment = self.page.run(f"[{seen}, location.hash]")
@@ -250,7 +250,7 @@ class Check:
         self.expect(count >= 10, f"{count} presets")
 
     def links(self):
-        self.load("#F1=17.53&gait=sinusoidal&alpha=0.6&show=displacement&x=alpha&start=velocity&v0=2.5&formula=A_xC_end")
+        self.load("#F1=17.53&gait=sinusoidal&alpha=0.6&show=displacement&x=alpha&start=velocity&v0=2.5&formula=eqA25_dxC")
         first, numbers = self.state(), self.answers()
         fragment = self.page.run("explorer.change({ m1: '2.385' }); location.hash")
         self.settle()
@@ -409,7 +409,7 @@ class Check:
     def errors(self):
         """The T from which a formula and the derived series are off by 1 %, drawn absolutely and relatively, beside those of the command."""
         named = ("gait", "F1", "m2", "alpha", "order")
-        for state in ({}, {"formula": "text_steady_velocity", "order": "12"}, {"gait": "skewed:0.3", "F1": "2.385", "order": "6"},
+        for state in ({}, {"formula": "eq27_v_start", "order": "12"}, {"gait": "skewed:0.3", "F1": "2.385", "order": "6"},
                       {"gait": "sinusoidal", "alpha": "0.6", "m2": "3", "T": "0.3", "error": "relative"}):
             self.load("#" + urlencode(state))
             curves, quantity = self.page.run(

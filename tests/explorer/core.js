@@ -104,7 +104,7 @@ test("what is not allowed is refused, and the crawler stays", () => {
 });
 
 test("a formula beside the command's claim: the error of (28) falls as T^4, for the sinusoidal gait not at all", () => {
-  const formula = core.formulas.find(({ name }) => name === "text_steady_xC");
+  const formula = core.formulas.find(({ name }) => name === "eq28_displacement");
   const slope = (gait) => {
     core.chooseGait(gait);
     core.chooseCrawler({ m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 });
@@ -147,13 +147,13 @@ test("figures 4 and 5 of data/, exact numbers and formulas", () => {
   const fourth = rowsOf(readFileSync("data/figure4.tsv", "utf8")), fifth = rowsOf(readFileSync("data/figure5.tsv", "utf8"));
   for (const row of fourth) {
     core.chooseCrawler({ ...usual, F1: Number(row.F1_over_F2) });
-    const { exact, values: [value] } = core.formulasAlong([formula("rest_xC_end")], 0, 0, [2 * Number(row.T)]);
+    const { exact, values: [value] } = core.formulasAlong([formula("eq21_dxC")], 0, 0, [2 * Number(row.T)]);
     near(exact[0] / 10, Number(row.dxC_over_L), "dxC");
     near(value[0] / 10, Number(row.series_dxC_over_L), "(21)");
   }
   const ends = fifth.map((row) => ({ ...usual, F1: Number(row.F1_over_F2) * Number(row.F2), F2: Number(row.F2), alpha: Number(row.alpha) }));
   const { mean_velocity } = core.steadyStates(ends.length, (rows) => ends.forEach((end, i) => NAMES.forEach((name, k) => (rows[k][i] = end[name]))));
-  const exact = mean_velocity.slice(), series = core.formulaOver(formula("text_steady_xC"), ends.length);
+  const exact = mean_velocity.slice(), series = core.formulaOver(formula("eq28_displacement"), ends.length);
   fifth.forEach((row, i) => {
     near(exact[i], Number(row.mean_velocity), "mean velocity");
     near(series[i], Number(row.series_mean_velocity), "(28)");
@@ -164,13 +164,13 @@ test("figures 4 and 5 of data/, exact numbers and formulas", () => {
 test("series are those of `scallop series --source derived`, of the steady state, from rest and from a velocity", () => {
   const usual = { m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 };
   const cases = [
-    ["quadratic", {}, "text_steady_xC", 0, 0, { 0: 120 / 37, 4: -711 / 350464, 8: -121581 / 53113520128 }],
-    ["quadratic", {}, "text_steady_velocity", 0, 0, { "-1": 120 / 37, 1: -117 / 592, 3: -40773 / 1401856, 5: 2133 / 22429696, 7: 262359 / 106227040256 }],
-    ["quadratic", {}, "rest_xC_end", 0, 0, { 2: 3 / 4, 6: -9 / 800, 8: 27 / 16000, 10: -243 / 1280000 }],
-    ["quadratic", {}, "rest_dT", 1, 0, { 3: 3 / 40, 5: -9 / 1600, 7: 27 / 64000, 9: -81 / 2560000 }],
-    ["quadratic", {}, "A_vC_end", 0, 1.5, { 0: 3 / 2, 1: 3 / 2, 2: -3 / 5, 3: -3 / 10, 4: 3 / 25, 5: 9 / 400 }],
-    ["quadratic", {}, "B_xC_end", 1, 1.5, { 1: 3 / 2, 2: -3 / 4, 3: -3 / 40, 5: 3 / 200 }],
-    ["sinusoidal", { F1: 2.385, alpha: 0.6, m2: 3 }, "text_steady_velocity", 0, 0,
+    ["quadratic", {}, "eq28_displacement", 0, 0, { 0: 120 / 37, 4: -711 / 350464, 8: -121581 / 53113520128 }],
+    ["quadratic", {}, "eq27_v_start", 0, 0, { "-1": 120 / 37, 1: -117 / 592, 3: -40773 / 1401856, 5: 2133 / 22429696, 7: 262359 / 106227040256 }],
+    ["quadratic", {}, "eq21_dxC", 0, 0, { 2: 3 / 4, 6: -9 / 800, 8: 27 / 16000, 10: -243 / 1280000 }],
+    ["quadratic", {}, "eq14_dT", 1, 0, { 3: 3 / 40, 5: -9 / 1600, 7: 27 / 64000, 9: -81 / 2560000 }],
+    ["quadratic", {}, "eqA24_v_end", 0, 1.5, { 0: 3 / 2, 1: 3 / 2, 2: -3 / 5, 3: -3 / 10, 4: 3 / 25, 5: 9 / 400 }],
+    ["quadratic", {}, "eqB13_dxC", 1, 1.5, { 1: 3 / 2, 2: -3 / 4, 3: -3 / 40, 5: 3 / 200 }],
+    ["sinusoidal", { F1: 2.385, alpha: 0.6, m2: 3 }, "eq27_v_start", 0, 0,
      { "-1": 1.90837668642696309, 1: -0.0817042637742908323, 3: -0.000297517401627125129, 5: 6.20086529008645854e-6, 7: 1.78935300825690331e-8, 9: 1.77176051288763327e-10 }],
   ];
   for (const [gait, own, name, phase, v0, wanted] of cases) {
@@ -193,8 +193,8 @@ test("where there is no series, none is found", () => {
   core.chooseGait("minimum-jerk"); // l'' = 0 where a phase begins: fractional powers of T
   core.chooseCrawler({ m1: 1, m2: 1, F1: 4, F2: 1, L: 10, T: 1, alpha: 0.75 });
   const find = (name, unit) => finished(seriesOf(core, core.formulas.find((one) => one.name === name), 0, 0, unit));
-  assert.equal(find("rest_xC_end", 2), null);
-  assert.equal(find("rest_dT", 2), null);
-  assert.equal(find("rest_x1_switch", 2), null);
-  assert.ok(find("text_steady_xC", 2));
+  assert.equal(find("eq21_dxC", 2), null);
+  assert.equal(find("eq14_dT", 2), null);
+  assert.equal(find("eq15_x1_switch", 2), null);
+  assert.ok(find("eq28_displacement", 2));
 });

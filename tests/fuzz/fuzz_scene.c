@@ -2,14 +2,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "compare/command/want.h"
+#include "compare/command/scene_table.h"
 #include "tests/fuzz/target.h"
 
 static void judge(const struct wanted *all)
 {
   const struct request *r = &all->scene.request;
-  if (all->scene.wants < 1 || (r->sweep.products > 0 && !(sweep_points(&r->sweep) >= 1)))
-    fuzz_fail("a scene of %d wants and %ld points was taken", all->scene.wants, sweep_points(&r->sweep));
+  if (all->scene.tables < 1 || (r->sweep.products > 0 && !(sweep_points(&r->sweep) >= 1)))
+    fuzz_fail("a scene of %d tables and %ld points was taken", all->scene.tables, sweep_points(&r->sweep));
   for (int t = 0; t < all->tables; t++)
     for (int i = 0; i < all->rows[t].sheet.columns.count; i++) {
       const struct column *c = &all->rows[t].sheet.columns.item[i];

@@ -27,7 +27,7 @@ static int one_crawler(void)
   scallop_modes_text(&steady.period.modes[SCALLOP_EXTENSION], modes);
   printf("exact\t%.17g\n", steady.period.displacement);
   printf("error\t%.2g\n", error.displacement);
-  const struct scallop_formula *equation_28 = scallop_formula_named("text_steady_xC");
+  const struct scallop_formula *equation_28 = scallop_formula_named("eq28_displacement");
   printf("series\t%.17g\n", scallop_published_value(equation_28, &crawler, SCALLOP_EXTENSION, 0, 0, 0, 0));
   printf("extension\t%s, %s\n", scallop_regime_text(steady.period.regime), modes);
   return 0;

@@ -1,18 +1,18 @@
 # How far each series reaches: the tolerance for its relative error over T, a panel for each quantity; radii of convergence as stars; the error
-# of the best order at T; events as lines, numbered, with what happens below.
+# of the best order at T; transitions as lines, numbered, with what happens below.
 function draw_reach(   n, k, names) {
-  need_all(names, split("what quantity series order tolerance T error note", names, " "))
+  need_all(names, split("kind quantity series order tolerance T error note", names, " "))
   is_log["x"] = is_log["y"] = 1
   for (n = 1; n <= rows; n++) {
     go(n)
-    if (v("what") == "event" && fits(v("T"), 1))
-      add_event(v("T"), v("note"))
-    else if (v("what") == "reach") {
+    if (v("kind") == "transition" && fits(v("T"), 1))
+      add_transition(v("T"), v("note"))
+    else if (v("kind") == "reach") {
       add(v("quantity"), v("series") (v("order") == "nan" ? "" : ", below T^" v("order")), v("T"), v("tolerance"))
       stretch("tolerance", v("tolerance"))
-    } else if (v("what") == "radius")
+    } else if (v("kind") == "radius")
       add(v("quantity"), "radius of convergence", v("T"), 1)
-    else if (v("what") == "best")
+    else if (v("kind") == "best")
       add(v("quantity"), "derived, best order at T", v("T"), unsigned(v("error")))
   }
   if (!("x" in most))
@@ -23,10 +23,10 @@ function draw_reach(   n, k, names) {
   style[curve_place["derived, best order at T"]] = "with linespoints lw 1.2 pt 1 lc rgb grey"
   if (!has_range["y"])
     set_range("y", "tolerance" in least ? least["tolerance"] / 3 : 1e-16, 10)
-  panels = max(panels, 1) # of events alone
+  panels = max(panels, 1) # of transitions alone
   print_panels(panels > 1 ? 2 : 1, panels > 1 ? 575 : 800, 270, axis_title("T"), "relative error")
 }
-function add_event(T, note) {
+function add_transition(T, note) {
   stretch("x", T)
   belows++
   below[belows] = sprintf("%d  T = %.4g: %s", belows, T, note)

@@ -152,7 +152,7 @@ function kind_of_table(part,   kinds, kind, i) {
     "phase             : curves   : *     : dxC                        : *                           :    \n" \
     "steady            : curves   : *     : mean_velocity              : *                           :    \n" \
     "series            : curves   : *     : relative.                  : *                           : xy|\n" \
-    "series            : curves   : *     : text_steady_xC             : *                           :    \n" \
+    "series            : curves   : *     : eq28_displacement             : *                           :    \n" \
     "steady            : curves   : *     : ?                          : *                           :    \n" \
     "phase             : curves   : *     : ?                          : *                           :    \n" \
     "series            : curves   : *     : ?                          : *                           :    ", kind, "\n")

@@ -216,7 +216,7 @@ def formulas() -> dict[str, tuple[str, str]]:
     Examples
     --------
     >>> import crawling_scallop
-    >>> crawling_scallop.formulas()["rest_xC_end"][0]
+    >>> crawling_scallop.formulas()["eq21_dxC"][0]
     '(21)'
     """
     return {name: (formula.equation.decode(), formula.text.decode()) for name, formula in _published().items()}
@@ -231,7 +231,7 @@ def published(name: str, v0: npt.ArrayLike = 0, m1: npt.ArrayLike = 1, m2: npt.A
     Parameters
     ----------
     name : str
-        One of those that :func:`formulas` lists: ``'rest_xC_end'`` is equation (21).
+        One of those that :func:`formulas` lists: ``'eq21_dxC'`` is equation (21).
     v0, m1, m2, F1, F2, L, T, alpha : array_like of float
         As for a :class:`Formula`.
     gait : str, Gait or array_like of these

@@ -280,7 +280,7 @@ def reach(tol: float = 1e-2, quantity: Optional[str] = None, order: int = 8, m1:
     --------
     >>> import crawling_scallop
     >>> {each.series: round(each.T, 3) for each in crawling_scallop.reach(quantity="displacement")}
-    {'text_steady_xC': 1.986, 'derived': 2.807, 'limit': 1.986}
+    {'eq28_displacement': 1.986, 'derived': 2.807, 'limit': 1.986}
     """
     more = ["--tol", repr(float(tol)), "--order", str(order), *(["--quantity", quantity] if quantity else [])]
     rows = _breakdown("reach", phase, v0, dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, alpha=alpha), gait, more)

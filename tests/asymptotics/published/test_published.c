@@ -79,63 +79,63 @@ struct wanted {
  * positions count from the start. (6) is the velocity at T, where l' = 0. Short exact values: A.7 is 2945 883 / 2^25,
  * B.3 is 2835 1055 / 2^25. */
 static const struct wanted wanted[] = {
-  EQUAL(equal_v1_end, "(6)", VELOCITY_AT_END, 0, 0, 0, 0),
-  EQUAL(equal_x1_end, "(7)", REAR_AT_END, -0.6894747552320329, 0.69, -1.391731322281004, 1.4),
-  EQUAL(equal_xC_end, "(8)", CENTRE_AT_END, -0.17588169008046708, 0.87, 0.32788854884350394, 1.1),
-  REST(rest_v1_switch, "(12)", VELOCITY_AT_LAST, 6, -6.212704512083536, 11, -6.825521347196394, 9.5),
-  REST(rest_dT_unexpanded, "(13)", LAG, 0, 0.026808290694446713, 0.12, -0.051502197069753184, 0.12),
-  REST(rest_dT, "(14)", LAG, 5, 0.028061372584542442, 0.11, -0.04756570143367021, 0.089),
-  REST(rest_x1_switch, "(15)", REAR_AT_LAST, 3, -0.60114079554811875, 1.1, -1.618084792184347, 1.9),
-  REST(rest_v1_end, "(18)", VELOCITY_AT_END, 3, 0.29427889293640703, 1.1, -0.72745689503655793, 1.4),
-  REST(rest_x1_end, "(19)", REAR_AT_END, 4, -0.60114079554811875, 1.1, -1.618084792184347, 1.9),
-  REST(rest_x2_end, "(20)", FRONT_AT_END, 4, 1.1295720950768812, 1.4, 0.50960075469065303, 1.2),
-  REST(rest_xC_end, "(21)", CENTRE_AT_END, 4, 0.26421564976438125, 1.2, -0.55424201874684697, 1.5),
-  EXTENSION(text_extension_velocity_change, "(22)", VELOCITY_CHANGE, 3, -0.027173575514144656, 1.5,
+  EQUAL(eq6_v_end, "(6)", VELOCITY_AT_END, 0, 0, 0, 0),
+  EQUAL(eq7_dx1, "(7)", REAR_AT_END, -0.6894747552320329, 0.69, -1.391731322281004, 1.4),
+  EQUAL(eq8_dxC, "(8)", CENTRE_AT_END, -0.17588169008046708, 0.87, 0.32788854884350394, 1.1),
+  REST(eq12_v_switch, "(12)", VELOCITY_AT_LAST, 6, -6.212704512083536, 11, -6.825521347196394, 9.5),
+  REST(eq13_dT_unexpanded, "(13)", LAG, 0, 0.026808290694446713, 0.12, -0.051502197069753184, 0.12),
+  REST(eq14_dT, "(14)", LAG, 5, 0.028061372584542442, 0.11, -0.04756570143367021, 0.089),
+  REST(eq15_x1_switch, "(15)", REAR_AT_LAST, 3, -0.60114079554811875, 1.1, -1.618084792184347, 1.9),
+  REST(eq18_v_end, "(18)", VELOCITY_AT_END, 3, 0.29427889293640703, 1.1, -0.72745689503655793, 1.4),
+  REST(eq19_dx1, "(19)", REAR_AT_END, 4, -0.60114079554811875, 1.1, -1.618084792184347, 1.9),
+  REST(eq20_dx2, "(20)", FRONT_AT_END, 4, 1.1295720950768812, 1.4, 0.50960075469065303, 1.2),
+  REST(eq21_dxC, "(21)", CENTRE_AT_END, 4, 0.26421564976438125, 1.2, -0.55424201874684697, 1.5),
+  EXTENSION(eq22_dv, "(22)", VELOCITY_CHANGE, 3, -0.027173575514144656, 1.5,
             -0.80351340249732869, 1.5),
-  EXTENSION(text_extension_xC_end, "(23)", CENTRE_AT_END, 4, 0.59820373100550692, 1.8, -0.17981763617887389, 2),
-  CONTRACTION(text_contraction_velocity_change, "(24)", VELOCITY_CHANGE, 3, -0.77444456145361044, 2,
+  EXTENSION(eq23_dxC, "(23)", CENTRE_AT_END, 4, 0.59820373100550692, 1.8, -0.17981763617887389, 2),
+  CONTRACTION(eq24_dv, "(24)", VELOCITY_CHANGE, 3, -0.77444456145361044, 2,
               -1.0676023489190069, 5.4),
-  CONTRACTION(text_contraction_xC_end, "(25)", CENTRE_AT_END, 4, 0.73963165433062903, 2.3, 0.17053230175683636, 6),
-  STEADY(text_steady_velocity_l0_lT, "(26)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
-  STEADY(text_steady_velocity, "(27)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
-  STEADY(text_steady_xC, "(28)", STEADY_DISPLACEMENT, 4, 0.5541319235260813, 1.3, 0.78802000346568732, 1.6),
-  EXTENSION(A_v1_first_switch, "(A.4)", VELOCITY_AT_FIRST, 4, -1.8814848228492953, 3.4, -1.8232599098538154, 3.1),
-  EXTENSION(A_t1_unexpanded, "(A.5)", FIRST_SWITCH, 0, 0.059603637104378757, 0.06, 0.030621577116750929, 0.031),
-  EXTENSION(A_t1, "(A.6)", FIRST_SWITCH, 6, 0.057707608295358414, 0.083, 0.030203652269704073, 0.039),
-  EXTENSION(A_x1_first_switch, "(A.7)", REAR_AT_FIRST, 0, 0.07749900221824646, 0.078, 0.03765299916267395, 0.038),
-  EXTENSION(A_v1_switch, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -0.4631337227552516, 18, -1.7458677663002957,
+  CONTRACTION(eq25_dxC, "(25)", CENTRE_AT_END, 4, 0.73963165433062903, 2.3, 0.17053230175683636, 6),
+  STEADY(eq26_v_start, "(26)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
+  STEADY(eq27_v_start, "(27)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
+  STEADY(eq28_displacement, "(28)", STEADY_DISPLACEMENT, 4, 0.5541319235260813, 1.3, 0.78802000346568732, 1.6),
+  EXTENSION(eqA4_v_first_switch, "(A.4)", VELOCITY_AT_FIRST, 4, -1.8814848228492953, 3.4, -1.8232599098538154, 3.1),
+  EXTENSION(eqA5_t1_unexpanded, "(A.5)", FIRST_SWITCH, 0, 0.059603637104378757, 0.06, 0.030621577116750929, 0.031),
+  EXTENSION(eqA6_t1, "(A.6)", FIRST_SWITCH, 6, 0.057707608295358414, 0.083, 0.030203652269704073, 0.039),
+  EXTENSION(eqA7_x1_first_switch, "(A.7)", REAR_AT_FIRST, 0, 0.07749900221824646, 0.078, 0.03765299916267395, 0.038),
+  EXTENSION(eqA13_v_switch, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -0.4631337227552516, 18, -1.7458677663002957,
             15),
-  EXTENSION(A_v1_switch_from_v0, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -4.623032852862457, 13,
+  EXTENSION(eqA13_v_switch_from_v0, "(A.13)", VELOCITY_AT_LAST, SCALLOP_EQUALITY, -4.623032852862457, 13,
             -5.511870774443563, 11),
-  EXTENSION(A_dT_unexpanded, "(A.14)", LAG, 0, 0.0797318772329716, 0.19, -0.0086516334897053304, 0.18),
-  REST(rest_dT_product, "(A.15), (B.6)", LAG, 7, 0.02674971873097531, 0.13, -0.05120131674280494, 0.11),
-  EXTENSION(A_dT_product, "(A.15)", LAG, 6, 0.07787782144508062, 0.24, -0.0091824999621818195, 0.17),
-  EXTENSION(A_dT, "(A.16)", LAG, 5, 0.077906295296028238, 0.21, -0.0050466384557489983, 0.14),
-  EXTENSION(A_x1_switch_from_times, "(A.17)", REAR_AT_LAST, 4, 0.2512413136553578, 4.7, -0.33171115884111796, 4.7),
-  EXTENSION(A_x1_switch_collected, "(A.17)", REAR_AT_LAST, 4, 0.2512413136553578, 4.7, -0.33171115884111796, 4.7),
-  EXTENSION(A_x1_switch, "(A.18)", REAR_AT_LAST, 4, -0.3119760421514802, 1.7, -1.22663294996182, 2.3),
-  EXTENSION(A_v1_end_from_dT, "(A.22)", VELOCITY_AT_END, 4, 2.0236100526906373, 2.9, 2.2455916264578379, 3),
-  EXTENSION(A_v1_end, "(A.22)", VELOCITY_AT_END, 3, 0.69182056511085534, 2.2, -0.16752707437232869, 2.1),
-  EXTENSION(A_x1_end_from_dT, "(A.23)", REAR_AT_END, 6, -0.62321840570984621, 1.2, -0.68455081419104683, 1.2),
-  EXTENSION(A_x1_end_from_dT_short, "(A.23)", REAR_AT_END, 4, -0.57338318467758717, 1.2, -0.65273400595364491, 1.2),
-  EXTENSION(A_x1_end, "(A.23)", REAR_AT_END, 4, -0.07184440813842655, 1.6, -1.2009422067881477, 2.3),
-  EXTENSION(A_vC_end, "(A.24)", VELOCITY_AT_END, 3, 0.69182056511085534, 2.2, -0.16752707437232869, 2.1),
-  EXTENSION(A_xC_end, "(A.25)", CENTRE_AT_END, 4, 0.79351203717407345, 1.8, -0.13709943335064769, 2),
-  CONTRACTION(B_t1_unexpanded, "(B.2)", FIRST_SWITCH, 0, 0.09044974073325081, 0.091, 0.13365233003137495, 0.14),
-  CONTRACTION(B_t1, "(B.2)", FIRST_SWITCH, 6, 0.078704741812080506, 0.17, -0.53016211066593015, 1.4),
-  CONTRACTION(B_x2_first_switch, "(B.3)", REAR_AT_FIRST, 2, 0.089136511087417603, 0.09, 0.043502122163772583, 0.044),
-  CONTRACTION(B_dT_unexpanded, "(B.5)", LAG, 0, 0.037543731553911991, 0.75, 0.46141448540941523, 2.2),
-  CONTRACTION(B_dT_product, "(B.6)", LAG, 6, 0.021715129955513204, 0.77, 0.30846172689620658, 11),
-  CONTRACTION(B_dT, "(B.6)", LAG, 5, 0.037503650025935569, 0.53, 0.0051848282657064118, 3.3),
-  CONTRACTION(B_x2_switch_from_times, "(B.7)", REAR_AT_LAST, 4, 0.3046756835264675, 4, -0.0009869053999545638, 4.5),
-  CONTRACTION(B_x2_switch_collected, "(B.7)", REAR_AT_LAST, 4, 0.11808472070591278, 4, -0.02020935422037194, 4.5),
-  CONTRACTION(B_x2_switch, "(B.8)", REAR_AT_LAST, 4, -0.25571348690008118, 2, -1.5682914024023175, 6.2),
-  CONTRACTION(B_v2_end_from_dT, "(B.10)", VELOCITY_AT_END, 0, 0.48501736904897061, 1.2, -0.089897674277532193, 0.6),
-  CONTRACTION(B_v2_end, "(B.10)", VELOCITY_AT_END, 3, -0.37945634118994885, 3, 0.37522904934964997, 4.9),
-  CONTRACTION(B_x2_end_from_dT, "(B.11)", REAR_AT_END, 4, 0.06304603620208517, 0.064, 0.018045543304647943, 0.019),
-  CONTRACTION(B_x2_end, "(B.11)", REAR_AT_END, 4, -0.26049041598187097, 1.8, -1.1950682841806636, 5.3),
-  CONTRACTION(B_vC_end, "(B.12)", VELOCITY_AT_END, 3, -0.37945634118994885, 3, 0.37522904934964997, 4.9),
-  CONTRACTION(B_xC_end, "(B.13)", CENTRE_AT_END, 4, 0.73963165433062903, 2.3, 0.17053230175683636, 6),
+  EXTENSION(eqA14_dT_unexpanded, "(A.14)", LAG, 0, 0.0797318772329716, 0.19, -0.0086516334897053304, 0.18),
+  REST(eqA15B6_dT_product, "(A.15), (B.6)", LAG, 7, 0.02674971873097531, 0.13, -0.05120131674280494, 0.11),
+  EXTENSION(eqA15_dT_product, "(A.15)", LAG, 6, 0.07787782144508062, 0.24, -0.0091824999621818195, 0.17),
+  EXTENSION(eqA16_dT, "(A.16)", LAG, 5, 0.077906295296028238, 0.21, -0.0050466384557489983, 0.14),
+  EXTENSION(eqA17_x1_switch_from_times, "(A.17)", REAR_AT_LAST, 4, 0.2512413136553578, 4.7, -0.33171115884111796, 4.7),
+  EXTENSION(eqA17_x1_switch_collected, "(A.17)", REAR_AT_LAST, 4, 0.2512413136553578, 4.7, -0.33171115884111796, 4.7),
+  EXTENSION(eqA18_x1_switch, "(A.18)", REAR_AT_LAST, 4, -0.3119760421514802, 1.7, -1.22663294996182, 2.3),
+  EXTENSION(eqA22_v_end_from_dT, "(A.22)", VELOCITY_AT_END, 4, 2.0236100526906373, 2.9, 2.2455916264578379, 3),
+  EXTENSION(eqA22_v_end, "(A.22)", VELOCITY_AT_END, 3, 0.69182056511085534, 2.2, -0.16752707437232869, 2.1),
+  EXTENSION(eqA23_dx1_from_dT, "(A.23)", REAR_AT_END, 6, -0.62321840570984621, 1.2, -0.68455081419104683, 1.2),
+  EXTENSION(eqA23_dx1_from_dT_short, "(A.23)", REAR_AT_END, 4, -0.57338318467758717, 1.2, -0.65273400595364491, 1.2),
+  EXTENSION(eqA23_dx1, "(A.23)", REAR_AT_END, 4, -0.07184440813842655, 1.6, -1.2009422067881477, 2.3),
+  EXTENSION(eqA24_v_end, "(A.24)", VELOCITY_AT_END, 3, 0.69182056511085534, 2.2, -0.16752707437232869, 2.1),
+  EXTENSION(eqA25_dxC, "(A.25)", CENTRE_AT_END, 4, 0.79351203717407345, 1.8, -0.13709943335064769, 2),
+  CONTRACTION(eqB2_t1_unexpanded, "(B.2)", FIRST_SWITCH, 0, 0.09044974073325081, 0.091, 0.13365233003137495, 0.14),
+  CONTRACTION(eqB2_t1, "(B.2)", FIRST_SWITCH, 6, 0.078704741812080506, 0.17, -0.53016211066593015, 1.4),
+  CONTRACTION(eqB3_x2_first_switch, "(B.3)", REAR_AT_FIRST, 2, 0.089136511087417603, 0.09, 0.043502122163772583, 0.044),
+  CONTRACTION(eqB5_dT_unexpanded, "(B.5)", LAG, 0, 0.037543731553911991, 0.75, 0.46141448540941523, 2.2),
+  CONTRACTION(eqB6_dT_product, "(B.6)", LAG, 6, 0.021715129955513204, 0.77, 0.30846172689620658, 11),
+  CONTRACTION(eqB6_dT, "(B.6)", LAG, 5, 0.037503650025935569, 0.53, 0.0051848282657064118, 3.3),
+  CONTRACTION(eqB7_x2_switch_from_times, "(B.7)", REAR_AT_LAST, 4, 0.3046756835264675, 4, -0.0009869053999545638, 4.5),
+  CONTRACTION(eqB7_x2_switch_collected, "(B.7)", REAR_AT_LAST, 4, 0.11808472070591278, 4, -0.02020935422037194, 4.5),
+  CONTRACTION(eqB8_x2_switch, "(B.8)", REAR_AT_LAST, 4, -0.25571348690008118, 2, -1.5682914024023175, 6.2),
+  CONTRACTION(eqB10_v_end_from_dT, "(B.10)", VELOCITY_AT_END, 0, 0.48501736904897061, 1.2, -0.089897674277532193, 0.6),
+  CONTRACTION(eqB10_v_end, "(B.10)", VELOCITY_AT_END, 3, -0.37945634118994885, 3, 0.37522904934964997, 4.9),
+  CONTRACTION(eqB11_dx2_from_dT, "(B.11)", REAR_AT_END, 4, 0.06304603620208517, 0.064, 0.018045543304647943, 0.019),
+  CONTRACTION(eqB11_dx2, "(B.11)", REAR_AT_END, 4, -0.26049041598187097, 1.8, -1.1950682841806636, 5.3),
+  CONTRACTION(eqB12_v_end, "(B.12)", VELOCITY_AT_END, 3, -0.37945634118994885, 3, 0.37522904934964997, 4.9),
+  CONTRACTION(eqB13_dxC, "(B.13)", CENTRE_AT_END, 4, 0.73963165433062903, 2.3, 0.17053230175683636, 6),
 };
 
 enum { WANTED = sizeof wanted / sizeof *wanted };
@@ -145,15 +145,15 @@ static const struct {
   const char *name;
   double value[POINTS], size[POINTS];
 } rest_of_contraction[] = {
-  { "rest_v1_switch", { -2.7561604083169398, 2.0449825302824483 }, { 6.7, 9.5 } },
-  { "rest_dT_unexpanded", { -0.082706772977913301, 0.45303286241709114 }, { 0.52, 1.9 } },
-  { "rest_dT", { -0.074537611327285746, 0.68633010769180352 }, { 0.3, 1.9 } },
-  { "rest_x1_switch", { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
-  { "rest_v1_end", { -0.38138288860571275, 1.1898108985509439 }, { 1.6, 3.2 } },
-  { "rest_x1_end", { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
-  { "rest_x2_end", { 1.3587278868964397, 2.796718678994885 }, { 2.1, 4.1 } },
-  { "rest_xC_end", { 0.35860581658393967, 1.431118093057385 }, { 1.6, 3.5 } },
-  { "rest_dT_product", { -0.08189988377559966, 0.3328923402430954 }, { 0.42, 4.3 } },
+  { "eq12_v_switch", { -2.7561604083169398, 2.0449825302824483 }, { 6.7, 9.5 } },
+  { "eq13_dT_unexpanded", { -0.082706772977913301, 0.45303286241709114 }, { 0.52, 1.9 } },
+  { "eq14_dT", { -0.074537611327285746, 0.68633010769180352 }, { 0.3, 1.9 } },
+  { "eq15_x1_switch", { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
+  { "eq18_v_end", { -0.38138288860571275, 1.1898108985509439 }, { 1.6, 3.2 } },
+  { "eq19_dx1", { -0.64151625372856033, 0.065517507119885026 }, { 1.1, 2.9 } },
+  { "eq20_dx2", { 1.3587278868964397, 2.796718678994885 }, { 2.1, 4.1 } },
+  { "eq21_dxC", { 0.35860581658393967, 1.431118093057385 }, { 1.6, 3.5 } },
+  { "eqA15B6_dT_product", { -0.08189988377559966, 0.3328923402430954 }, { 0.42, 4.3 } },
 };
 
 enum { FROM_REST = sizeof rest_of_contraction / sizeof *rest_of_contraction };
@@ -224,7 +224,7 @@ TEST(equations_26_and_27_agree)
 {
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_values v = scallop_steady_values(&crawler[i]);
-    CHECK_NEAR(value_of("text_steady_velocity_l0_lT", &v), value_of("text_steady_velocity", &v), ROUNDING * 4);
+    CHECK_NEAR(value_of("eq26_v_start", &v), value_of("eq27_v_start", &v), ROUNDING * 4);
   }
 }
 
@@ -235,7 +235,7 @@ TEST(equation_23_and_A25_differ_by_the_sign_of_the_last_term)
     double last = p->of[SCALLOP_SYMBOL_v0] * 2 * p->of[SCALLOP_SYMBOL_F1]
                   / (p->of[SCALLOP_SYMBOL_m2] * p->of[SCALLOP_SYMBOL_l0]) * p->of[SCALLOP_SYMBOL_T]
                   * p->of[SCALLOP_SYMBOL_T] * p->of[SCALLOP_SYMBOL_T];
-    CHECK_NEAR(value_of("A_xC_end", p) - value_of("text_extension_xC_end", p), 2 * last, ROUNDING * 4);
+    CHECK_NEAR(value_of("eqA25_dxC", p) - value_of("eq23_dxC", p), 2 * last, ROUNDING * 4);
   }
 }
 
@@ -245,8 +245,8 @@ TEST(equation_24_and_B12_differ_by_the_factor_T2)
     const struct scallop_values *p = &contraction[i];
     double friction = -(p->of[SCALLOP_SYMBOL_F1] - p->of[SCALLOP_SYMBOL_F2])
                       / (p->of[SCALLOP_SYMBOL_m1] + p->of[SCALLOP_SYMBOL_m2]) * p->of[SCALLOP_SYMBOL_T];
-    double last24 = value_of("text_contraction_velocity_change", p) - friction,
-           lastB12 = value_of("B_vC_end", p) - p->of[SCALLOP_SYMBOL_v0] - friction;
+    double last24 = value_of("eq24_dv", p) - friction,
+           lastB12 = value_of("eqB12_v_end", p) - p->of[SCALLOP_SYMBOL_v0] - friction;
     assert_true(fabs(last24) > 0.1);
     CHECK_NEAR(last24, lastB12 * (p->of[SCALLOP_SYMBOL_T] * p->of[SCALLOP_SYMBOL_T]), ROUNDING * 16);
   }
@@ -258,17 +258,17 @@ TEST(appendix_B_is_appendix_A_exchanged)
   static const struct {
     const char *name, *a, *b;
   } pair[] = {
-    { "A.5 and B.2", "A_t1_unexpanded", "B_t1_unexpanded" },
-    { "A.6 and B.2", "A_t1", "B_t1" },
-    { "A.7 and B.3", "A_x1_first_switch", "B_x2_first_switch" },
-    { "A.14 and B.5", "A_dT_unexpanded", "B_dT_unexpanded" },
-    { "A.15 and B.6", "A_dT_product", "B_dT_product" },
-    { "A.16 and B.6", "A_dT", "B_dT" },
-    { "A.17 and B.7", "A_x1_switch_from_times", "B_x2_switch_from_times" },
-    { "A.18 and B.8", "A_x1_switch", "B_x2_switch" },
-    { "A.22 and B.10", "A_v1_end_from_dT", "B_v2_end_from_dT" },
-    { "22 and 24", "text_extension_velocity_change", "text_contraction_velocity_change" },
-    { "23 and 25", "text_extension_xC_end", "text_contraction_xC_end" },
+    { "A.5 and B.2", "eqA5_t1_unexpanded", "eqB2_t1_unexpanded" },
+    { "A.6 and B.2", "eqA6_t1", "eqB2_t1" },
+    { "A.7 and B.3", "eqA7_x1_first_switch", "eqB3_x2_first_switch" },
+    { "A.14 and B.5", "eqA14_dT_unexpanded", "eqB5_dT_unexpanded" },
+    { "A.15 and B.6", "eqA15_dT_product", "eqB6_dT_product" },
+    { "A.16 and B.6", "eqA16_dT", "eqB6_dT" },
+    { "A.17 and B.7", "eqA17_x1_switch_from_times", "eqB7_x2_switch_from_times" },
+    { "A.18 and B.8", "eqA18_x1_switch", "eqB8_x2_switch" },
+    { "A.22 and B.10", "eqA22_v_end_from_dT", "eqB10_v_end_from_dT" },
+    { "22 and 24", "eq22_dv", "eq24_dv" },
+    { "23 and 25", "eq23_dxC", "eq25_dxC" },
   };
   int differences = 0;
   for (size_t k = 0; k < sizeof pair / sizeof *pair; k++)
@@ -285,11 +285,11 @@ TEST(lines_of_A17_and_B7)
 {
   for (int i = 0; i < POINTS; i++) {
     const struct scallop_values *a = &extension[i], *b = &contraction[i];
-    CHECK_NEAR(value_of("A_x1_switch_collected", a), value_of("A_x1_switch_from_times", a), ROUNDING * 9.4);
+    CHECK_NEAR(value_of("eqA17_x1_switch_collected", a), value_of("eqA17_x1_switch_from_times", a), ROUNDING * 9.4);
     double half = 0.5 * b->of[SCALLOP_SYMBOL_m1] / (b->of[SCALLOP_SYMBOL_m1] + b->of[SCALLOP_SYMBOL_m2])
                   * b->of[SCALLOP_SYMBOL_l0] * b->of[SCALLOP_SYMBOL_t1] * b->of[SCALLOP_SYMBOL_t1]
                   / (b->of[SCALLOP_SYMBOL_T] * b->of[SCALLOP_SYMBOL_T]);
-    CHECK_NEAR(value_of("B_x2_switch_collected", b) - half, value_of("B_x2_switch_from_times", b), ROUNDING * 9.4);
+    CHECK_NEAR(value_of("eqB7_x2_switch_collected", b) - half, value_of("eqB7_x2_switch_from_times", b), ROUNDING * 9.4);
     assert_true(fabs(half) > 0.01);
   }
 }

@@ -1,4 +1,4 @@
-/* Where the expansion breaks down: events against closed forms and certified modes, reaches against closed forms and
+/* Where the expansion breaks down: transitions against closed forms and certified modes, reaches against closed forms and
  * brute force, radii of convergence by two routes. */
 #include "compare/points/gaits.h"
 #include "compare/breakdown/motion.h"
@@ -16,15 +16,15 @@ static struct scallop_crawler draw(struct random *r, int i) { return moderate_cr
   ENDED_BY(study_clear) struct study name = { .places = NULL }; \
   assert_null(study_begin(&(name), of, ORDER))
 
-#define EVENTS(name, of) \
+#define TRANSITIONS(name, of) \
   STUDY(study_of_##name, of); \
-  const struct events name = *study_events(&study_of_##name)
+  const struct transitions name = *study_transitions(&study_of_##name)
 
-static double time_of(const struct events *events, const char *what)
+static double time_of(const struct transitions *transitions, const char *what)
 {
-  for (int i = 0; i < events->count; i++)
-    if (strstr(events->event[i].what, what))
-      return events->event[i].T;
+  for (int i = 0; i < transitions->count; i++)
+    if (strstr(transitions->transition[i].what, what))
+      return transitions->transition[i].T;
   return NAN;
 }
 
@@ -37,14 +37,14 @@ TEST(sticking_begins_where_closed_forms_say)
   for (int i = 0; i < 12; i++) {
     struct motion s = { .crawler = draw(&r, 0) };
     struct scallop_crawler *c = &s.crawler;
-    EVENTS(events, &s);
+    TRANSITIONS(transitions, &s);
     bool first = c->F1 > c->F2;
     double other = first ? c->m2 : c->m1, shorter = fmin(c->alpha, 1 - c->alpha);
     double held = sqrt(4 * other * c->L / (c->F1 + c->F2)), rests = sqrt(4 * other * c->L / fabs(c->F1 - c->F2));
-    CHECK_RELATIVE(time_of(&events, first ? "onset of sticking: body 1 in the extension"
+    CHECK_RELATIVE(time_of(&transitions, first ? "onset of sticking: body 1 in the extension"
                                           : "onset of sticking: body 2 in the extension"),
                    held / c->alpha, 8 * 0x1p-53);
-    CHECK_RELATIVE(time_of(&events, first ? "permanent rest of body 1" : "permanent rest of body 2"), rests / shorter,
+    CHECK_RELATIVE(time_of(&transitions, first ? "permanent rest of body 1" : "permanent rest of body 2"), rests / shorter,
                    8 * 0x1p-53);
   }
 }
@@ -62,21 +62,21 @@ static void check_certified(const struct motion *s, double T, const struct scall
   assert_string_equal(got, wanted);
 }
 
-/* In order of T; between two events the modes are the same, and those of the next ones differ; each within 1e-14 of
+/* In order of T; between two transitions the modes are the same, and those of the next ones differ; each within 1e-14 of
  * where certified modes change. */
-TEST(events_are_where_certified_modes_change)
+TEST(transitions_are_where_certified_modes_change)
 {
   struct random r = { 62 };
   int certified = 0, all = 0;
   for (int i = 0; i < 8; i++) {
     struct motion s = { .crawler = draw(&r, i) };
-    EVENTS(events, &s);
-    assert_true(events.count >= 3);
-    const struct scallop_modes *before = events.first;
-    for (int k = 0; k < events.count; k++) {
-      const struct event *e = &events.event[k];
-      double from = k > 0 ? events.event[k - 1].T : e->T / 2,
-             until = k + 1 < events.count ? events.event[k + 1].T : 2 * e->T;
+    TRANSITIONS(transitions, &s);
+    assert_true(transitions.count >= 3);
+    const struct scallop_modes *before = transitions.first;
+    for (int k = 0; k < transitions.count; k++) {
+      const struct transition *e = &transitions.transition[k];
+      double from = k > 0 ? transitions.transition[k - 1].T : e->T / 2,
+             until = k + 1 < transitions.count ? transitions.transition[k + 1].T : 2 * e->T;
       assert_true(from < e->T && e->T < until);
       check_certified(&s, e->T * (1 - 1e-14), before);
       check_certified(&s, e->T * (1 + 1e-14), e->modes);
@@ -86,35 +86,35 @@ TEST(events_are_where_certified_modes_change)
       certified += strcmp(e->status, "certified") == 0;
       assert_true(strcmp(e->status, "certified") == 0 || e->of != CHANGE_OF_MODES);
     }
-    assert_true(strstr(events.event[events.count - 1].what, "permanent rest"));
+    assert_true(strstr(transitions.transition[transitions.count - 1].what, "permanent rest"));
   }
   assert_true(certified > 3 * all / 4);
 }
 
 /* Where friction changes c by less than rounding, a phase that starts from the rounded velocity of the steady state has
- * other modes on a plateau than the steady state: none of that is an event. */
-TEST(rounding_is_no_event)
+ * other modes on a plateau than the steady state: none of that is an transition. */
+TEST(rounding_is_no_transition)
 {
   const struct motion s = { .crawler = { 0.5455, 7.341, 6.783, 0.2455, 5.675, 1, 0.686,
                                          gait_of_text("constant:0.1").gait } };
-  ENDED_BY(events_clear) struct events events;
-  events_find(&events, &s, "");
-  assert_int_equal(events.count, 10);
-  CHECK_RELATIVE(events.event[0].T, 4.78521795311083, 1e-14);
-  for (int i = 0; i < events.count; i++)
-    assert_true(strcmp(events.event[i].status, "certified") == 0 || events.event[i].of != CHANGE_OF_MODES);
+  ENDED_BY(transitions_clear) struct transitions transitions;
+  transitions_find(&transitions, &s, "");
+  assert_int_equal(transitions.count, 10);
+  CHECK_RELATIVE(transitions.transition[0].T, 4.78521795311083, 1e-14);
+  for (int i = 0; i < transitions.count; i++)
+    assert_true(strcmp(transitions.transition[i].status, "certified") == 0 || transitions.transition[i].of != CHANGE_OF_MODES);
 }
 
 /* Where l'' = 0 at the start of a phase doubles see a mode less within 3e-10 of where its velocity vanishes, and a body
  * that turns at a corner of l' turns on either side of it. */
-TEST(rounding_is_no_event_beside_one)
+TEST(rounding_is_no_transition_beside_one)
 {
   static const struct {
     const char *gait;
     struct scallop_crawler crawler;
     long count;
     int at;
-    double T; /* of event number at: of the first by independent arithmetic of 60 digits between ...939 and ...940 */
+    double T; /* of transition number at: of the first by independent arithmetic of 60 digits between ...939 and ...940 */
   } cases[] = {
     { "polynomial:0,0,4,-3", { 0.2624, 0.2698, 9.222, 5.557, 1.192, 1, 0.869, NULL }, 9, 4, 0.58804074939761 },
     { "polynomial:0,0,4,-3", { 2.386, 0.4319, 0.3532, 0.8713, 7.455, 1, 0.19, NULL }, 0, 0, 0 },
@@ -124,37 +124,37 @@ TEST(rounding_is_no_event_beside_one)
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct motion s = { .crawler = cases[i].crawler };
     s.crawler.gait = gait_of_text(cases[i].gait).gait;
-    ENDED_BY(events_clear) struct events events;
-    events_find(&events, &s, "");
+    ENDED_BY(transitions_clear) struct transitions transitions;
+    transitions_find(&transitions, &s, "");
     if (cases[i].count > 0) {
-      assert_int_equal(events.count, cases[i].count);
-      CHECK_RELATIVE(events.event[cases[i].at].T, cases[i].T, 1e-13);
+      assert_int_equal(transitions.count, cases[i].count);
+      CHECK_RELATIVE(transitions.transition[cases[i].at].T, cases[i].T, 1e-13);
     }
-    assert_true(events.event[0].T > 0.01 * motion_natural_time(&s));
-    for (int k = 0; k < events.count; k++)
-      assert_true(strcmp(events.event[k].status, "certified") == 0 || events.event[k].of == CHANGE_OF_PART);
+    assert_true(transitions.transition[0].T > 0.01 * motion_natural_time(&s));
+    for (int k = 0; k < transitions.count; k++)
+      assert_true(strcmp(transitions.transition[k].status, "certified") == 0 || transitions.transition[k].of == CHANGE_OF_PART);
   }
 }
 
-/* Where l' jumps, the last event is where a body that is thrown comes to rest within its phase. */
-TEST(events_where_l_jumps)
+/* Where l' jumps, the last transition is where a body that is thrown comes to rest within its phase. */
+TEST(transitions_where_l_jumps)
 {
   const struct motion s = { .crawler = { 0.5315, 1.448, 0.6551, 0.4, 2.804, 1, 0.817,
                                          gait_of_text("constant:0").gait } };
-  ENDED_BY(events_clear) struct events events;
-  events_find(&events, &s, "");
-  assert_int_equal(events.count, 2);
-  assert_string_equal(events.event[0].what, "body 2 begins to turn in the extension");
-  assert_string_equal(events.event[1].what, "onset of sticking: body 1 in the contraction");
+  ENDED_BY(transitions_clear) struct transitions transitions;
+  transitions_find(&transitions, &s, "");
+  assert_int_equal(transitions.count, 2);
+  assert_string_equal(transitions.transition[0].what, "body 2 begins to turn in the extension");
+  assert_string_equal(transitions.transition[1].what, "onset of sticking: body 1 in the contraction");
   for (int i = 0; i < 2; i++) {
-    const struct scallop_modes *before = i > 0 ? events.event[i - 1].modes : events.first;
-    check_certified(&s, events.event[i].T * (1 - 1e-12), before);
-    check_certified(&s, events.event[i].T * (1 + 1e-12), events.event[i].modes);
+    const struct scallop_modes *before = i > 0 ? transitions.transition[i - 1].modes : transitions.first;
+    check_certified(&s, transitions.transition[i].T * (1 - 1e-12), before);
+    check_certified(&s, transitions.transition[i].T * (1 + 1e-12), transitions.transition[i].modes);
   }
 }
 
-/* No event is missed below the first: the modes of the limit are proven up to three thousandths below it. */
-TEST(the_first_event_is_the_first)
+/* No transition is missed below the first: the modes of the limit are proven up to three thousandths below it. */
+TEST(the_first_transition_is_the_first)
 {
   struct random r = { 63 };
   for (int i = 0; i < 6; i++) {
@@ -163,33 +163,33 @@ TEST(the_first_event_is_the_first)
     SCOPED(arb, T);
     SCOPED(scallop_rational, exact);
     scallop_rational_of(&exact, &s.crawler);
-    EVENTS(events, &s);
+    TRANSITIONS(transitions, &s);
     assert_int_equal(scallop_steady_modes_hold(&exact, 128, T, &ends, NULL), SCALLOP_OK);
     double proven = middle(T);
     assert_non_null(ends);
-    /* a proof ends at a corner of l' as well, which is no event while it does not change the modes */
-    assert_true(events.event[0].T > proven * (1 - 1e-12));
+    /* a proof ends at a corner of l' as well, which is no transition while it does not change the modes */
+    assert_true(transitions.transition[0].T > proven * (1 - 1e-12));
     if (!strstr(ends, "corner"))
-      CHECK_RELATIVE(events.event[0].T, proven, 3e-3);
+      CHECK_RELATIVE(transitions.transition[0].T, proven, 3e-3);
   }
 }
 
 /* Lengths times 4, times times 2; bodies exchanged in a mirror; a phase is what a half of a period is. */
-TEST(events_scale_and_mirror)
+TEST(transitions_scale_and_mirror)
 {
   struct random r = { 64 };
   for (int i = 0; i < 4; i++) {
     struct motion s = { .crawler = draw(&r, i) }, t = s, u = s;
     t.crawler.L *= 4;
     u.crawler = exchanged(&s.crawler);
-    EVENTS(one, &s);
-    EVENTS(larger, &t);
-    EVENTS(mirrored, &u);
+    TRANSITIONS(one, &s);
+    TRANSITIONS(larger, &t);
+    TRANSITIONS(mirrored, &u);
     assert_int_equal(one.count, larger.count);
     assert_int_equal(one.count, mirrored.count);
     for (int k = 0; k < one.count; k++) {
-      CHECK_RELATIVE(larger.event[k].T, 2 * one.event[k].T, 4 * 0x1p-52);
-      CHECK_RELATIVE(mirrored.event[k].T, one.event[k].T, one.event[k].of == CHANGE_OF_MODES ? 4 * 0x1p-52 : 1e-12);
+      CHECK_RELATIVE(larger.transition[k].T, 2 * one.transition[k].T, 4 * 0x1p-52);
+      CHECK_RELATIVE(mirrored.transition[k].T, one.transition[k].T, one.transition[k].of == CHANGE_OF_MODES ? 4 * 0x1p-52 : 1e-12);
     }
   }
 }
@@ -232,11 +232,11 @@ TEST(reach_of_a_known_error)
     struct scallop_crawler *c = &motion.crawler;
     motion.v0 = 0.01 * sqrt(c->L * (c->F1 + c->F2) / (c->m1 + c->m2));
     STUDY(s, &motion);
-    struct comparison short_form = comparison_named(&s, Q_T1, "A_t1");
+    struct comparison short_form = comparison_named(&s, Q_T1, "eqA6_t1");
     for (int k = 2; k <= 12; k += 2)
       CHECK_RELATIVE(reach_to(&short_form, pow(10, -k)), sqrt(c->m2 * 4 * c->L / (c->F1 + c->F2)) * pow(10, -k / 4.0),
                      8 * 0x1p-53);
-    struct comparison whole = comparison_named(&s, Q_T1, "A_t1_unexpanded");
+    struct comparison whole = comparison_named(&s, Q_T1, "eqA5_t1_unexpanded");
     CHECK_AT_MOST(fabs(comparison_error(&whole, 0.1)), 1e-30);
   }
 }
@@ -358,11 +358,11 @@ TEST(a_sharp_peak_counts)
   c.F1 = 100;
   c.alpha = 0.99;
   c.T = 0.6328;
-  double T = reach_of(&c, "text_steady_xC", 1e-2, &error);
+  double T = reach_of(&c, "eq28_displacement", 1e-2, &error);
   assert_true(T > 0.632 && T < 0.633);
   assert_true(fabs(error) > 1e-2);
   c.T = 2;
-  CHECK_EQUAL(reach_of(&c, "text_steady_xC", 1e-2, &error), T);
+  CHECK_EQUAL(reach_of(&c, "eq28_displacement", 1e-2, &error), T);
   assert_true(fabs(error) < 1e-2);
 }
 
@@ -374,7 +374,7 @@ TEST(a_wrong_limit_reaches_nowhere)
   c.alpha = 0.3;
   c.T = 1e-3;
   assert_true(reach_of(&c, "derived", 1e-2, &error) > 1);
-  CHECK_EQUAL(reach_of(&c, "text_steady_xC", 1e-2, &error), 0);
+  CHECK_EQUAL(reach_of(&c, "eq28_displacement", 1e-2, &error), 0);
   /* the roles of the bodies exchange: (a^2 F1 m1 + b^2 F2 m2) should be (b^2 F1 m2 + a^2 F2 m1), a = alpha, b = 1 -
    * alpha */
   double a2 = 0.09, b2 = 0.49, wanted = (b2 * 4 + a2) / (a2 * 4 + b2) - 1;
@@ -384,7 +384,7 @@ TEST(a_wrong_limit_reaches_nowhere)
 /* Without friction's difference, or with equal phases, nothing moves, and the series says so: for every T. */
 TEST(what_is_0_is_0_for_every_T)
 {
-  static const char *const names[] = { "text_steady_xC", "derived", "limit" };
+  static const char *const names[] = { "eq28_displacement", "derived", "limit" };
   struct scallop_crawler equal = scallop_crawler_default(), even = equal;
   struct series_item items[MOST_ITEMS];
   double error;

@@ -12,18 +12,18 @@ TEST(orders_inside)
     double quadratic, sinusoidal;
     enum claim_verdict verdicts[2];
   } known[] = {
-    { "rest_dT", 5, 5, { CLAIM_HOLDS, CLAIM_HOLDS } },
-    { "rest_v1_end", 3, 3, { CLAIM_HOLDS, CLAIM_HOLDS } },
-    { "rest_xC_end", 6, 6, { CLAIM_SHARPER, CLAIM_SHARPER } },
-    { "text_extension_velocity_change", 3, 3, { CLAIM_HOLDS, CLAIM_HOLDS } },
-    { "text_extension_xC_end", 5, 5, { CLAIM_SHARPER, CLAIM_SHARPER } },
-    { "A_xC_end", 3, 3, { CLAIM_REFUTED, CLAIM_REFUTED } },
-    { "A_t1", 6, 4, { CLAIM_HOLDS, CLAIM_REFUTED } },
-    { "A_dT", 5, 4, { CLAIM_HOLDS, CLAIM_REFUTED } },
-    { "B_vC_end", 0, 0, { CLAIM_REFUTED, CLAIM_REFUTED } },
-    { "B_xC_end", 5, 5, { CLAIM_SHARPER, CLAIM_SHARPER } },
-    { "text_steady_velocity", 1, -1, { CLAIM_HOLDS, CLAIM_REFUTED } },
-    { "text_steady_xC", 4, 0, { CLAIM_HOLDS, CLAIM_REFUTED } },
+    { "eq14_dT", 5, 5, { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "eq18_v_end", 3, 3, { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "eq21_dxC", 6, 6, { CLAIM_SHARPER, CLAIM_SHARPER } },
+    { "eq22_dv", 3, 3, { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "eq23_dxC", 5, 5, { CLAIM_SHARPER, CLAIM_SHARPER } },
+    { "eqA25_dxC", 3, 3, { CLAIM_REFUTED, CLAIM_REFUTED } },
+    { "eqA6_t1", 6, 4, { CLAIM_HOLDS, CLAIM_REFUTED } },
+    { "eqA16_dT", 5, 4, { CLAIM_HOLDS, CLAIM_REFUTED } },
+    { "eqB12_v_end", 0, 0, { CLAIM_REFUTED, CLAIM_REFUTED } },
+    { "eqB13_dxC", 5, 5, { CLAIM_SHARPER, CLAIM_SHARPER } },
+    { "eq27_v_start", 1, -1, { CLAIM_HOLDS, CLAIM_REFUTED } },
+    { "eq28_displacement", 4, 0, { CLAIM_HOLDS, CLAIM_REFUTED } },
   };
   for (size_t k = 0; k < sizeof known / sizeof *known; k++)
     for (int g = 0; g < 2; g++) {
@@ -46,10 +46,10 @@ TEST(lines_with_given_times)
     const char *claim;
     long order;
     double coefficient;
-  } known[] = { { "A_v1_first_switch", 2, -of_1 },
-                { "A_x1_switch_from_times", 3, of_1 },
-                { "A_x1_switch_collected", 3, of_1 },
-                { "B_x2_switch_from_times", 3, of_2 } };
+  } known[] = { { "eqA4_v_first_switch", 2, -of_1 },
+                { "eqA17_x1_switch_from_times", 3, of_1 },
+                { "eqA17_x1_switch_collected", 3, of_1 },
+                { "eqB7_x2_switch_from_times", 3, of_2 } };
   CHECK_NEAR(0.37 * sqrt(L * 5.4 / M), v0, 0.05);
   for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
     const struct claim_row *row = find(known[k].claim, 1, NULL, true);
@@ -61,7 +61,7 @@ TEST(lines_with_given_times)
     row = find(known[k].claim, 0, NULL, true);
     assert_true(row->exact && row->verdict == CLAIM_SHARPER);
   }
-  const struct claim_row *row = find("B_x2_switch_collected", 1, NULL, true);
+  const struct claim_row *row = find("eqB7_x2_switch_collected", 1, NULL, true);
   assert_int_equal(row->verdict, CLAIM_REFUTED);
   CHECK_EQUAL((double)row->derived_order, 2);
 }
@@ -73,9 +73,9 @@ TEST(equalities)
     const char *claim;
     enum claim_verdict verdicts[2];
   } known[] = {
-    { "equal_v1_end", { CLAIM_HOLDS, CLAIM_HOLDS } },     { "equal_x1_end", { CLAIM_HOLDS, CLAIM_HOLDS } },
-    { "equal_xC_end", { CLAIM_REFUTED, CLAIM_REFUTED } }, { "corrected_equal_xC_end", { CLAIM_HOLDS, CLAIM_HOLDS } },
-    { "A_v1_switch", { CLAIM_HOLDS, CLAIM_REFUTED } },    { "A_v1_switch_from_v0", { CLAIM_HOLDS, CLAIM_REFUTED } }
+    { "eq6_v_end", { CLAIM_HOLDS, CLAIM_HOLDS } },     { "eq7_dx1", { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "eq8_dxC", { CLAIM_REFUTED, CLAIM_REFUTED } }, { "corrected_equal_dxC", { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "eqA13_v_switch", { CLAIM_HOLDS, CLAIM_REFUTED } },    { "eqA13_v_switch_from_v0", { CLAIM_HOLDS, CLAIM_REFUTED } }
   };
   for (size_t k = 0; k < sizeof known / sizeof *known; k++)
     for (int g = 0; g < 2; g++) {
@@ -89,7 +89,7 @@ TEST(equalities)
 /* Seen in a mirror these formulas are themselves, so that they leave out the same. */
 TEST(mirrored_rows_are_about_the_motion_itself)
 {
-  static const char *const claims[] = { "rest_v1_end", "rest_xC_end" };
+  static const char *const claims[] = { "eq18_v_end", "eq21_dxC" };
   static const char *const conditions[] = { "extension from rest, F1 < F2", "contraction from rest, F2 < F1" };
   for (int i = 0; i < 8; i++) {
     int g = i >> 2;
@@ -106,10 +106,10 @@ TEST(mirrored_rows_are_about_the_motion_itself)
  * (F1-F2)(2 alpha-1) L m* / (alpha^2 F2 m2 + (1-alpha)^2 F1 m1): the published one is off at leading order. */
 TEST(steady_outside)
 {
-  const struct claim_row *row = find("text_steady_xC", 0, "alpha < 1/2, F1 > F2", false);
+  const struct claim_row *row = find("eq28_displacement", 0, "alpha < 1/2, F1 > F2", false);
   CHECK_NEAR(row->fit.order, 0, 1e-6);
   assert_int_equal(row->verdict, CLAIM_REFUTED);
-  row = find("text_steady_xC", 0, "alpha < 1/2, F1 < F2", false);
+  row = find("eq28_displacement", 0, "alpha < 1/2, F1 < F2", false);
   assert_int_equal(row->verdict, CLAIM_HOLDS);
   struct scallop_crawler c = { 1.7, 0.8, 4.1, 1.3, 11.3, 1e-7, 0.34, &scallop_gait_quadratic };
   struct scallop_steady_result s = steady_of(&c);
@@ -130,7 +130,7 @@ TEST(every_row_is_decided)
       CHECK_AT_MOST(row->fit.high - row->fit.order, 0.25);
       assert_true(row->fit.used >= 4);
     }
-    assert_true(row->verdict != CLAIM_REFUTED || *row->reason || *row->measured);
+    assert_true(row->verdict != CLAIM_REFUTED || *row->reason || *row->summary);
   }
 }
 

@@ -91,7 +91,7 @@ TEST(figures_of_steady_states)
                                        true);
     READ_NUMBERS(row, "certified multiplier ", 1, "%lf", &multiplier);
     CHECK_NEAR(multiplier, s.period.multiplier, 1e-10);
-    row = find("text_steady_velocity_in_the_limit", 0,
+    row = find("eq27_v_start_in_the_limit", 0,
                "the paper's crawler, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", false);
     double error, worst;
     READ_NUMBERS(row, "relative error, certified: ", 2, "%lf at alpha = 0.25, largest %lf at alpha = 0.01", &error,
@@ -101,7 +101,7 @@ TEST(figures_of_steady_states)
     row = find("displacement_grows_with_duration", g,
                "the paper's crawler, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %",
                false);
-    READ_NUMBERS(row, "certified: from v0 = ", 6, "%lf at F1 = %lf dx_C/L is %lf for T = %lf and %lf for T = %lf", &v0,
+    READ_NUMBERS(row, "certified: from v0 = ", 6, "%lf at F1 = %lf dxC/L is %lf for T = %lf and %lf for T = %lf", &v0,
                  &F1, &moved, &T, &further, &longer);
     for (int i = 0; i < 2; i++) {
       c.F1 = F1;
@@ -111,7 +111,7 @@ TEST(figures_of_steady_states)
   }
 }
 
-/* docs/background/theory.md: with s = (F1-F2) T^2/(4 m2 L), from rest, up to sticking, dx_C/dT = (F1-F2) T/M [1 - (2
+/* docs/background/theory.md: with s = (F1-F2) T^2/(4 m2 L), from rest, up to sticking, dxC/dT = (F1-F2) T/M [1 - (2
  * F1/(F1-F2)) s^2 (3+s)/(1+s)^3], and beyond it (F1-F2) T/M / (1+s)^2, until body 1 never moves. */
 TEST(extension_from_rest)
 {
@@ -135,7 +135,7 @@ TEST(extension_from_rest)
   }
 }
 
-/* The same with delta = (F1-F2)/(F1+F2), at which s a body sticks: dv_C = (F1-F2) T/M (1 - s/delta)/(1+s) is highest at
+/* The same with delta = (F1-F2)/(F1+F2), at which s a body sticks: dvC = (F1-F2) T/M (1 - s/delta)/(1+s) is highest at
  * the root of s^2 + (3 + delta) s - delta, and the integral of s^2 (3+s)/(1+s)^3 is s + 3/(1+s) - 1/(1+s)^2. */
 static double integral(double s) { return s + 3 / (1 + s) - 1 / ((1 + s) * (1 + s)); }
 
@@ -147,13 +147,13 @@ TEST(onset_of_sticking)
   for (int k = 0; k < 2; k++) {
     const struct claim_row *row = find("velocity_change_is_not_monotone", 0, whose[k], k == 0);
     double peak[3], least, delta = 39. / 41, before = delta * (399. / 400) * (399. / 400);
-    READ_NUMBERS(row, "dv_C peaks at ", 3, "%lf, %lf, %lf", &peak[0], &peak[1], &peak[2]);
+    READ_NUMBERS(row, "dvC peaks at ", 3, "%lf, %lf, %lf", &peak[0], &peak[1], &peak[2]);
     for (int i = 0; i < 3; i++) {
       double d = (ratios[i] - 1) / (ratios[i] + 1), s = (sqrt((3 + d) * (3 + d) + 4 * d) - (3 + d)) / 2;
       CHECK_NEAR(peak[i], sqrt(s / d), 1e-6);
     }
     row = find("displacement_grows_with_duration", 0, whose[k], k == 0);
-    READ_NUMBERS(row, "least d(dx_C) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: ", 1, "%lf", &least);
+    READ_NUMBERS(row, "least d(dxC) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: ", 1, "%lf", &least);
     CHECK_NEAR(least, 1 - (1 + delta) / delta * (integral(delta) - integral(before)) / (delta - before), 1e-6);
   }
 }
@@ -165,7 +165,7 @@ TEST(speeds_where_T_is_varied)
   struct scallop_crawler c = scallop_crawler_default();
   double speed, highest, at, T0;
   READ_NUMBERS(row, "<U> T0/L is ", 4, "%lf there, highest %lf at %lf; T0 = %lf", &speed, &highest, &at, &T0);
-  assert_null(strstr(row->measured, "<U> T/L"));
+  assert_null(strstr(row->summary, "<U> T/L"));
   c.T = at;
   struct scallop_steady_result s = steady_of(&c);
   CHECK_RELATIVE(highest, s.mean_velocity * T0 / c.L, 1e-4);

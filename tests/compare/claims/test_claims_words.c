@@ -84,7 +84,7 @@ TEST(two_regimes)
 }
 
 /* For the quadratic gait, from rest and sliding, with s = (F1-F2) T^2/(4 m2 L), dT = T s/(1 + s) and
- * dv_C = [F1 - F2 - 2 F1 s/(1 + s)] T/M, whose slope is F1 - F2 - 2 F1 [s/(1 + s) + 2 s/(1 + s)^2], over M. */
+ * dvC = [F1 - F2 - 2 F1 s/(1 + s)] T/M, whose slope is F1 - F2 - 2 F1 [s/(1 + s) + 2 s/(1 + s)^2], over M. */
 TEST(slope_of_figure_4B)
 {
   static const double durations[] = { 0.49, 0.51, 1.65 }, alpha[] = { 0.51, 0.51, 0.75 }, T[] = { 1, 1, 2.2 };
@@ -104,7 +104,7 @@ TEST(slope_of_figure_4B)
   double s[2];
   for (int i = 0; i < 2; i++)
     s[i] = 3 * (i ? 1.65 : 1.64) * (i ? 1.65 : 1.64) / 40;
-  CHECK_NEAR(number_after(row_of("start_velocity_is_backward_where_dv_C_falls", 0, ""), "dv_C changes by "),
+  CHECK_NEAR(number_after(row_of("start_velocity_is_backward_where_dvC_falls", 0, ""), "dvC changes by "),
              (3 - 8 * s[1] / (1 + s[1])) * 1.65 / 2 - (3 - 8 * s[0] / (1 + s[0])) * 1.64 / 2, 1e-6);
 }
 
@@ -162,18 +162,18 @@ TEST(by_hand)
   CHECK_NEAR(number_after(row, "v1 T/L = "), -1 / (1.5 * tau) + 3 * tau / (4 * 1.5 * 10), 1e-6);
   CHECK_NEAR(number_after(row, "v2 T/L = "), 0.5 / (1.5 * tau) + 3 * tau / (4 * 1.5 * 10), 1e-6);
   row = row_of("last_interval_carries_the_centre_forward", 0, "");
-  CHECK_NEAR(number_after(row, "dx_C/L = "), (3 * tau * tau / 4 - 4 * dT * dT / 2) / 10, 1e-9); /* - F1 dT^2/M */
+  CHECK_NEAR(number_after(row, "dxC/L = "), (3 * tau * tau / 4 - 4 * dT * dT / 2) / 10, 1e-9); /* - F1 dT^2/M */
   CHECK_NEAR(number_after(row, "would be "), 3 * tau * tau / 40, 1e-9);
   row = row_of("first_interval_accelerates_l", 0, "");
   CHECK_NEAR(number_after(row, "ends, "), s / (1 + s), 1e-6);
   CHECK_NEAR(number_after(row, "l'' = "), -4, 1e-6);
-  row = row_of("equal_forces_centre", 0, ""); /* dx_1 = -m2 L/M, dx_2 = m1 L/M */
-  CHECK_NEAR(number_after(row, "dx_C/L = "), (-1. / 3 + 2. / 3) / 2, 1e-6);
+  row = row_of("equal_forces_centre", 0, ""); /* dx1 = -m2 L/M, dx2 = m1 L/M */
+  CHECK_NEAR(number_after(row, "dxC/L = "), (-1. / 3 + 2. / 3) / 2, 1e-6);
   CHECK_NEAR(number_after(row, "(8) gives "), (2 - 1) / 2. * (-1. / 3), 1e-6);
   CHECK_NEAR(number_after(row_of("kinematic_length", 0, ""), "= "), 1, 1e-12);
   CHECK_NEAR(number_after(row_of("kinematic_length", 1, ""), "= "), 9.869604401089358 / 8, 1e-12);
   /* x0' t1/2 = x0'^2 M tau^2/(2 m1 4 L); t1 = x0' M tau^2/(4 m2 L) = U alpha tau/(2 L), U = 30/9.25 from (28) */
-  CHECK_NEAR(number_after(row_of("B_x2_first_switch_exceeds_its_remainder", 0, ""), "x2(0), is "), 2 / 80., 1e-6);
+  CHECK_NEAR(number_after(row_of("eqB3_x2_first_switch_exceeds_its_remainder", 0, ""), "x2(0), is "), 2 / 80., 1e-6);
   CHECK_NEAR(number_after(row_of("t1_is_small", 0, "v_start"), "t1 is "), 30 / 9.25 * 0.75 / 20, 5e-5);
 }
 
@@ -188,12 +188,12 @@ TEST(formulas_without_remainder)
       const char *claim;
       double exact, printed;
     } formulas[] = {
-      { "rest_dT_without_remainder", phase_of(&c, SCALLOP_EXTENSION, 0).dT, -F / (eT - F) * e },
-      { "A_t1_without_remainder", phase_of(&c, SCALLOP_EXTENSION, v0).t1, v0 * M / (e0 + S) },
-      { "A_dT_without_remainder", phase_of(&c, SCALLOP_EXTENSION, v0).dT,
+      { "eq13_dT_without_remainder", phase_of(&c, SCALLOP_EXTENSION, 0).dT, -F / (eT - F) * e },
+      { "eqA5_t1_without_remainder", phase_of(&c, SCALLOP_EXTENSION, v0).t1, v0 * M / (e0 + S) },
+      { "eqA14_dT_without_remainder", phase_of(&c, SCALLOP_EXTENSION, v0).dT,
         -1 / (eT - F) * (v0 * M * (e0 - F) / (e0 + S) + F * e) },
-      { "B_t1_without_remainder", phase_of(&c, SCALLOP_CONTRACTION, v0).t1, v0 * M / (-k0 + S) },
-      { "B_dT_without_remainder", phase_of(&c, SCALLOP_CONTRACTION, v0).dT,
+      { "eqB2_t1_without_remainder", phase_of(&c, SCALLOP_CONTRACTION, v0).t1, v0 * M / (-k0 + S) },
+      { "eqB5_dT_without_remainder", phase_of(&c, SCALLOP_CONTRACTION, v0).dT,
         1 / (kT - F) * (v0 * M * (k0 - F) / (k0 - S) - F * k) },
     };
     for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
@@ -240,11 +240,11 @@ TEST(statements_about_every_crawler)
 TEST(texts_are_whole)
 {
   for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++) {
-    const char *const texts[] = { row->conditions, row->measured, row->reason };
+    const char *const texts[] = { row->conditions, row->summary, row->reason };
     for (int i = 0; i < 3; i++)
       if (strstr(texts[i], "nan") || strpbrk(texts[i], "{}") || row->verdict == CLAIM_UNDECIDED)
         fail_msg("%s, %s: '%s'", row->claim, row->gait, texts[i]);
-    assert_true(*row->conditions && *row->measured && strlen(row->reason) < sizeof row->reason - 1);
+    assert_true(*row->conditions && *row->summary && strlen(row->reason) < sizeof row->reason - 1);
   }
 }
 

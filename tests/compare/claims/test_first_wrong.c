@@ -67,7 +67,7 @@ static void set_order(fmpq_t larger, fmpq_t smaller)
  * T^4: not so for the trapezoid. */
 static void check_right(struct subject *s, const struct scallop_formula *f, enum scallop_phase_kind kind)
 {
-  bool gains = strcmp(f->name, "corrected_rear_end") == 0 || strcmp(f->name, "corrected_xC_end") == 0;
+  bool gains = strcmp(f->name, "corrected_rear_end") == 0 || strcmp(f->name, "corrected_dxC") == 0;
   slong found = first_wrong(s, f, kind);
   slong order = f->remainder == SCALLOP_EQUALITY ? NEVER : f->remainder - (gains && s->crawler.gait == &trapezoid_gait);
   if (found < order) {

@@ -105,7 +105,7 @@ for link in $links; do # from the folder of the page
 done
 finish "what the installed pages link to is there"
 if command -v c++ >/dev/null 2>&1; then
-  printf '#include <scallop.h>\nint main() { scallop_crawler c = scallop_crawler_default(); return !(scallop_published_value(scallop_formula_named("text_steady_xC"), &c, SCALLOP_EXTENSION, 0, 0, 0, 0) > 0); }\n' >main.cc
+  printf '#include <scallop.h>\nint main() { scallop_crawler c = scallop_crawler_default(); return !(scallop_published_value(scallop_formula_named("eq28_displacement"), &c, SCALLOP_EXTENSION, 0, 0, 0, 0) > 0); }\n' >main.cc
   # shellcheck disable=SC2046
   quietly c++ -Wall -Wextra -Werror -o plus main.cc $(flags --cflags --libs scallop-core)
   LD_LIBRARY_PATH=$place/usr/lib ./plus || note "exit code $?"

@@ -163,7 +163,7 @@ table 'h;L2;H1\n0,1;1,1D-2;0,1\n0,05;2,6E-3;NA\n0,025;6,3e-4;0,025\n0,0125;1,57e
 run 0 order table.txt --expect 2,1
 [ "$(cells out points | tr '\n' ' ')" = '4 3 ' ] && grep -q 'rows without a value: 1$' out || note "$(cat out)"
 for format in csv json markdown; do
-  run 0 steady --T 0.5,0.25,0.125,0.0625 --columns T,modes,error.text_steady_xC --format $format -o again
+  run 0 steady --T 0.5,0.25,0.125,0.0625 --columns T,modes,error.eq28_displacement --format $format -o again
   run 0 order again --expect 4
 done
 finish "order: decimal commas, cells without a value, the tool's own formats"

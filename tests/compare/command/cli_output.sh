@@ -86,8 +86,8 @@ ln -s both both.svg
 printf '0 0\n1 1\n2 1.5\n4 0\n' >motion.txt
 printf 'T gait\n1 measured:both\n' | tr ' ' '\t' >names.tsv
 echo 'formulas = ( { name = "half"; start = "steady"; of = "v_start"; claimed = 1; text = "0"; } );' >mine.cfg
-echo 'formulas = "both"; want = ( { what = "steady"; columns = [ "v_start", "half" ]; } );' >scene.cfg
-echo 'want = ( { what = "steady"; columns = [ "v_start" ]; } );' >plain.cfg
+echo 'formulas = "both"; tables = ( { kind = "steady"; columns = [ "v_start", "half" ]; } );' >scene.cfg
+echo 'tables = ( { kind = "steady"; columns = [ "v_start" ]; } );' >plain.cfg
 spared many.tsv steady --points both
 spared many.tsv steady --points -
 spared points.tsv series --points both

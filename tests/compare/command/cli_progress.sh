@@ -17,7 +17,7 @@ except OSError:
 finally:
     os.kill(pid, 9)
 END
-# Work that goes on until it is ended. The noisy gait has more modes in a phase than are kept, of which the events went beyond the end.
+# Work that goes on until it is ended. The noisy gait has more modes in a phase than are kept, of which the transitions went beyond the end.
 awk 'BEGIN { print "T"; for (i = 0; i < 100000; i++) print 1 + i/1e5 }' >rows.tsv
 awk 'BEGIN { for (i = 0; i <= 400; i++) print i/400, 3 - cos(i*atan2(0, -1)/200)/2 + 0.005*(i % 400 ? sin(i*i) : 0) }' >noisy.tsv
 awk 'BEGIN { for (i = 0; i < 3000; i++) printf "%s{ name = \"f%d\"; of = \"v_end\"; claimed = 3; text = \"(F1-F2)/M*T + %d*T^3\"; }", i ? "," : "formulas = (", i, i; print ");" }' >mine.cfg
@@ -25,7 +25,7 @@ keep_counts_apart
 for command in "stress --cases 100000 -o none" "steady --T 1:2:900000000 -o none" "breakdown --map F1/F2 T --x 1:9:3000 --y 1:2:3000 -o none" \
   "breakdown --map F1/F2 T --boundaries --x 1:9:2001 --y 1:2:2001 -o none" \
   "steady --certified --points rows.tsv -o none" "breakdown --gait measured:noisy.tsv" \
-  "breakdown --gait measured:noisy.tsv --only event" "workprec -o none" "claims --gait sinusoidal" "claims --formulas mine.cfg"; do
+  "breakdown --gait measured:noisy.tsv --only transition" "workprec -o none" "claims --gait sinusoidal" "claims --formulas mine.cfg"; do
   # shellcheck disable=SC2086
   /usr/bin/python3 watch.py "$tool" $command >said 2>&1 || note "$command: $(cat said)"
 done

@@ -170,7 +170,7 @@ for row in rows:
     found += 1
 if found < 35 or {row["formula"] for row in rows} != {name for name in scallop.formulas() if not name.startswith("equal_")}:  # for F1 = F2
     bad(found, "formulas")
-if scallop.published("A_x1_end_from_dT_short", 2.5, dT=0.1, x_switch=[1, 2]).shape != (2,):
+if scallop.published("eqA23_dx1_from_dT_short", 2.5, dT=0.1, x_switch=[1, 2]).shape != (2,):
     bad("given values do not broadcast")
 END
 finish "published: the values of series"
@@ -355,7 +355,7 @@ for answer in (scallop.steady(F1=[]), scallop.phase("extension", numpy.empty((0,
     for name in (*answer._arrays, "regime", "modes", "status", "solved"):
         if getattr(answer, name).size != 0 or getattr(answer, name).shape[0] != 0:
             bad(name, getattr(answer, name))
-if scallop.published("rest_xC_end", F1=[]).shape != (0,) or "array([]" not in repr(scallop.steady(F1=[])):
+if scallop.published("eq21_dxC", F1=[]).shape != (0,) or "array([]" not in repr(scallop.steady(F1=[])):
     bad("no formula of nothing")
 END
 finish "zero length"
@@ -418,7 +418,7 @@ finish "threads do not matter"
 
 python <<'END'
 import threading, time
-ticks, stop, spans, asked = [], threading.Event(), [], []
+ticks, stop, spans, asked = [], threading.Transition(), [], []
 def tick():
     while not stop.wait(0.001):
         ticks.append(time.perf_counter())
@@ -537,8 +537,8 @@ for call, wanted in {
     (lambda: scallop.trajectory(T=[1, 2])): "a trajectory is that of one crawler: its parameters are numbers",
     (lambda: scallop.trajectory(nan)): "v0 = nan: a finite number",
     (lambda: scallop.published("rest_xC", F1=2)): 
-        "name = 'rest_xC': a formula that formulas() lists; did you mean 'rest_xC_end'?",
-    (lambda: scallop.published("rest_xC_end", L=[1, 0])): "row 1: L = 0.0: a finite number > 0",
+        "name = 'rest_xC': a formula that formulas() lists; did you mean 'eq21_dxC'?",
+    (lambda: scallop.published("eq21_dxC", L=[1, 0])): "row 1: L = 0.0: a finite number > 0",
     (lambda: scallop.formula("F1*(T")): "text = 'F1*(T': character 4: this '(' is not closed",
     (lambda: scallop.formula("alfa*T")): "text = 'alfa*T': character 1: 'alfa' is no quantity known here; did you mean 'alpha'?",
     (lambda: scallop.formula("q", parts={"q": "2*F1 +"})): 

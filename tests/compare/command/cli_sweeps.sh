@@ -30,7 +30,7 @@ steady --froude 1:2 --F1 1:3:log --sample random:3000:5
 steady --T 0.1,0.2 --F1 1:4:9 --columns T,F1,certified.displacement --format markdown
 phase --T 0.01:50:1500:log
 trajectory --T 0.1:1:50 --start 0.3 --periods 2 --samples 7
-series --T 1e-3:1:20 --columns T,text_steady_velocity,derived_4.displacement
+series --T 1e-3:1:20 --columns T,eq27_v_start,derived_4.displacement
 END
 for threads in 0 -1 1.5 many 1025; do
   run 2 steady --threads $threads

@@ -48,14 +48,14 @@ TEST(the_papers_file_in_both_readers)
     }
   assert_null(user_formula(n));
   formula_files_forget();
-  assert_ptr_equal(formula_named("rest_dT"), scallop_formula_named("rest_dT"));
+  assert_ptr_equal(formula_named("eq14_dT"), scallop_formula_named("eq14_dT"));
   assert_null(user_formula(0));
 }
 
 TEST(places_of_formulas)
 {
   static const char formulas[] =
-      "formulas = ( { name = \"rest_dT\"; of = \"dT\"; text = \"T\"; }, { name = \"b\"; of = "
+      "formulas = ( { name = \"eq14_dT\"; of = \"dT\"; text = \"T\"; }, { name = \"b\"; of = "
       "\"dx2\"; text = \"t1\"; } );";
   int listed = 0, all = 0, published = 0, corrected = 0, conditional = 0;
   for (const struct scallop_formula *f = scallop_published; f->name; f++, published++)
@@ -72,7 +72,7 @@ TEST(places_of_formulas)
   assert_int_equal(formula_at(1)->quantity, SCALLOP_FRONT_AT_END);
   assert_true(formula_takes(formula_at(1), SCALLOP_SYMBOL_t1));
   assert_false(formula_takes(formula_at(0), SCALLOP_SYMBOL_t1));
-  assert_string_equal(listed_formula(2)->name, "rest_v1_switch");
+  assert_string_equal(listed_formula(2)->name, "eq12_v_switch");
 }
 
 TEST(sides_of_conditions)

@@ -82,7 +82,7 @@ def test_arrays_in_memory() -> None:
 
 
 def test_formulas() -> None:
-    text = s.formulas()["rest_xC_end"][1]
+    text = s.formulas()["eq21_dxC"][1]
     assert text
     mine = s.formula("a*T", "extension", {"a": "(F1 - F2)/M"})
     assert mine(F1=3, T=2, alpha=0.5) == 1
@@ -131,9 +131,9 @@ def test_breakdown(proven: bool) -> None:
     events = s.events()
     assert events[0].T == 0 and events[1].T == 2.7889395095954335
     one = s.reach(1e-2, "displacement")
-    assert [row.series for row in one] == ["text_steady_xC", "derived", "limit"]
+    assert [row.series for row in one] == ["eq28_displacement", "derived", "limit"]
     T = one[0].T
-    error = abs(float(s.published("text_steady_xC", T=T)) / float(s.steady(T=T).displacement) - 1)
+    error = abs(float(s.published("eq28_displacement", T=T)) / float(s.steady(T=T).displacement) - 1)
     assert abs(error - 1e-2) < 1e-12
     with pytest.raises(s.CommandError) as caught:
         s.reach(-1)

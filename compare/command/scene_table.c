@@ -1,10 +1,10 @@
-#include "compare/command/want.h"
+#include "compare/command/scene_table.h"
 
 #include <string.h>
 
-/* The tables that a scene can want, and the options that their names stand for */
+/* The kinds of table that a scene can have, and the options that their names stand for */
 static const struct kind {
-  const char *what;
+  const char *name;
   const struct command *command;
   const char *option[2][2];
 } kinds[] = {
@@ -27,15 +27,15 @@ static const struct kind *find_kind(struct scene *s, const config_setting_t *at)
   enum { KINDS = sizeof kinds / sizeof *kinds };
   const char *names[KINDS + 1] = { NULL }, *text = text_of(&s->config, at);
   for (int i = 0; i < KINDS; i++)
-    names[i] = kinds[i].what;
+    names[i] = kinds[i].name;
   int place = text ? word_place(text, names) : -1;
   if (text && place < 0)
-    refuse_at(&s->config, at, "'%.80s' cannot be wanted%s", text, instead_of(text, names));
+    refuse_at(&s->config, at, "unknown table '%.80s'%s", text, instead_of(text, names));
   return place < 0 ? NULL : &kinds[place];
 }
 
 /* A member with the value that the option of that name takes; true is that of a flag. NULL, or what is wrong */
-static const char *take_member(struct want *w, struct scene *s, const config_setting_t *at, const struct option *o)
+static const char *take_member(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct option *o)
 {
   const char *texts[MOST_VALUES] = { NULL };
   int values = option_values(o), count = values > 1 ? element_count(at) : 1;
@@ -51,9 +51,9 @@ static const char *take_member(struct want *w, struct scene *s, const config_set
 }
 
 /* "of" names series where the command has no such option. */
-static bool take_members(struct want *w, struct scene *s, const config_setting_t *at)
+static bool take_members(struct scene_table *w, struct scene *s, const config_setting_t *at)
 {
-  static const char *const read_elsewhere[] = { "what", "file", "plot", NULL };
+  static const char *const read_elsewhere[] = { "kind", "file", "plot", NULL };
   const struct command *command = w->arguments.command;
   for (int i = 0; i < config_setting_length(at); i++) {
     const config_setting_t *member = member_at(at, i);
@@ -85,14 +85,14 @@ static void take_parameters(struct point *p, const struct point *base)
 }
 
 /* An option of the kind of table */
-static void take_named(struct want *w, const char *name, const char *const *value)
+static void take_named(struct scene_table *w, const char *name, const char *const *value)
 {
   const struct option *o = option_of(w->arguments.command, name);
   option_take(&w->arguments, o, value, option_values(o));
 }
 
-/* The options of the want's command, over what the scene and the command line say. rows: for the want, if it has any */
-static bool read_options(struct want *w, struct scene *s, const config_setting_t *at, const struct kind *kind,
+/* The options of the table's command, over what the scene and the command line say. rows: for the table, if it has any */
+static bool read_options(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct kind *kind,
                          const struct style *given, struct rows *rows)
 {
   struct request *r = &w->arguments.options.request;
@@ -117,16 +117,16 @@ static bool read_options(struct want *w, struct scene *s, const config_setting_t
     take_parameters(&r->point, &s->request.point);
     if (s->request.sweep.products > 0)
       return refuse_at(&s->config, at,
-                       "%s varies, and what = \"%s\" is the whole table of a command, for one crawler: leave out "
+                       "%s varies, and kind = \"%s\" is the whole table of a command, for one crawler: leave out "
                        "'vary', and run the command once for each value",
-                       sweep_variable(&s->request.sweep, 0)->name, kind->what);
+                       sweep_variable(&s->request.sweep, 0)->name, kind->name);
   }
   return options_are_sound(&w->arguments)
-         || refuse_at(&s->config, at, "the command behind what = \"%s\" refuses these options", kind->what);
+         || refuse_at(&s->config, at, "the command behind kind = \"%s\" refuses these options", kind->name);
 }
 
 /* chosen: the columns that the command line names, or NULL */
-static bool plan_rows(struct want *w, struct scene *s, const config_setting_t *at, const struct table_choice *chosen)
+static bool plan_rows(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct table_choice *chosen)
 {
   const struct request *r = &w->arguments.options.request;
   const config_setting_t *columns = config_setting_get_member(at, "columns");
@@ -170,7 +170,7 @@ static bool place(struct scene *s, const config_setting_t *group, const char *fo
 }
 
 /* Where the command line says that files go */
-static bool place_files(struct want *w, struct scene *s, const config_setting_t *at, const struct scene_options *o)
+static bool place_files(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct scene_options *o)
 {
   struct scene_files *f = &w->files;
   const config_setting_t *plot = config_setting_get_member(at, "plot");
@@ -185,15 +185,15 @@ static bool place_files(struct want *w, struct scene *s, const config_setting_t 
   return true;
 }
 
-static bool read_want(struct wanted *all, struct want *w, const config_setting_t *at, const struct scene_options *o)
+static bool read_scene_table(struct wanted *all, struct scene_table *w, const config_setting_t *at, const struct scene_options *o)
 {
   struct scene *s = &all->scene;
   struct style *style = &w->arguments.options.request.style;
   if (!config_setting_is_group(at))
-    return refuse_at(&s->config, at, "want is a list of groups: ( { what = \"steady\"; file = \"steady.tsv\"; } )");
-  const config_setting_t *what = config_setting_get_member(at, "what");
+    return refuse_at(&s->config, at, "tables is a list of groups: ( { kind = \"steady\"; file = \"steady.tsv\"; } )");
+  const config_setting_t *what = config_setting_get_member(at, "kind");
   if (!what)
-    return refuse_at(&s->config, at, "what is wanted? what = \"steady\", for one");
+    return refuse_at(&s->config, at, "which table? kind = \"steady\", for one");
   const struct kind *kind = find_kind(s, what);
   if (!kind || !read_options(w, s, at, kind, &o->request.style, &all->rows[all->tables])
       || !scene_read_files(&w->files, s, at, style))
@@ -208,14 +208,14 @@ static bool read_want(struct wanted *all, struct want *w, const config_setting_t
 enum exit_code wanted_read(struct wanted *all, const struct scene_source *source, const struct scene_options *o)
 {
   enum exit_code code = scene_read(&all->scene, source, &o->request);
-  for (int i = 0; i < all->scene.wants && code == EXIT_DONE; i++)
-    code = read_want(all, &all->want[i], all->scene.want[i], o) ? EXIT_DONE : EXIT_USAGE;
+  for (int i = 0; i < all->scene.tables && code == EXIT_DONE; i++)
+    code = read_scene_table(all, &all->table[i], all->scene.table[i], o) ? EXIT_DONE : EXIT_USAGE;
   return code;
 }
 
 void wanted_free(struct wanted *all)
 {
-  for (struct want *w = all->want; w < all->want + all->scene.wants; w++) {
+  for (struct scene_table *w = all->table; w < all->table + all->scene.tables; w++) {
     if (w->rows) /* whose points are the scene's, as what is asked of all */
       w->arguments.options.request.sweep = (struct sweep){ .products = 0 };
     w->arguments.options.request.asked = NULL;

@@ -1,6 +1,6 @@
-/* A want of a scene: a request of a command, whose members are read by the command's own option rows. */
-#ifndef SCALLOP_COMPARE_COMMAND_WANT_H
-#define SCALLOP_COMPARE_COMMAND_WANT_H
+/* A table of a scene: a request of a command, whose members are read by the command's own option rows. */
+#ifndef SCALLOP_COMPARE_COMMAND_SCENE_TABLE_H
+#define SCALLOP_COMPARE_COMMAND_SCENE_TABLE_H
 
 #include "compare/command/commands.h"
 #include "compare/scenes/scene.h"
@@ -11,16 +11,16 @@ struct scene_options { /* of run and figure */
   bool check_only, no_plots;
 };
 
-struct want {
+struct scene_table {
   struct arguments arguments;
   struct rows *rows; /* planned, where the command makes rows: those of a scene share their points; else NULL */
   struct scene_files files;
 };
 
-struct wanted { /* a scene and its wants, scene.wants of them; begins with zeros */
+struct wanted { /* a scene and its tables, scene.tables of them; begins with zeros */
   struct scene scene;
-  struct want want[SCENE_WANTS];
-  struct rows rows[SCENE_WANTS];
+  struct scene_table table[SCENE_TABLES];
+  struct rows rows[SCENE_TABLES];
   int tables; /* of these rows */
 };
 /* The exit code, the message being on stderr. To be freed in either case. */

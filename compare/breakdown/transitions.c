@@ -85,7 +85,7 @@ static int way(const struct signature *s)
   return (x > 0) - (x < 0);
 }
 
-static bool same(enum event_kind of, const struct signature *a, const struct signature *b)
+static bool same(enum transition_kind of, const struct signature *a, const struct signature *b)
 {
   if (of == CHANGE_OF_WAY)
     return way(a) == way(b);
@@ -94,14 +94,14 @@ static bool same(enum event_kind of, const struct signature *a, const struct sig
 
 /* Is the motion at T what the signature tells? In binary128; that a switching time leaves its part no mode shows, so
  * that doubles have to do. */
-static bool holds(enum event_kind of, double T, const struct signature *s)
+static bool holds(enum transition_kind of, double T, const struct signature *s)
 {
   struct signature here;
   bool known = of == CHANGE_OF_PART ? signature_at(&here, s->motion, T) : motion_in_wide(s->motion, T, &here.answer);
   return known && same(of, &here, s);
 }
 
-static bool is_proven(enum event_kind of, double T, const struct signature *s)
+static bool is_proven(enum transition_kind of, double T, const struct signature *s)
 {
   const struct motion at = motion_at(s->motion, T);
   SCOPED(ball_answer, a);
@@ -114,7 +114,7 @@ static bool is_proven(enum event_kind of, double T, const struct signature *s)
 
 /* Halves what is between the signatures until the ends are neighbours: there it changes. False: at the ends it is not
  * what doubles see. */
-static bool settle(struct event *e, const struct signature *before, const struct signature *after)
+static bool settle(struct transition *e, const struct signature *before, const struct signature *after)
 {
   double low = before->T, high = after->T;
   if (!holds(e->of, low, before) || !holds(e->of, high, after))
@@ -139,7 +139,7 @@ static bool stays(const struct signature *s, double step)
   return k > 8;
 }
 
-/* The modes at both ends in binary128. The ends move apart, as far as behind the last event, until the modes differ.
+/* The modes at both ends in binary128. The ends move apart, as far as behind the last transition, until the modes differ.
  * False: they do not, so that it is rounding. Where binary128 does not solve the motion the ends stay as they are. */
 static bool differ(struct signature *low, struct signature *high, double last)
 {
@@ -158,14 +158,14 @@ static bool differ(struct signature *low, struct signature *high, double last)
   return false;
 }
 
-/* Is it no event but rounding? */
-static bool is_rounding(enum event_kind of, struct signature *low, struct signature *high, double last)
+/* Is it no transition but rounding? */
+static bool is_rounding(enum transition_kind of, struct signature *low, struct signature *high, double last)
 {
   const double aside = 0x1p-24;
   return of == CHANGE_OF_MODES ? !differ(low, high, last) : !stays(low, -aside) || !stays(high, aside);
 }
 
-static void describe(struct event *e, const struct signature *before, const struct signature *after)
+static void describe(struct transition *e, const struct signature *before, const struct signature *after)
 {
   struct answer was = before->answer, is = after->answer;
   if (kind_of(before->motion, 0) == SCALLOP_CONTRACTION) { /* the extension has no modes */
@@ -176,7 +176,7 @@ static void describe(struct event *e, const struct signature *before, const stru
 }
 
 /* A body turns, stops or starts in another part than before. */
-static void describe_move(struct event *e, const struct signature *before, const struct signature *after)
+static void describe_move(struct transition *e, const struct signature *before, const struct signature *after)
 {
   int place = moved(before, after), phase = place / SCALLOP_MODES_KEPT, i = place % SCALLOP_MODES_KEPT;
   const struct scallop_mode to = after->answer.modes[phase].kept[i],
@@ -190,98 +190,98 @@ static void describe_move(struct event *e, const struct signature *before, const
 }
 
 /* Behind the others; without memory it is left out. */
-static void add(struct event **list, long *count, const struct event *e)
+static void add(struct transition **list, long *count, const struct transition *e)
 {
-  struct event *larger = with_room(*list, *count, sizeof *larger);
+  struct transition *larger = with_room(*list, *count, sizeof *larger);
   if (!larger)
     return;
   *list = larger;
   larger[(*count)++] = *e;
 }
 
-/* What changes between two signatures. Events that doubles cannot tell apart, so close are they, are one. */
-static void search(struct events *events, const struct signature *low, const struct signature *high)
+/* What changes between two signatures. Transitions that doubles cannot tell apart, so close are they, are one. */
+static void search(struct transitions *transitions, const struct signature *low, const struct signature *high)
 {
   struct signature middle;
   double T = sqrt(low->T) * sqrt(high->T);
-  if (same(events->finest, low, high))
+  if (same(transitions->finest, low, high))
     return;
-  if (high->T - low->T > (events->is_rough ? 1e-4 : NARROW) * high->T && signature_at(&middle, low->motion, T)) {
-    search(events, low, &middle);
-    search(events, &middle, high);
+  if (high->T - low->T > (transitions->is_rough ? 1e-4 : NARROW) * high->T && signature_at(&middle, low->motion, T)) {
+    search(transitions, low, &middle);
+    search(transitions, &middle, high);
     return;
   }
   bool of_modes = !same(CHANGE_OF_MODES, low, high);
-  struct event e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double", .error = NAN };
+  struct transition e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double", .error = NAN };
   struct signature before = *low, after = *high;
-  if (!events->is_rough
-      && is_rounding(e.of, &before, &after, events->count > 0 ? events->event[events->count - 1].T : 0))
+  if (!transitions->is_rough
+      && is_rounding(e.of, &before, &after, transitions->count > 0 ? transitions->transition[transitions->count - 1].T : 0))
     return;
   memcpy(e.modes, after.answer.modes, sizeof e.modes);
   (of_modes ? describe : describe_move)(&e, &before, &after);
-  if (!events->is_rough)
+  if (!transitions->is_rough)
     settle(&e, &before, &after);
-  add(&events->event, &events->count, &e);
+  add(&transitions->transition, &transitions->count, &e);
 }
 
-const struct scallop_modes *events_modes_at(const struct events *events, double T)
+const struct scallop_modes *transitions_modes_at(const struct transitions *transitions, double T)
 {
   long i = 0;
-  while (i < events->count && events->event[i].T < T)
+  while (i < transitions->count && transitions->transition[i].T < T)
     i++;
-  return i > 0 ? events->event[i - 1].modes : events->first;
+  return i > 0 ? transitions->transition[i - 1].modes : transitions->first;
 }
 
 /* Where the crawler turns back, if it does */
-static void find_reversal(struct events *events, const struct signature *low, const struct signature *high)
+static void find_reversal(struct transitions *transitions, const struct signature *low, const struct signature *high)
 {
-  struct event e = { .of = CHANGE_OF_WAY, .error = NAN };
-  if (events->is_rough || way(low) * way(high) >= 0 || !settle(&e, low, high))
+  struct transition e = { .of = CHANGE_OF_WAY, .error = NAN };
+  if (transitions->is_rough || way(low) * way(high) >= 0 || !settle(&e, low, high))
     return;
   snprintf(e.what, sizeof e.what, "the direction of crawling reverses: from here on %s",
            way(high) > 0 ? "forward" : "backward");
-  memcpy(e.modes, events_modes_at(events, e.T), sizeof e.modes);
-  add(&events->reversal, &events->reversals, &e);
+  memcpy(e.modes, transitions_modes_at(transitions, e.T), sizeof e.modes);
+  add(&transitions->reversal, &transitions->reversals, &e);
 }
 
-static void find(struct events *events, const struct motion *m, int octaves_below, const char *limit_modes)
+static void find(struct transitions *transitions, const struct motion *m, int octaves_below, const char *limit_modes)
 {
   enum { FARTHEST = 8 }; /* times so many octaves down, to where the modes are those of T -> 0 */
   struct signature low, high;
   char text[MOTION_MODES_TEXT];
-  events->from = ldexp(motion_natural_time(m), -octaves_below);
-  events->until = motion_last_time(m);
-  bool going = signature_at(&low, m, events->from);
+  transitions->from = ldexp(motion_natural_time(m), -octaves_below);
+  transitions->until = motion_last_time(m);
+  bool going = signature_at(&low, m, transitions->from);
   for (int i = 0; going && i < FARTHEST && *limit_modes
                   && strcmp(motion_modes_text(text, m->of, low.answer.modes), limit_modes) != 0;
        i++) {
-    events->from = ldexp(events->from, -octaves_below);
-    going = signature_at(&low, m, events->from);
+    transitions->from = ldexp(transitions->from, -octaves_below);
+    going = signature_at(&low, m, transitions->from);
   }
-  memcpy(events->first, low.answer.modes, sizeof events->first);
-  const long steps = (long)ceil(events->per_octave * log2(events->until / events->from));
+  memcpy(transitions->first, low.answer.modes, sizeof transitions->first);
+  const long steps = (long)ceil(transitions->per_octave * log2(transitions->until / transitions->from));
   const bool counts = !progress_is_counted(); /* else points are */
   for (long i = 1; going && i <= steps; i++) {
     if (counts)
       progress_count(i, steps);
-    going = signature_at(&high, m, events->from * exp2((double)i / events->per_octave));
+    going = signature_at(&high, m, transitions->from * exp2((double)i / transitions->per_octave));
     if (going) {
-      search(events, &low, &high);
-      find_reversal(events, &low, &high);
+      search(transitions, &low, &high);
+      find_reversal(transitions, &low, &high);
       low = high;
     }
   }
   if (!going)
-    events->until = low.T;
+    transitions->until = low.T;
   if (counts)
     progress_count(0, 0);
 }
 
-/* Where the same changes in these events, nearest to T and within a factor of two; nan: it does not. */
-static double same_change(const struct events *events, const struct event *e)
+/* Where the same changes in these transitions, nearest to T and within a factor of two; nan: it does not. */
+static double same_change(const struct transitions *transitions, const struct transition *e)
 {
   double found = NAN;
-  for (const struct event *o = events->event; o < events->event + events->count; o++)
+  for (const struct transition *o = transitions->transition; o < transitions->transition + transitions->count; o++)
     if (strcmp(o->what, e->what) == 0 && fabs(log2(o->T / e->T)) < 1
         && !(fabs(log(o->T / e->T)) >= fabs(log(found / e->T))))
       found = o->T;
@@ -289,41 +289,41 @@ static double same_change(const struct events *events, const struct event *e)
 }
 
 /* Keeps the changes that other curves through the recording have, too; T may be off by the largest difference. */
-static void keep_shared(struct events *events, const struct motion *m)
+static void keep_shared(struct transitions *transitions, const struct motion *m)
 {
   long kept = 0;
   for (int i = 0; i < SCALLOP_MEASURED_MODELS; i++) {
-    struct events there = { .per_octave = OF_RECORDED / 4, .finest = CHANGE_OF_MODES, .is_rough = true };
+    struct transitions there = { .per_octave = OF_RECORDED / 4, .finest = CHANGE_OF_MODES, .is_rough = true };
     struct motion other = *m;
     if (!gait_exchange(&other.crawler, i))
       continue;
     find(&there, &other, BELOW_OF_RECORDED, "");
-    for (struct event *e = events->event; e < events->event + events->count; e++) {
+    for (struct transition *e = transitions->transition; e < transitions->transition + transitions->count; e++) {
       const double T = same_change(&there, e);
       e->is_own |= isnan(T);
       e->error = fmax(e->error, fabs(T - e->T));
     }
-    events_clear(&there);
+    transitions_clear(&there);
   }
-  for (long k = 0; k < events->count; k++)
-    if (!events->event[k].is_own)
-      events->event[kept++] = events->event[k];
-  events->left_out = events->count - kept;
-  events->count = kept;
+  for (long k = 0; k < transitions->count; k++)
+    if (!transitions->transition[k].is_own)
+      transitions->transition[kept++] = transitions->transition[k];
+  transitions->left_out = transitions->count - kept;
+  transitions->count = kept;
 }
 
-void events_find(struct events *events, const struct motion *m, const char *limit_modes)
+void transitions_find(struct transitions *transitions, const struct motion *m, const char *limit_modes)
 {
   bool is_recorded = gait_file_of(m->crawler.gait) != NULL;
-  *events = (struct events){ .per_octave = is_recorded ? OF_RECORDED : PER_OCTAVE,
+  *transitions = (struct transitions){ .per_octave = is_recorded ? OF_RECORDED : PER_OCTAVE,
                              .finest = is_recorded ? CHANGE_OF_MODES : CHANGE_OF_PART };
-  find(events, m, is_recorded ? BELOW_OF_RECORDED : OCTAVES_BELOW, limit_modes);
+  find(transitions, m, is_recorded ? BELOW_OF_RECORDED : OCTAVES_BELOW, limit_modes);
   if (is_recorded)
-    keep_shared(events, m);
+    keep_shared(transitions, m);
 }
 
-void events_clear(struct events *events)
+void transitions_clear(struct transitions *transitions)
 {
-  free(events->event);
-  free(events->reversal);
+  free(transitions->transition);
+  free(transitions->reversal);
 }
