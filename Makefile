@@ -37,8 +37,8 @@ flint     := $(in_flint) $(addprefix tests/,$(in_flint) fuzz/flint/%) %_flint
 built      = $(if $(filter 0,$(WITH_FLINT)),$(filter-out $(flint),$(1)),$(1))
 found      = $(call built,$(basename $(sort $(shell find $(1) -name '$(2).c'))))
 # What a build without GSL has not
-in_gsl     = numerics/rivals/% compare/text/gsl compare/points/sobol
-cvode     := $(if $(filter 0,$(WITH_GSL)),,numerics/rivals/cvode)
+in_gsl     = numerics/integrators/% compare/text/gsl compare/points/sobol
+cvode     := $(if $(filter 0,$(WITH_GSL)),,numerics/integrators/cvode)
 left_out  := compare/command/main $(cvode) $(if $(filter 0,$(WITH_GSL)),$(in_gsl))
 parts     := $(filter-out $(left_out),$(call found,model asymptotics numerics compare,*)) asymptotics/published/paper
 threaded  := numerics/batch
@@ -48,14 +48,14 @@ core      := $(call object,$(filter-out $(flint),$(parts))) $(shipped)
 full      := $(call object,$(filter-out $(threaded),$(parts)) $(cvode) $(addprefix threads/,$(threaded))) $(shipped)
 with_flint := $(call object,$(filter $(flint),$(parts)) $(cvode))
 
-# A test or a fuzz target needs what its room needs; tests/ mirrors the rooms. libFuzzer drives a target (make fuzz), or tests/corpus does.
+# A test or a fuzz target needs what its folder needs; tests/ mirrors the folders. libFuzzer drives a target (make fuzz), or tests/corpus does.
 of_tests  := $(call found,tests,test_*)
 of_fuzz   := $(call found,tests,fuzz_*)
 tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release rooms size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
+.PHONY: all help docs single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -93,7 +93,7 @@ $(B)/shipped_%.c: scripts/dev/embed.sh
 	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
 
 # A program is linked with the libraries that its objects need.
-needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/rivals/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/support/check.o,$^),-lcmocka) \
+needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/integrators/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/support/check.o,$^),-lcmocka) \
              $(if $(filter $(B)/threads/%,$^),$(threads)) $(if $(filter %/command/main.o %/part_flint.o,$^),-rdynamic)
 # What needs FLINT is a part of its own, which scallop loads when a command asks for it (compare/answers/flint.h): loading FLINT takes
 # longer than most commands do. It takes from the program what it has not.
@@ -103,7 +103,7 @@ $(B)/scallop-flint.so: $(with_flint)
 	@$(CC) $(ALL_CFLAGS) $(threads) $(LDFLAGS) -shared -Wl,--version-script=$(B)/flint_part.map -o $@ $(filter %.o,$^) $(needed) $(LDLIBS)
 $(foreach t,$(of_tests) $(of_fuzz),$(eval $(B)/$(notdir $(t)): $(B)/$(t).o $(if $(filter $(flint),$(t)),$(full),$(core))))
 $(tests): $(call object,tests/support/check)
-$(addprefix $(B)/,test_integrators test_rivals): $(call object,$(cvode))
+$(addprefix $(B)/,test_integrators test_all_integrators): $(call object,$(cvode))
 $(fuzz): $(call object,tests/fuzz/target $(if $(FUZZER),,tests/fuzz/replay))
 $(B)/scallop-bench: $(call object,$(filter-out bench/nothing,$(basename $(wildcard bench/*.c)))) $(core)
 $(B)/scallop $(tests) $(fuzz) $(B)/scallop-bench:
@@ -128,21 +128,21 @@ script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
 check asan matrix coverage fuzz flint3 faults:
 	+@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" $(script)
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
-## lint:       rooms, clang-format, cppcheck and clang-tidy
+## lint:       layers, clang-format, cppcheck and clang-tidy
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
 valgrind lint reproduce instructions bare release:
 	@$(script)
 check valgrind faults: $(program) libraries $(tests) $(fuzz)
-lint: rooms
+lint: layers
 reproduce: $(program)
 instructions: $(B)/scallop-bench $(program)
 fuzz-programs: $(fuzz)
 
-## rooms:      which folder uses which, by includes and by symbols, beside the list in scripts/dev/rooms.txt; circles, and what is too long
-rooms: $(program)
+## layers:     which folder uses which, by includes and by symbols, beside the list in scripts/dev/layers.txt; circles, and what is too long
+layers: $(program)
 ## size:       files, lines and functions of each folder; the median and the longest function, in lines
-rooms size: ; @/usr/bin/python3 scripts/dev/rooms.py $(B) $(filter --size,--$@)
+layers size: ; @/usr/bin/python3 scripts/dev/layers.py $(B) $(filter --size,--$@)
 ## gates:      all that guards something, or GATES="NAME...", a row each: scripts/dev/gates.txt has the list, docs/development/contributing.md what each guards
 gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates $(GATES)
 ## docs:       docs/reference/commands.md anew, from --help
@@ -169,11 +169,11 @@ abi       := $(shell sed -n 's/^.define SCALLOP_ABI //p' model/version.h)
 libraries := $(addprefix $(B)/lib,scallop-core.a scallop.a)
 in_library = $(filter $(patsubst %,$(B)/%/%,model asymptotics numerics threads),$(1))
 core_headers := scallop.h $(shell sed -n 's/^.include "\(.*\)"/\1/p' scallop.h)
-headers   := $(core_headers) $(if $(filter 0,$(WITH_GSL)),,numerics/rivals/rival.h) \
+headers   := $(core_headers) $(if $(filter 0,$(WITH_GSL)),,numerics/integrators/integrator.h) \
              $(call built,model/exact/flint.h model/exact/ball.h asymptotics/derived/expansion.h numerics/certified/certified.h)
 passed     = NM OBJCOPY AR LDFLAGS INSTALL DESTDIR PREFIX bindir libdir includedir datadir mandir pkgconfigdir completionsdir
 to_script  = CC="$(CC) $(ALL_CFLAGS)" $(foreach name,$(passed),$(name)="$($(name))") sh scripts/dev
-$(B)/libscallop-core.a: $(filter-out $(B)/numerics/rivals/%,$(call in_library,$(core))) $(core_headers)
+$(B)/libscallop-core.a: $(filter-out $(B)/numerics/integrators/%,$(call in_library,$(core))) $(core_headers)
 $(B)/libscallop.a: $(call in_library,$(full)) $(headers)
 $(B)/libscallop.a: needed += $(if $(filter 0,$(WITH_GSL)),,-lgsl -lgslcblas)
 $(libraries):

@@ -1,6 +1,6 @@
-/* The crawling-scallop library: two bodies on dry friction, joined by a mechanism that pushes them apart and pulls them
- * together; their exact motion, and the published series said to describe it. `pkg-config --cflags --libs scallop-core`
- * prints the compiler's options.
+/* The crawling-scallop library: two bodies on dry friction, joined by a mechanism that pushes them apart and pulls
+ * them together; their exact motion, and the published series said to describe it. `pkg-config --cflags --libs
+ * scallop-core` prints the compiler's options.
  *
  *     struct scallop_crawler crawler = scallop_crawler_default();
  *     struct scallop_steady_result steady;
@@ -20,10 +20,10 @@
  * In libscallop alone, and not included here:
  *     numerics/certified/certified.h   any number of proven digits (FLINT), with exact parameters
  *     asymptotics/derived/expansion.h  the derived series, term by term, and formulas in balls (FLINT)
- *     numerics/rivals/rival.h          general-purpose methods to compare with, on GSL and SUNDIALS
+ *     numerics/integrators/integrator.h          general-purpose methods to compare with, on GSL and SUNDIALS
  *
- * No function prints, exits or holds state. Only the rivals, the functions that need FLINT, scallop_formula_read and
- * scallop_measured_new allocate memory. All functions can be called from several threads at once. */
+ * No function prints, exits or holds state. Only the integrators, the functions that need FLINT, scallop_formula_read
+ * and scallop_measured_new allocate memory. All functions can be called from several threads at once. */
 #ifndef SCALLOP_H
 #define SCALLOP_H
 

@@ -99,7 +99,7 @@ struct scallop_formula {
   const char *equation;
   enum scallop_setting setting;
   enum scallop_quantity quantity;
-  int remainder;    /* printed "+ O(T^remainder)"; 0: none is printed, and the ledger passes the formula over */
+  int remainder; /* printed "+ O(T^remainder)"; 0: none is printed, and the table of claims passes the formula over */
   const char *text; /* in the names of SCALLOP_SYMBOL_LIST and of its parts; formula.h has the language   */
   const struct scallop_part *parts; /* names for parts of the text; the last has name NULL. NULL: none        */
   const char *const *when;          /* where it is claimed: "alpha > 1/2", ..., NULL. NULL: under no other condition */

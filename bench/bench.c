@@ -1,8 +1,8 @@
-/* What an exact answer costs: beside the arithmetic floor, and beside what a general-purpose rival takes for the same
- * one; and what starting the program costs.
+/* What an exact answer costs: beside the arithmetic floor, and beside what a general-purpose integrator takes for the
+ * same one; and what starting the program costs.
  *
- * A batch is a number of passes over a set of seeded crawlers, long enough for the clock; all rows take turns, batch by
- * batch, so that a machine that slows down slows all of them; the table has the median and the quartiles of the
+ * A batch is a number of passes over a set of seeded crawlers, long enough for the clock; all rows take turns, batch
+ * by batch, so that a machine that slows down slows all of them; the table has the median and the quartiles of the
  * batches. A new row is a line of add_rows, with a new method a line of methods. */
 #include <libgen.h>
 #include <limits.h>
@@ -18,7 +18,7 @@
 #include "compare/text/message.h"
 #include "compare/text/stopwatch.h"
 #include "numerics/numerics.h"
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 enum { MANY = 1024, FEW = 64, BATCHES = 61, PARAMETERS = 7, MOST_ROWS = 64 };
 
@@ -42,14 +42,14 @@ struct method {
   const char *name;
   stopwatch_task *body; /* an answer for each crawler of the set, or one start; context is the row */
   enum scallop_odeiv_stepper stepper;
-  double goal; /* the error that a rival has to reach; else 0 */
+  double goal; /* the error that an integrator has to reach; else 0 */
 };
 
 struct row {
   const struct method *method;
   const struct set *set;
   const struct row *unit; /* the row that the ratio is to */
-  struct scallop_rival *rival;
+  struct scallop_integrator *integrator;
   double tolerance, error, ns[BATCHES];
   long passes;
   struct stopwatch_spread spread;
@@ -170,13 +170,14 @@ static double exact_periods(void *context)
   return sum;
 }
 
-static double rival_periods(void *context)
+static double integrator_periods(void *context)
 {
   const struct row *row = context;
   double sum = 0;
   for (int i = 0; i < row->set->count; i++) {
-    struct scallop_rival_period r;
-    enum scallop_status status = row->rival->period(row->rival, &row->set->crawler[i], row->set->v0[i], NULL, &r);
+    struct scallop_integrator_period r;
+    enum scallop_status status = row->integrator->period(row->integrator, &row->set->crawler[i], row->set->v0[i], NULL,
+                                                         &r);
     sum += status == SCALLOP_OK ? r.v_end + r.displacement : NAN;
   }
   return sum;
@@ -236,12 +237,12 @@ static double one_start(void *context)
 static double larger(double worst, double error) { return isnan(worst) || error <= worst ? worst : error; }
 
 /* Largest relative error in v_end and displacement over the set */
-static double rival_error(const struct row *row)
+static double integrator_error(const struct row *row)
 {
   double worst = 0;
   for (int i = 0; i < row->set->count; i++) {
-    struct scallop_rival_period r;
-    if (row->rival->period(row->rival, &row->set->crawler[i], row->set->v0[i], NULL, &r) != SCALLOP_OK)
+    struct scallop_integrator_period r;
+    if (row->integrator->period(row->integrator, &row->set->crawler[i], row->set->v0[i], NULL, &r) != SCALLOP_OK)
       return INFINITY;
     worst = larger(worst, fabs(r.v_end / row->set->v_end[i] - 1));
     worst = larger(worst, fabs(r.displacement / row->set->way[i] - 1));
@@ -249,31 +250,31 @@ static double rival_error(const struct row *row)
   return worst;
 }
 
-/* A rival is given its best: the largest tolerance that reaches the goal in v_end and displacement on every crawler of
- * the set. */
-static double loosest_rival(struct row *row)
+/* An integrator is given its best: the largest tolerance that reaches the goal in v_end and displacement on every
+ * crawler of the set. */
+static double loosest_integrator(struct row *row)
 {
   for (int i = 4; i <= 30; i++) { /* half decades: 1e-2 to 1e-15 */
     row->tolerance = pow(10, -0.5 * i);
-    row->rival = scallop_odeiv_rival(row->method->stepper, row->tolerance);
-    double error = row->rival ? rival_error(row) : INFINITY;
+    row->integrator = scallop_odeiv_integrator(row->method->stepper, row->tolerance);
+    double error = row->integrator ? integrator_error(row) : INFINITY;
     if (error <= row->method->goal)
       return error;
-    scallop_rival_destroy(row->rival);
+    scallop_integrator_destroy(row->integrator);
   }
   give_up("no tolerance reaches the wanted error");
 }
 
-enum { FLOOR, STEADY, BATCH, PERIOD, RIVALS, NOTHING = RIVALS + 4, SCALLOP };
+enum { FLOOR, STEADY, BATCH, PERIOD, INTEGRATORS, NOTHING = INTEGRATORS + 4, SCALLOP };
 static const struct method methods[] = {
   { .name = "floor", .body = floors },
   { .name = "steady", .body = steady_states },
   { .name = "batch", .body = batches },
   { .name = "period", .body = exact_periods },
-  { "gsl rkf45", rival_periods, SCALLOP_ODEIV_RKF45, 1e-12 },
-  { "gsl rk8pd", rival_periods, SCALLOP_ODEIV_RK8PD, 1e-12 },
-  { "gsl rkf45 to 1e-6", rival_periods, SCALLOP_ODEIV_RKF45, 1e-6 },
-  { "gsl rk8pd to 1e-6", rival_periods, SCALLOP_ODEIV_RK8PD, 1e-6 },
+  { "gsl rkf45", integrator_periods, SCALLOP_ODEIV_RKF45, 1e-12 },
+  { "gsl rk8pd", integrator_periods, SCALLOP_ODEIV_RK8PD, 1e-12 },
+  { "gsl rkf45 to 1e-6", integrator_periods, SCALLOP_ODEIV_RKF45, 1e-6 },
+  { "gsl rk8pd to 1e-6", integrator_periods, SCALLOP_ODEIV_RK8PD, 1e-6 },
   { .name = "nothing", .body = one_start },
   { .name = "scallop", .body = one_start },
 };
@@ -285,7 +286,7 @@ static const struct row *add(int of, const struct set *set, const struct row *un
   struct row *row = &rows[row_count++];
   *row = (struct row){ method, set, unit ? unit : row, .tolerance = NAN, .error = NAN };
   if (method->goal > 0)
-    row->error = loosest_rival(row);
+    row->error = loosest_integrator(row);
   if (isnan(method->body(row)))
     give_up("a method failed");
   row->passes = stopwatch_passes(method->body, row, batch_seconds);
@@ -312,8 +313,8 @@ static void add_rows(void)
     for (int g = 0; g < GAITS; g++) {
       const struct set *set = fill(&few[choice][g], FEW, gaits[g], (enum choice)choice, true);
       unit = add(PERIOD, set, NULL);
-      for (int rival = RIVALS; rival < NOTHING; rival++)
-        add(rival, set, unit);
+      for (int integrator = INTEGRATORS; integrator < NOTHING; integrator++)
+        add(integrator, set, unit);
     }
   one.count = 1;
   add(SCALLOP, &one, add(NOTHING, &one, NULL));
@@ -360,9 +361,9 @@ static void repeat(const char *name, const char *choice_name, const char *gait_n
   struct row row = { .set = &set };
   const struct scallop_gait *gait = scallop_gait_named(gait_name);
   int method = 0, choice = word_place(choice_name, choice_text);
-  while (method < RIVALS && strcmp(name, methods[method].name) != 0)
+  while (method < INTEGRATORS && strcmp(name, methods[method].name) != 0)
     method++;
-  if (!gait || method == RIVALS || choice < 0 || passes < 0)
+  if (!gait || method == INTEGRATORS || choice < 0 || passes < 0)
     give_up("usage: scallop-bench [floor|steady|batch|period regular|stick-slip|any quadratic|sinusoidal PASSES]");
   fill(&set, FEW, gait, (enum choice)choice, false);
   double sum = 0;

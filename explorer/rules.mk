@@ -1,6 +1,6 @@
 # The explorer: the core in WebAssembly, with no import, in a page of one file. The walk is compiled for speed, the rest for size; long double
 # is binary128 there. wasm-opt reads in the object which features of WebAssembly clang has used: the linker must not strip them.
-wasm_parts := $(filter-out numerics/rivals/% asymptotics/observed/% compare/%,$(filter-out $(flint),$(parts))) \
+wasm_parts := $(filter-out numerics/integrators/% asymptotics/observed/% compare/%,$(filter-out $(flint),$(parts))) \
               compare/points/gait_file $(addprefix compare/tables/,tsv json) $(addprefix compare/text/,values digits message) $(basename $(wildcard explorer/*.c))
 wasm       = clang --target=wasm32-wasi
 $(B)/wasm/%.o: %.c Makefile explorer/rules.mk

@@ -1,7 +1,7 @@
 /* model/: what a crawler, a gait and a phase ARE.
  *
  * Two bodies, masses m1 and m2, Coulomb friction forces F1 and F2 (isotropic, static = sliding), with the separation
- * l(t) = x2 - x1 prescribed and periodic. Nothing here moves anything: this room holds parameters, l(t) and its
+ * l(t) = x2 - x1 prescribed and periodic. Nothing here moves anything: this folder holds parameters, l(t) and its
  * derivatives, validation and scaling. It prints nothing and holds no state. What this header and gaits.h declare
  * depends on libm only and allocates nothing; ball.h and fractions.h have the same in balls and in fractions, through
  * FLINT, which allocates.

@@ -1,10 +1,11 @@
-/* numerics/: exact periods. No step size, no tolerance: the motion between two switching times is known in closed form,
- * and only the switching times are solved for. Everything rests on the velocity c of the centre of mass. With M = m1 +
- * m2,
+/* numerics/: exact periods. No step size, no tolerance: the motion between two switching times is known in closed
+ * form, and only the switching times are solved for. Everything rests on the velocity c of the centre of mass. With M
+ * = m1 + m2,
  *     x1' = c - (m2/M) l',   x2' = c + (m1/M) l',   c' = -(F1 s1 + F2 s2)/M,
  * so l' drops out of the dynamics: c is piecewise linear in time and a body changes direction where c meets (m2/M) l'
- * or -(m1/M) l'. A stuck body glues c to its curve. docs/background/theory.md has the rest. Nothing here prints, exits,
- * holds state or looks at asymptotics/; the solver allocates nothing, the general-purpose rivals (rival.h) do. */
+ * or -(m1/M) l'. A stuck body glues c to its curve. docs/background/theory.md has the rest. Nothing here prints,
+ * exits, holds state or looks at asymptotics/; the solver allocates nothing, the general-purpose integrators
+ * (integrator.h) do. */
 #ifndef SCALLOP_NUMERICS_NUMERICS_H
 #define SCALLOP_NUMERICS_NUMERICS_H
 

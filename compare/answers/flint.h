@@ -1,4 +1,4 @@
-/* The part of the program that needs FLINT: derived series, certified numbers and the ledger.
+/* The part of the program that needs FLINT: derived series, certified numbers and the table of claims.
  *
  * It is a shared object, scallop-flint.so, which lies beside the program or in ../lib/scallop and is loaded when a
  * command first asks for it, because loading FLINT takes longer than most commands do. It takes all else from the

@@ -29,8 +29,8 @@ double motion_last_time(const struct motion *motion);
 enum { MODE_CHANGE_TEXT = 400 };
 const char *mode_change_text(char text[MODE_CHANGE_TEXT], const struct answer *before, const struct answer *after);
 
-/* transitions.c. What ends the expansion: where the sequence of modes changes as T grows, and where a body turns in another
- * part of the gait. And what does not end it: where the crawler turns back. */
+/* transitions.c. What ends the expansion: where the sequence of modes changes as T grows, and where a body turns in
+ * another part of the gait. And what does not end it: where the crawler turns back. */
 enum transition_kind { CHANGE_OF_MODES, CHANGE_OF_PART, CHANGE_OF_WAY };
 struct transition {
   double T;
@@ -42,13 +42,13 @@ struct transition {
   bool is_own;                   /* of this curve: another one does not have it */
 };
 struct transitions {
-  struct scallop_modes first[2];   /* the modes below the first transition   */
-  double from, until;              /* searched: this range of T         */
-  int per_octave;                  /* in so many steps                  */
-  enum transition_kind finest;          /* what is looked for */
-  bool is_rough;                   /* T to four digits, and nothing proven */
-  long count, reversals, left_out; /* left_out: other curves through the recording do not have them */
-  struct transition *transition, *reversal;  /* reversals: changes of way, of a steady state */
+  struct scallop_modes first[2];            /* the modes below the first transition   */
+  double from, until;                       /* searched: this range of T         */
+  int per_octave;                           /* in so many steps                  */
+  enum transition_kind finest;              /* what is looked for */
+  bool is_rough;                            /* T to four digits, and nothing proven */
+  long count, reversals, left_out;          /* left_out: other curves through the recording do not have them */
+  struct transition *transition, *reversal; /* reversals: changes of way, of a steady state */
 };
 /* limit_modes: those for T -> 0, or "" where they are not known. Takes a quarter of a second. Of a measured gait pieces
  * are no parts, and what changes is left out unless it does with other curves through the recording, too. */
@@ -67,9 +67,9 @@ struct study { /* zero at first */
   struct motion motion;
   struct scallop_rational_crawler crawler; /* the same in fractions */
   fmpq_t v0;
-  struct series_answer derived; /* the terms below T^order; where there is no series no value, and modes "" */
-  struct series_answer many;    /* likewise below T^STUDY_MANY; modes: NULL, before they are first asked for */
-  struct transitions transitions;         /* until: 0, likewise */
+  struct series_answer derived;   /* the terms below T^order; where there is no series no value, and modes "" */
+  struct series_answer many;      /* likewise below T^STUDY_MANY; modes: NULL, before they are first asked for */
+  struct transitions transitions; /* until: 0, likewise */
   struct scallop_singularity singularity; /* of the branch, where it has one, up to so many crossings; 0: likewise */
   int crossings;
   bool has_singularity;

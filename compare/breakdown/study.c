@@ -72,7 +72,8 @@ const char *study_where(const struct study *s, double T)
   while (modes < e + s->transitions.count - 1 && modes->of != CHANGE_OF_MODES)
     modes++;
   if (modes == e)
-    return wrong_text("above the first transition, T = %.6g: from there on the series does not describe the motion", e->T);
+    return wrong_text("above the first transition, T = %.6g: from there on the series does not describe the motion",
+                      e->T);
   return wrong_text("above T = %.6g, where a body turns in another piece of the gait and the series is not exact any "
                     "more; the modes change at T = %.6g",
                     e->T, modes->T);

@@ -96,7 +96,8 @@ static void write_limit(struct report *r)
   write_row(r, &row, note, proven ? "certified" : *r->study.derived.modes ? "derived" : "double");
 }
 
-static void write_changes(struct report *r, const char *what, enum quantity_id of, const struct transition *e, long count)
+static void write_changes(struct report *r, const char *what, enum quantity_id of, const struct transition *e,
+                          long count)
 {
   for (const struct transition *end = e + count; e < end; e++) {
     struct row row = row_of(r, what, of, "-", e->T);
@@ -161,13 +162,14 @@ static void write_radius(struct report *r, enum quantity_id quantity)
   write_row(r, &row, note, radius.status);
 }
 
-/* At T from a sixteenth of the first transition, or of the natural time, to four times that, by steps of a square root of
- * 2. */
+/* At T from a sixteenth of the first transition, or of the natural time, to four times that, by steps of a square root
+ * of 2. */
 enum { BEST_BELOW = 8, BEST_ABOVE = 4, BEST = BEST_BELOW + 1 + BEST_ABOVE };
 
 static double best_time(const struct report *r, int i)
 {
-  double about = r->study.transitions.count > 0 ? r->study.transitions.transition[0].T : motion_natural_time(&r->study.motion);
+  double about = r->study.transitions.count > 0 ? r->study.transitions.transition[0].T
+                                                : motion_natural_time(&r->study.motion);
   return i == BEST_BELOW ? about * (1 - 1e-9) : about * exp2((i - BEST_BELOW) / 2.0);
 }
 

@@ -139,8 +139,9 @@ static bool stays(const struct signature *s, double step)
   return k > 8;
 }
 
-/* The modes at both ends in binary128. The ends move apart, as far as behind the last transition, until the modes differ.
- * False: they do not, so that it is rounding. Where binary128 does not solve the motion the ends stay as they are. */
+/* The modes at both ends in binary128. The ends move apart, as far as behind the last transition, until the modes
+ * differ. False: they do not, so that it is rounding. Where binary128 does not solve the motion the ends stay as they
+ * are. */
 static bool differ(struct signature *low, struct signature *high, double last)
 {
   struct signature a = *low, b = *high;
@@ -215,7 +216,8 @@ static void search(struct transitions *transitions, const struct signature *low,
   struct transition e = { T, of_modes ? CHANGE_OF_MODES : CHANGE_OF_PART, .status = "double", .error = NAN };
   struct signature before = *low, after = *high;
   if (!transitions->is_rough
-      && is_rounding(e.of, &before, &after, transitions->count > 0 ? transitions->transition[transitions->count - 1].T : 0))
+      && is_rounding(e.of, &before, &after,
+                     transitions->count > 0 ? transitions->transition[transitions->count - 1].T : 0))
     return;
   memcpy(e.modes, after.answer.modes, sizeof e.modes);
   (of_modes ? describe : describe_move)(&e, &before, &after);
@@ -316,7 +318,7 @@ void transitions_find(struct transitions *transitions, const struct motion *m, c
 {
   bool is_recorded = gait_file_of(m->crawler.gait) != NULL;
   *transitions = (struct transitions){ .per_octave = is_recorded ? OF_RECORDED : PER_OCTAVE,
-                             .finest = is_recorded ? CHANGE_OF_MODES : CHANGE_OF_PART };
+                                       .finest = is_recorded ? CHANGE_OF_MODES : CHANGE_OF_PART };
   find(transitions, m, is_recorded ? BELOW_OF_RECORDED : OCTAVES_BELOW, limit_modes);
   if (is_recorded)
     keep_shared(transitions, m);

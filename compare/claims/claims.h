@@ -1,13 +1,14 @@
-/* The ledger of the paper's claims, with verdicts (data/claims.tsv); docs/background/errata.md lists the others.
+/* The table of claims of the paper's claims, with verdicts (data/claims.tsv); docs/background/errata.md lists the
+ * others.
  *
  * A row is one claim for one gait under one set of conditions. Claims about an order, "... + O(T^n)", are the rows of
- * asymptotics' lists of formulas, or of a formula file: order.c and user.c go through these under their conditions, trial.c
- * expands and samples the motion, proof.c finds what the formula leaves out. Claims in words are one row and one
- * function in random.c (every crawler), examples.c, families.c (crawlers that differ in one number) or figures.c.
+ * asymptotics' lists of formulas, or of a formula file: order.c and user.c go through these under their conditions,
+ * trial.c expands and samples the motion, proof.c finds what the formula leaves out. Claims in words are one row and
+ * one function in random.c (every crawler), examples.c, families.c (crawlers that differ in one number) or figures.c.
  *
- * A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0. What is neither shown
- * nor refuted is undecided. A row that contradicts itself (a measured error that is not what is left out, a correction
- * that does not hold) is an error of the ledger, not a verdict. */
+ * A verdict on an order is proven: every coefficient is exact, or in a ball that does not hold 0. What is neither
+ * shown nor refuted is undecided. A row that contradicts itself (a measured error that is not what is left out, a
+ * correction that does not hold) is an error of the table of claims, not a verdict. */
 #ifndef SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 #define SCALLOP_COMPARE_CLAIMS_CLAIMS_H
 
@@ -45,7 +46,7 @@ struct claim_row {
   bool exact;           /* every coefficient that was looked at vanishes */
   long derived_order;
   char coefficient[80]; /* exact, or a ball that does not hold 0; "" if none */
-  char *leading_error;  /* of a formula proven for all: that term as a formula; the ledger's own, or NULL */
+  char *leading_error;  /* of a formula proven for all: that term as a formula; of claims itself, or NULL */
   char *formula;        /* its text, of a formula file; likewise */
   double error_at_T;    /* of a formula file: the formula over the certified value, less 1, at the given T */
   struct scallop_order_result fit;
@@ -60,29 +61,30 @@ struct claim_row {
   char reason[320];           /* of a verdict: why; of a refutation in words: an example to paste */
 };
 
-struct ledger { /* begins as { 0 } */
+struct claim_table { /* begins as { 0 } */
   struct claim_row *rows;
   int count;
   char contradiction[600]; /* "", or what contradicts itself (the last one) */
   bool is_forecast; /* rows are only counted, as expected, nearly: with the formulas for another limit; for progress */
   int expected;
 };
-void ledger_add(struct ledger *ledger, const struct claim_row *row);
-bool ledger_expects(struct ledger *ledger); /* Is it a forecast? Then that counts a row. */
-void ledger_free(struct ledger *ledger);
+void claim_table_add(struct claim_table *claims, const struct claim_row *row);
+bool claim_table_expects(struct claim_table *claims); /* Is it a forecast? Then that counts a row. */
+void claim_table_free(struct claim_table *claims);
 
 /* Claims about orders for the gait of the crawler, inside and outside of their conditions, and the formulas that hold
  * where one of the paper's does not. T is not used; F1 > F2 and alpha > 1/2 (exchanged where a row says so). only: the
  * names of the requested rows (formula_is_listed), or NULL for all. */
-void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const char *only);
+void claim_table_add_orders(struct claim_table *claims, const struct scallop_rational_crawler *crawler,
+                            const char *only);
 /* Of one formula; of the formula files that were read. A crawler that is not given is changed to meet the formula's
  * conditions. */
-void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                        const struct scallop_formula *formula);
-void ledger_add_user(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                     const char *only);
+void claim_table_add_formula(struct claim_table *claims, const struct scallop_rational_crawler *crawler, bool is_given,
+                             const struct scallop_formula *formula);
+void claim_table_add_user(struct claim_table *claims, const struct scallop_rational_crawler *crawler, bool is_given,
+                          const char *only);
 /* Claims in words, of the paper's crawler and of this one, of which F1, alpha and T are varied */
-void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler);
+void claim_table_add_words(struct claim_table *claims, const struct scallop_crawler *crawler);
 
 struct claims_options { /* of `scallop claims` */
   struct request request;

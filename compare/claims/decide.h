@@ -56,13 +56,13 @@ struct claim_row row_of_formula(const struct scallop_formula *f, const struct sc
                                 const struct condition *condition);
 /* Adds the row (proof.c), with the verdict from what the formula leaves out of the motion. why: nothing can be said of
  * that, for this reason, "" where none is known; or NULL. */
-void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *formula,
-                   const char *why);
+void claim_table_decide(struct claim_table *claims, struct claim_row *row, struct trial *m,
+                        const struct scallop_formula *formula, const char *why);
 /* Has the formula another dimension than what it gives, or none (dimension.c)? why: which */
 enum { DIMENSION_WHY = 300 };
 bool dimension_refutes(char why[DIMENSION_WHY], const struct trial *trial, const struct scallop_formula *formula);
 /* Notes what cannot be. */
-void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
+void claim_table_contradict(struct claim_table *claims, const struct claim_row *row, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 /* Behind what the text holds, as far as there is room */
@@ -82,11 +82,11 @@ struct statement {
   bool shows;                 /* the example shows what is claimed; else it refutes that */
   bool outside;               /* of the paper's conditions */
   bool of_its_gaits_alone;    /* the paper's: no row for another */
-  bool of_its_crawler;        /* the paper's, not the ledger's */
+  bool of_its_crawler;        /* the paper's, not the default one */
   bool proven;                /* for the paper's gaits, in docs/background/theory.md: The motion in words */
 };
-/* In the order of the ledger; the last has name NULL. Those of families and figures are decided with the paper's
- * crawler, and then with the ledger's. */
+/* In the order of the table of claims; the last has name NULL. Those of families and figures are decided with the
+ * paper's crawler, and then with the default one. */
 extern const struct statement statements_at_random[], statements_by_example[], statements_of_families[],
     statements_of_figures[];
 

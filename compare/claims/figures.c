@@ -200,8 +200,8 @@ static void in_the_limit(struct question *q, struct scallop_crawler c)
              named / 100., largest, at);
   q->crawler.T = scallop_crawler_default().T; /* the command has its own */
   if (q->of_the_paper)
-    show(q, "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^eq27_v_start.(27)'",
-         named / 100., options(q, q->crawler));
+    show(q, "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^eq27_v_start.(27)'", named / 100.,
+         options(q, q->crawler));
 }
 
 /* The steady state */

@@ -54,11 +54,11 @@ static void name_row(char name[CLAIM_NAME], const struct scallop_formula *f, boo
   snprintf(name, CLAIM_NAME, "%s%s%s", f->name, of_contraction ? ":contraction" : "", mirrored ? ":mirrored" : "");
 }
 
-/* One gait's part of the ledger while it is filled */
+/* One gait's part of the table of claims while it is filled */
 struct part {
   const struct scallop_rational_crawler *crawler; /* with the gait                                */
   const char *only;                               /* the requested rows, NULL for all             */
-  struct ledger *ledger;
+  struct claim_table *claims;
   /* Each motion is solved once, and serves all the formulas about it; [1]: in a mirror */
   struct trial trial[CONDITIONS][2];
 };
@@ -109,7 +109,7 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
   if (condition->at_end)
     row.quantity = f->quantity == SCALLOP_REAR_AT_END ? "l'(T-h)" : "l(T-h)";
   name_row(row.claim, f, !of_paper && !steady && contraction, mirrored);
-  if ((part->only && !formula_is_listed(part->only, row.claim)) || ledger_expects(part->ledger))
+  if ((part->only && !formula_is_listed(part->only, row.claim)) || claim_table_expects(part->claims))
     return;
   if (f->turns != SCALLOP_TURNS_IN_BOTH && f->turns != turns_in_limit(part, condition))
     return; /* for another limit */
@@ -118,7 +118,7 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
   if (strcmp(row.corrected, row.claim) == 0)
     *row.corrected = '\0';
   struct trial *trial = solve(part, condition, mirrored);
-  ledger_decide(part->ledger, &row, trial, f, trial->series.status == SCALLOP_OK ? NULL : "");
+  claim_table_decide(part->claims, &row, trial, f, trial->series.status == SCALLOP_OK ? NULL : "");
 }
 
 /* Is the formula for such a motion? One of ours for an extension is for a contraction too. */
@@ -164,28 +164,30 @@ static void fill(struct part *part)
 
 /* Every row from `first` on that is refuted names a formula in its place, whose row for the same conditions holds; if
  * not, that is noted. */
-static void check_corrections(struct ledger *ledger, int first)
+static void check_corrections(struct claim_table *claims, int first)
 {
-  for (int i = first; i < ledger->count; i++) {
-    const struct claim_row *wrong = &ledger->rows[i];
+  for (int i = first; i < claims->count; i++) {
+    const struct claim_row *wrong = &claims->rows[i];
     bool stands = wrong->verdict != CLAIM_REFUTED;
-    for (int j = first; j < ledger->count && !stands; j++) {
-      const struct claim_row *row = &ledger->rows[j];
+    for (int j = first; j < claims->count && !stands; j++) {
+      const struct claim_row *row = &claims->rows[j];
       stands = row->verdict <= CLAIM_SHARPER && strcmp(row->claim, wrong->corrected) == 0
                && strcmp(row->conditions, wrong->conditions) == 0;
     }
     if (!stands)
-      ledger_contradict(ledger, wrong, "'%s', which is to take its place, has no row that holds", wrong->corrected);
+      claim_table_contradict(claims, wrong, "'%s', which is to take its place, has no row that holds",
+                             wrong->corrected);
   }
 }
 
-void ledger_add_orders(struct ledger *ledger, const struct scallop_rational_crawler *crawler, const char *only)
+void claim_table_add_orders(struct claim_table *claims, const struct scallop_rational_crawler *crawler,
+                            const char *only)
 {
-  const int first = ledger->count;
-  struct part part = { .crawler = crawler, .only = only, .ledger = ledger };
+  const int first = claims->count;
+  struct part part = { .crawler = crawler, .only = only, .claims = claims };
   fill(&part);
-  if (!only && !ledger->is_forecast && scallop_gait_named(crawler->gait->name))
-    check_corrections(ledger, first);
+  if (!only && !claims->is_forecast && scallop_gait_named(crawler->gait->name))
+    check_corrections(claims, first);
   for (int i = 0; i < 2 * CONDITIONS; i++)
     if (part.trial[i / 2][i % 2].condition)
       trial_clear(&part.trial[i / 2][i % 2]);

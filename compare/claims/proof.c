@@ -124,7 +124,7 @@ static bool is_of_paper(const struct scallop_formula *f)
 
 /* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of
  * finite sums is proven so, and one of the paper's formulas for the quadratic gait, whose degree in T is low
- * (docs/background/theory.md, The ledger's proofs). False: the two contradict each other. */
+ * (docs/background/theory.md, The proofs of claims). False: the two contradict each other. */
 static bool prove_for_all(struct proof *p)
 {
   const struct scallop_formula *f = p->f;
@@ -218,7 +218,7 @@ static void judge(struct claim_row *row, const struct proof *p)
   }
 }
 
-/* The ledger */
+/* The table of claims */
 
 const char *claim_verdict_text(enum claim_verdict verdict)
 {
@@ -226,35 +226,35 @@ const char *claim_verdict_text(enum claim_verdict verdict)
   return text[verdict];
 }
 
-void ledger_add(struct ledger *ledger, const struct claim_row *row)
+void claim_table_add(struct claim_table *claims, const struct claim_row *row)
 {
-  ledger->rows = flint_realloc(ledger->rows, (size_t)(ledger->count + 1) * sizeof *row);
-  ledger->rows[ledger->count++] = *row;
-  if (ledger->expected > 0) /* a table of its own, and no row of another */
-    progress_count(ledger->count, ledger->expected);
+  claims->rows = flint_realloc(claims->rows, (size_t)(claims->count + 1) * sizeof *row);
+  claims->rows[claims->count++] = *row;
+  if (claims->expected > 0) /* a table of its own, and no row of another */
+    progress_count(claims->count, claims->expected);
 }
 
-bool ledger_expects(struct ledger *ledger)
+bool claim_table_expects(struct claim_table *claims)
 {
-  ledger->expected += ledger->is_forecast;
-  return ledger->is_forecast;
+  claims->expected += claims->is_forecast;
+  return claims->is_forecast;
 }
 
-void ledger_free(struct ledger *ledger)
+void claim_table_free(struct claim_table *claims)
 {
-  for (int i = 0; i < ledger->count; i++)
-    free(ledger->rows[i].leading_error), free(ledger->rows[i].formula);
-  flint_free(ledger->rows);
-  *ledger = (struct ledger){ .rows = NULL };
+  for (int i = 0; i < claims->count; i++)
+    free(claims->rows[i].leading_error), free(claims->rows[i].formula);
+  flint_free(claims->rows);
+  *claims = (struct claim_table){ .rows = NULL };
 }
 
-void ledger_contradict(struct ledger *ledger, const struct claim_row *row, const char *format, ...)
+void claim_table_contradict(struct claim_table *claims, const struct claim_row *row, const char *format, ...)
 {
   va_list values;
   va_start(values, format);
-  vsnprintf(ledger->contradiction, sizeof ledger->contradiction, format, values);
+  vsnprintf(claims->contradiction, sizeof claims->contradiction, format, values);
   va_end(values);
-  append(ledger->contradiction, sizeof ledger->contradiction, " (%s, %s, %s)", row->claim, row->gait, row->conditions);
+  append(claims->contradiction, sizeof claims->contradiction, " (%s, %s, %s)", row->claim, row->gait, row->conditions);
 }
 
 struct claim_row row_of_formula(const struct scallop_formula *f, const struct scallop_gait *gait,
@@ -297,7 +297,7 @@ static void fit(struct claim_row *row)
 }
 
 /* Fits the order to the points of the row, and holds it against the derived one. */
-static void enter(struct ledger *ledger, struct claim_row *row)
+static void enter(struct claim_table *claims, struct claim_row *row)
 {
   fit(row);
   if (row->exact && isinf(row->claimed_order) && points_at_0(row) < row->count) {
@@ -308,29 +308,29 @@ static void enter(struct ledger *ledger, struct claim_row *row)
   const bool beyond = row->fit.order > (double)row->derived_order - CLAIM_TOLERANCE; /* of what was looked at */
   /* the measured error is what is left out; of what vanishes below a power it is 0 at the smallest T, or of that */
   if (row->proven && row->count == 0)
-    ledger_contradict(ledger, row, "no exact motion has the modes of the expansion");
+    claim_table_contradict(claims, row, "no exact motion has the modes of the expansion");
   else if (row->proven && row->exact && points_at_0(row) == 0 && !beyond)
-    ledger_contradict(ledger, row, "nothing is left out, and the certified error is not 0");
+    claim_table_contradict(claims, row, "nothing is left out, and the certified error is not 0");
   if (row->proven && !row->exact && fabs(row->fit.order - (double)row->derived_order) > CLAIM_TOLERANCE)
     add_reason(row, "at the T that were measured it goes as T^%.3g", row->fit.order);
   if (row->verdict != CLAIM_REFUTED)
     *row->corrected = '\0';
-  ledger_add(ledger, row);
+  claim_table_add(claims, row);
 }
 
-void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m, const struct scallop_formula *f,
-                   const char *why)
+void claim_table_decide(struct claim_table *claims, struct claim_row *row, struct trial *m,
+                        const struct scallop_formula *f, const char *why)
 {
   SCOPED(series, left_out);
   struct proof p = { .row = row, .m = m, .f = f, .left_out = &left_out };
   row->verdict = CLAIM_UNDECIDED;
   if (!why && prove(&p)) {
     if (row->proven && !prove_for_all(&p))
-      ledger_contradict(ledger, row, "the coefficients in names are other ones than in numbers");
+      claim_table_contradict(claims, row, "the coefficients in names are other ones than in numbers");
     const double mismatch = trial_measure(row, m, f, &left_out);
     if (row->proven && !row->exact && mismatch > 1e-6) /* the next terms at such T, many times over */
-      ledger_contradict(ledger, row, "the sum of what is left out differs from the certified error by %.1e of it",
-                        mismatch);
+      claim_table_contradict(claims, row, "the sum of what is left out differs from the certified error by %.1e of it",
+                             mismatch);
     if (m->mirrored)
       see_in_mirror(&p);
     judge(row, &p);
@@ -341,5 +341,5 @@ void ledger_decide(struct ledger *ledger, struct claim_row *row, struct trial *m
                *why ? why : "no expansion in powers of T is known for this motion");
     row->proven = row->exact = false;
   }
-  enter(ledger, row);
+  enter(claims, row);
 }

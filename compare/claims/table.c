@@ -1,4 +1,4 @@
-/* The ledger as a table; and its rows in words. */
+/* The table of claims as a table; and its rows in words. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -6,9 +6,9 @@
 #include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
 
-/* What a row of a table is about: a row of the ledger, one error behind it, or all checks of a claim of the paper under
- * its conditions. Of these row is the first one that is refuted, or else undecided, or else that with the weakest
- * evidence; its verdict is that of all, which is refuted if one check is. */
+/* What a row of a table is about: a row of the table of claims, one error behind it, or all checks of a claim of the
+ * paper under its conditions. Of these row is the first one that is refuted, or else undecided, or else that with the
+ * weakest evidence; its verdict is that of all, which is refuted if one check is. */
 struct line {
   struct claim_row row;
   struct scallop_order_point point;
@@ -16,11 +16,11 @@ struct line {
 };
 
 /* The tables, and which of them have a column */
-enum { LEDGER = 1, USER = 2, ROWS = LEDGER | USER, SUMMARY = 4, ERRORS = 8, ALL = ROWS | SUMMARY | ERRORS };
+enum { PAPER = 1, USER = 2, ROWS = PAPER | USER, SUMMARY = 4, ERRORS = 8, ALL = ROWS | SUMMARY | ERRORS };
 
 struct report {
   const struct claims_options *options;
-  struct ledger ledger;
+  struct claim_table claims;
   struct table table;
   unsigned of;  /* which table it is */
   bool heading; /* its head is written */
@@ -121,11 +121,11 @@ static bool is_worse(const struct claim_row *row, const struct claim_row *than)
 }
 
 /* Sums up the claim of the row at i, if that is the first of its rows that counts. */
-static bool sum_up(struct line *sum, const struct ledger *ledger, int i)
+static bool sum_up(struct line *sum, const struct claim_table *claims, int i)
 {
-  const struct claim_row *rows = ledger->rows, *worst = &rows[i];
+  const struct claim_row *rows = claims->rows, *worst = &rows[i];
   *sum = (struct line){ .checks = 0 };
-  for (int j = 0; j < ledger->count; j++) {
+  for (int j = 0; j < claims->count; j++) {
     bool counts = rows[j].source != OF_CORRECTED && rows[j].inside;
     if (j == i && !counts)
       return false;
@@ -149,15 +149,15 @@ static bool sum_up(struct line *sum, const struct ledger *ledger, int i)
 }
 
 /* Checks of remainders, and one verdict for each statement in words */
-static void summarise(const struct ledger *ledger)
+static void summarise(const struct claim_table *claims)
 {
-  int claims[2] = { 0 }, count[2][CLAIM_REFUTED + 1] = { { 0 } }, known[MEASURED + 1] = { 0 };
+  int asserted[2] = { 0 }, count[2][CLAIM_REFUTED + 1] = { { 0 } }, known[MEASURED + 1] = { 0 };
   struct line sum;
-  for (int i = 0; i < ledger->count; i++) {
-    if (!sum_up(&sum, ledger, i))
+  for (int i = 0; i < claims->count; i++) {
+    if (!sum_up(&sum, claims, i))
       continue;
     const bool in_words = sum.row.in_words;
-    claims[in_words]++;
+    asserted[in_words]++;
     for (int v = 0; v <= CLAIM_REFUTED; v++)
       count[in_words][v] += in_words ? v == (int)sum.row.verdict : sum.count[v];
     known[sum.row.evidence] += in_words && sum.row.verdict <= CLAIM_SHARPER;
@@ -166,20 +166,21 @@ static void summarise(const struct ledger *ledger)
   fprintf(stderr,
           "%d checks of %d formulas under the paper's conditions: %d hold, %d errors fall faster than claimed, %d are "
           "refuted, %d undecided\n",
-          n[0] + n[1] + n[2] + n[3], claims[0], n[CLAIM_HOLDS], n[CLAIM_SHARPER], n[CLAIM_REFUTED], n[CLAIM_UNDECIDED]);
+          n[0] + n[1] + n[2] + n[3], asserted[0], n[CLAIM_HOLDS], n[CLAIM_SHARPER], n[CLAIM_REFUTED],
+          n[CLAIM_UNDECIDED]);
   fprintf(
       stderr,
       "%d statements in words: %d fail under some condition, %d undecided, %d hold (%d proven, %d certified for one "
       "crawler, %d sampled, %d measured in doubles)\n",
-      claims[1], m[CLAIM_REFUTED], m[CLAIM_UNDECIDED], m[CLAIM_HOLDS], known[PROVEN_FOR_ALL], known[CERTIFIED_CRAWLER],
-      known[SAMPLED], known[MEASURED]);
+      asserted[1], m[CLAIM_REFUTED], m[CLAIM_UNDECIDED], m[CLAIM_HOLDS], known[PROVEN_FOR_ALL],
+      known[CERTIFIED_CRAWLER], known[SAMPLED], known[MEASURED]);
 }
 
 /* A formula is not refuted by a crawler that it is not for; but then it is not proven, either. */
-static enum exit_code summarise_user(const struct ledger *ledger, bool quiet)
+static enum exit_code summarise_user(const struct claim_table *claims, bool quiet)
 {
   int rows[2] = { 0 }, count[2][4] = { { 0 } }; /* outside and inside of the conditions of the formulas */
-  for (const struct claim_row *row = ledger->rows; row < ledger->rows + ledger->count; row++) {
+  for (const struct claim_row *row = claims->rows; row < claims->rows + claims->count; row++) {
     rows[row->inside] += row->source == OF_USER;
     count[row->inside][row->verdict] += row->source == OF_USER;
   }
@@ -195,7 +196,7 @@ static enum exit_code summarise_user(const struct ledger *ledger, bool quiet)
 
 /* Claims in words */
 
-static void add_row(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
+static void add_row(struct claim_table *claims, const struct statement *claim, const struct scallop_crawler *crawler,
                     bool of_the_paper)
 {
   struct question q = { .claim = claim,
@@ -212,32 +213,32 @@ static void add_row(struct ledger *ledger, const struct statement *claim, const 
                                  .fit = { .order = NAN, .low = NAN, .high = NAN } } };
   append(q.row.claim, sizeof q.row.claim, "%s", claim->name);
   append(q.row.conditions, sizeof q.row.conditions, claim->conditions,
-         of_the_paper ? "the paper's crawler" : "the ledger's crawler");
+         of_the_paper ? "the paper's crawler" : "the default crawler of claims");
   set_conditions(&q.crawler, q.row.conditions);
   claim->test(&q, q.crawler);
-  ledger_add(ledger, &q.row);
+  claim_table_add(claims, &q.row);
 }
 
-static void add_rows(struct ledger *ledger, const struct statement *claim, const struct scallop_crawler *crawler,
+static void add_rows(struct claim_table *claims, const struct statement *claim, const struct scallop_crawler *crawler,
                      bool of_the_paper)
 {
   for (; claim->name; claim++)
     if ((of_the_paper || !claim->of_its_crawler)
-        && (scallop_gait_named(crawler->gait->name) || !claim->of_its_gaits_alone) && !ledger_expects(ledger))
-      add_row(ledger, claim, crawler, of_the_paper);
+        && (scallop_gait_named(crawler->gait->name) || !claim->of_its_gaits_alone) && !claim_table_expects(claims))
+      add_row(claims, claim, crawler, of_the_paper);
 }
 
-void ledger_add_words(struct ledger *ledger, const struct scallop_crawler *crawler)
+void claim_table_add_words(struct claim_table *claims, const struct scallop_crawler *crawler)
 {
   struct scallop_crawler paper = scallop_crawler_default(), own = *crawler;
   paper.gait = crawler->gait;
   own.T = 0.5 * sqrt((own.m1 + own.m2) / (own.F1 + own.F2) * own.L); /* half of that at which the Froude number is 1 */
-  add_rows(ledger, statements_at_random, &paper, true);
-  add_rows(ledger, statements_by_example, &paper, true);
-  add_rows(ledger, statements_of_families, &paper, true);
-  add_rows(ledger, statements_of_figures, &paper, true);
-  add_rows(ledger, statements_of_families, &own, false);
-  add_rows(ledger, statements_of_figures, &own, false);
+  add_rows(claims, statements_at_random, &paper, true);
+  add_rows(claims, statements_by_example, &paper, true);
+  add_rows(claims, statements_of_families, &paper, true);
+  add_rows(claims, statements_of_figures, &paper, true);
+  add_rows(claims, statements_of_families, &own, false);
+  add_rows(claims, statements_of_figures, &own, false);
 }
 
 /* The rows */
@@ -259,11 +260,11 @@ static void fill(struct report *r)
       if (!p->has_gait)
         c.gait = exact.gait = scallop_gait_named(scallop_gait_name(g));
       if (words)
-        ledger_add_words(&r->ledger, &c);
+        claim_table_add_words(&r->claims, &c);
       else if (is_of_user(o))
-        ledger_add_user(&r->ledger, &exact, has_crawler, o->errors);
+        claim_table_add_user(&r->claims, &exact, has_crawler, o->errors);
       else
-        ledger_add_orders(&r->ledger, &exact, o->errors);
+        claim_table_add_orders(&r->claims, &exact, o->errors);
     }
 }
 
@@ -287,7 +288,7 @@ static void begin(struct report *r)
     table_note(&r->table, "error_at_T: formula/exact - 1, certified, at the period T = %g", c->T);
   if (o->request.point.has_gait)
     table_note(&r->table, "gait: %s", c->gait->name);
-  r->of = o->errors ? ERRORS : o->summary ? SUMMARY : is_of_user(o) ? USER : LEDGER;
+  r->of = o->errors ? ERRORS : o->summary ? SUMMARY : is_of_user(o) ? USER : PAPER;
   r->heading = true;
   write_line(r, &(struct line){ .checks = 0 });
   r->heading = false;
@@ -310,11 +311,11 @@ static void write_errors(struct report *r, const struct claim_row *row)
 static void write_rows(struct report *r)
 {
   const struct claims_options *o = r->options;
-  for (int i = 0; i < r->ledger.count; i++) {
-    struct line line = { .row = r->ledger.rows[i] };
+  for (int i = 0; i < r->claims.count; i++) {
+    struct line line = { .row = r->claims.rows[i] };
     if (o->errors)
       write_errors(r, &line.row);
-    else if (o->summary ? sum_up(&line, &r->ledger, i)
+    else if (o->summary ? sum_up(&line, &r->claims, i)
                         : !o->verdict.given || strcmp(claim_verdict_text(line.row.verdict), o->verdict.value) == 0)
       write_line(r, &line);
   }
@@ -326,7 +327,7 @@ static enum exit_code refuse(const struct claims_options *o)
   const char *instead = o->errors ? formula_instead(o->errors) : "";
   if (o->errors)
     complain("claims", "--errors: no claim about an order is called '%s'%s", o->errors,
-             *instead ? instead : ": the first column of the ledger has the names");
+             *instead ? instead : ": the first column of the table of claims has the names");
   else
     complain("claims", "%s: no formula of this formula file has a claim: claimed = 4; for + O(T^4)",
              o->request.formulas);
@@ -338,14 +339,14 @@ static enum exit_code end(struct report *r)
   const bool quiet = r->options->request.style.quiet || r->options->errors;
   if (!table_close(&r->table))
     return EXIT_FILE;
-  if (*r->ledger.contradiction) {
-    complain("claims", "the ledger contradicts itself: %s", r->ledger.contradiction);
+  if (*r->claims.contradiction) {
+    complain("claims", "the table of claims contradicts itself: %s", r->claims.contradiction);
     return EXIT_UNSOLVED;
   }
   if (is_of_user(r->options))
-    return summarise_user(&r->ledger, quiet);
+    return summarise_user(&r->claims, quiet);
   if (!quiet)
-    summarise(&r->ledger);
+    summarise(&r->claims);
   return EXIT_DONE;
 }
 
@@ -354,17 +355,17 @@ enum exit_code claims_table(const struct claims_options *o)
   struct report r = { .options = o };
   if (!table_open(&r.table, &o->request.style))
     return EXIT_FILE;
-  r.ledger.is_forecast = true;
+  r.claims.is_forecast = true;
   fill(&r);
-  r.ledger.is_forecast = false;
+  r.claims.is_forecast = false;
   fill(&r);
-  if (r.ledger.count == 0) {
+  if (r.claims.count == 0) {
     table_abandon(&r.table);
     return refuse(o);
   }
   begin(&r);
   write_rows(&r);
   enum exit_code code = end(&r);
-  ledger_free(&r.ledger);
+  claim_table_free(&r.claims);
   return code;
 }

@@ -1,5 +1,5 @@
-/* The claims of a formula file, `claims --formulas` and `claims --formula`: each formula for each gait, at one crawler, or at one
- * that its conditions allow. */
+/* The claims of a formula file, `claims --formulas` and `claims --formula`: each formula for each gait, at one
+ * crawler, or at one that its conditions allow. */
 #define _GNU_SOURCE /* asprintf */
 #include <math.h>
 #include <stdint.h>
@@ -149,8 +149,8 @@ static void write_change(struct claim_row *row, struct scallop_rational_crawler 
     if (i < 0 ? fmpq_is_zero(v0) : fmpq_equal(x, rational_field(before, i)))
       continue;
     char *text = decimal_fraction(x);
-    append(row->summary, sizeof row->summary, "%s%s=%s", *row->summary ? " " : "",
-           i < 0 ? "v0" : crawler_parameters[i], text);
+    append(row->summary, sizeof row->summary, "%s%s=%s", *row->summary ? " " : "", i < 0 ? "v0" : crawler_parameters[i],
+           text);
     flint_free(text);
   }
 }
@@ -205,7 +205,7 @@ static char *derived_text(const struct scallop_formula *f, const struct trial *t
 }
 
 /* derived: becomes the derived terms, if the formula is refuted; NULL: a verdict alone is asked for */
-static void add_row(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
+static void add_row(struct claim_table *claims, const struct scallop_rational_crawler *crawler, bool is_given,
                     const struct scallop_formula *f, enum claim_source source, char **derived)
 {
   const struct condition condition = condition_of(f);
@@ -222,41 +222,41 @@ static void add_row(struct ledger *ledger, const struct scallop_rational_crawler
   write_change(&row, &now, &before, trial.v0);
   row.formula = derived ? strdup(f->text) : NULL;
   row.error_at_T = derived ? trial_error_at_T(&trial, f) : NAN;
-  ledger_decide(ledger, &row, &trial, f, undecided(f, &trial, is_given || row.inside));
+  claim_table_decide(claims, &row, &trial, f, undecided(f, &trial, is_given || row.inside));
   if (derived && row.verdict == CLAIM_REFUTED && !f->corrected)
     *derived = derived_text(f, &trial);
 }
 
-void ledger_add_formula(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                        const struct scallop_formula *f)
+void claim_table_add_formula(struct claim_table *claims, const struct scallop_rational_crawler *crawler, bool is_given,
+                             const struct scallop_formula *f)
 {
-  add_row(ledger, crawler, is_given, f, OF_USER, NULL);
+  add_row(claims, crawler, is_given, f, OF_USER, NULL);
 }
 
 /* Behind a formula that is refuted the one that holds to the claimed order */
-static void add_with_correction(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                                const struct scallop_formula *f)
+static void add_with_correction(struct claim_table *claims, const struct scallop_rational_crawler *crawler,
+                                bool is_given, const struct scallop_formula *f)
 {
   char name[CLAIM_NAME], *derived = NULL, *unused = NULL;
-  add_row(ledger, crawler, is_given, f, OF_USER, &derived);
+  add_row(claims, crawler, is_given, f, OF_USER, &derived);
   if (!derived)
     return;
   struct scallop_formula right = *f;
   snprintf(name, sizeof name, "%.50s:derived", f->name);
-  append(ledger->rows[ledger->count - 1].corrected, CLAIM_NAME, "%s", name);
+  append(claims->rows[claims->count - 1].corrected, CLAIM_NAME, "%s", name);
   right.name = name;
   right.text = derived;
   right.parts = NULL;
-  add_row(ledger, crawler, is_given, &right, OF_CORRECTED, &unused);
+  add_row(claims, crawler, is_given, &right, OF_CORRECTED, &unused);
   free(derived);
   free(unused);
 }
 
-void ledger_add_user(struct ledger *ledger, const struct scallop_rational_crawler *crawler, bool is_given,
-                     const char *only)
+void claim_table_add_user(struct claim_table *claims, const struct scallop_rational_crawler *crawler, bool is_given,
+                          const char *only)
 {
   const struct scallop_formula *f;
   for (int i = 0; (f = user_formula(i)); i++)
-    if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)) && !ledger_expects(ledger))
-      add_with_correction(ledger, crawler, is_given, f);
+    if (f->remainder != 0 && (!only || formula_is_listed(only, f->name)) && !claim_table_expects(claims))
+      add_with_correction(claims, crawler, is_given, f);
 }

@@ -20,8 +20,8 @@ static const struct option options_of_claims[] = {
   OPTIONS_OF_DOUBLES,
 };
 static const struct option_rule rules[] = {
-  { "verdict", RULE_WITH, "errors", "is for the ledger itself: leave --errors out" },
-  { "summary", RULE_WITH, "errors verdict formulas formula", "sums up the whole ledger: leave the other option out" },
+  { "verdict", RULE_WITH, "errors", "is for the table of claims itself: leave --errors out" },
+  { "summary", RULE_WITH, "errors verdict formulas formula", "sums up the whole table: leave the other option out" },
   { "formulas", RULE_WITH, "formula", "and --formula exclude each other" },
   { "T", RULE_WITHOUT, "formulas formula",
     "is of no claim: it is for --formula and --formulas, whose errors are told at T" },
@@ -60,9 +60,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     return EXIT_USAGE;
   }
   if (!gait_has_ends(c->gait)) {
-    complain(
-        "claims",
-        "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: there is no ledger");
+    complain("claims", "l'' = 0 where a phase of this gait begins or ends, and the paper's formulas divide by it: "
+                       "there are no claims to decide");
     return EXIT_UNSOLVED;
   }
   struct scallop_scaled scaled;
@@ -71,7 +70,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     complain("claims", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  const struct flint_part *flint = flint_for("claims", "the ledger");
+  const struct flint_part *flint = flint_for("claims", "the table of claims");
   return flint ? flint->claims_table(o) : EXIT_UNSOLVED;
 }
 

@@ -25,14 +25,14 @@ const struct option *option_of(const struct command *command, const char *name)
   "installed in share/scallop/"
 #define COUNTED "`--stats` prints what was done"
 #define BY_SYMPY "sympy makes it of the text form in three lines: docs/guide/formulas.md"
-#define LEDGERS \
-  "`scallop claims | diff - FILE` compares with any ledger; data/claims.tsv of the sources is the tool's own"
+#define CLAIM_TABLES \
+  "`scallop claims | diff - FILE` compares with any table of claims; data/claims.tsv of the sources is the tool's own"
 static const struct removed_option {
   const char *name, *command, *instead;
 } removed[] = {
   { "book", NULL, "`--formulas FILE` reads a formula file" },
-  { "against", "claims", LEDGERS },
-  { "check", "claims", LEDGERS },
+  { "against", "claims", CLAIM_TABLES },
+  { "check", "claims", CLAIM_TABLES },
   { "emit c", "series", BY_SYMPY },
   { "emit mathml", "series", BY_SYMPY },
   { "explain", "figure", COUNTED },

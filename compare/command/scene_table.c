@@ -35,7 +35,8 @@ static const struct kind *find_kind(struct scene *s, const config_setting_t *at)
 }
 
 /* A member with the value that the option of that name takes; true is that of a flag. NULL, or what is wrong */
-static const char *take_member(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct option *o)
+static const char *take_member(struct scene_table *w, struct scene *s, const config_setting_t *at,
+                               const struct option *o)
 {
   const char *texts[MOST_VALUES] = { NULL };
   int values = option_values(o), count = values > 1 ? element_count(at) : 1;
@@ -91,7 +92,8 @@ static void take_named(struct scene_table *w, const char *name, const char *cons
   option_take(&w->arguments, o, value, option_values(o));
 }
 
-/* The options of the table's command, over what the scene and the command line say. rows: for the table, if it has any */
+/* The options of the table's command, over what the scene and the command line say. rows: for the table, if it has any
+ */
 static bool read_options(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct kind *kind,
                          const struct style *given, struct rows *rows)
 {
@@ -126,7 +128,8 @@ static bool read_options(struct scene_table *w, struct scene *s, const config_se
 }
 
 /* chosen: the columns that the command line names, or NULL */
-static bool plan_rows(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct table_choice *chosen)
+static bool plan_rows(struct scene_table *w, struct scene *s, const config_setting_t *at,
+                      const struct table_choice *chosen)
 {
   const struct request *r = &w->arguments.options.request;
   const config_setting_t *columns = config_setting_get_member(at, "columns");
@@ -170,7 +173,8 @@ static bool place(struct scene *s, const config_setting_t *group, const char *fo
 }
 
 /* Where the command line says that files go */
-static bool place_files(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct scene_options *o)
+static bool place_files(struct scene_table *w, struct scene *s, const config_setting_t *at,
+                        const struct scene_options *o)
 {
   struct scene_files *f = &w->files;
   const config_setting_t *plot = config_setting_get_member(at, "plot");
@@ -185,7 +189,8 @@ static bool place_files(struct scene_table *w, struct scene *s, const config_set
   return true;
 }
 
-static bool read_scene_table(struct wanted *all, struct scene_table *w, const config_setting_t *at, const struct scene_options *o)
+static bool read_scene_table(struct wanted *all, struct scene_table *w, const config_setting_t *at,
+                             const struct scene_options *o)
 {
   struct scene *s = &all->scene;
   struct style *style = &w->arguments.options.request.style;

@@ -213,7 +213,7 @@ static bool T_varies(const struct sweep *s)
 static const char *plan_orders(const struct series_options *o, struct rows *rows, const struct series_names *list)
 {
   static const char *const columns[] = { "series", "order",     "order_low", "order_high", "interval", "points",
-                                         "expect", "tolerance", "verdict",  "reason",   NULL };
+                                         "expect", "tolerance", "verdict",   "reason",     NULL };
   if (!T_varies(&o->request.sweep))
     return wrong_text("orders need T to vary, alone, in the last group of what varies, with 3 to %d values",
                       MOST_TIMES);

@@ -52,7 +52,8 @@ static const struct scallop_formula *of_tool(int i, bool listed)
 const struct scallop_formula *listed_formula(int i) { return i < count ? formulas[i] : of_tool(i - count, true); }
 const struct scallop_formula *formula_at(int i) { return i < count ? formulas[i] : of_tool(i - count, false); }
 
-/* The formula of the formula files and of the paper at place i that has the equation, alone or beside others, or NULL */
+/* The formula of the formula files and of the paper at place i that has the equation, alone or beside others, or NULL
+ */
 static const struct scallop_formula *of_equation(const char *equation, int i)
 {
   const struct scallop_formula *f = NULL;

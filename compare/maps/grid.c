@@ -77,7 +77,8 @@ static bool is_about_quantity(const void *context, const struct scallop_formula 
   return series_is_about(f, &steady, *(const enum quantity_id *)context);
 }
 
-/* For each formula of the formula file, and for each other source; of the paper's formulas the last one is the simplest. */
+/* For each formula of the formula file, and for each other source; of the paper's formulas the last one is the
+ * simplest. */
 static const char *add_all_series(const struct grid *g, const double *tolerances)
 {
   const struct breakdown_options *o = g->options;

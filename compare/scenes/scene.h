@@ -1,6 +1,6 @@
-/* Scenes: files that say which crawler and gait, what varies, and which tables are wanted. docs/reference/scenes.md has
- * the language. What a scene says of its points becomes a request; each of its tables is one of a command, whose members
- * are read as that command's options (compare/command/scene_table.c). */
+/* Scenes: files that say which crawler and gait, what varies, and which tables are wanted. docs/reference/scenes.md
+ * has the language. What a scene says of its points becomes a request; each of its tables is one of a command, whose
+ * members are read as that command's options (compare/command/scene_table.c). */
 #ifndef SCALLOP_COMPARE_SCENES_SCENE_H
 #define SCALLOP_COMPARE_SCENES_SCENE_H
 

@@ -11,7 +11,7 @@
 #include "compare/answers/answer_flint.h"
 #include "compare/stress/stress.h"
 #include "compare/text/progress.h"
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 enum { DIGITS = 40 }; /* errors down to the last bit of a double need twice as many as it has */
 
@@ -105,14 +105,14 @@ const char *stiff_scene_init(struct stiff_scene *scene, const char *name, const 
 static bool lasts(void *left) { return --*(long *)left >= 0; }
 
 /* Follows the stuck body from the beginning over the middle to the end of the stretch. */
-static enum scallop_status look_inside(const struct stiff_scene *scene, struct scallop_rival *rival,
+static enum scallop_status look_inside(const struct stiff_scene *scene, struct scallop_integrator *integrator,
                                        const struct scallop_patience *patience, struct stiff_run *run)
 {
   const struct stiff_held *held = &scene->held;
   const struct scallop_crawler *c = &scene->crawler;
   const double unit = run->delta * c->L / c->T;
   struct scallop_sample sample[] = { { .t = held->begin }, { .t = (held->begin + held->end) / 2 }, { .t = held->end } };
-  enum scallop_status status = scallop_smoothed_phase(rival, c, held->phase, held->v0, patience, sample, 3);
+  enum scallop_status status = scallop_smoothed_phase(integrator, c, held->phase, held->v0, patience, sample, 3);
   if (status != SCALLOP_OK)
     return status;
   bool first = held->body == 1;
@@ -125,13 +125,14 @@ static enum scallop_status look_inside(const struct stiff_scene *scene, struct s
 
 static double difference(double answer, struct scallop_wide value) { return (answer - value.high) - value.low; }
 
-static void solve_with(struct scallop_rival *rival, const struct stiff_scene *scene, long most, struct stiff_run *run)
+static void solve_with(struct scallop_integrator *integrator, const struct stiff_scene *scene, long most,
+                       struct stiff_run *run)
 {
   const struct scallop_crawler *c = &scene->crawler;
   long left = most;
   const struct scallop_patience patience = { lasts, &left };
-  struct scallop_rival_period period;
-  enum scallop_status status = rival->period(rival, c, scene->v_start, &patience, &period);
+  struct scallop_integrator_period period;
+  enum scallop_status status = integrator->period(integrator, c, scene->v_start, &patience, &period);
   if (status == SCALLOP_OK) {
     run->error[STIFF_V_END] = difference(period.v_end, scene->v_end) * c->T / c->L;
     run->error[STIFF_DISPLACEMENT] = difference(period.displacement, scene->displacement) / c->L;
@@ -140,7 +141,7 @@ static void solve_with(struct scallop_rival *rival, const struct stiff_scene *sc
   }
   if (status == SCALLOP_OK && scene->held.body != 0) {
     left = most;
-    status = look_inside(scene, rival, &patience, run);
+    status = look_inside(scene, integrator, &patience, run);
   }
   run->solved = status == SCALLOP_OK;
   if (run->solved)
@@ -155,13 +156,13 @@ double stiff_tolerance(double delta) { return fmax(1e-15, 1e-9 * delta); }
 
 static struct stiff_run solve_once(const struct stiff_scene *scene, double delta, double tolerance, long most)
 {
-  struct scallop_rival *rival = scallop_smoothed_rival(delta, tolerance);
+  struct scallop_integrator *integrator = scallop_smoothed_integrator(delta, tolerance);
   struct stiff_run run = { delta, tolerance, { NAN, NAN, NAN }, { NAN, NAN, NAN },    NAN,
                            NAN,   NAN,       scene->held.creep, scene->held.velocity, NAN,
                            NAN,   false,     "out of memory" };
-  if (rival)
-    solve_with(rival, scene, most, &run);
-  scallop_rival_destroy(rival);
+  if (integrator)
+    solve_with(integrator, scene, most, &run);
+  scallop_integrator_destroy(integrator);
   return run;
 }
 

@@ -1,5 +1,5 @@
-/* Friction smoothed over delta (scallop_smoothed_rival): one period from the exact steady start, as delta -> 0. Needs
- * FLINT. */
+/* Friction smoothed over delta (scallop_smoothed_integrator): one period from the exact steady start, as delta -> 0.
+ * Needs FLINT. */
 #ifndef SCALLOP_COMPARE_STRESS_STIFF_H
 #define SCALLOP_COMPARE_STRESS_STIFF_H
 
@@ -43,8 +43,8 @@ struct stiff_run { /* nan: not known */
 /* The tolerance that goes with delta: where all of the steppers leave the error of the model for as long as they can,
  * and no less than rounding allows. */
 double stiff_tolerance(double delta);
-/* tolerance: a tenth of the largest that the rival takes at most. most: accepted steps that a period, or the phase of
- * the stretch, may take. */
+/* tolerance: a tenth of the largest that the integrator takes at most. most: accepted steps that a period, or the
+ * phase of the stretch, may take. */
 void stiff_solve(const struct stiff_scene *scene, double delta, double tolerance, long most, struct stiff_run *run);
 
 #endif

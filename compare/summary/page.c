@@ -311,7 +311,8 @@ static void write_breakdown(const struct page *p)
     fprintf(p->file, "  %s%s%s, %s\n", first, named ? " " : "", named ? t->name : "", quantity_rows[t->of].name);
     write_reach(p, t);
   }
-  fputs("\nMore: --all, or --only transition, reversal, reach, radius or best, gives the table with every row.\n", p->file);
+  fputs("\nMore: --all, or --only transition, reversal, reach, radius or best, gives the table with every row.\n",
+        p->file);
 }
 
 /* To people a page, else a row. not_held: parameters that are left out */
@@ -359,8 +360,13 @@ const char *summary_plan(struct rows *rows)
 {
   static const char *const before[] = { "froude",     "v_start", "v_mid", "displacement", "mean_velocity",
                                         "multiplier", "regime",  "modes", "motion" };
-  static const char *const behind[] = { "first_transition", "first_transition_T", "first_transition_froude", "reversals", "best_order",
-                                        "best_error",  "status" };
+  static const char *const behind[] = { "first_transition",
+                                        "first_transition_T",
+                                        "first_transition_froude",
+                                        "reversals",
+                                        "best_order",
+                                        "best_error",
+                                        "status" };
   static const char *const of_formula[][2] = { { "", "value" },
                                                { "_error", "deviation" },
                                                { "_reach_1", "reach_0.01" },

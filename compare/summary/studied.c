@@ -11,7 +11,7 @@ enum { LEAST_ORDER = 8 };
 
 struct at_study { /* of one crawler */
   struct study study;
-  struct ledger ledger; /* rows as they are asked for */
+  struct claim_table claims; /* rows as they are asked for */
   /* It does not depend on T, so that it is looked for once where T varies fastest; 0: not yet, or it is soon found */
   double reach[MOST_QUANTITIES];
 };
@@ -19,7 +19,7 @@ struct at_study { /* of one crawler */
 static void clear(struct at_study *s)
 {
   study_clear(&s->study);
-  ledger_free(&s->ledger);
+  claim_table_free(&s->claims);
   memset(s->reach, 0, sizeof s->reach);
 }
 
@@ -55,13 +55,13 @@ const struct claim_row *claim_of(struct at *at, const struct scallop_formula *fo
 {
   if (!study_of(at))
     return NULL;
-  struct ledger *l = &at->study->ledger;
+  struct claim_table *l = &at->study->claims;
   for (int i = 0; i < l->count; i++)
     if (strcmp(l->rows[i].claim, formula->name) == 0)
       return &l->rows[i];
   SCOPED(scallop_rational, exact);
   rational_point(&exact, NULL, &at->place.point);
-  ledger_add_formula(l, &exact, true, formula);
+  claim_table_add_formula(l, &exact, true, formula);
   return &l->rows[l->count - 1];
 }
 

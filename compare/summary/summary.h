@@ -17,8 +17,8 @@ const char *breakdown_page(struct rows *rows);
 #define PAGE_TERMS "derived_8."
 #define PAGE_PERCENTS 1, 5
 
-/* studied.c. At a point: its study along T; the row of the ledger for a formula, this gait and these parameters, until
- * the next row is asked for. NULL: there is none, and at->why says why. */
+/* studied.c. At a point: its study along T; the row of the table of claims for a formula, this gait and these
+ * parameters, until the next row is asked for. NULL: there is none, and at->why says why. */
 struct study *study_of(struct at *at);
 const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula);
 

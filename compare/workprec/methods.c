@@ -1,5 +1,5 @@
-/* The methods: published and derived series, the limit, the exact and the certified solver, and the rivals of
- * numerics/rivals/rival.h. */
+/* The methods: published and derived series, the limit, the exact and the certified solver, and the integrators of
+ * numerics/integrators/integrator.h. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -145,16 +145,16 @@ static enum scallop_status solve_certified(struct setting *s, struct setting_ans
   return SCALLOP_OK;
 }
 
-/* A rival, simulated from rest until the periods repeat, or the root of its period map. Steady to the tolerance of the
- * period; time stepping has none, and its steps are of second order at best. */
-static enum scallop_status solve_rival(struct setting *s, struct setting_answer *answer)
+/* An integrator, simulated from rest until the periods repeat, or the root of its period map. Steady to the tolerance
+ * of the period; time stepping has none, and its steps are of second order at best. */
+static enum scallop_status solve_integrator(struct setting *s, struct setting_answer *answer)
 {
   const struct scallop_crawler *c = &s->reference->crawler;
   const double steps = (double)s->number, tolerance = steps > 0 ? 1 / (steps * steps) : s->tolerance;
-  struct scallop_rival_steady r;
+  struct scallop_integrator_steady r;
   enum scallop_status status = s->kind == METHOD_ROOT
-                                   ? scallop_rival_root(s->memory, c, tolerance, s->patience, &r)
-                                   : scallop_rival_simulate(s->memory, c, 0, tolerance, s->patience, &r);
+                                   ? scallop_integrator_root(s->memory, c, tolerance, s->patience, &r)
+                                   : scallop_integrator_simulate(s->memory, c, 0, tolerance, s->patience, &r);
   if (status >= 0)
     *answer = (struct setting_answer){ .value = { [VELOCITY] = r.v_start, [DISPLACEMENT] = r.displacement },
                                        .gait_evaluations = (double)r.evaluations,
@@ -164,13 +164,13 @@ static enum scallop_status solve_rival(struct setting *s, struct setting_answer 
   return status;
 }
 
-static void *make_rkf45(const struct setting *s) { return scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, s->tolerance); }
-static void *make_rk8pd(const struct setting *s) { return scallop_odeiv_rival(SCALLOP_ODEIV_RK8PD, s->tolerance); }
-static void *make_cvode(const struct setting *s) { return scallop_cvode_rival(s->tolerance); }
-static void *make_smoothed(const struct setting *s) { return scallop_smoothed_rival(s->delta, s->tolerance); }
-static void *make_moreau(const struct setting *s) { return scallop_moreau_rival(s->number); }
+static void *make_rkf45(const struct setting *s) { return scallop_odeiv_integrator(SCALLOP_ODEIV_RKF45, s->tolerance); }
+static void *make_rk8pd(const struct setting *s) { return scallop_odeiv_integrator(SCALLOP_ODEIV_RK8PD, s->tolerance); }
+static void *make_cvode(const struct setting *s) { return scallop_cvode_integrator(s->tolerance); }
+static void *make_smoothed(const struct setting *s) { return scallop_smoothed_integrator(s->delta, s->tolerance); }
+static void *make_moreau(const struct setting *s) { return scallop_moreau_integrator(s->number); }
 
-static void release_rival(void *memory) { scallop_rival_destroy(memory); }
+static void release_integrator(void *memory) { scallop_integrator_destroy(memory); }
 
 /* What a setting asks of its method: those of the numbers that it takes. */
 struct accuracy {
@@ -188,7 +188,7 @@ static const struct accuracy steps[] = {
   { .number = 16 }, { .number = 128 }, { .number = 1024 }, { .number = 8192 }, { .number = 65536 }
 };
 
-/* A setting for each accuracy; of a rival two, its simulation before its root. */
+/* A setting for each accuracy; of an integrator two, its simulation before its root. */
 static const struct method {
   const char *name, *text; /* of the setting; it may print the number */
   enum method_kind kind;
@@ -204,11 +204,12 @@ static const struct method {
     NULL },
   { "exact", "steady state", METHOD_EXACT, solve_exact, NULL, NULL, one, 1, 0, 1, NULL },
   { "certified", "%ld digits", METHOD_EXACT, solve_certified, make_balls, release_balls, digits, 3, 0, 3, NULL },
-  { "gsl rkf45", "", METHOD_ROOT, solve_rival, make_rkf45, release_rival, tolerances, 5, 1, 2, NULL },
-  { "gsl rk8pd", "", METHOD_ROOT, solve_rival, make_rk8pd, release_rival, tolerances, 6, 1, 2, NULL },
-  { "cvode", "", METHOD_ROOT, solve_rival, make_cvode, release_rival, tolerances, 5, 1, 2, scallop_has_cvode },
-  { "smoothed msbdf", "", METHOD_ROOT, solve_rival, make_smoothed, release_rival, deltas, 6, 0, 1, NULL },
-  { "moreau", "%ld steps", METHOD_ROOT, solve_rival, make_moreau, release_rival, steps, 5, 1, 2, NULL },
+  { "gsl rkf45", "", METHOD_ROOT, solve_integrator, make_rkf45, release_integrator, tolerances, 5, 1, 2, NULL },
+  { "gsl rk8pd", "", METHOD_ROOT, solve_integrator, make_rk8pd, release_integrator, tolerances, 6, 1, 2, NULL },
+  { "cvode", "", METHOD_ROOT, solve_integrator, make_cvode, release_integrator, tolerances, 5, 1, 2,
+    scallop_has_cvode },
+  { "smoothed msbdf", "", METHOD_ROOT, solve_integrator, make_smoothed, release_integrator, deltas, 6, 0, 1, NULL },
+  { "moreau", "%ld steps", METHOD_ROOT, solve_integrator, make_moreau, release_integrator, steps, 5, 1, 2, NULL },
 };
 
 /* a: NULL where the method is left out. */

@@ -10,7 +10,7 @@
 #include "compare/text/progress.h"
 #include "compare/text/stopwatch.h"
 #include "compare/tables/table.h"
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 /* The quantities that are compared: Q_V_START and Q_DISPLACEMENT. */
 enum { VELOCITY, DISPLACEMENT, COMPARED };
@@ -39,8 +39,8 @@ extern const struct setting_answer no_answer; /* all nan */
 enum method_kind {
   METHOD_FORMULA,   /* a series or a limit                          */
   METHOD_EXACT,     /* the solvers of this tool                     */
-  METHOD_ROOT,      /* a rival: the root of its period map          */
-  METHOD_SIMULATION /* a rival: simulation until its periods repeat */
+  METHOD_ROOT,      /* an integrator: the root of its period map          */
+  METHOD_SIMULATION /* an integrator: simulation until its periods repeat */
 };
 
 struct setting;

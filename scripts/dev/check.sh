@@ -14,7 +14,7 @@ mkdir -p "$runs"
 title() {
   case $1 in
     tables) echo "data/ is what the tool writes" ;;
-    ledger) echo "claims are those of data/claims.tsv" ;;
+    claims) echo "claims are those of data/claims.tsv" ;;
     reference) echo "reference table, every 40th row" ;;
     explorer) echo "the core of the explorer in WebAssembly" ;;
     *) echo "$1" ;;
@@ -66,7 +66,7 @@ for script in tests/compare/command/cli_*; do
     *) [ "${WITH_FLINT:-1}" = 0 ] || together="$together $name" ;;
   esac
 done
-[ "${WITH_FLINT:-1}" = 0 ] || together="$together tables ledger"
+[ "${WITH_FLINT:-1}" = 0 ] || together="$together tables claims"
 together="$together reference explorer"
 for program in "$@"; do
   together="$together $(basename "$program")"

@@ -29,11 +29,11 @@ awk -F , '
   function total(name) { row(name, l[name], reached[name], b[name], taken[name]) }
   function add(name) { l[name] += $2; reached[name] += $3; b[name] += $5; taken[name] += $6 }
   NR == 1 { printf "%-30s %6s %6s %8s  %8s %6s %8s\n", "", "lines", "reached", "", "branches", "taken", ""; next }
-  { row($1, $2, $3, $5, $6); split($1, path, "/"); if (!(path[1] in l)) room[++rooms] = path[1]; add(path[1]); add("all") }
+  { row($1, $2, $3, $5, $6); split($1, path, "/"); if (!(path[1] in l)) folder[++folders] = path[1]; add(path[1]); add("all") }
   END {
-    for (i = 1; i <= rooms; i++) total(room[i])
+    for (i = 1; i <= folders; i++) total(folder[i])
     total("all")
-    exit !rooms || reached["all"] < l["all"] || 100 * taken["all"] < 95 * b["all"]
+    exit !folders || reached["all"] < l["all"] || 100 * taken["all"] < 95 * b["all"]
   }' "$build/counts.csv" || passed=0
 echo "not reached: $build/lines.txt, $build/branches.txt"
 [ $passed = 1 ]

@@ -19,7 +19,7 @@ tar -cf - --exclude="./${build%%/*}" --exclude=./.git . | tar -C "$copy" -xf -
 tar -C "$build" -cf - --exclude=./faults --exclude=./asan --exclude=./matrix --exclude=./coverage --exclude=./release --exclude=./bare . |
   tar -C "$copy/build" -xf -
 listed=$PWD/tests/faults all=''
-for test in "$@" tests/compare/command/cli_* tables ledger; do all="$all $(basename "$test")"; done
+for test in "$@" tests/compare/command/cli_* tables claims; do all="$all $(basename "$test")"; done
 cd "$copy" || exit 2
 
 broken() { # FILE: with new in the place of old, which must be there once; the two are in the environment

@@ -58,8 +58,8 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-# Rows of the ledger by the names of its columns: ledger 'PROGRAM of awk, with the cells as c["claim"]'
-ledger() {
+# Rows of the table of claims by the names of its columns: claims 'PROGRAM of awk, with the cells as c["claim"]'
+claims() {
   grep -v '^#' data/claims.tsv | awk -F '\t' '
     NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; next }
     { for (i = 1; i <= NF; i++) c[name[i]] = $i } '"$1"
@@ -71,7 +71,7 @@ echo "The paper's claims (data/claims.tsv has their rows, and how each verdict i
 "$scallop" claims --summary 2>&1 >/dev/null | sed 's/^/  /'
 echo
 echo "How the error of the steady-state series scales with T (alpha > 1/2, F1 > F2):"
-ledger 'c["inside"] == "yes" && (c["claim"] == "eq27_v_start" || c["claim"] == "eq28_displacement") {
+claims 'c["paper_conditions"] == "yes" && (c["claim"] == "eq27_v_start" || c["claim"] == "eq28_displacement") {
   printf "  %-13s %-6s %-11s claimed O(T^%s), derived T^%s: %s (%s)\n", c["quantity"], c["equation"], c["gait"], c["claimed_order"],
     c["derived_order"], c["verdict"], c["evidence"] }'
 echo
@@ -85,8 +85,8 @@ awk -f scripts/plots/cheapest.awk data/workprec.tsv | awk -F '\t' '
   $3 == "displacement" && $4 == "1e-12" { printf "  %-11s %7s %10s %10s %10s %18s\n", $1, $2, first, second, times($16), simulated }'
 echo
 echo "Refuted under the paper's own conditions:"
-ledger 'c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] != "-" {
+claims 'c["paper_conditions"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] != "-" {
   printf "  %-24s %-7s %-13s %-11s claimed %s, derived T^%s (%s); right: %s\n", c["claim"], c["equation"], c["quantity"], c["gait"],
     c["claimed_order"] == "inf" ? "equality" : "O(T^" c["claimed_order"] ")", c["derived_order"], c["evidence"], c["corrected"] }
-  c["inside"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] == "-" {
-  printf "  %s (%s%s), %s, %s:\n      %s\n", c["claim"], c["equation"] ~ /^\(/ ? "" : "section ", c["equation"], c["gait"], c["conditions"], c["measured"] }'
+  c["paper_conditions"] == "yes" && c["verdict"] == "refuted" && c["derived_order"] == "-" {
+  printf "  %s (%s%s), %s, %s:\n      %s\n", c["claim"], c["equation"] ~ /^\(/ ? "" : "section ", c["equation"], c["gait"], c["conditions"], c["summary"] }'

@@ -36,7 +36,7 @@ tests                 | pkgconf                       | found pkg-config
 tests                 | python3-mpmath python3-numpy  | module mpmath,numpy
 tests                 | python3-pytest mypy           | module pytest && found mypy
 tests                 | python3-venv python3-pip python3-setuptools python3-wheel | module ensurepip && module pip && module setuptools,wheel
-rooms size bench-sweeps check-report check-explorer | python3      | found /usr/bin/python3
+layers size bench-sweeps check-report check-explorer | python3      | found /usr/bin/python3
 check-report check-explorer | chromium                | found chromium || found chromium-browser || found google-chrome
 lint                  | clang-tidy clang-format cppcheck | found clang-tidy && found clang-format && found cppcheck
 fuzz matrix core.wasm | clang                         | found clang

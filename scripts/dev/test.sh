@@ -1,6 +1,6 @@
 #!/bin/sh
 # One test of `make check`: scripts/dev/test.sh [--within RUNS PROCESS] BUILD NAME. NAME is a program of BUILD, a file of
-# tests/compare/command/, or tables, ledger, reference, explorer. --within: what it says goes to RUNS/NAME/log, its seconds to
+# tests/compare/command/, or tables, claims, reference, explorer. --within: what it says goes to RUNS/NAME/log, its seconds to
 # RUNS/NAME/seconds, its exit code at last to RUNS/NAME/code; when PROCESS has ended neither it nor a further one begins.
 set -u
 if [ "$1" = --within ]; then
@@ -28,7 +28,7 @@ same_tables() {
 case $2 in
   *.cases) /usr/bin/python3 tests/support/cases.py "$build/scallop" "tests/compare/command/$2" ;;
   tables) same_tables ;;
-  ledger) "$build/scallop" claims --quiet | diff - data/claims.tsv ;;
+  claims) "$build/scallop" claims --quiet | diff - data/claims.tsv ;;
   reference) /usr/bin/python3 scripts/python/reference.py --check tests/support/reference.tsv --every 40 ;;
   explorer) sh tests/explorer/core.sh "$build" ;;
   cli_*) sh "tests/compare/command/$2" "$build/scallop" ;;

@@ -17,8 +17,8 @@ BEGIN {
       print "cheapest.awk: no column '" need[i] "': scallop workprec writes such a table, as TSV" >"/dev/stderr"
       exit failed = 2
     }
-  print "gait", "T", "quantity", "wanted_error", "method", "setting", "error", "next_method", "next_setting", "next_ratio", \
-    "exact_method", "exact_setting", "exact_ratio", "rival_method", "rival_setting", "rival_over_exact", "simulation_method", \
+  print "gait", "T", "quantity", "target_error", "method", "setting", "error", "next_method", "next_setting", "next_ratio", \
+    "exact_method", "exact_setting", "exact_ratio", "integrator_method", "integrator_setting", "integrator_over_exact", "simulation_method", \
     "simulation_setting", "simulation_over_exact"
   next
 }

@@ -110,7 +110,7 @@ globalThis.audit = (() => {
   const clipped = () => {
     const bad = [];
     const ruler = new OffscreenCanvas(1, 1).getContext('2d');
-    for (const cell of document.querySelectorAll('.ledger tr:not(.claim) :is(td, th)')) {
+    for (const cell of document.querySelectorAll('.claims tr:not(.claim) :is(td, th)')) {
       const room = cell.clientWidth - parseFloat(getComputedStyle(cell).paddingRight);
       const widths = Array.from(cell.querySelectorAll('mtext'), (part) => { // a formula cuts off what its cell has no room for
         ruler.font = getComputedStyle(part).font;
@@ -124,10 +124,10 @@ globalThis.audit = (() => {
     return bad.slice(0, 5);
   };
   const width = () => [document.documentElement.scrollWidth, innerWidth];
-  // Verdict and conditions of every row of a ledger are within the window, and formulas are drawn.
-  const ledgers = () => {
+  // Verdict and conditions of every row of a table of claims are within the window, and formulas are drawn.
+  const tables of claims = () => {
     const bad = [];
-    for (const cell of document.querySelectorAll('.ledger tbody tr:not(.claim) :is(td:nth-child(1), td:nth-child(3))')) {
+    for (const cell of document.querySelectorAll('.claims tbody tr:not(.claim) :is(td:nth-child(1), td:nth-child(3))')) {
       const box = cell.getBoundingClientRect();
       const inside = box.width > 20 && box.left >= 0 && box.right <= innerWidth && cell.scrollWidth <= Math.ceil(box.width);
       if (!inside) bad.push(`out of sight: ${named(cell)}`);
@@ -165,16 +165,16 @@ globalThis.audit = (() => {
     }
     return paths;
   };
-  // Follows a link to the ledger; gives what is shown, what should be, and what the line above the table says.
+  // Follows a link to the table of claims; gives what is shown, what should be, and what the line above the table says.
   const filtered = (selector) => {
     const link = document.querySelector(selector);
     link.click();
-    const rows = Array.from(document.querySelectorAll('#ledger-table tr[data-verdict]'));
+    const rows = Array.from(document.querySelectorAll('#claims-table tr[data-verdict]'));
     const { verdict, scope } = link.dataset;
     return { shown: rows.filter((row) => row.getClientRects().length > 0).length,
       wanted: rows.filter((row) => row.dataset.verdict === verdict && row.dataset.scope === scope).length,
       said: Number(link.textContent.match(/\d+/)[0]),
       says: document.querySelector('.controls output').textContent };
   };
-  return { texts, plotTexts, colours, pictures, painted, open, width, clipped, ledgers, overlaps, moved, filtered };
+  return { texts, plotTexts, colours, pictures, painted, open, width, clipped, tables of claims, overlaps, moved, filtered };
 })();

@@ -4,7 +4,7 @@
 scripts/report/check_report.py build/report/index.html [--quick] [--screenshots FOLDER]
 
 Nothing is said on the console and nothing is asked of the network; every figure is there, painted and not cut off; the page is no
-wider than the window; no word of a table is clipped; text has contrast and size; the ledger shows verdict and conditions of every row, and is filtered; the crawlers
+wider than the window; no word of a table is clipped; text has contrast and size; the table of claims shows verdict and conditions of every row, and is filtered; the crawlers
 move, and stand still where no motion is wanted.
 
 Exit codes: 0 all is well, 1 something is not (a line for each), 2 bad usage, 3 there is no browser or it fails, 4 no such file.
@@ -98,7 +98,7 @@ class Check:
             got = self.call("filtered", f'.tally a[data-verdict="{verdict}"]')
             if not got["shown"] == got["wanted"] == got["said"] or not got["says"].startswith(f"{got['shown']} of "):
                 self.complain(
-                    f"the link to what {verdict} says {got['said']}, the ledger shows {got['shown']} of "
+                    f"the link to what {verdict} says {got['said']}, the table of claims shows {got['shown']} of "
                     f"{got['wanted']} rows and says '{got['says']}'"
                 )
 
@@ -125,7 +125,7 @@ class Check:
                 self.width()
                 for what in (
                     self.call("texts", TEXT, TEXT_IN_TABLES) + self.call("plotTexts", TEXT_IN_PLOTS) + self.call("colours")
-                    + self.call("ledgers") + self.call("clipped") + self.call("overlaps")
+                    + self.call("tables of claims") + self.call("clipped") + self.call("overlaps")
                 ):
                     self.complain(what)
                 self.filtering()

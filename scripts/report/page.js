@@ -1,12 +1,12 @@
 'use strict';
-// Filters the ledger, by its controls and by links to it.
+// Filters the table of claims, by its controls and by links to it.
 (() => {
   document.documentElement.classList.add('scripted');
-  const controls = document.getElementById('ledger-controls');
+  const controls = document.getElementById('claims-controls');
   const verdicts = [...controls.querySelectorAll('[name=verdict]')];
   const scope = controls.querySelector('[name=scope]');
   const search = controls.querySelector('[name=search]');
-  const claims = Array.from(document.querySelectorAll('#ledger-table tbody'), ({ rows: [heading, ...rows] }) => ({
+  const claims = Array.from(document.querySelectorAll('#claims-table tbody'), ({ rows: [heading, ...rows] }) => ({
     heading, rows: rows.map((row) => ({ row, text: `${heading.textContent} ${row.textContent}`.toLowerCase() })) }));
   const count = claims.reduce((sum, { rows }) => sum + rows.length, 0);
   const filter = () => {
@@ -26,8 +26,8 @@
   };
   controls.addEventListener('input', filter);
   document.addEventListener('click', (event) => {
-    const { verdict = '', scope: belongs = '', search: part = '' } = event.target.closest('main a[href="#ledger"]')?.dataset ?? {};
-    if (!event.target.closest('main a[href="#ledger"]')) return;
+    const { verdict = '', scope: belongs = '', search: part = '' } = event.target.closest('main a[href="#claims"]')?.dataset ?? {};
+    if (!event.target.closest('main a[href="#claims"]')) return;
     for (const box of verdicts) box.checked = verdict === '' || box.value === verdict;
     scope.value = belongs;
     search.value = part;

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Writes the page that shows what was found, every figure and the ledger, as one file that asks the network for nothing.
+"""Writes the page that shows what was found, every figure and the table of claims, as one file that asks the network for nothing.
 
 scripts/report/report.py --tables data --plots build/plots --scenes data/scenes --output build/report/index.html
 
@@ -23,7 +23,7 @@ from markupsafe import Markup  # noqa: E402
 
 import formula_file  # noqa: E402
 import journey  # noqa: E402
-import ledger  # noqa: E402
+import verdicts  # noqa: E402
 import plots  # noqa: E402
 import tables  # noqa: E402
 
@@ -101,8 +101,8 @@ def page(options):
         scene=lambda name: tables.text_of(options.scenes / f"{name}.cfg"),
         drawing=lambda name: plots.drawing(options.plots / f"{name}.svg", name),
         formulas=formula_file.read(options.formulas),
-        ledger=ledger,
-        **{scope: [row for row in read["claims"].rows if ledger.scope(row) == scope] for scope in ("paper", "words")},
+        verdicts=verdicts,
+        **{scope: [row for row in read["claims"].rows if verdicts.scope(row) == scope] for scope in ("paper", "words")},
         explorer=EXPLORER if (options.output.parent / EXPLORER).resolve().is_file() else None  # the page's folder may not be there yet,
     )
 

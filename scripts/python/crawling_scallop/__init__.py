@@ -26,7 +26,7 @@ if TYPE_CHECKING or _find_spec("numpy"):
     from ._measured import Estimate, Measured, measured
     from ._motion import (Intervals, Phase, PhaseErrors, Steady, SteadyErrors, Trajectory, intervals, phase, phase_errors,
                          steady, steady_errors, trajectory)
-    from ._studies import Event, Reach, Verdict, command, events, reach, run
+    from ._studies import Reach, Transition, Verdict, command, reach, run, transitions
     from ._tables import table, tables
 else:
     def __getattr__(name: str) -> object:
@@ -34,9 +34,9 @@ else:
             raise AttributeError(name)
         raise ModuleNotFoundError(f"crawling_scallop.{name} needs NumPy; without it there are order(), orders() and load()")
 
-__all__ = ["Ball", "Certified", "CommandError", "DomainError", "Estimate", "Event", "Formula", "Gait", "Intervals", "Measured",
+__all__ = ["Ball", "Certified", "CommandError", "DomainError", "Estimate", "Formula", "Gait", "Intervals", "Measured",
            "MissingError", "Order", "Phase", "PhaseErrors", "Reach", "ScallopError", "Series", "Steady", "SteadyErrors",
-           "Terms", "Trajectory", "UnsolvedError", "Verdict", "__version__", "certified", "command", "constant", "events",
+           "Terms", "Trajectory", "Transition", "UnsolvedError", "Verdict", "__version__", "certified", "command", "constant",
            "formula", "formulas", "gait_of", "gaits", "intervals", "load", "measured", "minimum_jerk", "order", "orders", "phase",
            "phase_errors", "polynomial", "published", "reach", "run", "series", "skewed", "steady", "steady_errors",
-           "table", "tables", "trajectory", "trapezoidal"]
+           "table", "tables", "trajectory", "transitions", "trapezoidal"]

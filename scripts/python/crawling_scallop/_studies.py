@@ -109,7 +109,7 @@ class Verdict(NamedTuple):
         That term as a formula, or ``'-'``.
     evidence : str
         ``'proven for all parameters'``, ``'certified for the crawler named'``, or ``'-'``.
-    reason, conditions, measured : str
+    reason, conditions, summary : str
         Why; what was assumed; and which numbers of the crawler were changed for that.
     """
 
@@ -121,7 +121,7 @@ class Verdict(NamedTuple):
     evidence: str
     reason: str
     conditions: str
-    measured: str
+    summary: str
 
 
 def _quoted(text: str) -> str:
@@ -146,15 +146,15 @@ def decide(text: str, parts: Mapping[str, str], motion: str, of: str, claimed: O
     body = "".join(f"{name} = {value if isinstance(value, int) else _quoted(str(value))}; " for name, value in members.items())
     where = "".join(f"{name} = {_quoted(part)}; " for name, part in parts.items())
     formulas = f"formulas = ( {{ {body}{f'where = {{ {where}}}; ' if where else ''}}} );"
-    row = run(["claims", "--formulas", "-", *_options(crawler, gait)], text, (0, 1, 3))[0]
+    row = run(["claims", "--formulas", "-", *_options(crawler, gait)], formulas, (0, 1, 3))[0]
     order = row["derived_order"]
     return Verdict(row["verdict"], row["verdict"] in ("holds", "sharper"), int(order) if str(order).isdigit() else None,
                    str(row["coefficient"]), row["leading_error"], row["evidence"], row["reason"], row["conditions"],
-                   row["measured"])
+                   row["summary"])
 
 
-class Event(NamedTuple):
-    """A period at which the motion changes its form, made by :func:`events`.
+class Transition(NamedTuple):
+    """A period at which the motion changes its form, made by :func:`transitions`.
 
     Attributes
     ----------
@@ -164,7 +164,7 @@ class Event(NamedTuple):
         The sequence of modes from there on.
     note : str
         What happens.
-    status : str
+    evidence : str
         ``'certified'``, ``'binary128'`` or ``'double'``: what shows it.
     """
 
@@ -172,7 +172,7 @@ class Event(NamedTuple):
     froude: float
     modes: str
     note: str
-    status: str
+    evidence: str
 
 
 class Reach(NamedTuple):
@@ -191,7 +191,7 @@ class Reach(NamedTuple):
         none.
     error : float
         The relative error at T.
-    modes, note, status : str
+    modes, note, evidence : str
         The motion there, and how this is known.
     """
 
@@ -204,7 +204,7 @@ class Reach(NamedTuple):
     error: float
     modes: str
     note: str
-    status: str
+    evidence: str
 
 
 def _number(value: Any) -> float:
@@ -217,9 +217,9 @@ def _breakdown(only: str, phase: Optional[str], v0: Optional[float], crawler: Ma
     return run(["breakdown", "--only", only, "--quiet", *_options(numbers, gait), *(["--phase", phase] if phase else []), *more])
 
 
-def events(m1: float = 1, m2: float = 1, F1: float = 4, F2: float = 1, L: float = 10, alpha: float = 0.75,
-           gait: OneGait = "quadratic", phase: Optional[str] = None, v0: Optional[float] = None) -> list[Event]:
-    """Find where the sequence of modes changes as T grows: above the first event the expansion is not about the motion
+def transitions(m1: float = 1, m2: float = 1, F1: float = 4, F2: float = 1, L: float = 10, alpha: float = 0.75,
+           gait: OneGait = "quadratic", phase: Optional[str] = None, v0: Optional[float] = None) -> list[Transition]:
+    """Find where the sequence of modes changes as T grows: above the first transition the expansion is not about the motion
     any more. Needs the command, built with FLINT.
 
     Parameters
@@ -235,18 +235,18 @@ def events(m1: float = 1, m2: float = 1, F1: float = 4, F2: float = 1, L: float 
 
     Returns
     -------
-    list of Event
+    list of Transition
         In the order of T; the first is the limit T -> 0.
 
     Examples
     --------
     >>> import crawling_scallop
-    >>> first = crawling_scallop.events()[1]
+    >>> first = crawling_scallop.transitions()[1]
     >>> first.T, first.note
     (2.7889395095954335, 'start velocity changes sign')
     """
-    rows = _breakdown("event", phase, v0, dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, alpha=alpha), gait)
-    return [Event(_number(row["T"]), _number(row["froude"]), row["modes"], row["note"], row["status"]) for row in rows]
+    rows = _breakdown("transition", phase, v0, dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, alpha=alpha), gait)
+    return [Transition(_number(row["T"]), _number(row["froude"]), row["modes"], row["note"], row["evidence"]) for row in rows]
 
 
 def reach(tol: float = 1e-2, quantity: Optional[str] = None, order: int = 8, m1: float = 1, m2: float = 1, F1: float = 4,
@@ -285,4 +285,4 @@ def reach(tol: float = 1e-2, quantity: Optional[str] = None, order: int = 8, m1:
     more = ["--tol", repr(float(tol)), "--order", str(order), *(["--quantity", quantity] if quantity else [])]
     rows = _breakdown("reach", phase, v0, dict(m1=m1, m2=m2, F1=F1, F2=F2, L=L, alpha=alpha), gait, more)
     return [Reach(row["quantity"], row["series"], row["order"], row["tolerance"], _number(row["T"]), _number(row["froude"]),
-                  _number(row["error"]), row["modes"], row["note"], row["status"]) for row in rows]
+                  _number(row["error"]), row["modes"], row["note"], row["evidence"]) for row in rows]

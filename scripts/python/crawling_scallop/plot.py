@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 
 from ._observed import Order
 from ._observed import order as judge
-from ._studies import Event, Reach
+from ._studies import Transition, Reach
 from ._motion import Trajectory
 
 __all__ = ["order", "reach", "trajectory"]
@@ -78,7 +78,7 @@ def order(h: Iterable[float], err: Iterable[float], found: Optional[Order] = Non
     return ax
 
 
-def reach(rows: Sequence[Reach], events: Sequence[Event] = (), ax: Optional[Any] = None) -> Any:
+def reach(rows: Sequence[Reach], transitions: Sequence[Transition] = (), ax: Optional[Any] = None) -> Any:
     """Draw up to which period each series is good.
 
     Parameters
@@ -86,7 +86,7 @@ def reach(rows: Sequence[Reach], events: Sequence[Event] = (), ax: Optional[Any]
     rows : sequence of Reach
         What :func:`crawling_scallop.reach` returns, of one tolerance or of several. Infinite and vanishing periods are
         not drawn.
-    events : sequence of Event, optional
+    transitions : sequence of Transition, optional
         Periods at which the motion changes its form, as dashed lines.
     ax : matplotlib.axes.Axes, optional
         Where to draw; else a new figure.
@@ -102,8 +102,8 @@ def reach(rows: Sequence[Reach], events: Sequence[Event] = (), ax: Optional[Any]
         each = sorted((row.tolerance, row.T) for row in drawn if (row.quantity, row.series) == what)
         ax.plot([T for _, T in each], [tolerance for tolerance, _ in each], marker="o", label=", ".join(what),
                 linestyle=("-", "--", ":", "-.")[number % 4])  # curves may lie upon each other
-    for number, event in enumerate(event for event in events if event.T > 0):
-        ax.axvline(event.T, linestyle="--", color="0.6", linewidth=1, label="the motion changes" if number == 0 else None)
+    for number, transition in enumerate(transition for transition in transitions if transition.T > 0):
+        ax.axvline(transition.T, linestyle="--", color="0.6", linewidth=1, label="the motion changes" if number == 0 else None)
     ax.set(xscale="log", yscale="log", xlabel="period T", ylabel="relative error")
     ax.legend(fontsize="small")
     return ax

@@ -90,11 +90,9 @@ static const struct wanted wanted[] = {
   REST(eq19_dx1, "(19)", REAR_AT_END, 4, -0.60114079554811875, 1.1, -1.618084792184347, 1.9),
   REST(eq20_dx2, "(20)", FRONT_AT_END, 4, 1.1295720950768812, 1.4, 0.50960075469065303, 1.2),
   REST(eq21_dxC, "(21)", CENTRE_AT_END, 4, 0.26421564976438125, 1.2, -0.55424201874684697, 1.5),
-  EXTENSION(eq22_dv, "(22)", VELOCITY_CHANGE, 3, -0.027173575514144656, 1.5,
-            -0.80351340249732869, 1.5),
+  EXTENSION(eq22_dv, "(22)", VELOCITY_CHANGE, 3, -0.027173575514144656, 1.5, -0.80351340249732869, 1.5),
   EXTENSION(eq23_dxC, "(23)", CENTRE_AT_END, 4, 0.59820373100550692, 1.8, -0.17981763617887389, 2),
-  CONTRACTION(eq24_dv, "(24)", VELOCITY_CHANGE, 3, -0.77444456145361044, 2,
-              -1.0676023489190069, 5.4),
+  CONTRACTION(eq24_dv, "(24)", VELOCITY_CHANGE, 3, -0.77444456145361044, 2, -1.0676023489190069, 5.4),
   CONTRACTION(eq25_dxC, "(25)", CENTRE_AT_END, 4, 0.73963165433062903, 2.3, 0.17053230175683636, 6),
   STEADY(eq26_v_start, "(26)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
   STEADY(eq27_v_start, "(27)", STEADY_VELOCITY, 1, 0.77175258713458994, 1.8, 0.79208096544673749, 1.6),
@@ -289,7 +287,8 @@ TEST(lines_of_A17_and_B7)
     double half = 0.5 * b->of[SCALLOP_SYMBOL_m1] / (b->of[SCALLOP_SYMBOL_m1] + b->of[SCALLOP_SYMBOL_m2])
                   * b->of[SCALLOP_SYMBOL_l0] * b->of[SCALLOP_SYMBOL_t1] * b->of[SCALLOP_SYMBOL_t1]
                   / (b->of[SCALLOP_SYMBOL_T] * b->of[SCALLOP_SYMBOL_T]);
-    CHECK_NEAR(value_of("eqB7_x2_switch_collected", b) - half, value_of("eqB7_x2_switch_from_times", b), ROUNDING * 9.4);
+    CHECK_NEAR(value_of("eqB7_x2_switch_collected", b) - half, value_of("eqB7_x2_switch_from_times", b),
+               ROUNDING * 9.4);
     assert_true(fabs(half) > 0.01);
   }
 }

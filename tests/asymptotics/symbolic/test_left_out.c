@@ -227,8 +227,8 @@ static bool check_formula(const struct scallop_formula *f, const struct scallop_
   return true;
 }
 
-/* Every formula of the paper's formula file, at crawlers like the paper's and others: an order that one of them has is not in
- * question here, only what stands there. */
+/* Every formula of the paper's formula file, at crawlers like the paper's and others: an order that one of them has is
+ * not in question here, only what stands there. */
 static int check_formula_file(const struct scallop_gait *gait, struct random *r)
 {
   const struct scallop_formula *const lists[] = { scallop_published, scallop_corrected };

@@ -1,5 +1,5 @@
-/* Where the expansion breaks down: transitions against closed forms and certified modes, reaches against closed forms and
- * brute force, radii of convergence by two routes. */
+/* Where the expansion breaks down: transitions against closed forms and certified modes, reaches against closed forms
+ * and brute force, radii of convergence by two routes. */
 #include "compare/points/gaits.h"
 #include "compare/breakdown/motion.h"
 #include "tests/support/exact.h"
@@ -42,10 +42,10 @@ TEST(sticking_begins_where_closed_forms_say)
     double other = first ? c->m2 : c->m1, shorter = fmin(c->alpha, 1 - c->alpha);
     double held = sqrt(4 * other * c->L / (c->F1 + c->F2)), rests = sqrt(4 * other * c->L / fabs(c->F1 - c->F2));
     CHECK_RELATIVE(time_of(&transitions, first ? "onset of sticking: body 1 in the extension"
-                                          : "onset of sticking: body 2 in the extension"),
+                                               : "onset of sticking: body 2 in the extension"),
                    held / c->alpha, 8 * 0x1p-53);
-    CHECK_RELATIVE(time_of(&transitions, first ? "permanent rest of body 1" : "permanent rest of body 2"), rests / shorter,
-                   8 * 0x1p-53);
+    CHECK_RELATIVE(time_of(&transitions, first ? "permanent rest of body 1" : "permanent rest of body 2"),
+                   rests / shorter, 8 * 0x1p-53);
   }
 }
 
@@ -62,8 +62,8 @@ static void check_certified(const struct motion *s, double T, const struct scall
   assert_string_equal(got, wanted);
 }
 
-/* In order of T; between two transitions the modes are the same, and those of the next ones differ; each within 1e-14 of
- * where certified modes change. */
+/* In order of T; between two transitions the modes are the same, and those of the next ones differ; each within 1e-14
+ * of where certified modes change. */
 TEST(transitions_are_where_certified_modes_change)
 {
   struct random r = { 62 };
@@ -102,7 +102,8 @@ TEST(rounding_is_no_transition)
   assert_int_equal(transitions.count, 10);
   CHECK_RELATIVE(transitions.transition[0].T, 4.78521795311083, 1e-14);
   for (int i = 0; i < transitions.count; i++)
-    assert_true(strcmp(transitions.transition[i].status, "certified") == 0 || transitions.transition[i].of != CHANGE_OF_MODES);
+    assert_true(strcmp(transitions.transition[i].status, "certified") == 0
+                || transitions.transition[i].of != CHANGE_OF_MODES);
 }
 
 /* Where l'' = 0 at the start of a phase doubles see a mode less within 3e-10 of where its velocity vanishes, and a body
@@ -114,7 +115,8 @@ TEST(rounding_is_no_transition_beside_one)
     struct scallop_crawler crawler;
     long count;
     int at;
-    double T; /* of transition number at: of the first by independent arithmetic of 60 digits between ...939 and ...940 */
+    double
+        T; /* of transition number at: of the first by independent arithmetic of 60 digits between ...939 and ...940 */
   } cases[] = {
     { "polynomial:0,0,4,-3", { 0.2624, 0.2698, 9.222, 5.557, 1.192, 1, 0.869, NULL }, 9, 4, 0.58804074939761 },
     { "polynomial:0,0,4,-3", { 2.386, 0.4319, 0.3532, 0.8713, 7.455, 1, 0.19, NULL }, 0, 0, 0 },
@@ -132,7 +134,8 @@ TEST(rounding_is_no_transition_beside_one)
     }
     assert_true(transitions.transition[0].T > 0.01 * motion_natural_time(&s));
     for (int k = 0; k < transitions.count; k++)
-      assert_true(strcmp(transitions.transition[k].status, "certified") == 0 || transitions.transition[k].of == CHANGE_OF_PART);
+      assert_true(strcmp(transitions.transition[k].status, "certified") == 0
+                  || transitions.transition[k].of == CHANGE_OF_PART);
   }
 }
 
@@ -189,7 +192,8 @@ TEST(transitions_scale_and_mirror)
     assert_int_equal(one.count, mirrored.count);
     for (int k = 0; k < one.count; k++) {
       CHECK_RELATIVE(larger.transition[k].T, 2 * one.transition[k].T, 4 * 0x1p-52);
-      CHECK_RELATIVE(mirrored.transition[k].T, one.transition[k].T, one.transition[k].of == CHANGE_OF_MODES ? 4 * 0x1p-52 : 1e-12);
+      CHECK_RELATIVE(mirrored.transition[k].T, one.transition[k].T,
+                     one.transition[k].of == CHANGE_OF_MODES ? 4 * 0x1p-52 : 1e-12);
     }
   }
 }

@@ -1,6 +1,6 @@
-/* The ledger's verdicts on orders, against what pencil and paper give: they were derived by hand from the expansion of
+/* The verdicts on orders, against what pencil and paper give: they were derived by hand from the expansion of
  * the motion; the committed table is compared byte by byte elsewhere. */
-#include "tests/support/full_ledger.h"
+#include "tests/support/claim_table.h"
 
 static int begin(void **state) { return (void)state, fill(true); }
 
@@ -36,7 +36,7 @@ TEST(orders_inside)
 }
 
 /* What lines (A.4), (A.17) and (B.7) leave out of l' and l at t1, the first term: t1 = tau T^2, and l' = t l0/T^2 + t^3
- * k0/(6 T^4) + ... The ledger's v0 is 0.37 sqrt(L (F1+F2)/M) to two digits. */
+ * k0/(6 T^4) + ... Their v0 is 0.37 sqrt(L (F1+F2)/M) to two digits. */
 TEST(lines_with_given_times)
 {
   double m1 = 1.7, m2 = 0.8, M = m1 + m2, L = 11.3, pi = 3.14159265358979324, v0 = 1.8;
@@ -73,9 +73,9 @@ TEST(equalities)
     const char *claim;
     enum claim_verdict verdicts[2];
   } known[] = {
-    { "eq6_v_end", { CLAIM_HOLDS, CLAIM_HOLDS } },     { "eq7_dx1", { CLAIM_HOLDS, CLAIM_HOLDS } },
-    { "eq8_dxC", { CLAIM_REFUTED, CLAIM_REFUTED } }, { "corrected_equal_dxC", { CLAIM_HOLDS, CLAIM_HOLDS } },
-    { "eqA13_v_switch", { CLAIM_HOLDS, CLAIM_REFUTED } },    { "eqA13_v_switch_from_v0", { CLAIM_HOLDS, CLAIM_REFUTED } }
+    { "eq6_v_end", { CLAIM_HOLDS, CLAIM_HOLDS } },        { "eq7_dx1", { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "eq8_dxC", { CLAIM_REFUTED, CLAIM_REFUTED } },      { "corrected_equal_dxC", { CLAIM_HOLDS, CLAIM_HOLDS } },
+    { "eqA13_v_switch", { CLAIM_HOLDS, CLAIM_REFUTED } }, { "eqA13_v_switch_from_v0", { CLAIM_HOLDS, CLAIM_REFUTED } }
   };
   for (size_t k = 0; k < sizeof known / sizeof *known; k++)
     for (int g = 0; g < 2; g++) {
@@ -120,10 +120,10 @@ TEST(steady_outside)
 
 TEST(every_row_is_decided)
 {
-  assert_string_equal(ledger.contradiction, "");
-  assert_true(ledger.count > 200);
-  for (int i = 0; i < ledger.count; i++) {
-    const struct claim_row *row = &ledger.rows[i];
+  assert_string_equal(claims.contradiction, "");
+  assert_true(claims.count > 200);
+  for (int i = 0; i < claims.count; i++) {
+    const struct claim_row *row = &claims.rows[i];
     if (row->inside)
       assert_int_not_equal(row->verdict, CLAIM_UNDECIDED);
     if (row->fit.verdict == SCALLOP_ORDER_MEASURED && !isnan(row->fit.order) && !isnan(row->claimed_order)) {
@@ -137,17 +137,17 @@ TEST(every_row_is_decided)
 /* The same crawler in other units of force and length: every verdict stays. */
 TEST(units_do_not_matter)
 {
-  struct ledger other = { .rows = NULL };
-  fill_ledger(&other, &(struct scallop_crawler){ 1.7, 0.8, 4.1e9, 1.3e9, 11.3e-3, 1, 0.66, &scallop_gait_quadratic },
-              true);
+  struct claim_table other = { .rows = NULL };
+  fill_claim_table(
+      &other, &(struct scallop_crawler){ 1.7, 0.8, 4.1e9, 1.3e9, 11.3e-3, 1, 0.66, &scallop_gait_quadratic }, true);
   assert_string_equal(other.contradiction, "");
-  assert_int_equal(other.count, ledger.count);
-  for (int i = 0; i < ledger.count; i++) {
-    if (other.rows[i].verdict != ledger.rows[i].verdict)
-      print_error("%s %s, %s\n", ledger.rows[i].claim, ledger.rows[i].gait, ledger.rows[i].conditions);
-    assert_int_equal(other.rows[i].verdict, ledger.rows[i].verdict);
+  assert_int_equal(other.count, claims.count);
+  for (int i = 0; i < claims.count; i++) {
+    if (other.rows[i].verdict != claims.rows[i].verdict)
+      print_error("%s %s, %s\n", claims.rows[i].claim, claims.rows[i].gait, claims.rows[i].conditions);
+    assert_int_equal(other.rows[i].verdict, claims.rows[i].verdict);
   }
-  ledger_free(&other);
+  claim_table_free(&other);
 }
 
 int main(void) { return check_run(begin, empty); }

@@ -1,6 +1,6 @@
 /* The claims in words about the figures and about steady states: each figure from the double solver or a closed form.
- * The verdicts are those of data/claims.tsv, with which `make check` compares the ledger. */
-#include "tests/support/full_ledger.h"
+ * The verdicts are those of data/claims.tsv, with which `make check` compares the table of claims. */
+#include "tests/support/claim_table.h"
 
 static int begin(void **state) { return (void)state, fill(false); }
 
@@ -91,8 +91,8 @@ TEST(figures_of_steady_states)
                                        true);
     READ_NUMBERS(row, "certified multiplier ", 1, "%lf", &multiplier);
     CHECK_NEAR(multiplier, s.period.multiplier, 1e-10);
-    row = find("eq27_v_start_in_the_limit", 0,
-               "the paper's crawler, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", false);
+    row = find("eq27_v_start_in_the_limit", 0, "the paper's crawler, T = 1e-20, alpha from 0.01 to 0.49 by 0.08",
+               false);
     double error, worst;
     READ_NUMBERS(row, "relative error, certified: ", 2, "%lf at alpha = 0.25, largest %lf at alpha = 0.01", &error,
                  &worst);
@@ -143,7 +143,7 @@ TEST(onset_of_sticking)
 {
   static const double ratios[] = { 2, 10, 40 };
   static const char *const whose[] = { "the paper's crawler, from rest, F1/F2 = 2, 10, 40",
-                                       "the ledger's crawler, from rest, F1/F2 = 2, 10, 40" };
+                                       "the default crawler of claims, from rest, F1/F2 = 2, 10, 40" };
   for (int k = 0; k < 2; k++) {
     const struct claim_row *row = find("velocity_change_is_not_monotone", 0, whose[k], k == 0);
     double peak[3], least, delta = 39. / 41, before = delta * (399. / 400) * (399. / 400);
@@ -174,16 +174,16 @@ TEST(speeds_where_T_is_varied)
 /* Of a crawler with hardly any friction at body 2 no boundary is found where F1/F2 is varied. */
 TEST(without_a_boundary)
 {
-  struct ledger other = { .rows = NULL };
+  struct claim_table other = { .rows = NULL };
   const struct scallop_crawler c = { 1.3, 0.9, 3.7, 0.001, 9.7, 1, 0.7, &scallop_gait_quadratic };
   int undecided = 0;
-  ledger_add_words(&other, &c);
+  claim_table_add_words(&other, &c);
   for (const struct claim_row *row = other.rows; row < other.rows + other.count; row++) {
     undecided += row->verdict == CLAIM_UNDECIDED && !row->inside;
     assert_null(strstr(row->reason, "nan"));
   }
   assert_int_not_equal(undecided, 0);
-  ledger_free(&other);
+  claim_table_free(&other);
 }
 
 /* A refutation in words comes with a command; the crawler in it does what the row says. */

@@ -1,11 +1,11 @@
 /* Verdicts on formulas of one's own, as `claims --formula` gives them: orders and coefficients derived by hand, or with
  * fractions apart from the toolkit. */
-#include "tests/support/full_ledger.h"
+#include "tests/support/claim_table.h"
 
 #include "compare/points/gaits.h"
 #include "compare/formulas/formula_file.h"
 
-/* The crawler of the ledger, or one with equal forces */
+/* The crawler of the table of claims, or one with equal forces */
 static const struct scallop_crawler usual = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, NULL };
 static const struct scallop_crawler equal = { 1.3, 0.9, 1.1, 1.1, 9.7, 1, 0.7, NULL };
 
@@ -29,17 +29,17 @@ static void check_verdict(const struct verdict *v)
                                            .quantity = v->quantity,
                                            .remainder = v->claimed,
                                            .text = v->text };
-  struct ledger ledger_of_one = { .rows = NULL };
+  struct claim_table table_of_one = { .rows = NULL };
   struct scallop_crawler c = *v->crawler;
   SCOPED(scallop_rational, exact);
   c.gait = gait_of_text(v->gait).gait;
   assert_non_null(c.gait);
   rational_crawler(&exact, &c);
-  ledger_add_formula(&ledger_of_one, &exact, true, &formula);
-  const struct claim_row *row = ledger_of_one.rows;
+  claim_table_add_formula(&table_of_one, &exact, true, &formula);
+  const struct claim_row *row = table_of_one.rows;
   print_message("%s, %s: %s, order %ld, %s: %s\n", v->text, v->gait, claim_verdict_text(row->verdict),
                 row->derived_order, row->coefficient, row->reason);
-  assert_string_equal(ledger_of_one.contradiction, "");
+  assert_string_equal(table_of_one.contradiction, "");
   assert_int_equal(row->verdict, v->verdict);
   if (row->proven)
     CHECK_EQUAL((double)row->derived_order, (double)v->order);
@@ -47,7 +47,7 @@ static void check_verdict(const struct verdict *v)
     assert_string_equal(row->coefficient, v->coefficient);
   if (v->reason)
     assert_non_null(strstr(row->reason, v->reason));
-  ledger_free(&ledger_of_one);
+  claim_table_free(&table_of_one);
 }
 
 static void check_verdicts(const struct verdict *verdicts, size_t count)
@@ -207,15 +207,15 @@ TEST(conditions_are_exact)
                                              .remainder = 3,
                                              .text = "(F1-F2)/M*T",
                                              .when = when };
-    struct ledger ledger_of_one = { .rows = NULL };
+    struct claim_table table_of_one = { .rows = NULL };
     struct scallop_crawler c = usual;
     SCOPED(scallop_rational, exact);
     c.gait = &scallop_gait_quadratic;
     rational_crawler(&exact, &c);
-    ledger_add_formula(&ledger_of_one, &exact, true, &formula);
-    if (ledger_of_one.rows->inside != cases[i].met)
+    claim_table_add_formula(&table_of_one, &exact, true, &formula);
+    if (table_of_one.rows->inside != cases[i].met)
       fail_msg("%s", cases[i].condition);
-    ledger_free(&ledger_of_one);
+    claim_table_free(&table_of_one);
   }
 }
 

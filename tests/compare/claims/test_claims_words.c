@@ -1,12 +1,12 @@
 /* The claims in words that a single example decides, or that hold for every crawler: each figure from another route,
  * the double solver, a closed form of the quadratic gait, or pencil and paper. The verdicts are those of
- * data/claims.tsv, with which `make check` compares the ledger. */
-#include "tests/support/full_ledger.h"
+ * data/claims.tsv, with which `make check` compares the table of claims. */
+#include "tests/support/claim_table.h"
 
 static int begin(void **state)
 {
   const struct scallop_crawler crawler = paper(0);
-  fill_ledger(&ledger, &crawler, false);
+  fill_claim_table(&claims, &crawler, false);
   return (void)state, 0;
 }
 
@@ -205,8 +205,8 @@ TEST(formulas_without_remainder)
   }
 }
 
-/* What holds for every crawler, for others than the ledger's: an extension of the quadratic gait in closed form, and
- * start velocities of any size. The ledger's scans meet hundreds of crawlers that they are about. */
+/* What holds for every crawler, for others than the default one: an extension of the quadratic gait in closed form, and
+ * start velocities of any size. The scans meet hundreds of crawlers that they are about. */
 TEST(statements_about_every_crawler)
 {
   struct random r = { 4711 };
@@ -239,7 +239,7 @@ TEST(statements_about_every_crawler)
 /* Every name and every number in the texts of the rows means something, and every claim is decided. */
 TEST(texts_are_whole)
 {
-  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++) {
+  for (const struct claim_row *row = claims.rows; row < claims.rows + claims.count; row++) {
     const char *const texts[] = { row->conditions, row->summary, row->reason };
     for (int i = 0; i < 3; i++)
       if (strstr(texts[i], "nan") || strpbrk(texts[i], "{}") || row->verdict == CLAIM_UNDECIDED)

@@ -144,7 +144,7 @@ if command -v gnuplot >/dev/null 2>&1; then
 fi
 if [ "${WITH_FLINT:-1}" != 0 ]; then
   run 0 claims --quiet --gait quadratic
-  finish "the ledger is there"
+  finish "the table of claims is there"
 fi
 if /usr/bin/python3 -c 'import numpy' 2>/dev/null; then
   loaded() { env -u SCALLOP_LIBRARY -u LD_LIBRARY_PATH PYTHONPATH="$1" /usr/bin/python3 -c 'import crawling_scallop as s; s.run(["steady"]); s.steady(F1=s.table("figure4")["T"]); print(s.load())' 2>err; }

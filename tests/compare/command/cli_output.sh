@@ -313,17 +313,17 @@ cannot() { # PATTERN
   unchanged claims
 }
 echo 'no library' >$part
-cannot 'the ledger needs FLINT: .*/bin/scallop-flint.so: file too short'
+cannot 'the table of claims needs FLINT: .*/bin/scallop-flint.so: file too short'
 rm $part
 mkdir $part
-cannot 'the ledger needs FLINT: .*/bin/scallop-flint.so: cannot read file data: Is a directory'
+cannot 'the table of claims needs FLINT: .*/bin/scallop-flint.so: cannot read file data: Is a directory'
 rmdir $part
-cannot 'the ledger needs FLINT, and there is no scallop-flint.so in .*/bin/ or ../lib/scallop: '
+cannot 'the table of claims needs FLINT, and there is no scallop-flint.so in .*/bin/ or ../lib/scallop: '
 for version in 'int other;' 'const char *const flint_part[] = { "0.1" };'; do
   echo "$version" | "${CC:-cc}" -shared -fPIC -x c -o $part - || note "no shared object is made of $version"
   case $version in
-    int*) cannot 'the ledger needs FLINT: .*/bin/scallop-flint.so: undefined symbol: flint_part' ;;
-    *) cannot 'the ledger needs FLINT, and .*/bin/scallop-flint.so is that of scallop 0.1$' ;;
+    int*) cannot 'the table of claims needs FLINT: .*/bin/scallop-flint.so: undefined symbol: flint_part' ;;
+    *) cannot 'the table of claims needs FLINT, and .*/bin/scallop-flint.so is that of scallop 0.1$' ;;
   esac
 done
 finish "a scallop-flint.so that cannot be loaded"

@@ -1,11 +1,11 @@
-/* Where memory is short there is no rival, and nothing is left behind. That is so for allocations of our own and the
- * first and last of the libraries': in between they fall themselves. Only where the allocator lets itself be called by
- * another name: glibc's, and the address sanitizer's. */
+/* Where memory is short there is no integrator, and nothing is left behind. That is so for allocations of our own and
+ * the first and last of the libraries': in between they fall themselves. Only where the allocator lets itself be
+ * called by another name: glibc's, and the address sanitizer's. */
 #include "tests/support/check.h"
 
 #include <stdlib.h>
 
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 #ifdef __GLIBC__
 static volatile long fails_in = -1; /* allocations until one fails; below 0: none does */
@@ -45,29 +45,32 @@ void free(void *block)
   REAL(free)(block);
 }
 
-typedef struct scallop_rival *maker(int kind);
+typedef struct scallop_integrator *maker(int kind);
 
 static void check_failures(maker *make, int kind, long from, long to)
 {
   for (long n = from; n < to; n++) {
     long before = in_use;
     fails_in = n;
-    struct scallop_rival *rival = make(kind);
+    struct scallop_integrator *integrator = make(kind);
     bool failed = fails_in < 0;
     fails_in = -1;
     assert_true(failed);
-    assert_null(rival);
+    assert_null(integrator);
     assert_int_equal(in_use, before);
   }
 }
 
-static struct scallop_rival *make_odeiv(int kind)
+static struct scallop_integrator *make_odeiv(int kind)
 {
-  return scallop_odeiv_rival((enum scallop_odeiv_stepper)kind, 1e-6);
+  return scallop_odeiv_integrator((enum scallop_odeiv_stepper)kind, 1e-6);
 }
-static struct scallop_rival *make_smoothed(int kind) { return (void)kind, scallop_smoothed_rival(1e-3, 1e-6); }
-static struct scallop_rival *make_cvode(int kind) { return (void)kind, scallop_cvode_rival(1e-6); }
-TEST(making_rivals)
+static struct scallop_integrator *make_smoothed(int kind)
+{
+  return (void)kind, scallop_smoothed_integrator(1e-3, 1e-6);
+}
+static struct scallop_integrator *make_cvode(int kind) { return (void)kind, scallop_cvode_integrator(1e-6); }
+TEST(making_integrators)
 {
   for (int kind = 0; kind < 2; kind++)
     check_failures(make_odeiv, kind, 0, 3);
@@ -77,5 +80,5 @@ TEST(making_rivals)
 }
 
 #else
-TEST(making_rivals) { skip(); }
+TEST(making_integrators) { skip(); }
 #endif

@@ -6,7 +6,7 @@
 
 #include "asymptotics/observed/order.h"
 #include "compare/stress/stiff.h"
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -134,19 +134,20 @@ TEST(errors_are_the_periods)
   struct scallop_crawler c = sticking(&scallop_gait_sinusoidal);
   struct stiff_scene scene = scene_of(&c);
   struct stiff_run run;
-  struct scallop_rival_period p, looser;
+  struct scallop_integrator_period p, looser;
   stiff_solve(&scene, 1e-3, 1e-9, LONG, &run);
-  struct scallop_rival *rivals[2] = { scallop_smoothed_rival(1e-3, 1e-9), scallop_smoothed_rival(1e-3, 10 * 1e-9) };
-  assert_int_equal(rivals[0]->period(rivals[0], &c, scene.v_start, NULL, &p), SCALLOP_OK);
-  assert_int_equal(rivals[1]->period(rivals[1], &c, scene.v_start, NULL, &looser), SCALLOP_OK);
+  struct scallop_integrator *integrators[2] = { scallop_smoothed_integrator(1e-3, 1e-9),
+                                                scallop_smoothed_integrator(1e-3, 10 * 1e-9) };
+  assert_int_equal(integrators[0]->period(integrators[0], &c, scene.v_start, NULL, &p), SCALLOP_OK);
+  assert_int_equal(integrators[1]->period(integrators[1], &c, scene.v_start, NULL, &looser), SCALLOP_OK);
   CHECK_NEAR(run.error[STIFF_V_END], (p.v_end - scene.v_start) * c.T / c.L, 1e-14);
   CHECK_NEAR(run.error[STIFF_DISPLACEMENT], (p.displacement - scene.displacement.high) / c.L, 1e-15);
   CHECK_NEAR(run.own[STIFF_V_END], fabs(p.v_end - looser.v_end) * c.T / c.L, 1e-15);
   CHECK_EQUAL(run.steps, (double)p.steps);
   CHECK_EQUAL(run.evaluations, (double)p.evaluations);
   assert_string_equal(run.status, "ok");
-  scallop_rival_destroy(rivals[0]);
-  scallop_rival_destroy(rivals[1]);
+  scallop_integrator_destroy(integrators[0]);
+  scallop_integrator_destroy(integrators[1]);
 }
 
 /* What is left against the prediction is of a higher order in delta. */
@@ -203,13 +204,13 @@ TEST(most_steps)
 {
   struct scallop_crawler c = scallop_crawler_default();
   struct stiff_scene scene = scene_of(&c);
-  struct scallop_rival *rival = scallop_smoothed_rival(1e-3, 1e-9);
-  struct scallop_rival_period p;
+  struct scallop_integrator *integrator = scallop_smoothed_integrator(1e-3, 1e-9);
+  struct scallop_integrator_period p;
   struct stiff_run run;
   long steps = 0;
   const struct scallop_patience patience = { count, &steps };
-  assert_int_equal(rival->period(rival, &c, scene.v_start, &patience, &p), SCALLOP_OK);
-  scallop_rival_destroy(rival);
+  assert_int_equal(integrator->period(integrator, &c, scene.v_start, &patience, &p), SCALLOP_OK);
+  scallop_integrator_destroy(integrator);
   stiff_solve(&scene, 1e-3, 1e-9, steps, &run);
   assert_true(run.solved);
   stiff_solve(&scene, 1e-3, 1e-9, steps - 1, &run);

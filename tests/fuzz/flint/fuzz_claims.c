@@ -76,7 +76,7 @@ static void take_terms(char *text, size_t size, struct bytes *b, bool steady)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
   struct bytes bytes = { data, size };
-  struct ledger ledger = { .rows = NULL };
+  struct claim_table claims = { .rows = NULL };
   SCOPED(scallop_rational, crawler);
   take_crawler(&crawler, &bytes);
   struct scallop_formula f = *take_formula(&bytes);
@@ -89,12 +89,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   f.remainder = take(&bytes, 8) - 1; /* -1: an equality */
   f.remainder += f.remainder == 0;
   f.when = NULL;
-  ledger_add_formula(&ledger, &crawler, true, &f);
-  const struct claim_row *row = ledger.rows;
-  if (*ledger.contradiction)
-    fuzz_fail("%s, %s of %s: %s", text, scallop_quantity_words[f.quantity], crawler.gait->name, ledger.contradiction);
+  claim_table_add_formula(&claims, &crawler, true, &f);
+  const struct claim_row *row = claims.rows;
+  if (*claims.contradiction)
+    fuzz_fail("%s, %s of %s: %s", text, scallop_quantity_words[f.quantity], crawler.gait->name, claims.contradiction);
   if (row->verdict == CLAIM_UNDECIDED && !*row->reason)
     fuzz_fail("%s: undecided without a reason", text);
-  ledger_free(&ledger);
+  claim_table_free(&claims);
   return 0;
 }

@@ -1,8 +1,8 @@
-/* Motions with gaits of every kind that model.h allows: that they are gaits, what rivals make of them, what becomes of
- * more modes than are kept, and of very many pieces. The solvers against each other: test_agree.c. */
+/* Motions with gaits of every kind that model.h allows: that they are gaits, what integrators make of them, what
+ * becomes of more modes than are kept, and of very many pieces. The solvers against each other: test_agree.c. */
 #include <float.h>
 
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 #include "tests/support/agree.h"
 #include "tests/support/columns.h"
 #include "tests/support/odd_gaits.h"
@@ -60,24 +60,25 @@ TEST(the_same_speeds_in_other_directions)
   }
 }
 
-TEST(rivals)
+TEST(integrators)
 {
   struct random r = { 20261105 };
-  struct scallop_rival *rival[2] = { scallop_odeiv_rival(SCALLOP_ODEIV_RK8PD, 1e-11), scallop_cvode_rival(1e-11) };
+  struct scallop_integrator *integrator[2] = { scallop_odeiv_integrator(SCALLOP_ODEIV_RK8PD, 1e-11),
+                                               scallop_cvode_integrator(1e-11) };
   for (int i = 0; i < check_cases(30 * ODD); i++) {
     struct scallop_crawler c = random_crawler(&r, i / ODD % 4 ? ORDINARY : STICK_SLIP, odd_gaits[i % ODD]);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), unit = c.L / (c.T * fmin(c.alpha, 1 - c.alpha)) + fabs(v0);
     struct scallop_period_result exact = period_of(&c, v0);
-    for (int k = 0; k < 2 && rival[k]; k++) {
-      struct scallop_rival_period got;
-      assert_int_equal(rival[k]->period(rival[k], &c, v0, NULL, &got), SCALLOP_OK);
+    for (int k = 0; k < 2 && integrator[k]; k++) {
+      struct scallop_integrator_period got;
+      assert_int_equal(integrator[k]->period(integrator[k], &c, v0, NULL, &got), SCALLOP_OK);
       CHECK_NEAR(got.v_mid, exact.v_mid, 1e-7 * unit);
       CHECK_NEAR(got.v_end, exact.v_end, 1e-7 * unit);
       CHECK_NEAR(got.displacement, exact.displacement, 1e-7 * unit * c.T);
     }
   }
   for (int k = 0; k < 2; k++)
-    scallop_rival_destroy(rival[k]);
+    scallop_integrator_destroy(integrator[k]);
 }
 
 static void count_mode(void *context, const struct scallop_interval *interval)

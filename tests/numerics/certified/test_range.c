@@ -2,7 +2,7 @@
  * is, and the same motion in moderate units is not. */
 #include <float.h>
 
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -53,16 +53,16 @@ TEST(one_phase)
   }
 }
 
-static void check_rivals(const struct scallop_crawler *c, double v0)
+static void check_integrators(const struct scallop_crawler *c, double v0)
 {
-  struct scallop_rival *rival[] = { scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-6), scallop_cvode_rival(1e-6),
-                                    scallop_smoothed_rival(1e-2, 1e-6) };
-  for (size_t i = 0; i < sizeof rival / sizeof *rival; i++)
-    if (rival[i]) {
-      struct scallop_rival_period p = { .v_end = 7 };
-      assert_int_equal(rival[i]->period(rival[i], c, v0, NULL, &p), SCALLOP_ERANGE);
+  struct scallop_integrator *integrator[] = { scallop_odeiv_integrator(SCALLOP_ODEIV_RKF45, 1e-6),
+                                              scallop_cvode_integrator(1e-6), scallop_smoothed_integrator(1e-2, 1e-6) };
+  for (size_t i = 0; i < sizeof integrator / sizeof *integrator; i++)
+    if (integrator[i]) {
+      struct scallop_integrator_period p = { .v_end = 7 };
+      assert_int_equal(integrator[i]->period(integrator[i], c, v0, NULL, &p), SCALLOP_ERANGE);
       CHECK_EQUAL(p.v_end, 7);
-      scallop_rival_destroy(rival[i]);
+      scallop_integrator_destroy(integrator[i]);
     }
 }
 
@@ -83,7 +83,7 @@ TEST(one_period)
     double v0 = periods[i].v0 * (c.L / c.T);
     REFUSES(scallop_period_result, scallop_period(&c, v0, &out), SCALLOP_ERANGE);
     if (periods[i].overflows)
-      check_rivals(&c, v0);
+      check_integrators(&c, v0);
     struct scallop_period_result r = period_of(&moderate, periods[i].v0);
     assert_int_equal(in_range(r.v_mid * (c.L / c.T)), i != 0);
     assert_int_equal(in_range(r.v_mid * (c.L / c.T)) && in_range(r.v_end * (c.L / c.T)), i > 1);
@@ -148,8 +148,8 @@ TEST(smoothed_phases)
 {
   enum { TIMES = 50 };
   static const double v0[] = { -50, 50, 1.45, -0.5, 0.5 };
-  struct scallop_rival *rival = scallop_smoothed_rival(1e-2, 1e-6);
-  assert_non_null(rival);
+  struct scallop_integrator *integrator = scallop_smoothed_integrator(1e-2, 1e-6);
+  assert_non_null(integrator);
   for (int i = 0; i < 5; i++) {
     bool fast = i >= 3; /* velocities overflow, and not positions */
     struct scallop_crawler c = crawler_in(fast ? 8e307 : 1e308, fast ? 1 : 2e3, fast ? 0.01 : 0.1, 0.5);
@@ -157,28 +157,28 @@ TEST(smoothed_phases)
     double unit = fast ? c.L / c.T : 2 * (c.L / c.T);
     for (int k = 0; k < TIMES; k++)
       samples[k] = (struct scallop_sample){ .t = k * (c.T / 2) / TIMES, .x1 = NAN };
-    assert_int_equal(scallop_smoothed_phase(rival, &c, SCALLOP_EXTENSION, v0[i] * unit, NULL, samples, TIMES),
+    assert_int_equal(scallop_smoothed_phase(integrator, &c, SCALLOP_EXTENSION, v0[i] * unit, NULL, samples, TIMES),
                      SCALLOP_ERANGE);
     struct last_sample last = { 0 };
     while (last.count < TIMES && !isnan(samples[last.count].x1))
       assert_true(keep(&last, &samples[last.count]));
     assert_true(last.count > 0 && last.count < TIMES);
   }
-  scallop_rival_destroy(rival);
+  scallop_integrator_destroy(integrator);
 }
 
 /* The bracket of the root, 1.01 times the largest velocity of a body, is beyond
  * the range. */
 TEST(a_root_beyond)
 {
-  struct scallop_rival *rival = scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, 1e-6);
-  assert_non_null(rival);
+  struct scallop_integrator *integrator = scallop_odeiv_integrator(SCALLOP_ODEIV_RKF45, 1e-6);
+  assert_non_null(integrator);
   for (int lopsided = 0; lopsided < 2; lopsided++) { /* then forward only */
     struct scallop_crawler c = crawler_in(lopsided ? 5e307 : 8.95e307, 1, 0.01, lopsided ? 0.3 : 0.5);
-    struct scallop_rival_steady steady = { .v_start = 7 };
+    struct scallop_integrator_steady steady = { .v_start = 7 };
     c.m1 = lopsided ? c.m2 / 9 : c.m1;
-    assert_int_equal(scallop_rival_root(rival, &c, 1e-6, NULL, &steady), SCALLOP_ERANGE);
+    assert_int_equal(scallop_integrator_root(integrator, &c, 1e-6, NULL, &steady), SCALLOP_ERANGE);
     CHECK_EQUAL(steady.v_start, 7);
   }
-  scallop_rival_destroy(rival);
+  scallop_integrator_destroy(integrator);
 }

@@ -94,7 +94,7 @@ def test_series_and_certified(proven: bool) -> None:
     if not proven:
         with pytest.raises((s.MissingError, s.CommandError)):
             s.series()
-            s.events()
+            s.transitions()
         return
     assert s.series().displacement[4] == Fraction(-711, 350464)
     ball, number = s.certified(F1=3, digits=40).displacement, float(s.steady(F1=3).displacement)
@@ -128,8 +128,8 @@ def test_verdicts(proven: bool) -> None:
 def test_breakdown(proven: bool) -> None:
     if not proven:
         pytest.skip("this command was built without FLINT")
-    events = s.events()
-    assert events[0].T == 0 and events[1].T == 2.7889395095954335
+    transitions = s.transitions()
+    assert transitions[0].T == 0 and transitions[1].T == 2.7889395095954335
     one = s.reach(1e-2, "displacement")
     assert [row.series for row in one] == ["eq28_displacement", "derived", "limit"]
     T = one[0].T
@@ -168,5 +168,5 @@ def test_plots() -> None:
     axes = plot.order(h, [x**2 for x in h], s.order(h, [x**2 for x in h], expect=2))
     assert axes.get_title().startswith("pass")
     row = s.Reach("displacement", "derived", 8, 1e-2, 2.5, 0.5, 1e-2, "-", "-", "certified")
-    lines = plot.reach([row, row._replace(T=math.inf)], [s.Event(2.7, 0.5, "-", "-", "certified")]).lines
+    lines = plot.reach([row, row._replace(T=math.inf)], [s.Transition(2.7, 0.5, "-", "-", "certified")]).lines
     assert [len(line.get_xdata()) for line in lines] == [1, 2]

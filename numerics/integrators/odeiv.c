@@ -1,4 +1,4 @@
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 #include <float.h>
 #include <math.h>
@@ -8,12 +8,12 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-#include "numerics/rivals/rival_motion.h"
+#include "numerics/integrators/integrator_motion.h"
 
 enum { DIMENSION = 2, MAX_TRIALS = 2200 /* doubles can be halved no longer */ };
 
 struct odeiv {
-  struct scallop_rival rival; /* first, so that the one is the other */
+  struct scallop_integrator integrator; /* first, so that the one is the other */
   gsl_odeiv2_driver *driver;
   gsl_odeiv2_system system;
   double tolerance;
@@ -28,7 +28,7 @@ struct point {
 };
 
 struct run {
-  struct rival_motion motion; /* first, so that the one is the other */
+  struct integrator_motion motion; /* first, so that the one is the other */
   struct odeiv *tools;
   double close; /* a velocity that counts as zero when an event is located */
   double h;     /* what the step control suggests                          */
@@ -36,22 +36,22 @@ struct run {
 
 static int equation(double t, const double y[], double dydt[], void *params)
 {
-  struct rival_motion *m = params;
+  struct integrator_motion *m = params;
   m->phases.evaluations++;
-  dydt[0] = rival_acceleration(m, t);
+  dydt[0] = integrator_acceleration(m, t);
   dydt[1] = y[0];
   return GSL_SUCCESS;
 }
 
 static double ahead(const struct run *r, const struct point *p, int body)
 {
-  return rival_ahead(&r->motion, p->y[0], p->v2, body);
+  return integrator_ahead(&r->motion, p->y[0], p->v2, body);
 }
 
 static double ahead_rate(const struct run *r, const struct point *p, int body)
 {
-  const struct rival_motion *m = &r->motion;
-  return body == 0 ? m->sign[0] * p->dydt[0] : rival_ahead_rate(m, p->t, body); /* dydt is at hand */
+  const struct integrator_motion *m = &r->motion;
+  return body == 0 ? m->sign[0] * p->dydt[0] : integrator_ahead_rate(m, p->t, body); /* dydt is at hand */
 }
 
 static void check(struct run *r, int gsl_status)
@@ -72,7 +72,7 @@ static void step_to(struct run *r, const struct point *from, double t, struct po
   r->motion.phases.steps++;
   check(r, gsl_odeiv2_step_apply(tools->driver->s, from->t, t - from->t, to->y, error, from->dydt, to->dydt,
                                  &tools->system));
-  to->v2 = to->y[0] + rival_gait_velocity(&r->motion, t);
+  to->v2 = to->y[0] + integrator_gait_velocity(&r->motion, t);
 }
 
 struct bracket {
@@ -158,11 +158,11 @@ static int first_event(struct run *r, const struct point *from, struct point *to
 
 static void begin(struct run *r, struct point *from)
 {
-  const struct rival_motion *m = &r->motion;
+  const struct integrator_motion *m = &r->motion;
   from->t = m->t;
   from->y[0] = m->y[0];
   from->y[1] = m->y[1];
-  from->v2 = m->y[0] + rival_gait_velocity(m, m->t);
+  from->v2 = m->y[0] + integrator_gait_velocity(m, m->t);
   check(r, gsl_odeiv2_driver_reset(r->tools->driver));
 }
 
@@ -179,16 +179,16 @@ static void accepted_step(struct run *r, double end, struct point *from, struct 
   from->dydt[1] = e->dydt_in[1];
   to->dydt[0] = e->dydt_out[0];
   to->dydt[1] = e->dydt_out[1];
-  to->v2 = to->y[0] + rival_gait_velocity(&r->motion, to->t);
+  to->v2 = to->y[0] + integrator_gait_velocity(&r->motion, to->t);
 }
 
-static int slide(struct rival_motion *m, double end)
+static int slide(struct integrator_motion *m, double end)
 {
   struct run *r = (struct run *)m;
   struct point from, to;
   int body = -1;
   begin(r, &from);
-  while (body < 0 && from.t < end && rival_motion_goes_on(m)) {
+  while (body < 0 && from.t < end && integrator_motion_goes_on(m)) {
     accepted_step(r, end, &from, &to);
     body = first_event(r, &from, &to);
     from = to;
@@ -199,8 +199,8 @@ static int slide(struct rival_motion *m, double end)
   return body;
 }
 
-static enum scallop_status period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
-                                  const struct scallop_patience *patience, struct scallop_rival_period *result)
+static enum scallop_status period(struct scallop_integrator *self, const struct scallop_crawler *crawler, double v0,
+                                  const struct scallop_patience *patience, struct scallop_integrator_period *result)
 {
   struct odeiv *tools = (struct odeiv *)self;
   /* h: the whole piece is the first step tried, as the control cuts down faster than it grows */
@@ -208,17 +208,17 @@ static enum scallop_status period(struct scallop_rival *self, const struct scall
     .motion = { .slide = slide }, .tools = tools, .close = fmax(0.1 * tools->tolerance, 4 * DBL_EPSILON), .h = 1
   };
   tools->system.params = &r.motion;
-  return rival_motion_period(&r.motion, crawler, v0, patience, result);
+  return integrator_motion_period(&r.motion, crawler, v0, patience, result);
 }
 
-static void destroy(struct scallop_rival *self)
+static void destroy(struct scallop_integrator *self)
 {
   struct odeiv *r = (struct odeiv *)self;
   gsl_odeiv2_driver_free(r->driver);
   free(r);
 }
 
-struct scallop_rival *scallop_odeiv_rival(enum scallop_odeiv_stepper stepper, double tolerance)
+struct scallop_integrator *scallop_odeiv_integrator(enum scallop_odeiv_stepper stepper, double tolerance)
 {
   const gsl_odeiv2_step_type *type = stepper == SCALLOP_ODEIV_RKF45   ? gsl_odeiv2_step_rkf45
                                      : stepper == SCALLOP_ODEIV_RK8PD ? gsl_odeiv2_step_rk8pd
@@ -227,14 +227,14 @@ struct scallop_rival *scallop_odeiv_rival(enum scallop_odeiv_stepper stepper, do
   struct odeiv *r = good ? malloc(sizeof *r) : NULL;
   if (!r)
     return NULL;
-  *r = (struct odeiv){ .rival = { period, destroy },
+  *r = (struct odeiv){ .integrator = { period, destroy },
                        .system = { .function = equation, .dimension = DIMENSION },
                        .tolerance = tolerance };
   gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* GSL aborts when memory is short */
   r->driver = gsl_odeiv2_driver_alloc_y_new(&r->system, type, 1, tolerance, tolerance);
   gsl_set_error_handler(handler);
   if (r->driver)
-    return &r->rival;
+    return &r->integrator;
   free(r);
   return NULL;
 }

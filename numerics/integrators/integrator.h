@@ -1,12 +1,12 @@
-/* The general-purpose rivals behind one interface: what people use who have the equation of motion and a good library,
- * and not the exact solver. They are here to be compared with: the rest of numerics/ never uses them.
+/* The general-purpose integrators behind one interface: what people use who have the equation of motion and a good
+ * library, and not the exact solver. They are here to be compared with: the rest of numerics/ never uses them.
  *
- * A rival is a period map, v0 -> the velocities and the displacement after one period from start velocity v0. Its
- * steady state is found as its user would find it: by simulating periods until they repeat, or as the root of
- * the map. Rivals allocate, when they are made; they print nothing and hold no state between calls.
- */
-#ifndef SCALLOP_NUMERICS_RIVALS_RIVAL_H
-#define SCALLOP_NUMERICS_RIVALS_RIVAL_H
+ * An integrator is a period map, v0 -> the velocities and the displacement after one period from start velocity v0.
+ * Its steady state is found as its user would find it: by simulating periods until they repeat, or as the root of the
+ * map. Integrators allocate, when they are made; they print nothing and hold no state between calls.
+ * */
+#ifndef SCALLOP_NUMERICS_INTEGRATORS_INTEGRATOR_H
+#define SCALLOP_NUMERICS_INTEGRATORS_INTEGRATOR_H
 
 #include "numerics/numerics.h"
 
@@ -14,14 +14,14 @@
 extern "C" {
 #endif
 
-/* Asked before each step and each period while a rival works; false: it gives up with SCALLOP_ESTOPPED. NULL instead of
- * it: it may take as long as it takes. */
+/* Asked before each step and each period while an integrator works; false: it gives up with SCALLOP_ESTOPPED. NULL
+ * instead of it: it may take as long as it takes. */
 struct scallop_patience {
   bool (*lasts)(void *context);
   void *context;
 };
 
-struct scallop_rival_period {
+struct scallop_integrator_period {
   double v_mid, v_end; /* velocity after the extension and after the contraction                  */
   double displacement; /* of the geometric centre over the period                                 */
   long steps;          /* steps tried: accepted, rejected, and taken again to locate an event     */
@@ -29,18 +29,18 @@ struct scallop_rival_period {
   long events;         /* changes of mode that were located; 0 for methods that know no events    */
 };
 
-struct scallop_rival {
+struct scallop_integrator {
   /* One period: extension, then contraction, from start velocity v0 of both bodies, any finite number. SCALLOP_EDOMAIN:
    * a bad crawler or v0; SCALLOP_ERANGE: a scaled quantity or a result over- or underflows; SCALLOP_ECONVERGE: the
    * method gave up (its step shrank to nothing, say); SCALLOP_ESTOPPED: patience did. *period is untouched on
    * failure. */
-  enum scallop_status (*period)(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
-                                const struct scallop_patience *patience, struct scallop_rival_period *period);
-  void (*destroy)(struct scallop_rival *self);
+  enum scallop_status (*period)(struct scallop_integrator *self, const struct scallop_crawler *crawler, double v0,
+                                const struct scallop_patience *patience, struct scallop_integrator_period *period);
+  void (*destroy)(struct scallop_integrator *self);
 };
-void scallop_rival_destroy(struct scallop_rival *rival); /* takes NULL */
+void scallop_integrator_destroy(struct scallop_integrator *integrator); /* takes NULL */
 
-struct scallop_rival_steady {
+struct scallop_integrator_steady {
   double v_start, displacement; /* displacement: nan if not one period was done                        */
   long periods;                 /* solved                                                              */
   long root_iterations;         /* 0 for a simulation                                                  */
@@ -52,17 +52,18 @@ struct scallop_rival_steady {
  * ratio of the last two changes of v, one more rounding error counted in; a change is over a stride of 1, then 2, 4, 8
  * ... periods, 16 changes of each, because where 1 - m is small a single period changes v too little to tell m by. v
  * moves by a constant as long as friction alone brakes (m = 1): that is no reason to end. So the number of periods
- * grows as log(1/tolerance)/(1 - multiplier), that is as 1/T^2 for T -> 0, and without patience nothing else limits it.
- * tolerance >= 0. It is the distance to the fixed point of the rival's own map, which is off by the error of its period
- * over 1 - multiplier. Where the map's noise does not allow the tolerance, the end is SCALLOP_OK all the same, at the
- * noise: when a period or a stride gives back the very v that it was given, or when the changes have altered their sign
- * 8 times, which those of the motion itself never do. v_start is the last v_end; displacement is that of the last
- * period, which began nearly there. SCALLOP_STOPPED: patience ended it (*steady is where it stood; a period that was
- * not finished is not counted). SCALLOP_EDOMAIN: a bad crawler, v0 or tolerance. Others: the period's. *steady is
- * untouched below zero. */
-enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const struct scallop_crawler *crawler,
-                                           double v0, double tolerance, const struct scallop_patience *patience,
-                                           struct scallop_rival_steady *steady);
+ * grows as log(1/tolerance)/(1 - multiplier), that is as 1/T^2 for T -> 0, and without patience nothing else limits
+ * it. tolerance >= 0. It is the distance to the fixed point of the integrator's own map, which is off by the error of
+ * its period over 1 - multiplier. Where the map's noise does not allow the tolerance, the end is SCALLOP_OK all the
+ * same, at the noise: when a period or a stride gives back the very v that it was given, or when the changes have
+ * altered their sign 8 times, which those of the motion itself never do. v_start is the last v_end; displacement is
+ * that of the last period, which began nearly there. SCALLOP_STOPPED: patience ended it (*steady is where it stood; a
+ * period that was not finished is not counted). SCALLOP_EDOMAIN: a bad crawler, v0 or tolerance. Others: the period's.
+ * *steady is untouched below zero. */
+enum scallop_status scallop_integrator_simulate(struct scallop_integrator *integrator,
+                                                const struct scallop_crawler *crawler, double v0, double tolerance,
+                                                const struct scallop_patience *patience,
+                                                struct scallop_integrator_steady *steady);
 
 /* The root of v_end - v_start by GSL's Brent solver (gsl_set_error_handler_off must have been called), bracketed by
  * 1.01 times the velocities at which l' could still turn a body round, until the bracket is no wider than tolerance *
@@ -73,13 +74,14 @@ enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const st
  * as friction must: its error is larger than what friction does in a period, and it says nothing of the steady state.
  * SCALLOP_STOPPED: patience ended it; *steady is where it stood, v_start and displacement nan while not both ends are
  * known. Others as above. */
-enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct scallop_crawler *crawler,
-                                       double tolerance, const struct scallop_patience *patience,
-                                       struct scallop_rival_steady *steady);
+enum scallop_status scallop_integrator_root(struct scallop_integrator *integrator,
+                                            const struct scallop_crawler *crawler, double tolerance,
+                                            const struct scallop_patience *patience,
+                                            struct scallop_integrator_steady *steady);
 
-/* ---- The rivals that locate events. Where a body's velocity has changed sign the step is taken again up to the zero,
- * and the forces decide whether the body reverses, goes on or sticks; the motion of a stuck body needs no integration,
- * x1' = 0 or x1' = -l'. Between events
+/* ---- The integrators that locate events. Where a body's velocity has changed sign the step is taken again up to the
+ * zero, and the forces decide whether the body reverses, goes on or sticks; the motion of a stuck body needs no
+ * integration, x1' = 0 or x1' = -l'. Between events
  *
  *     x1'' = -(m2/M) l'' - (F1 s1 + F2 s2)/M,   x2' = x1' + l'        (the paper, section 2)
  *
@@ -87,14 +89,14 @@ enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct
  * step, y being x1/L and x1' tau/L, tau the duration of the phase: so the tolerance is relative to L and L/tau, and a
  * velocity that is small beside L/tau is lost in the steps. DBL_EPSILON <= tolerance <= 0.1. Patience is asked at each
  * step. SCALLOP_ECONVERGE: the step size shrank to nothing, or a million steps were not enough: the tolerance is too
- * near rounding. tests/numerics/rivals/test_integrators.c holds the worst errors to bounds. */
+ * near rounding. tests/numerics/integrators/test_integrators.c holds the worst errors to bounds. */
 
 /* GSL's odeiv2: embedded Runge-Kutta pairs, Fehlberg 4(5), 6 evaluations a step, and Prince-Dormand 8(9), 13. Events
  * are located by Newton's method on the length of the step, kept inside a bracket, to a velocity of tolerance/10 or to
  * rounding. Worst error seen in a velocity: 4.5 tolerance (L/(T min(alpha, 1 - alpha)) + |v|), and T times that in the
  * displacement. NULL: a bad argument, or memory is short. */
 enum scallop_odeiv_stepper { SCALLOP_ODEIV_RKF45, SCALLOP_ODEIV_RK8PD };
-struct scallop_rival *scallop_odeiv_rival(enum scallop_odeiv_stepper stepper, double tolerance);
+struct scallop_integrator *scallop_odeiv_integrator(enum scallop_odeiv_stepper stepper, double tolerance);
 
 /* SUNDIALS CVODE: Adams's method of variable order and step, which meets the events by its own root finder. It starts
  * anew at each event and at each piece of the gait, and never steps over the end of one; its tolerance is in the root
@@ -102,7 +104,7 @@ struct scallop_rival *scallop_odeiv_rival(enum scallop_odeiv_stepper stepper, do
  * and T times that in the displacement. NULL: a bad tolerance, memory is short, or the program was built without
  * SUNDIALS, which scallop_has_cvode tells. */
 bool scallop_has_cvode(void);
-struct scallop_rival *scallop_cvode_rival(double tolerance);
+struct scallop_integrator *scallop_cvode_integrator(double tolerance);
 
 /* ---- Coulomb friction smoothed, so that the equation of motion is an ordinary, stiff one, which a stiff
  * solver integrates without an event to locate. With c the velocity of the centre of mass (numerics.h),
@@ -122,7 +124,7 @@ struct scallop_rival *scallop_cvode_rival(double tolerance);
  *
  * Errors of v_end in L/T and of the displacement in L over one period from the exact steady start, measured over 100
  * crawlers with ratios up to 25, eps = T^2 (F1 + F2)/(M L) up to 60, alpha from 0.05 to 0.95;
- * tests/numerics/rivals/test_smoothed.c holds them to bounds:
+ * tests/numerics/integrators/test_smoothed.c holds them to bounds:
  *   of the model: at most 3.2 delta where the bodies slide (0.002 delta for half of the crawlers: it is a fraction of
  *     eps delta), and at most (1.3 + ln(1/delta)/4) delta in stick-slip: first order but for a logarithm. A body about
  *     to be released creeps at v_delta artanh(force/friction), and is (v_delta/4) ln(1/v_delta) ahead when it goes. No
@@ -133,14 +135,14 @@ struct scallop_rival *scallop_cvode_rival(double tolerance);
  *     of the model, down to delta = 1e-8; 300 to 1500 steps. It gives up in stick-slip where the tolerance is 100
  *     delta: 2 crawlers of 200, after a million steps.
  * No step is longer than 1/32 of a phase, so that none leaps over a crossing. */
-struct scallop_rival *scallop_smoothed_rival(double delta, double tolerance);
+struct scallop_integrator *scallop_smoothed_integrator(double delta, double tolerance);
 
-/* Inside one phase: the motion from start velocity v0, at the times samples[i].t since the phase began, where steps are
- * made to end. samples: count of them, times rising, from 0 to the duration of the phase. rival: one of the above. A
- * sample gets x1, x2, xC, v1, v2 and l; x1 = 0 and x2 = l where the phase begins, and positions are good to the
- * tolerance and an ulp of L. Where l' jumps the velocities are those before the jump. SCALLOP_EDOMAIN also for bad
+/* Inside one phase: the motion from start velocity v0, at the times samples[i].t since the phase began, where steps
+ * are made to end. samples: count of them, times rising, from 0 to the duration of the phase. integrator: one of the
+ * above. A sample gets x1, x2, xC, v1, v2 and l; x1 = 0 and x2 = l where the phase begins, and positions are good to
+ * the tolerance and an ulp of L. Where l' jumps the velocities are those before the jump. SCALLOP_EDOMAIN also for bad
  * times. Else the statuses of the period; below zero the samples so far have been taken. */
-enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
+enum scallop_status scallop_smoothed_phase(struct scallop_integrator *integrator, const struct scallop_crawler *crawler,
                                            enum scallop_phase_kind kind, double v0,
                                            const struct scallop_patience *patience, struct scallop_sample *samples,
                                            int count);
@@ -152,18 +154,19 @@ enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const st
  *
  * l' at the end of the step, and its path that of the theta rule, X_new = X_old + h (c_old + c_new)/2. The inclusion
  * is monotone and piecewise linear in one unknown, so it is solved in closed form: no iteration, no tolerance, and a
- * stuck body is exactly at rest. The displacement of the geometric centre is that of X, as l returns.
- * Sources: J. J. Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988; M. Jean, Comput.
- * Methods Appl. Mech. Eng. 177 (1999) 235; V. Acary and B. Brogliato, "Numerical methods for nonsmooth dynamical
- * systems", 2008, chapter 10.
+ * stuck body is exactly at rest. The displacement of the geometric centre is that of X, as l returns. Sources: J. J.
+ * Moreau, "Unilateral contact and dry friction in finite freedom dynamics", 1988; M. Jean, Comput. Methods Appl. Mech.
+ * Eng. 177 (1999) 235; V. Acary and B. Brogliato, "Numerical methods for nonsmooth dynamical systems", 2008, chapter
+ * 10.
  *
  * steps equal steps a phase, 1 <= steps <= 2^53. NULL: an argument outside of that, or memory is short. Patience is
  * asked every 256 steps. evaluations: of l'. Never SCALLOP_ECONVERGE. First order, and that from the crossings alone:
  * in the step in which a body turns, friction has the sign of the end for the whole step. So the error lies anywhere
- * below its bound, by where in the step that happens, and does not fall smoothly. Worst seen in 10000 periods, in v_end
- * in L/T and in the displacement in L: 1.8 eps/steps, eps = T^2 (F1 + F2)/(M L); tests/numerics/rivals/test_moreau.c
- * holds both to 2 eps/steps. Rounding adds up to 1e-16 (1 + |c| T/L) steps, and overtakes that at about 1e8 steps. */
-struct scallop_rival *scallop_moreau_rival(long steps);
+ * below its bound, by where in the step that happens, and does not fall smoothly. Worst seen in 10000 periods, in
+ * v_end in L/T and in the displacement in L: 1.8 eps/steps, eps = T^2 (F1 + F2)/(M L);
+ * tests/numerics/integrators/test_moreau.c holds both to 2 eps/steps. Rounding adds up to 1e-16 (1 + |c| T/L) steps,
+ * and overtakes that at about 1e8 steps. */
+struct scallop_integrator *scallop_moreau_integrator(long steps);
 
 #ifdef __cplusplus
 }

@@ -1,24 +1,25 @@
 /* Steady states by simulation and as the root of a period map: on maps whose answer is known, and on GSL's integrators
- * beside the exact solver. What a rival's steady state is off by is the error of its period over 1 - multiplier. */
+ * beside the exact solver. What an integrator's steady state is off by is the error of its period over 1 - multiplier.
+ */
 #include <gsl/gsl_errno.h>
 
-#include "numerics/rivals/rival.h"
-#include "tests/support/rivals.h"
+#include "numerics/integrators/integrator.h"
+#include "tests/support/integrators.h"
 
 enum { CRAWLERS = 40, STEPPERS = 2 };
-static const double bound_of[STEPPERS] = { 32, 32 }; /* of tests/numerics/rivals/test_integrators.c */
+static const double bound_of[STEPPERS] = { 32, 32 }; /* of tests/numerics/integrators/test_integrators.c */
 
 /* A map whose answer is known, in units where L/T = 1 */
 struct map {
-  struct scallop_rival rival;
+  struct scallop_integrator integrator;
   double (*value)(struct map *map, double v);
   double multiplier, fixed;
   long calls;
   enum scallop_status status;
 };
 
-static enum scallop_status map_period(struct scallop_rival *self, const struct scallop_crawler *c, double v0,
-                                      const struct scallop_patience *patience, struct scallop_rival_period *period)
+static enum scallop_status map_period(struct scallop_integrator *self, const struct scallop_crawler *c, double v0,
+                                      const struct scallop_patience *patience, struct scallop_integrator_period *period)
 {
   struct map *m = (struct map *)self;
   double v = m->value(m, v0);
@@ -26,16 +27,19 @@ static enum scallop_status map_period(struct scallop_rival *self, const struct s
   m->calls++;
   if (m->status != SCALLOP_OK || !isfinite(v))
     return m->status != SCALLOP_OK ? m->status : SCALLOP_ERANGE;
-  *period =
-      (struct scallop_rival_period){ .v_end = v, .displacement = 2 * v0, .steps = 3, .evaluations = 5, .events = 7 };
+  *period = (struct scallop_integrator_period){
+    .v_end = v, .displacement = 2 * v0, .steps = 3, .evaluations = 5, .events = 7
+  };
   return SCALLOP_OK;
 }
 
-static void map_destroy(struct scallop_rival *self) { ((struct map *)self)->calls = -1; }
+static void map_destroy(struct scallop_integrator *self) { ((struct map *)self)->calls = -1; }
 
 static struct map map_of(double (*value)(struct map *map, double v), double multiplier, double fixed)
 {
-  return (struct map){ .rival = { map_period, map_destroy }, .value = value, .multiplier = multiplier, .fixed = fixed };
+  return (struct map){
+    .integrator = { map_period, map_destroy }, .value = value, .multiplier = multiplier, .fixed = fixed
+  };
 }
 
 static struct scallop_crawler unit_crawler(void)
@@ -71,12 +75,13 @@ static double one_sided(struct map *m, double v) { return v * m->fixed > 0 ? v :
 
 static double escaping(struct map *m, double v) { return linear(m, v) + (v >= 0 ? 1 : -1); }
 
-static struct scallop_rival_steady simulated(struct map *m, double v0, double tolerance, enum scallop_status wanted)
+static struct scallop_integrator_steady simulated(struct map *m, double v0, double tolerance,
+                                                  enum scallop_status wanted)
 {
-  struct scallop_rival_steady s = { .v_start = NAN };
+  struct scallop_integrator_steady s = { .v_start = NAN };
   struct scallop_crawler c = unit_crawler();
   m->calls = 0;
-  assert_int_equal(scallop_rival_simulate(&m->rival, &c, v0, tolerance, NULL, &s), wanted);
+  assert_int_equal(scallop_integrator_simulate(&m->integrator, &c, v0, tolerance, NULL, &s), wanted);
   assert_int_equal(s.periods, wanted == SCALLOP_OK ? m->calls : 0);
   return s;
 }
@@ -88,7 +93,7 @@ TEST(simulates_slow_maps)
   for (size_t i = 0; i < sizeof multipliers / sizeof *multipliers; i++)
     for (size_t k = 0; k < sizeof tolerances / sizeof *tolerances; k++) {
       struct map m = map_of(linear, multipliers[i], -0.385);
-      struct scallop_rival_steady s = simulated(&m, 1.7, tolerances[k], SCALLOP_OK);
+      struct scallop_integrator_steady s = simulated(&m, 1.7, tolerances[k], SCALLOP_OK);
       CHECK_NEAR(s.v_start, -0.385, 1.385 * tolerances[k]);
       CHECK_NEAR(s.displacement, 2 * -0.385, 4 * 1.385 * tolerances[k]); /* of a period that began as near */
       double needed = multipliers[i] > 0 ? log(tolerances[k]) / log(multipliers[i]) : 0;
@@ -104,7 +109,7 @@ TEST(simulates_slow_maps)
 TEST(rounding_does_not_end_a_simulation)
 {
   struct map m = map_of(rounded, 1 - 1e-6, -0.385);
-  struct scallop_rival_steady s = simulated(&m, -0.385 + 1e-7, 1e-9, SCALLOP_OK);
+  struct scallop_integrator_steady s = simulated(&m, -0.385 + 1e-7, 1e-9, SCALLOP_OK);
   CHECK_NEAR(s.v_start, -0.385, 1.385e-9);
 }
 
@@ -112,7 +117,7 @@ TEST(rounding_does_not_end_a_simulation)
 TEST(simulates_what_is_braked)
 {
   struct map m = map_of(braked, 0.9, 0.25);
-  struct scallop_rival_steady s = simulated(&m, 20, 1e-8, SCALLOP_OK);
+  struct scallop_integrator_steady s = simulated(&m, 20, 1e-8, SCALLOP_OK);
   CHECK_NEAR(s.v_start, 0.25, 1.25e-8);
   assert_true(s.periods > 19000);
 }
@@ -124,12 +129,12 @@ TEST(noise_ends_a_simulation)
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 2; k++) {
       struct map m = map_of(noisy, multipliers[i], 0.731);
-      struct scallop_rival_steady s = simulated(&m, -1, k ? 1e-13 : 0, SCALLOP_OK);
+      struct scallop_integrator_steady s = simulated(&m, -1, k ? 1e-13 : 0, SCALLOP_OK);
       CHECK_NEAR(s.v_start, 0.731, 4e-9 / (1 - multipliers[i]));
       CHECK_AT_MOST((double)s.periods, 60 / (1 - multipliers[i]));
     }
   struct map m = map_of(jumping, 0, 0.2);
-  struct scallop_rival_steady s = simulated(&m, 0.20001, 1e-9, SCALLOP_OK);
+  struct scallop_integrator_steady s = simulated(&m, 0.20001, 1e-9, SCALLOP_OK);
   CHECK_NEAR(s.v_start, 0.2, 3e-6);
   CHECK_AT_MOST((double)s.periods, 100);
   m = map_of(ending_in_a_cycle, 0, 0.4);
@@ -150,12 +155,12 @@ TEST(simulation_passes_failures_on)
   assert_int_equal(m.calls, 0);
 }
 
-static struct scallop_rival_steady rooted(struct map *m, double tolerance, enum scallop_status wanted)
+static struct scallop_integrator_steady rooted(struct map *m, double tolerance, enum scallop_status wanted)
 {
-  struct scallop_rival_steady s = { .v_start = NAN };
+  struct scallop_integrator_steady s = { .v_start = NAN };
   struct scallop_crawler c = unit_crawler();
   m->calls = 0;
-  assert_int_equal(scallop_rival_root(&m->rival, &c, tolerance, NULL, &s), wanted);
+  assert_int_equal(scallop_integrator_root(&m->integrator, &c, tolerance, NULL, &s), wanted);
   assert_int_equal(s.periods, wanted == SCALLOP_OK ? m->calls : 0);
   return s;
 }
@@ -166,7 +171,7 @@ TEST(roots_of_maps)
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 3; k++) {
       struct map m = map_of(linear, multipliers[i], -0.385);
-      struct scallop_rival_steady s = rooted(&m, tolerances[k], SCALLOP_OK);
+      struct scallop_integrator_steady s = rooted(&m, tolerances[k], SCALLOP_OK);
       CHECK_NEAR(s.v_start, -0.385, 1.385 * tolerances[k] + 4 * DBL_EPSILON / (1 - multipliers[i]));
       CHECK_EQUAL(s.displacement, 2 * s.v_start); /* of the period that starts there */
       assert_true(s.root_iterations > 0 && s.root_iterations < 20);
@@ -199,19 +204,20 @@ TEST(no_root)
   assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ERANGE).v_start));
 }
 
-static struct scallop_rival *make(int stepper, double tolerance)
+static struct scallop_integrator *make(int stepper, double tolerance)
 {
-  return scallop_odeiv_rival((enum scallop_odeiv_stepper)stepper, tolerance);
+  return scallop_odeiv_integrator((enum scallop_odeiv_stepper)stepper, tolerance);
 }
 
 /* The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that differs on the two
  * sides of the steady state. */
 static void compare(const struct scallop_crawler *c, int stepper, double tolerance, double v0)
 {
-  RIVAL(rival, make(stepper, tolerance));
+  INTEGRATOR(integrator, make(stepper, tolerance));
   struct scallop_steady_result exact = steady_of(c);
   double size = fastest_l(c) + fabs(exact.period.v_start);
-  check_steady(rival, c, v0, tolerance, (bound_of[stepper] + 2) * tolerance * size * 2 / (1 - exact.period.multiplier));
+  check_steady(integrator, c, v0, tolerance,
+               (bound_of[stepper] + 2) * tolerance * size * 2 / (1 - exact.period.multiplier));
 }
 
 static void agrees_for(const struct scallop_gait *gait)
@@ -243,13 +249,13 @@ TEST(agrees_sinusoidal) { agrees_for(&scallop_gait_sinusoidal); }
 TEST(forgets_at_once)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct scallop_rival_steady s;
+  struct scallop_integrator_steady s;
   c.T = 6;
   struct scallop_steady_result exact = steady_of(&c);
   CHECK_EQUAL(exact.period.multiplier, 0);
   for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    RIVAL(rival, make(stepper, 1e-9));
-    assert_int_equal(scallop_rival_simulate(rival, &c, 0.37, 1e-9, NULL, &s), SCALLOP_OK);
+    INTEGRATOR(integrator, make(stepper, 1e-9));
+    assert_int_equal(scallop_integrator_simulate(integrator, &c, 0.37, 1e-9, NULL, &s), SCALLOP_OK);
     assert_true(s.periods <= 3 && s.events > 0);
     compare(&c, stepper, 1e-9, 0.37);
   }
@@ -259,49 +265,49 @@ TEST(forgets_at_once)
 TEST(patience_in_a_search)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  RIVAL(rival, make(SCALLOP_ODEIV_RKF45, 1e-12));
-  struct scallop_rival_steady s;
+  INTEGRATOR(integrator, make(SCALLOP_ODEIV_RKF45, 1e-12));
+  struct scallop_integrator_steady s;
   long left = 0;
   PATIENCE(patience, left);
   c.T = 1e-4;
-  assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(scallop_integrator_simulate(integrator, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
   CHECK_EQUAL(s.v_start, 0.25);
   CHECK_EQUAL(s.displacement, NAN);
   assert_int_equal(s.periods, 0);
   left = 0;
-  assert_int_equal(scallop_rival_root(rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(scallop_integrator_root(integrator, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
   CHECK_EQUAL(s.v_start, NAN);
   CHECK_EQUAL(s.displacement, NAN);
   left = 20000;
-  assert_int_equal(scallop_rival_simulate(rival, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(scallop_integrator_simulate(integrator, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_true(s.periods > 100 && s.v_start != 0.25 && isfinite(s.displacement));
   left = 60;
-  assert_int_equal(scallop_rival_root(rival, &c, 1e-12, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(scallop_integrator_root(integrator, &c, 1e-12, &patience, &s), SCALLOP_STOPPED);
   assert_true(s.periods > 2 && isfinite(s.v_start) && isfinite(s.displacement));
 }
 
-/* It ends a search also of a rival that never asks. */
+/* It ends a search also of an integrator that never asks. */
 TEST(patience_between_periods)
 {
   struct map m = map_of(linear, 1 - 1e-6, 0.2);
   struct scallop_crawler c = unit_crawler();
-  struct scallop_rival_steady s;
+  struct scallop_integrator_steady s;
   long left = 11;
   PATIENCE(patience, left);
-  assert_int_equal(scallop_rival_simulate(&m.rival, &c, 1, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(scallop_integrator_simulate(&m.integrator, &c, 1, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 11);
   CHECK_NEAR(s.v_start, 1 - 11 * 0.8e-6, 1e-10);
   left = 3;
-  assert_int_equal(scallop_rival_root(&m.rival, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(scallop_integrator_root(&m.integrator, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 3);
 }
 
 static void refused(const struct scallop_crawler *c, double v0, double tolerance, enum scallop_status wanted)
 {
-  RIVAL(rival, make(SCALLOP_ODEIV_RKF45, 1e-9));
-  REFUSES(scallop_rival_steady, scallop_rival_simulate(rival, c, v0, tolerance, NULL, &out), wanted);
+  INTEGRATOR(integrator, make(SCALLOP_ODEIV_RKF45, 1e-9));
+  REFUSES(scallop_integrator_steady, scallop_integrator_simulate(integrator, c, v0, tolerance, NULL, &out), wanted);
   if (isfinite(v0))
-    REFUSES(scallop_rival_steady, scallop_rival_root(rival, c, tolerance, NULL, &out), wanted);
+    REFUSES(scallop_integrator_steady, scallop_integrator_root(integrator, c, tolerance, NULL, &out), wanted);
 }
 
 TEST(bad_input)
@@ -318,7 +324,7 @@ TEST(bad_input)
   c = good;
   c.T = 1e-200;
   refused(&c, 1, 1e-9, SCALLOP_ERANGE);
-  scallop_rival_destroy(&m.rival);
+  scallop_integrator_destroy(&m.integrator);
   assert_int_equal(m.calls, -1);
 }
 

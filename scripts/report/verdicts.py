@@ -1,4 +1,4 @@
-"""The ledger as the page shows it: claims with their formulas, and the rows that decide them."""
+"""The table of claims as the page shows it: claims with their formulas, and the rows that decide them."""
 import re
 
 SCOPES = {
@@ -19,7 +19,7 @@ VERDICTS = {
 def scope(row):
     if row["source"] == "corrected":
         return "corrected"
-    if row["inside"] != "yes":
+    if row["paper_conditions"] != "yes":
         return "outside"
     return "paper" if is_formula(row) else "words"
 

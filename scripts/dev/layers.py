@@ -1,10 +1,10 @@
-"""Which room uses which, from the code, against the list of what is allowed: rooms.py BUILD [--size]
+"""Which folder uses which, from the code, against the list of what is allowed: layers.py BUILD [--size]
 
-A room is model, asymptotics, numerics, a folder in one of them, a folder of compare/, or explorer. A room uses another one if a file includes one of its headers, or if an
+A folder is model, asymptotics, numerics, a folder in one of them, a folder of compare/, or explorer. A folder uses another one if a file includes one of its headers, or if an
 object file takes a function or data from one of its objects, so that a table of function pointers counts too. A header named like its
-folder, numerics/numerics.h, is what the rooms within that folder all speak of: they may include it. The list is rooms.txt
-beside this script. Refused are: an arrow that is not in the list, a circle among rooms, a circle among the units of one room of
-compare/ (a unit is a .c with its .h), headers with the same include guard, a line of C over 120 columns, more lines in a room than the list
+folder, numerics/numerics.h, is what the folders within that folder all speak of: they may include it. The list is layers.txt
+beside this script. Refused are: an arrow that is not in the list, a circle among folders, a circle among the units of one folder of
+compare/ (a unit is a .c with its .h), headers with the same include guard, a line of C over 120 columns, more lines in a folder than the list
 allows, and more than the limits below. Exit code 1 if something is refused. --size prints sizes beside what is allowed."""
 import collections
 import glob
@@ -15,7 +15,7 @@ import subprocess
 import sys
 
 MOST_FILES, MOST_LINES, MOST_FUNCTION, MOST_COLUMNS = 25, 450, 60, 120  # files of a folder of compare/, lines of a file there, of any function
-LIST = os.path.join(os.path.dirname(os.path.abspath(__file__)), "rooms.txt")
+LIST = os.path.join(os.path.dirname(os.path.abspath(__file__)), "layers.txt")
 COMPARE = sorted(f.rstrip("/") for f in glob.glob("compare/*/"))
 FOLDERS = [f for top in ("model", "asymptotics", "numerics") for f in (top, *(n.rstrip("/") for n in sorted(glob.glob(top + "/*/"))))] + COMPARE + ["explorer", "bench"]
 
@@ -29,13 +29,13 @@ def lines_of(path):
         return file.read().split("\n")[:-1]
 
 
-def room(path):
-    """model/law.c: model; compare/tables/table.h: tables; None outside of the rooms"""
+def folder(path):
+    """model/law.c: model; compare/tables/table.h: tables; None outside of the folders"""
     return os.path.basename(os.path.dirname(path)) if os.path.dirname(path) in FOLDERS else None
 
 
 def is_face_of(header, path):
-    """numerics/numerics.h for the rooms within numerics/: what they all speak of"""
+    """numerics/numerics.h for the folders within numerics/: what they all speak of"""
     folder = os.path.dirname(header)
     return os.path.basename(header) == os.path.basename(folder) + ".h" and path.startswith(folder + "/")
 
@@ -74,20 +74,20 @@ def arrows(build, allowed):
             for name in re.findall(r'^\s*#\s*include "(.*)"', line):
                 beside = os.path.normpath(os.path.join(os.path.dirname(path), name))
                 header = beside if os.path.exists(beside) else name
-                if room(header) and not is_face_of(header, path):
+                if folder(header) and not is_face_of(header, path):
                     yield path, header, f"{path}:{number} includes {header}"
     defined, taken = symbols(build)
     for path, names in taken.items():
         uses = collections.defaultdict(list)
         for name in (n for n in names if n in defined):
-            permitted = [d for d in defined[name] if room(d) in allowed.get(room(path), ())]
+            permitted = [d for d in defined[name] if folder(d) in allowed.get(folder(path), ())]
             uses[(permitted or defined[name])[0]].append(name)
         for maker, used in uses.items():
             yield path, maker, f"{path} uses {', '.join(used)} of {maker}"
 
 
 def read_list():
-    """What each room may use, itself included: the rooms on the right of its row, and what those may use. And its lines of C."""
+    """What each folder may use, itself included: the folders on the right of its row, and what those may use. And its lines of C."""
     rows = [re.match(r"(\w+)\s+(\d+)\s*->\s*(.*)", l).groups() for l in lines_of(LIST) if l and l[0] != "#"]
     graph = {name: set(to.split()) for name, _, to in rows}
     return {name: reached(name, graph) | {name} for name in graph}, {name: int(most) for name, most, _ in rows}
@@ -122,15 +122,15 @@ def circles(edges):
 
 def refusals(build):
     allowed, budget = read_list()
-    graphs = collections.defaultdict(dict)  # of rooms in the house, and of units in each room of compare/
+    graphs = collections.defaultdict(dict)  # of folders in the program, and of units in each folder of compare/
     for a, b, why in arrows(build, allowed):
-        if room(a) != room(b):
-            graphs["the house"].setdefault((room(a), room(b)), why)
-            if room(b) not in allowed.get(room(a), ()):
-                yield f"{room(a)} must not use {room(b)}: {why}"
+        if folder(a) != folder(b):
+            graphs["the program"].setdefault((folder(a), folder(b)), why)
+            if folder(b) not in allowed.get(folder(a), ()):
+                yield f"{folder(a)} must not use {folder(b)}: {why}"
         elif a.startswith("compare/") and a[:-2] != b[:-2]:
             graphs[os.path.dirname(a)].setdefault((a[:-2], b[:-2]), why)
-    for name in (room(f + "/") for f in FOLDERS):
+    for name in (folder(f + "/") for f in FOLDERS):
         if name not in allowed or any(name in allowed[other] for other in allowed[name] - {name}):
             yield f"{name}: {'in a circle of' if name in allowed else 'not in'} {os.path.basename(LIST)}"
     for place, edges in graphs.items():
@@ -138,7 +138,7 @@ def refusals(build):
             yield f"circle in {place}, of {', '.join(map(os.path.basename, members))}:\n  " + "\n  ".join(why)
     sizes = [(f, len(sources(f)), "files", MOST_FILES) for f in COMPARE]
     sizes += [(p, len(lines_of(p)), "lines", MOST_LINES) for f in COMPARE for p in sources(f)]
-    sizes += [(f, lines_in([f]), "lines", budget.get(room(f + "/"), 0)) for f in FOLDERS]
+    sizes += [(f, lines_in([f]), "lines", budget.get(folder(f + "/"), 0)) for f in FOLDERS]
     sizes += [(f"{p}: {n}", lines, "lines", MOST_FUNCTION) for f in FOLDERS for p in sources(f) for n, lines in functions(p)]
     guards = collections.defaultdict(list)
     mine = [p for p in sorted(glob.glob("**/*.[ch]", recursive=True)) if not p.startswith("build/")]
@@ -161,7 +161,7 @@ def lines_in(folders):
 
 def size():
     budget = read_list()[1]
-    yield "room                 files   lines  allowed  functions  median  longest"
+    yield "folder                 files   lines  allowed  functions  median  longest"
     for name, folders in [*((f, [f]) for f in FOLDERS), ("compare", COMPARE), ("tests", [f.rstrip("/") for f in glob.glob("tests/**/", recursive=True)])]:
         paths = [p for f in folders for p in sources(f)]
         lengths = [length for p in paths for _, length in functions(p)]

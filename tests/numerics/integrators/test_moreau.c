@@ -2,13 +2,13 @@
  * period, which it must approach in first order: error <= BOUND eps/steps for every crawler and start, and the worst of
  * them proportional to 1/steps. (The error of one crawler does not fall smoothly: it hangs on where in a step it
  * turns.) That pins the exact solver without sharing a line with it. */
-#include "numerics/rivals/rival.h"
-#include "tests/support/rivals.h"
+#include "numerics/integrators/integrator.h"
+#include "tests/support/integrators.h"
 
-static struct scallop_rival_period stepped(const struct scallop_crawler *c, double v0, long steps)
+static struct scallop_integrator_period stepped(const struct scallop_crawler *c, double v0, long steps)
 {
-  RIVAL(rival, scallop_moreau_rival(steps));
-  struct scallop_rival_period p = rival_period(rival, c, v0);
+  INTEGRATOR(integrator, scallop_moreau_integrator(steps));
+  struct scallop_integrator_period p = integrator_period(integrator, c, v0);
   assert_true(p.steps == 2 * steps && p.evaluations == 2 * steps && p.events == 0);
   return p;
 }
@@ -53,7 +53,7 @@ TEST(each_step_by_bisection)
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), v = v0, x = 0;
     double fastest = fastest_l(&c) + fabs(v0);
     int steps = 1 + random_below(&r, 40);
-    struct scallop_rival_period p = stepped(&c, v0, steps);
+    struct scallop_integrator_period p = stepped(&c, v0, steps);
     reference_phase(&c, SCALLOP_EXTENSION, steps, &v, &x);
     CHECK_NEAR(p.v_mid, v, 1e-13 * fastest);
     reference_phase(&c, SCALLOP_CONTRACTION, steps, &v, &x);
@@ -83,7 +83,7 @@ static void first_order(const struct scallop_gait *gait)
     regimes[exact.regime]++;
     for (int level = 0; level < LEVELS; level++) {
       long steps = COARSEST << 2 * level;
-      struct scallop_rival_period p = stepped(&c, v0, steps);
+      struct scallop_integrator_period p = stepped(&c, v0, steps);
       double error = fmax(distance(&c, &p, exact.v_end, exact.displacement), fabs(p.v_mid - exact.v_mid) * c.T / c.L);
       double share = error / crawler_eps(&c);
       worst[level] = fmax(worst[level], share);
@@ -115,11 +115,11 @@ TEST(steady_states)
     struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, every_gait[i / 2 % SMOOTH_GAITS]);
     c.alpha = random_between(&r, 0.2, 0.8);
     set_eps(&c, i % 2 ? random_decades(&r, 2, 60) : random_decades(&r, 0.3, 5));
-    RIVAL(rival, scallop_moreau_rival(steps));
-    struct scallop_rival_steady s;
+    INTEGRATOR(integrator, scallop_moreau_integrator(steps));
+    struct scallop_integrator_steady s;
     struct scallop_steady_result exact = steady_of(&c);
     double bound = 2 * 2 * crawler_eps(&c) / (double)steps / (1 - exact.period.multiplier);
-    assert_int_equal(scallop_rival_root(rival, &c, 1e-3 * bound, NULL, &s), SCALLOP_OK);
+    assert_int_equal(scallop_integrator_root(integrator, &c, 1e-3 * bound, NULL, &s), SCALLOP_OK);
     CHECK_NEAR(s.v_start, exact.period.v_start, bound * c.L / c.T);
     CHECK_NEAR(s.displacement, exact.period.displacement, bound * c.L);
   }
@@ -133,7 +133,7 @@ TEST(exact_without_crossings)
     double v0 = direction * 1013.7;
     struct scallop_period_result exact = period_of(&c, v0);
     for (long steps = 1; steps <= 1000; steps *= 10) {
-      struct scallop_rival_period p = stepped(&c, v0, steps);
+      struct scallop_integrator_period p = stepped(&c, v0, steps);
       CHECK_RELATIVE(p.v_end, exact.v_end, 1e-13);
       CHECK_RELATIVE(p.displacement, exact.displacement, 1e-13);
     }
@@ -148,7 +148,7 @@ TEST(stuck_exactly)
   struct scallop_scaled s;
   for (int stuck = 1; stuck <= 2; stuck++) {
     assert_int_equal(scallop_scale(&c, &s), SCALLOP_OK);
-    struct scallop_rival_period p = stepped(&c, 0.1, 1000);
+    struct scallop_integrator_period p = stepped(&c, 0.1, 1000);
     double share = stuck == 1 ? s.mu2 : -s.mu1;
     CHECK_EQUAL(p.v_mid, share / s.fraction[SCALLOP_EXTENSION] * s.velocity);
     CHECK_EQUAL(p.v_end, -share / s.fraction[SCALLOP_CONTRACTION] * s.velocity);

@@ -1,34 +1,40 @@
-/* What holds for every rival: what it refuses, other units, rest, patience, that it forgets, and steady states. What
- * each is for itself: the programs beside this one. */
+/* What holds for every integrator: what it refuses, other units, rest, patience, that it forgets, and steady states.
+ * What each is for itself: the programs beside this one. */
 #include <limits.h>
 #include <stdio.h>
 #include <unistd.h>
 
 #include <gsl/gsl_errno.h>
 
-#include "tests/support/rivals.h"
+#include "tests/support/integrators.h"
 
-static struct scallop_rival *rkf45(double tolerance) { return scallop_odeiv_rival(SCALLOP_ODEIV_RKF45, tolerance); }
-static struct scallop_rival *rk8pd(double tolerance) { return scallop_odeiv_rival(SCALLOP_ODEIV_RK8PD, tolerance); }
-static struct scallop_rival *unknown(double tolerance) { return scallop_odeiv_rival(2, tolerance); }
-static struct scallop_rival *none(double tolerance) { return scallop_odeiv_rival(-1, tolerance); }
-static struct scallop_rival *smoothed(double tolerance) { return scallop_smoothed_rival(1e-3, tolerance); }
-static struct scallop_rival *smoothed_over(double delta) { return scallop_smoothed_rival(delta, 1e-6); }
-static struct scallop_rival *moreau(double steps) { return scallop_moreau_rival((long)steps); }
+static struct scallop_integrator *rkf45(double tolerance)
+{
+  return scallop_odeiv_integrator(SCALLOP_ODEIV_RKF45, tolerance);
+}
+static struct scallop_integrator *rk8pd(double tolerance)
+{
+  return scallop_odeiv_integrator(SCALLOP_ODEIV_RK8PD, tolerance);
+}
+static struct scallop_integrator *unknown(double tolerance) { return scallop_odeiv_integrator(2, tolerance); }
+static struct scallop_integrator *none(double tolerance) { return scallop_odeiv_integrator(-1, tolerance); }
+static struct scallop_integrator *smoothed(double tolerance) { return scallop_smoothed_integrator(1e-3, tolerance); }
+static struct scallop_integrator *smoothed_over(double delta) { return scallop_smoothed_integrator(delta, 1e-6); }
+static struct scallop_integrator *moreau(double steps) { return scallop_moreau_integrator((long)steps); }
 
 /* sharp, coarse: what it is made with where it is to be exact, or quick. questions: how many it is told to go on for
  * before its patience ends, and in what steps. rest: what the displacement of a crawler at rest may be off by, in L.
  * steady: what a steady state is off by, over 1 - multiplier, in L/T; 0: not asked here */
 static const struct kind {
   const char *name;
-  struct scallop_rival *(*make)(double with);
+  struct scallop_integrator *(*make)(double with);
   double sharp, coarse;
   long questions, step;
   double rest, steady;
 } kinds[] = {
   { "rkf45", rkf45, 1e-10, 1e-9, 4, 1, 4 * DBL_EPSILON, 512 * 1e-10 },
   { "rk8pd", rk8pd, 1e-10, 1e-9, 4, 1, 4 * DBL_EPSILON, 512 * 1e-10 },
-  { "cvode", scallop_cvode_rival, 1e-10, 1e-9, 19, 1, 4 * DBL_EPSILON, 512 * 1e-10 },
+  { "cvode", scallop_cvode_integrator, 1e-10, 1e-9, 19, 1, 4 * DBL_EPSILON, 512 * 1e-10 },
   { "smoothed", smoothed, 1e-7, 1e-6, 40, 10, INFINITY, 0 },
   /* asked before the first step, and 6 times for 3 x 256 steps in each of two pieces of the extension */
   { "moreau", moreau, 4096, 6 * 256, 11, 1, 1e-13, 0 },
@@ -36,7 +42,7 @@ static const struct kind {
 enum { KINDS = sizeof kinds / sizeof *kinds };
 
 /* Those that this program was built with */
-static bool is_there(const struct kind *k) { return k->make != scallop_cvode_rival || scallop_has_cvode(); }
+static bool is_there(const struct kind *k) { return k->make != scallop_cvode_integrator || scallop_has_cvode(); }
 /* NOLINTBEGIN(bugprone-macro-parentheses): k is declared */
 #define FOR_KINDS(k) \
   for (const struct kind *k = kinds; k < kinds + KINDS; k++) \
@@ -45,20 +51,20 @@ static bool is_there(const struct kind *k) { return k->make != scallop_cvode_riv
 
 TEST(sundials_is_there_or_left_out)
 {
-  struct scallop_rival *rival = scallop_cvode_rival(1e-9);
-  assert_int_equal(rival != NULL, scallop_has_cvode());
-  scallop_rival_destroy(rival);
+  struct scallop_integrator *integrator = scallop_cvode_integrator(1e-9);
+  assert_int_equal(integrator != NULL, scallop_has_cvode());
+  scallop_integrator_destroy(integrator);
 }
 
 TEST(bad_handles)
 {
   static const struct {
-    struct scallop_rival *(*make)(double with);
+    struct scallop_integrator *(*make)(double with);
     double with[9]; /* the last is 7 */
   } bad[] = {
     { rkf45, { 0, -1e-9, 0.1001, 1, 2e-16, 1e-17, NAN, INFINITY, 7 } },
     { rk8pd, { 0, -1e-9, 0.1001, 1, 2e-16, 1e-17, NAN, INFINITY, 7 } },
-    { scallop_cvode_rival, { 0, -1e-9, 0.1001, 1, 2e-16, 1e-17, NAN, INFINITY, 7 } },
+    { scallop_cvode_integrator, { 0, -1e-9, 0.1001, 1, 2e-16, 1e-17, NAN, INFINITY, 7 } },
     { smoothed, { 0, -1e-9, 0.1001, 1, 2e-16, NAN, INFINITY, 7 } },
     { smoothed_over, { 0, -1e-3, NAN, INFINITY, 7 } },
     { moreau, { 0, -1, 7 } },
@@ -69,13 +75,13 @@ TEST(bad_handles)
     for (const double *with = bad[i].with; *with != 7; with++)
       assert_null(bad[i].make(*with));
   if ((double)LONG_MAX > 0x1p53)
-    assert_null(scallop_moreau_rival(LONG_MAX));
-  scallop_rival_destroy(NULL);
+    assert_null(scallop_moreau_integrator(LONG_MAX));
+  scallop_integrator_destroy(NULL);
 }
 
 #define GOOD 1, 1, 4, 1, 10
 static const struct refused {
-  struct scallop_rival *(*make)(double with); /* NULL: every one, made coarse */
+  struct scallop_integrator *(*make)(double with); /* NULL: every one, made coarse */
   double with;
   struct scallop_crawler crawler;
   double v0;
@@ -102,8 +108,8 @@ TEST(bad_input)
   for (const struct refused *f = refusals; f < refusals + sizeof refusals / sizeof *refusals; f++)
     FOR_KINDS (k)
       if (!f->make || k == kinds) {
-        RIVAL(rival, f->make ? f->make(f->with) : k->make(k->coarse));
-        check_refused(rival, &f->crawler, f->v0, NULL, f->wanted);
+        INTEGRATOR(integrator, f->make ? f->make(f->with) : k->make(k->coarse));
+        check_refused(integrator, &f->crawler, f->v0, NULL, f->wanted);
       }
 }
 
@@ -116,16 +122,16 @@ TEST(other_units_and_crawlers)
   struct scallop_crawler d = in_units(&c, &u);
   other.T = 7;
   FOR_KINDS (k) {
-    RIVAL(rival, k->make(k->sharp));
-    struct scallop_rival_period a = rival_period(rival, &c, 0.731);
-    rival_period(rival, &other, -3.1);
-    struct scallop_rival_period b = rival_period(rival, &d, 0.731 * u.length / u.time), again;
+    INTEGRATOR(integrator, k->make(k->sharp));
+    struct scallop_integrator_period a = integrator_period(integrator, &c, 0.731);
+    integrator_period(integrator, &other, -3.1);
+    struct scallop_integrator_period b = integrator_period(integrator, &d, 0.731 * u.length / u.time), again;
     CHECK_EQUAL(b.v_mid, a.v_mid * u.length / u.time);
     CHECK_EQUAL(b.v_end, a.v_end * u.length / u.time);
     CHECK_EQUAL(b.displacement, a.displacement * u.length);
     assert_true(b.steps == a.steps && b.evaluations == a.evaluations);
-    rival_period(rival, &other, -3.1);
-    again = rival_period(rival, &c, 0.731);
+    integrator_period(integrator, &other, -3.1);
+    again = integrator_period(integrator, &c, 0.731);
     assert_memory_equal(&again, &a, sizeof again); /* doubles and longs, no padding */
   }
 }
@@ -140,8 +146,8 @@ TEST(at_rest)
         struct scallop_crawler c = with_gait(every_gait[i / 2]);
         c.F1 = i % 2 ? 4e5 : 1e3;
         c.F2 = i % 2 ? 1e3 : 4e5;
-        RIVAL(rival, k->make(with));
-        struct scallop_rival_period p = rival_period(rival, &c, 0);
+        INTEGRATOR(integrator, k->make(with));
+        struct scallop_integrator_period p = integrator_period(integrator, &c, 0);
         assert_true(p.v_mid == 0 && p.v_end == 0 && (k->make == moreau || p.evaluations == 0));
         CHECK_NEAR(p.displacement, 0, k->rest * c.L);
       }
@@ -153,17 +159,17 @@ TEST(patience_ends)
   const long enough = 1000000;
   struct scallop_crawler c = scallop_crawler_default();
   FOR_KINDS (k) {
-    RIVAL(rival, k->make == smoothed ? scallop_smoothed_rival(1e-2, 1e-6) : k->make(k->coarse));
+    INTEGRATOR(integrator, k->make == smoothed ? scallop_smoothed_integrator(1e-2, 1e-6) : k->make(k->coarse));
     long left;
     PATIENCE(patience, left);
     for (long most = 0; most <= k->questions; most += k->step) {
       left = most;
-      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
+      check_refused(integrator, &c, 1, &patience, SCALLOP_ESTOPPED);
       assert_int_equal(left, -1);
     }
-    struct scallop_rival_period patient, alone = rival_period(rival, &c, 1);
+    struct scallop_integrator_period patient, alone = integrator_period(integrator, &c, 1);
     left = enough;
-    assert_int_equal(rival->period(rival, &c, 1, &patience, &patient), SCALLOP_OK);
+    assert_int_equal(integrator->period(integrator, &c, 1, &patience, &patient), SCALLOP_OK);
     long asked = enough - left;
     assert_true(k->make == moreau     ? asked == 12
                 : k->make == smoothed ? asked <= patient.steps
@@ -171,10 +177,10 @@ TEST(patience_ends)
     assert_memory_equal(&patient, &alone, sizeof alone);
     for (long most = 0; most < asked; most += 1 + asked / 7) {
       left = most;
-      check_refused(rival, &c, 1, &patience, SCALLOP_ESTOPPED);
+      check_refused(integrator, &c, 1, &patience, SCALLOP_ESTOPPED);
       assert_int_equal(left, -1);
     }
-    assert_true(rival_period(rival, &c, 1).v_end == alone.v_end); /* as good as new */
+    assert_true(integrator_period(integrator, &c, 1).v_end == alone.v_end); /* as good as new */
   }
 }
 
@@ -183,8 +189,8 @@ TEST(steady_states)
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   FOR_KINDS (k)
     if (k->steady > 0) {
-      RIVAL(rival, k->make(k->sharp));
-      check_steady(rival, &c, 0, k->sharp, k->steady * c.L / c.T / (1 - steady_of(&c).period.multiplier));
+      INTEGRATOR(integrator, k->make(k->sharp));
+      check_steady(integrator, &c, 0, k->sharp, k->steady * c.L / c.T / (1 - steady_of(&c).period.multiplier));
     }
 }
 
@@ -195,7 +201,7 @@ static double restless(const struct scallop_piece *p, double u) { return (void)p
 static double hole(const struct scallop_piece *p, double u) { return (void)p, u < 1 / 3.0 ? u : NAN; }
 
 static const struct broken {
-  struct scallop_rival *(*make)(double with);
+  struct scallop_integrator *(*make)(double with);
   double with;
   double (*velocity)(const struct scallop_piece *, double), (*acceleration)(const struct scallop_piece *, double);
   double at_0, slope, v0;
@@ -204,8 +210,8 @@ static const struct broken {
   { rk8pd, 1e-9, NULL, rough, 1, 0, 100 },
   { rkf45, 1e-9, NULL, restless, 1, 0, 100 },
   { smoothed_over, 1e-3, hole, NULL, 0, 1, 1 },
-  { scallop_cvode_rival, 1e-9, NULL, rough, 1, 0, 100 },
-  { scallop_cvode_rival, 1e-9, NULL, rough, NAN, 0, 100 },
+  { scallop_cvode_integrator, 1e-9, NULL, rough, 1, 0, 100 },
+  { scallop_cvode_integrator, 1e-9, NULL, rough, NAN, 0, 100 },
 };
 
 /* They fail, and in silence. */
@@ -217,13 +223,13 @@ TEST(no_convergence)
   assert_true(dup2(fileno(said), STDERR_FILENO) >= 0 && dup2(fileno(said), STDOUT_FILENO) >= 0);
   for (size_t i = 0; i < sizeof broken / sizeof *broken; i++) {
     struct odd_piece odd;
-    if (broken[i].make == scallop_cvode_rival && !scallop_has_cvode())
+    if (broken[i].make == scallop_cvode_integrator && !scallop_has_cvode())
       continue;
-    RIVAL(rival, broken[i].make(broken[i].with));
+    INTEGRATOR(integrator, broken[i].make(broken[i].with));
     struct scallop_crawler c = with_gait(odd_gait(&odd, broken[i].velocity, broken[i].acceleration));
     odd.piece.velocity = broken[i].at_0;
     odd.piece.acceleration = broken[i].slope;
-    check_refused(rival, &c, broken[i].v0, NULL, SCALLOP_ECONVERGE);
+    check_refused(integrator, &c, broken[i].v0, NULL, SCALLOP_ECONVERGE);
   }
   assert_true(fflush(stdout) == 0 && dup2(stderr_kept, STDERR_FILENO) >= 0 && dup2(stdout_kept, STDOUT_FILENO) >= 0);
   assert_int_equal(lseek(fileno(said), 0, SEEK_END), 0);
@@ -233,14 +239,14 @@ TEST(no_convergence)
 /* Nothing tells forward from backward: the crawler stays where it is. */
 TEST(goes_nowhere)
 {
-  struct scallop_rival_steady s;
+  struct scallop_integrator_steady s;
   FOR_KINDS (k)
     for (int i = 0; k->steady > 0 && i < 2; i++) {
       struct scallop_crawler c = { 2.3, 0.9, 1.7, 1.7, 3.1, 1.2, 0.5, every_gait[i] };
-      RIVAL(rival, k->make(k->coarse));
-      assert_int_equal(scallop_rival_root(rival, &c, 1e-9, NULL, &s), SCALLOP_OK);
+      INTEGRATOR(integrator, k->make(k->coarse));
+      assert_int_equal(scallop_integrator_root(integrator, &c, 1e-9, NULL, &s), SCALLOP_OK);
       CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
-      assert_int_equal(scallop_rival_simulate(rival, &c, 0.5, 1e-9, NULL, &s), SCALLOP_OK);
+      assert_int_equal(scallop_integrator_simulate(integrator, &c, 0.5, 1e-9, NULL, &s), SCALLOP_OK);
       CHECK_NEAR(s.displacement, 0, 1e-5 * c.L);
     }
 }

@@ -5,8 +5,8 @@
  * displacement. Friction never lets an error in velocity grow (the multiplier is at most 1), so the errors of the steps
  * add up and no more; Adams's method takes the more of them. The largest share of the bound that was seen is
  * printed. */
-#include "numerics/rivals/rival.h"
-#include "tests/support/rivals.h"
+#include "numerics/integrators/integrator.h"
+#include "tests/support/integrators.h"
 
 enum { EACH = 40, CVODE = 2, METHODS = 3 }; /* the others are steppers of scallop_odeiv_rival */
 static const double bound_of[METHODS] = { 32, 32, 512 };
@@ -14,22 +14,22 @@ static const double bound_of[METHODS] = { 32, 32, 512 };
 /* All that this program was built with */
 static int methods(void) { return scallop_has_cvode() ? METHODS : CVODE; }
 
-static struct scallop_rival *make(int method, double tolerance)
+static struct scallop_integrator *make(int method, double tolerance)
 {
-  return method == CVODE ? scallop_cvode_rival(tolerance)
-                         : scallop_odeiv_rival((enum scallop_odeiv_stepper)method, tolerance);
+  return method == CVODE ? scallop_cvode_integrator(tolerance)
+                         : scallop_odeiv_integrator((enum scallop_odeiv_stepper)method, tolerance);
 }
 
-static struct scallop_rival_period solved(const struct scallop_crawler *c, double v0, int method, double tolerance)
+static struct scallop_integrator_period solved(const struct scallop_crawler *c, double v0, int method, double tolerance)
 {
-  RIVAL(rival, make(method, tolerance));
-  return rival_period(rival, c, v0);
+  INTEGRATOR(integrator, make(method, tolerance));
+  return integrator_period(integrator, c, v0);
 }
 
-static struct scallop_rival_period compare(const struct scallop_crawler *c, double v0,
-                                           const struct scallop_period_result *exact, int method, double tolerance)
+static struct scallop_integrator_period compare(const struct scallop_crawler *c, double v0,
+                                                const struct scallop_period_result *exact, int method, double tolerance)
 {
-  struct scallop_rival_period p = solved(c, v0, method, tolerance);
+  struct scallop_integrator_period p = solved(c, v0, method, tolerance);
   check_period(&p, c, v0, exact, bound_of[method] * tolerance);
   return p;
 }
@@ -97,7 +97,7 @@ TEST(parted_from_rest)
 {
   struct scallop_crawler c = { 3.2, 0.28, 0.024, 0.024, 12.6, 1.45, 0.4, &minimum_jerk_gait };
   for (int method = 0; method < methods(); method++) {
-    struct scallop_rival_period p = solved(&c, 0, method, 1e-10);
+    struct scallop_integrator_period p = solved(&c, 0, method, 1e-10);
     CHECK_NEAR(p.v_mid, 0, bound_of[method] * 1e-10 * c.L / (c.T * c.alpha));
     CHECK_NEAR(p.v_end, 0, bound_of[method] * 1e-10 * c.L / (c.T * c.alpha));
   }

@@ -1,6 +1,6 @@
-/* The whole ledger of one crawler, for tests of its rows. */
-#ifndef SCALLOP_TESTS_SUPPORT_FULL_LEDGER_H
-#define SCALLOP_TESTS_SUPPORT_FULL_LEDGER_H
+/* The whole table of claims of one crawler, for tests of its rows. */
+#ifndef SCALLOP_TESTS_SUPPORT_CLAIM_TABLE_H
+#define SCALLOP_TESTS_SUPPORT_CLAIM_TABLE_H
 
 #include <stdio.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 #include "tests/support/scoped.h"
 #include "tests/support/solved.h"
 
-static inline void fill_ledger(struct ledger *ledger, const struct scallop_crawler *crawler, bool orders)
+static inline void fill_claim_table(struct claim_table *claims, const struct scallop_crawler *crawler, bool orders)
 {
   SCOPED(scallop_rational, exact);
   struct scallop_crawler c = *crawler;
@@ -19,42 +19,43 @@ static inline void fill_ledger(struct ledger *ledger, const struct scallop_crawl
     c.gait = every_gait[g];
     rational_crawler(&exact, &c);
     if (orders)
-      ledger_add_orders(ledger, &exact, NULL);
-    ledger_add_words(ledger, &c);
+      claim_table_add_orders(claims, &exact, NULL);
+    claim_table_add_words(claims, &c);
   }
 }
 
 /* The one that the tests of a program look at, and its end */
-static struct ledger ledger;
-static inline int empty(void **state) { return (void)state, ledger_free(&ledger), 0; }
+static struct claim_table claims;
+static inline int empty(void **state) { return (void)state, claim_table_free(&claims), 0; }
 
 /* Filled for the tests' crawler, with or without the claims about orders */
 static inline int fill(bool orders)
 {
-  fill_ledger(&ledger, &(struct scallop_crawler){ 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic }, orders);
+  fill_claim_table(&claims, &(struct scallop_crawler){ 1.7, 0.8, 4.1, 1.3, 11.3, 1, 0.66, &scallop_gait_quadratic },
+                   orders);
   return 0;
 }
 
 /* Its row about every_gait[g]. conditions: all of them, or NULL for any */
 static inline const struct claim_row *find(const char *claim, int g, const char *conditions, bool inside)
 {
-  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
+  for (const struct claim_row *row = claims.rows; row < claims.rows + claims.count; row++)
     if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, every_gait[g]->name) == 0 && row->inside == inside
         && (!conditions || strcmp(row->conditions, conditions) == 0))
       return row;
   fail_msg("no row %s, %s", claim, every_gait[g]->name);
-  return ledger.rows;
+  return claims.rows;
 }
 
 /* ... whose conditions hold the text */
 static inline const struct claim_row *row_of(const char *claim, int g, const char *conditions)
 {
-  for (const struct claim_row *row = ledger.rows; row < ledger.rows + ledger.count; row++)
+  for (const struct claim_row *row = claims.rows; row < claims.rows + claims.count; row++)
     if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, every_gait[g]->name) == 0
         && strstr(row->conditions, conditions))
       return row;
   fail_msg("no row %s, %s, %s", claim, every_gait[g]->name, conditions);
-  return ledger.rows;
+  return claims.rows;
 }
 
 /* The numbers behind a text in what was measured: as many as sscanf is to read */

@@ -1,25 +1,25 @@
-/* What the tests of rivals share: a rival held against the exact solver, in other units, told to stop, and what it
- * refuses. Header-only. */
-#ifndef SCALLOP_TESTS_SUPPORT_RIVALS_H
-#define SCALLOP_TESTS_SUPPORT_RIVALS_H
+/* What the tests of integrators share: an integrator held against the exact solver, in other units, told to stop, and
+ * what it refuses. Header-only. */
+#ifndef SCALLOP_TESTS_SUPPORT_INTEGRATORS_H
+#define SCALLOP_TESTS_SUPPORT_INTEGRATORS_H
 
 #include <float.h>
 
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
-static inline void end_rival(struct scallop_rival **rival) { scallop_rival_destroy(*rival); }
-/* A rival that there must be, and that ends with its block */
-#define RIVAL(name, made) \
-  struct scallop_rival *name __attribute__((cleanup(end_rival))) = (made); \
+static inline void end_integrator(struct scallop_integrator **integrator) { scallop_integrator_destroy(*integrator); }
+/* An integrator that there must be, and that ends with its block */
+#define INTEGRATOR(name, made) \
+  struct scallop_integrator *name __attribute__((cleanup(end_integrator))) = (made); \
   assert_non_null(name)
 
-static inline struct scallop_rival_period rival_period(struct scallop_rival *rival, const struct scallop_crawler *c,
-                                                       double v0)
+static inline struct scallop_integrator_period integrator_period(struct scallop_integrator *integrator,
+                                                                 const struct scallop_crawler *c, double v0)
 {
-  struct scallop_rival_period p = { .v_end = NAN };
-  assert_int_equal(rival->period(rival, c, v0, NULL, &p), SCALLOP_OK);
+  struct scallop_integrator_period p = { .v_end = NAN };
+  assert_int_equal(integrator->period(integrator, c, v0, NULL, &p), SCALLOP_OK);
   assert_true(p.steps >= 0 && p.evaluations >= p.steps && p.events >= 0);
   return p;
 }
@@ -36,7 +36,7 @@ static inline void check_share(double got, double wanted, double tolerance)
 static inline double fastest_l(const struct scallop_crawler *c) { return c->L / (c->T * fmin(c->alpha, 1 - c->alpha)); }
 
 /* bound (L/(T min(alpha, 1 - alpha)) + |v|) for velocities, and T times that for the displacement */
-static inline void check_period(const struct scallop_rival_period *p, const struct scallop_crawler *c, double v0,
+static inline void check_period(const struct scallop_integrator_period *p, const struct scallop_crawler *c, double v0,
                                 const struct scallop_period_result *exact, double bound)
 {
   double unit = fastest_l(c);
@@ -46,7 +46,7 @@ static inline void check_period(const struct scallop_rival_period *p, const stru
 }
 
 /* The larger difference of v_end and of the displacement, in L/T, in L */
-static inline double distance(const struct scallop_crawler *c, const struct scallop_rival_period *p, double v_end,
+static inline double distance(const struct scallop_crawler *c, const struct scallop_integrator_period *p, double v_end,
                               double displacement)
 {
   return fmax(fabs(p->v_end - v_end) * c->T / c->L, fabs(p->displacement - displacement) / c->L);
@@ -65,25 +65,25 @@ static inline double observed_order(const double *error, int count, double ratio
 }
 
 /* By root and by simulation from v0, within a bound of the velocity */
-static inline void check_steady(struct scallop_rival *rival, const struct scallop_crawler *c, double v0,
+static inline void check_steady(struct scallop_integrator *integrator, const struct scallop_crawler *c, double v0,
                                 double tolerance, double bound)
 {
-  struct scallop_rival_steady s;
+  struct scallop_integrator_steady s;
   struct scallop_steady_result exact = steady_of(c);
-  assert_int_equal(scallop_rival_root(rival, c, tolerance, NULL, &s), SCALLOP_OK);
+  assert_int_equal(scallop_integrator_root(integrator, c, tolerance, NULL, &s), SCALLOP_OK);
   check_share(s.v_start, exact.period.v_start, bound);
   check_share(s.displacement, exact.period.displacement, bound * c->T);
   assert_true(s.periods > 2 && s.periods <= s.root_iterations + 2 && s.root_iterations < 60);
-  assert_int_equal(scallop_rival_simulate(rival, c, v0, tolerance, NULL, &s), SCALLOP_OK);
+  assert_int_equal(scallop_integrator_simulate(integrator, c, v0, tolerance, NULL, &s), SCALLOP_OK);
   check_share(s.v_start, exact.period.v_start, bound);
   check_share(s.displacement, exact.period.displacement, bound * c->T);
 }
 
 /* Not taken, and nothing touched */
-static inline void check_refused(struct scallop_rival *rival, const struct scallop_crawler *c, double v0,
+static inline void check_refused(struct scallop_integrator *integrator, const struct scallop_crawler *c, double v0,
                                  const struct scallop_patience *patience, enum scallop_status wanted)
 {
-  REFUSES(scallop_rival_period, rival->period(rival, c, v0, patience, &out), wanted);
+  REFUSES(scallop_integrator_period, integrator->period(integrator, c, v0, patience, &out), wanted);
 }
 
 /* Patience for so many questions: then -1 is left */

@@ -1,9 +1,9 @@
 #!/bin/sh
-# scripts/dev/rooms.py on a house made up here: it finds a wrong arrow, a circle through a table of function pointers, and what is too long.
-rooms=$(cd "$(dirname "$0")/../../.." && pwd)/scripts/dev/rooms.py
+# scripts/dev/layers.py on a house made up here: it finds a wrong arrow, a circle through a table of function pointers, and what is too long.
+folders=$(cd "$(dirname "$0")/../../.." && pwd)/scripts/dev/layers.py
 . "$(dirname "$0")/../../support/common.sh"
 
-build() { # every .c of the house as an object file
+build() { # every .c of the program as an object file
   rm -rf build
   for c in */*.c compare/*/*.c; do
     mkdir -p "build/${c%/*}"
@@ -12,7 +12,7 @@ build() { # every .c of the house as an object file
 }
 judge() { # CODE
   build
-  /usr/bin/python3 "$rooms" build >out 2>err
+  /usr/bin/python3 "$layers" build >out 2>err
   code=$?
   [ "$code" = "$1" ] || note "exit code $code, not $1: $(cat out err)"
 }
@@ -27,7 +27,7 @@ printf '#include "compare/tables/table.h"\nint written;\n' >compare/tables/table
 printf '#include "compare/tables/table.h"\nint grid(void);\nint grid(void)\n{\n  return written;\n}\n' >compare/maps/grid.c
 judge 0
 [ ! -s out ] || note "of a house in order: $(cat out)"
-finish "make rooms: a house in order"
+finish "make layers: a house in order"
 
 # Upward: by an include, by a call without one, by data without one
 cp compare/tables/table.c kept.c
@@ -39,7 +39,7 @@ printf 'int grid(void);\nint (*const row)(void) = grid;\n' >>kept.c
 cp kept.c compare/tables/table.c
 judge 1
 said "tables must not use maps: compare/tables/table.c uses grid of compare/maps/grid.c"
-said "circle in the house, of maps, tables:"
+said "circle in the program, of maps, tables:"
 sed '/grid/d' kept.c >compare/tables/table.c
 printf 'extern int written;\nint *law_written(void);\nint *law_written(void) { return &written; }\n' >model/data.c
 judge 1
@@ -48,9 +48,9 @@ rm model/data.c
 mkdir compare/cellar
 : >compare/cellar/box.h
 judge 1
-said "cellar: not in rooms.txt"
+said "cellar: not in layers.txt"
 rm -r compare/cellar
-finish "make rooms: arrows that are not allowed, by includes and by symbols"
+finish "make layers: arrows that are not allowed, by includes and by symbols"
 
 # A table of functions; one of them reads the table.
 cat >compare/breakdown/kinds.c <<'END'
@@ -70,14 +70,14 @@ said "compare/breakdown/reach.c uses kinds of compare/breakdown/kinds.c"
 [ "$(wc -l <out)" = 3 ] || note "more than one circle: $(cat out)"
 sed -i 's/kinds\[1\]/radius/' compare/breakdown/reach.c
 judge 0
-finish "make rooms: a circle through a table of function pointers"
+finish "make layers: a circle through a table of function pointers"
 
 printf '#ifndef BOX_H\n#define BOX_H\n#endif\n' | tee model/box.h numerics/box.h >compare/tables/other.h
 judge 1
 said "BOX_H guards compare/tables/other.h and model/box.h and numerics/box.h"
 rm model/box.h numerics/box.h compare/tables/other.h
 judge 0
-finish "make rooms: include guards that are the same"
+finish "make layers: include guards that are the same"
 
 {
   printf 'int many(int i);\nint many(int i)\n{\n'
@@ -86,7 +86,7 @@ finish "make rooms: include guards that are the same"
 } >numerics/many.c # 61 lines from its name on
 for i in $(seq 26); do : >"compare/maps/header$i.h"; done
 seq 451 | sed 's|^|// |' >compare/tables/long.h
-most=$(awk '$1 == "model" { print $2 }' "${rooms%.py}.txt")
+most=$(awk '$1 == "model" { print $2 }' "${layers%.py}.txt")
 seq "$most" | sed 's|^|// |' >model/long.h
 printf "// %118d\n" 1 >>numerics/many.c
 judge 1
@@ -96,7 +96,7 @@ said "compare/tables/long.h: 451 lines, 450 are allowed"
 said "model: $((most + 3)) lines, $most are allowed"
 said "numerics/many.c:63: 121 columns"
 [ "$(wc -l <out)" = 5 ] || note "more is refused: $(cat out)"
-/usr/bin/python3 "$rooms" build --size >out || note "--size gives exit code $?"
+/usr/bin/python3 "$layers" build --size >out || note "--size gives exit code $?"
 grep -q '^numerics  *2  *66  *[0-9][0-9]*  *2  *31  *61$' out || note "the size of numerics: $(cat out)"
-finish "make rooms, make size: lines, functions, files and folders that are too long"
+finish "make layers, make size: lines, functions, files and folders that are too long"
 exit $failed

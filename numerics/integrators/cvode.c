@@ -1,12 +1,12 @@
 /* CVODE, where the program is built with SUNDIALS. */
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 #include <stddef.h>
 
 #if !WITH_SUNDIALS
 bool scallop_has_cvode(void) { return false; }
 
-struct scallop_rival *scallop_cvode_rival(double tolerance)
+struct scallop_integrator *scallop_cvode_integrator(double tolerance)
 {
   (void)tolerance;
   return NULL;
@@ -20,7 +20,7 @@ struct scallop_rival *scallop_cvode_rival(double tolerance)
 #include <nvector/nvector_serial.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
-#include "numerics/rivals/rival_motion.h"
+#include "numerics/integrators/integrator_motion.h"
 
 #ifndef SUNDIALS_DOUBLE_PRECISION
 #error "SUNDIALS is built for another precision than double"
@@ -36,7 +36,7 @@ typedef void *SUNContext;
 enum { DIMENSION = 2 };
 
 struct cvode {
-  struct scallop_rival rival; /* first, so that the one is the other */
+  struct scallop_integrator integrator; /* first, so that the one is the other */
   SUNContext context;
   N_Vector y; /* x1' and x1 */
   void *memory;
@@ -45,16 +45,16 @@ struct cvode {
 };
 
 struct run {
-  struct rival_motion motion; /* first, so that the one is the other */
+  struct integrator_motion motion; /* first, so that the one is the other */
   const struct cvode *tools;
   bool let_go[2]; /* a body that was at rest where the integration began */
 };
 
 static int equation(double t, N_Vector y, N_Vector dydt, void *context)
 {
-  struct rival_motion *m = context;
+  struct integrator_motion *m = context;
   m->phases.evaluations++;
-  NV_Ith_S(dydt, 0) = rival_acceleration(m, t);
+  NV_Ith_S(dydt, 0) = integrator_acceleration(m, t);
   NV_Ith_S(dydt, 1) = NV_Ith_S(y, 0);
   return 0;
 }
@@ -67,15 +67,15 @@ static double slack(const struct run *r, double t, int body)
 {
   if (!r->let_go[body])
     return 0;
-  return rival_ahead_rate(&r->motion, t, body) > 0 ? 1 : fmax(r->tools->tolerance, 4 * DBL_EPSILON);
+  return integrator_ahead_rate(&r->motion, t, body) > 0 ? 1 : fmax(r->tools->tolerance, 4 * DBL_EPSILON);
 }
 
 static int velocities(double t, N_Vector y, double *ahead, void *context)
 {
   const struct run *r = context;
-  double v1 = NV_Ith_S(y, 0), v2 = v1 + rival_gait_velocity(&r->motion, t);
+  double v1 = NV_Ith_S(y, 0), v2 = v1 + integrator_gait_velocity(&r->motion, t);
   for (int body = 0; body < 2; body++)
-    ahead[body] = rival_ahead(&r->motion, v1, v2, body) + slack(r, t, body);
+    ahead[body] = integrator_ahead(&r->motion, v1, v2, body) + slack(r, t, body);
   return 0;
 }
 
@@ -83,10 +83,10 @@ static int velocities(double t, N_Vector y, double *ahead, void *context)
 static bool begin(struct run *r)
 {
   const struct cvode *tools = r->tools;
-  const struct rival_motion *m = &r->motion;
-  double v2 = m->y[0] + rival_gait_velocity(m, m->t);
+  const struct integrator_motion *m = &r->motion;
+  double v2 = m->y[0] + integrator_gait_velocity(m, m->t);
   for (int body = 0; body < 2; body++)
-    r->let_go[body] = rival_ahead(m, m->y[0], v2, body) <= 0;
+    r->let_go[body] = integrator_ahead(m, m->y[0], v2, body) <= 0;
   NV_Ith_S(tools->y, 0) = m->y[0];
   NV_Ith_S(tools->y, 1) = m->y[1];
   return CVodeReInit(tools->memory, m->t, tools->y) == CV_SUCCESS;
@@ -96,7 +96,7 @@ static bool begin(struct run *r)
  * stops where a velocity turns. */
 static bool set_stop(const struct run *r, double end, double *stop)
 {
-  const struct rival_motion *m = &r->motion;
+  const struct integrator_motion *m = &r->motion;
   *stop = end;
   for (int body = 0; body < 2; body++)
     if (m->turn[body] > m->t && m->turn[body] < *stop)
@@ -107,10 +107,10 @@ static bool set_stop(const struct run *r, double end, double *stop)
 /* To `stop` or the first event, whichever comes first: the body of that event, or -1. */
 static int advance(struct run *r, double stop)
 {
-  struct rival_motion *m = &r->motion;
+  struct integrator_motion *m = &r->motion;
   const struct cvode *tools = r->tools;
   int found[2] = { 0, 0 };
-  while (rival_motion_goes_on(m)) {
+  while (integrator_motion_goes_on(m)) {
     int flag = CVode(tools->memory, stop, tools->y, &m->t, CV_ONE_STEP);
     m->phases.steps++;
     if (flag == CV_TOO_CLOSE) { /* a few units in the last place: nothing moves */
@@ -132,7 +132,7 @@ static int advance(struct run *r, double stop)
 }
 
 /* Steps tried in vain since CVODE began. */
-static bool count_rejected(struct rival_motion *m, void *memory)
+static bool count_rejected(struct integrator_motion *m, void *memory)
 {
   long errors = 0, convergence = 0;
   bool known = CVodeGetNumErrTestFails(memory, &errors) == CV_SUCCESS
@@ -141,7 +141,7 @@ static bool count_rejected(struct rival_motion *m, void *memory)
   return known;
 }
 
-static int slide(struct rival_motion *m, double end)
+static int slide(struct integrator_motion *m, double end)
 {
   struct run *r = (struct run *)m;
   int body = -1;
@@ -157,14 +157,14 @@ static int slide(struct rival_motion *m, double end)
   return body;
 }
 
-static enum scallop_status period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
-                                  const struct scallop_patience *patience, struct scallop_rival_period *result)
+static enum scallop_status period(struct scallop_integrator *self, const struct scallop_crawler *crawler, double v0,
+                                  const struct scallop_patience *patience, struct scallop_integrator_period *result)
 {
   struct cvode *tools = (struct cvode *)self;
   struct run r = { .motion = { .slide = slide }, .tools = tools };
   if (CVodeSetUserData(tools->memory, &r) != CV_SUCCESS)
     return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE */
-  return rival_motion_period(&r.motion, crawler, v0, patience, result);
+  return integrator_motion_period(&r.motion, crawler, v0, patience, result);
 }
 
 #if SUNDIALS_VERSION_MAJOR < 7
@@ -210,7 +210,7 @@ static bool prepare(struct cvode *r)
          && CVodeSetRootDirection(r->memory, falling) == CV_SUCCESS && silence(r->memory);
 }
 
-static void destroy(struct scallop_rival *self)
+static void destroy(struct scallop_integrator *self)
 {
   struct cvode *r = (struct cvode *)self;
   if (r->memory)
@@ -228,17 +228,17 @@ static void destroy(struct scallop_rival *self)
 
 bool scallop_has_cvode(void) { return true; }
 
-struct scallop_rival *scallop_cvode_rival(double tolerance)
+struct scallop_integrator *scallop_cvode_integrator(double tolerance)
 {
   bool good = tolerance >= DBL_EPSILON && tolerance <= 0.1;
   struct cvode *r = good ? calloc(1, sizeof *r) : NULL;
   if (!r)
     return NULL;
-  r->rival = (struct scallop_rival){ period, destroy };
+  r->integrator = (struct scallop_integrator){ period, destroy };
   r->tolerance = tolerance;
   if (prepare(r))
-    return &r->rival;
-  destroy(&r->rival);
+    return &r->integrator;
+  destroy(&r->integrator);
   return NULL;
 }
 #endif

@@ -1,4 +1,4 @@
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 #include <float.h>
 #include <math.h>
@@ -7,7 +7,7 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
-#include "numerics/rivals/rival_phases.h"
+#include "numerics/integrators/integrator_phases.h"
 
 enum {
   COMPARISONS = 16, /* with strides of one length; then they double */
@@ -15,26 +15,26 @@ enum {
   ITERATIONS = 200
 };
 
-void scallop_rival_destroy(struct scallop_rival *rival)
+void scallop_integrator_destroy(struct scallop_integrator *integrator)
 {
-  if (rival)
-    rival->destroy(rival);
+  if (integrator)
+    integrator->destroy(integrator);
 }
 
 struct search {
-  struct scallop_rival *rival;
+  struct scallop_integrator *integrator;
   const struct scallop_crawler *crawler;
   const struct scallop_patience *patience;
-  struct scallop_rival_steady at;
+  struct scallop_integrator_steady at;
 };
 
 static bool good_tolerance(double tolerance) { return tolerance >= 0 && isfinite(tolerance); }
 
-static enum scallop_status next_period(struct search *s, double v0, struct scallop_rival_period *period)
+static enum scallop_status next_period(struct search *s, double v0, struct scallop_integrator_period *period)
 {
-  if (!rival_patience_lasts(s->patience))
+  if (!integrator_patience_lasts(s->patience))
     return SCALLOP_ESTOPPED;
-  enum scallop_status status = s->rival->period(s->rival, s->crawler, v0, s->patience, period);
+  enum scallop_status status = s->integrator->period(s->integrator, s->crawler, v0, s->patience, period);
   if (status != SCALLOP_OK)
     return status;
   s->at.periods++;
@@ -45,8 +45,8 @@ static enum scallop_status next_period(struct search *s, double v0, struct scall
 }
 
 /* Where patience ends a search, what it has found so far is its result. */
-static enum scallop_status conclude(enum scallop_status status, const struct scallop_rival_steady *found,
-                                    struct scallop_rival_steady *steady)
+static enum scallop_status conclude(enum scallop_status status, const struct scallop_integrator_steady *found,
+                                    struct scallop_integrator_steady *steady)
 {
   if (status == SCALLOP_OK || status == SCALLOP_ESTOPPED)
     *steady = *found;
@@ -96,13 +96,14 @@ static bool settled(struct watch *w, double from, double v, double close, double
   return near || change == 0 || w->reversals == REVERSALS;
 }
 
-enum scallop_status scallop_rival_simulate(struct scallop_rival *rival, const struct scallop_crawler *crawler,
-                                           double v0, double tolerance, const struct scallop_patience *patience,
-                                           struct scallop_rival_steady *steady)
+enum scallop_status scallop_integrator_simulate(struct scallop_integrator *integrator,
+                                                const struct scallop_crawler *crawler, double v0, double tolerance,
+                                                const struct scallop_patience *patience,
+                                                struct scallop_integrator_steady *steady)
 {
-  struct search s = { rival, crawler, patience, { .v_start = v0, .displacement = NAN } };
+  struct search s = { integrator, crawler, patience, { .v_start = v0, .displacement = NAN } };
   struct watch w = { .mark = v0, .before = NAN, .stride = 1 };
-  struct scallop_rival_period period;
+  struct scallop_integrator_period period;
   struct scallop_scaled scaled;
   enum scallop_status status = scallop_scale(crawler, &scaled);
   if (status != SCALLOP_OK)
@@ -137,7 +138,7 @@ struct root_search {
 static double change(double v0, void *context)
 {
   struct root_search *r = context;
-  struct scallop_rival_period period;
+  struct scallop_integrator_period period;
   r->status = next_period(&r->search, v0, &period);
   if (r->status != SCALLOP_OK)
     return NAN; /* at which GSL's solver ends */
@@ -150,7 +151,7 @@ static void bracket(const struct scallop_scaled *s, double *lo, double *hi)
 {
   double e = s->gait->phase[SCALLOP_EXTENSION].peak / s->fraction[SCALLOP_EXTENSION];
   double c = s->gait->phase[SCALLOP_CONTRACTION].peak / s->fraction[SCALLOP_CONTRACTION];
-  const double margin = 1.01; /* a rival must see it too */
+  const double margin = 1.01; /* an integrator must see it too */
   *lo = -margin * s->velocity * fmax(s->mu1 * e, s->mu2 * c);
   *hi = margin * s->velocity * fmax(s->mu2 * e, s->mu1 * c);
 }
@@ -195,11 +196,12 @@ static enum scallop_status find_root(struct root_search *r, double lo, double hi
   return r->status != SCALLOP_OK ? r->status : status;
 }
 
-enum scallop_status scallop_rival_root(struct scallop_rival *rival, const struct scallop_crawler *crawler,
-                                       double tolerance, const struct scallop_patience *patience,
-                                       struct scallop_rival_steady *steady)
+enum scallop_status scallop_integrator_root(struct scallop_integrator *integrator,
+                                            const struct scallop_crawler *crawler, double tolerance,
+                                            const struct scallop_patience *patience,
+                                            struct scallop_integrator_steady *steady)
 {
-  struct root_search r = { .search = { rival, crawler, patience, { .v_start = NAN, .displacement = NAN } } };
+  struct root_search r = { .search = { integrator, crawler, patience, { .v_start = NAN, .displacement = NAN } } };
   struct scallop_scaled scaled;
   double lo, hi;
   enum scallop_status status = scallop_scale(crawler, &scaled);

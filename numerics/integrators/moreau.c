@@ -1,20 +1,20 @@
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 
-#include "numerics/rivals/rival_phases.h"
+#include "numerics/integrators/integrator_phases.h"
 
 enum { STEPS_PER_QUESTION = 256 }; /* to patience */
 
 struct moreau {
-  struct scallop_rival rival; /* first, so that the one is the other */
+  struct scallop_integrator integrator; /* first, so that the one is the other */
   long steps;
 };
 
 struct run {
-  struct rival_phases phases; /* first, so that the one is the other */
+  struct integrator_phases phases; /* first, so that the one is the other */
   long steps;
 };
 
@@ -52,7 +52,7 @@ static double gait_velocity(const struct scallop_piece *p, double from_start, do
 /* Steps begin + 1 to end, which lie in one piece. The path by the theta rule, theta = 1/2. */
 static void take_steps(struct run *run, const struct scallop_piece *piece, long begin, long end)
 {
-  struct rival_phases *r = &run->phases;
+  struct integrator_phases *r = &run->phases;
   double h = 1 / (double)run->steps, impulse = h * r->eps, difference = impulse * r->f_difference, c = r->c, sum = 0;
   struct jump body1 = { 0, impulse * r->f[0] }, body2 = { 0, impulse * r->f[1] };
   for (long k = begin + 1; k <= end; k++) {
@@ -71,14 +71,14 @@ static void take_steps(struct run *run, const struct scallop_piece *piece, long 
 static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece, long begin, long end)
 {
   for (long k = begin; k < end; k += STEPS_PER_QUESTION) {
-    if (!rival_patience_lasts(run->phases.patience))
+    if (!integrator_patience_lasts(run->phases.patience))
       return SCALLOP_ESTOPPED;
     take_steps(run, piece, k, end - k < STEPS_PER_QUESTION ? end : k + STEPS_PER_QUESTION);
   }
   return SCALLOP_OK;
 }
 
-static enum scallop_status run_phase(struct rival_phases *phases, const struct scallop_shape *shape)
+static enum scallop_status run_phase(struct integrator_phases *phases, const struct scallop_shape *shape)
 {
   struct run *run = (struct run *)phases;
   enum scallop_status status = SCALLOP_OK;
@@ -86,29 +86,30 @@ static enum scallop_status run_phase(struct rival_phases *phases, const struct s
   for (int i = 0; i < shape->count && status == SCALLOP_OK; i++) {
     const struct scallop_piece *p = &shape->pieces[i];
     bool last = i == shape->count - 1;
-    long end = last ? run->steps : (long)floor(rival_flip(p, p->end) * (double)run->steps);
+    long end = last ? run->steps : (long)floor(integrator_flip(p, p->end) * (double)run->steps);
     status = run_piece(run, p, done, end);
     done = end;
   }
   return status;
 }
 
-static enum scallop_status moreau_period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
-                                         const struct scallop_patience *patience, struct scallop_rival_period *period)
+static enum scallop_status moreau_period(struct scallop_integrator *self, const struct scallop_crawler *crawler,
+                                         double v0, const struct scallop_patience *patience,
+                                         struct scallop_integrator_period *period)
 {
   struct run run = { .phases = { .phase = run_phase, .patience = patience },
                      .steps = ((const struct moreau *)self)->steps };
-  return rival_period(&run.phases, crawler, v0, period);
+  return integrator_period(&run.phases, crawler, v0, period);
 }
 
-static void moreau_destroy(struct scallop_rival *self) { free(self); }
+static void moreau_destroy(struct scallop_integrator *self) { free(self); }
 
-struct scallop_rival *scallop_moreau_rival(long steps)
+struct scallop_integrator *scallop_moreau_integrator(long steps)
 {
   bool good = steps >= 1 && (double)steps <= 0x1p53;
   struct moreau *m = good ? malloc(sizeof *m) : NULL;
   if (!m)
     return NULL;
   *m = (struct moreau){ { moreau_period, moreau_destroy }, steps };
-  return &m->rival;
+  return &m->integrator;
 }

@@ -4,15 +4,16 @@
  * tolerance. */
 #include <gsl/gsl_errno.h>
 
-#include "numerics/rivals/rival.h"
-#include "tests/support/rivals.h"
+#include "numerics/integrators/integrator.h"
+#include "tests/support/integrators.h"
 
 enum { CRAWLERS = 40, DECADES = 5 };
 
-static struct scallop_rival_period smoothed(const struct scallop_crawler *c, double v0, double delta, double tolerance)
+static struct scallop_integrator_period smoothed(const struct scallop_crawler *c, double v0, double delta,
+                                                 double tolerance)
 {
-  RIVAL(rival, scallop_smoothed_rival(delta, tolerance));
-  struct scallop_rival_period p = rival_period(rival, c, v0);
+  INTEGRATOR(integrator, scallop_smoothed_integrator(delta, tolerance));
+  struct scallop_integrator_period p = integrator_period(integrator, c, v0);
   assert_true(p.steps > 0 && p.evaluations > p.steps && p.events == 0);
   return p;
 }
@@ -31,7 +32,7 @@ static void errors_of(const struct scallop_crawler *c, double worst[3][DECADES])
   double before = INFINITY;
   for (int i = 0; i < DECADES; i++) {
     double delta = pow(10, -2 - i);
-    struct scallop_rival_period p = smoothed(c, exact.v_start, delta, 1e-6 * delta);
+    struct scallop_integrator_period p = smoothed(c, exact.v_start, delta, 1e-6 * delta);
     double error = distance(c, &p, exact.v_end, exact.displacement);
     worst[exact.regime][i] = fmax(worst[exact.regime][i], error);
     CHECK_AT_MOST(error, (exact.regime == SCALLOP_SLIDING ? 4 : 1.5 + 0.25 * log(1 / delta)) * delta);
@@ -72,7 +73,7 @@ TEST(logarithm_of_a_release)
   double before = NAN;
   for (int digits = 3; digits <= 7; digits++) {
     double delta = pow(10, -digits);
-    struct scallop_rival_period p = smoothed(&c, 1.32, delta, 1e-7 * delta);
+    struct scallop_integrator_period p = smoothed(&c, 1.32, delta, 1e-7 * delta);
     double now = (p.v_mid - exact.v_mid) * c.T / c.L / delta;
     if (digits > 3)
       CHECK_NEAR((now - before) / log(10), 0.25, 3 * sqrt(delta));
@@ -89,9 +90,9 @@ TEST(tolerance_controls_error)
   for (int i = 0; i < 12; i++) {
     struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : ORDINARY, every_gait[i % ALL_GAITS]);
     struct scallop_period_result exact = steady_period(&c);
-    struct scallop_rival_period best = smoothed(&c, exact.v_start, 0.05, 1e-13);
+    struct scallop_integrator_period best = smoothed(&c, exact.v_start, 0.05, 1e-13);
     for (int j = 0; j < TOLERANCES; j++) {
-      struct scallop_rival_period p = smoothed(&c, exact.v_start, 0.05, tolerances[j]);
+      struct scallop_integrator_period p = smoothed(&c, exact.v_start, 0.05, tolerances[j]);
       worst[j] = fmax(worst[j], distance(&c, &p, best.v_end, best.displacement));
     }
   }
@@ -109,7 +110,7 @@ TEST(no_blind_steps)
   const double delta = 1e-6;
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   struct scallop_period_result exact = steady_period(&c);
-  struct scallop_rival_period p = smoothed(&c, exact.v_start, delta, 1e-12);
+  struct scallop_integrator_period p = smoothed(&c, exact.v_start, delta, 1e-12);
   CHECK_AT_MOST(distance(&c, &p, exact.v_end, exact.displacement), 0.1 * delta);
 }
 
@@ -123,7 +124,7 @@ TEST(jacobian_pays)
     c.F2 = stuck == 1 ? 1 : 4;
     struct scallop_period_result exact = steady_period(&c);
     assert_int_equal(exact.regime, SCALLOP_STICK_SLIP);
-    struct scallop_rival_period p = smoothed(&c, exact.v_start, 1e-4, 1e-8);
+    struct scallop_integrator_period p = smoothed(&c, exact.v_start, 1e-4, 1e-8);
     print_message("%ld steps, %ld evaluations\n", p.steps, p.evaluations);
     assert_true(p.steps <= 750);
   }
@@ -149,11 +150,11 @@ TEST(extremes_end)
   for (int i = 0; i < 600; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)random_below(&r, FAMILIES), every_gait[i % ALL_GAITS]);
     double v0 = random_start(&r, &c, SCALLOP_EXTENSION), delta = random_decades(&r, 1e-12, 1e3);
-    RIVAL(rival, scallop_smoothed_rival(delta, random_decades(&r, 1e-15, 0.1)));
+    INTEGRATOR(integrator, scallop_smoothed_integrator(delta, random_decades(&r, 1e-15, 0.1)));
     long left = 2000;
     PATIENCE(patience, left);
-    struct scallop_rival_period p = { NAN, NAN, NAN, 0, 0, 0 };
-    enum scallop_status status = rival->period(rival, &c, v0, &patience, &p);
+    struct scallop_integrator_period p = { NAN, NAN, NAN, 0, 0, 0 };
+    enum scallop_status status = integrator->period(integrator, &c, v0, &patience, &p);
     if (status == SCALLOP_OK)
       answered += isfinite(p.v_mid) && isfinite(p.v_end) && isfinite(p.displacement);
     else if (status == SCALLOP_ESTOPPED)
@@ -176,10 +177,10 @@ struct look {
 static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
                                    double delta, const double *times, int count, struct look *look)
 {
-  RIVAL(rival, scallop_smoothed_rival(delta, 1e-8 * delta));
+  INTEGRATOR(integrator, scallop_smoothed_integrator(delta, 1e-8 * delta));
   for (int i = 0; i < LOOKS; i++)
     look->samples[i] = (struct scallop_sample){ .t = i < count ? times[i] : NAN, .x1 = NAN };
-  enum scallop_status status = scallop_smoothed_phase(rival, c, kind, v0, NULL, look->samples, count);
+  enum scallop_status status = scallop_smoothed_phase(integrator, c, kind, v0, NULL, look->samples, count);
   look->count = 0;
   while (look->count < LOOKS && !isnan(look->samples[look->count].x1))
     look->count++;
@@ -192,8 +193,8 @@ TEST(phase_is_that_of_the_period)
   struct scallop_crawler c = scallop_crawler_default();
   for (int i = 0; i < ALL_GAITS; i++)
     c.gait = every_gait[i];
-  RIVAL(rival, scallop_smoothed_rival(0x1p-4, 1e-8 * 0x1p-4));
-  struct scallop_rival_period p = rival_period(rival, &c, 3.1);
+  INTEGRATOR(integrator, scallop_smoothed_integrator(0x1p-4, 1e-8 * 0x1p-4));
+  struct scallop_integrator_period p = integrator_period(integrator, &c, 3.1);
   struct look first = { .count = 0 }, second = first;
   const double ends[2][2] = { { 0, scallop_phase_duration(&c, SCALLOP_EXTENSION) },
                               { 0, scallop_phase_duration(&c, SCALLOP_CONTRACTION) } };
@@ -268,11 +269,11 @@ TEST(looks_that_end)
   }
   assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, 1e-3, good, -1, &look), SCALLOP_EDOMAIN);
   assert_int_equal(look_at(&c, SCALLOP_EXTENSION, NAN, 1e-3, good, 3, &look), SCALLOP_EDOMAIN);
-  RIVAL(rival, scallop_smoothed_rival(1e-3, 1e-9));
+  INTEGRATOR(integrator, scallop_smoothed_integrator(1e-3, 1e-9));
   long left = 0;
   PATIENCE(none, left);
   struct scallop_sample samples[] = { { .t = 0 }, { .t = 0.2, .x1 = NAN }, { .t = 0.4, .x1 = NAN } };
-  assert_int_equal(scallop_smoothed_phase(rival, &c, SCALLOP_EXTENSION, 1, &none, samples, 3), SCALLOP_ESTOPPED);
+  assert_int_equal(scallop_smoothed_phase(integrator, &c, SCALLOP_EXTENSION, 1, &none, samples, 3), SCALLOP_ESTOPPED);
   assert_true(samples[0].l == 0 && samples[0].v1 != 0 && isnan(samples[1].x1)); /* of the start alone */
 }
 

@@ -1,4 +1,4 @@
-#include "numerics/rivals/rival.h"
+#include "numerics/integrators/integrator.h"
 
 #include <float.h>
 #include <math.h>
@@ -9,7 +9,7 @@
 #include <gsl/gsl_odeiv2.h>
 
 #include "numerics/event/motion.h"
-#include "numerics/rivals/rival_phases.h"
+#include "numerics/integrators/integrator_phases.h"
 
 enum { DIMENSION = 2 };
 
@@ -19,8 +19,8 @@ enum { DIMENSION = 2 };
 static const double first_step = 0x1p-10, longest_step = 0x1p-5;
 
 struct smoothed {
-  struct scallop_rival rival; /* first, so that the one is the other */
-  gsl_odeiv2_driver *driver;  /* msbdf asks it for the tolerance; else only its parts are used */
+  struct scallop_integrator integrator; /* first, so that the one is the other */
+  gsl_odeiv2_driver *driver;            /* msbdf asks it for the tolerance; else only its parts are used */
   double delta;
 };
 
@@ -34,7 +34,7 @@ struct watch {
 };
 
 struct run {
-  struct rival_phases phases; /* first, so that the one is the other */
+  struct integrator_phases phases; /* first, so that the one is the other */
   const struct smoothed *tools;
   const struct scallop_piece *piece;
   double d; /* the velocity over which friction is smoothed */
@@ -45,8 +45,8 @@ struct run {
 static int equation(double t, const double y[], double dydt[], void *params)
 {
   struct run *run = params;
-  struct rival_phases *r = &run->phases;
-  double c = y[0], l1 = run->piece->curve->velocity(run->piece, rival_flip(run->piece, t));
+  struct integrator_phases *r = &run->phases;
+  double c = y[0], l1 = run->piece->curve->velocity(run->piece, integrator_flip(run->piece, t));
   dydt[0] = -r->eps * (r->f[0] * tanh((c - r->mu[1] * l1) / run->d) + r->f[1] * tanh((c + r->mu[0] * l1) / run->d));
   dydt[1] = c;
   r->evaluations++;
@@ -63,9 +63,9 @@ static double tanh_slope(double x)
 static int jacobian(double t, const double y[], double *dfdy, double dfdt[], void *params)
 {
   struct run *run = params;
-  struct rival_phases *r = &run->phases;
+  struct integrator_phases *r = &run->phases;
   double c = y[0], l1, l2, steepness = r->eps / run->d;
-  piece_rates(run->piece, rival_flip(run->piece, t), &l1, &l2);
+  piece_rates(run->piece, integrator_flip(run->piece, t), &l1, &l2);
   double slope1 = r->f[0] * tanh_slope((c - r->mu[1] * l1) / run->d);
   double slope2 = r->f[1] * tanh_slope((c + r->mu[0] * l1) / run->d);
   dfdy[0] = -steepness * (slope1 + slope2);
@@ -84,12 +84,12 @@ static enum scallop_status one_step(struct run *run, double *t, double end, doub
 {
   const gsl_odeiv2_driver *d = run->tools->driver;
   const gsl_odeiv2_system system = { equation, jacobian, DIMENSION, run };
-  if (!rival_patience_lasts(run->phases.patience))
+  if (!integrator_patience_lasts(run->phases.patience))
     return SCALLOP_ESTOPPED;
   run->h = fmin(run->h, longest_step);
   if (gsl_odeiv2_evolve_apply(d->e, d->c, d->s, &system, t, end, &run->h, y) != GSL_SUCCESS || !isfinite(y[0]))
     return SCALLOP_ECONVERGE;
-  return run->phases.steps + steps_of(d->e) > RIVAL_MAX_STEPS ? SCALLOP_ECONVERGE : SCALLOP_OK;
+  return run->phases.steps + steps_of(d->e) > INTEGRATOR_MAX_STEPS ? SCALLOP_ECONVERGE : SCALLOP_OK;
 }
 
 static double next_time(const struct watch *w) { return w->count > 0 ? w->sample->t / w->duration : INFINITY; }
@@ -97,9 +97,9 @@ static double next_time(const struct watch *w) { return w->count > 0 ? w->sample
 static struct scallop_sample sample_at(const struct run *run, double t, const double y[])
 {
   const struct watch *w = &run->watch;
-  const struct rival_phases *r = &run->phases;
+  const struct integrator_phases *r = &run->phases;
   double length, start, L = w->crawler->L, unit = L / w->duration;
-  double l1 = run->piece->curve->velocity(run->piece, rival_flip(run->piece, t));
+  double l1 = run->piece->curve->velocity(run->piece, integrator_flip(run->piece, t));
   scallop_gait_at(w->crawler->gait, w->kind, 0, &start, NULL, NULL);
   scallop_gait_at(w->crawler->gait, w->kind, t, &length, NULL, NULL);
   struct scallop_sample s = { .t = w->sample->t, .l = L * length };
@@ -127,9 +127,10 @@ static enum scallop_status take_due(struct run *run, double t, const double y[])
 /* Each piece begins anew, as l'' may jump there. */
 static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece)
 {
-  struct rival_phases *r = &run->phases;
+  struct integrator_phases *r = &run->phases;
   const gsl_odeiv2_driver *d = run->tools->driver;
-  double t = rival_flip(piece, piece->begin), end = rival_flip(piece, piece->end), y[DIMENSION] = { r->c, r->x };
+  double t = integrator_flip(piece, piece->begin), end = integrator_flip(piece, piece->end),
+         y[DIMENSION] = { r->c, r->x };
   run->piece = piece;
   if (gsl_odeiv2_evolve_reset(d->e) != GSL_SUCCESS || gsl_odeiv2_step_reset(d->s) != GSL_SUCCESS)
     return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE: GSL's steppers never refuse this */
@@ -145,7 +146,7 @@ static enum scallop_status run_piece(struct run *run, const struct scallop_piece
   return status;
 }
 
-static enum scallop_status run_phase(struct rival_phases *phases, const struct scallop_shape *shape)
+static enum scallop_status run_phase(struct integrator_phases *phases, const struct scallop_shape *shape)
 {
   struct run *run = (struct run *)phases;
   run->d = run->tools->delta * phases->fraction;
@@ -157,13 +158,14 @@ static enum scallop_status run_phase(struct rival_phases *phases, const struct s
   return status;
 }
 
-static enum scallop_status smoothed_period(struct scallop_rival *self, const struct scallop_crawler *crawler, double v0,
-                                           const struct scallop_patience *patience, struct scallop_rival_period *period)
+static enum scallop_status smoothed_period(struct scallop_integrator *self, const struct scallop_crawler *crawler,
+                                           double v0, const struct scallop_patience *patience,
+                                           struct scallop_integrator_period *period)
 {
   struct run run = { .phases = { .phase = run_phase, .patience = patience },
                      .tools = (const struct smoothed *)self,
                      .h = first_step };
-  return rival_period(&run.phases, crawler, v0, period);
+  return integrator_period(&run.phases, crawler, v0, period);
 }
 
 static bool are_times(const struct scallop_sample *samples, int count, double duration)
@@ -174,7 +176,7 @@ static bool are_times(const struct scallop_sample *samples, int count, double du
   return count >= 0;
 }
 
-enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const struct scallop_crawler *crawler,
+enum scallop_status scallop_smoothed_phase(struct scallop_integrator *integrator, const struct scallop_crawler *crawler,
                                            enum scallop_phase_kind kind, double v0,
                                            const struct scallop_patience *patience, struct scallop_sample *samples,
                                            int count)
@@ -193,20 +195,20 @@ enum scallop_status scallop_smoothed_phase(struct scallop_rival *rival, const st
                                  .fraction = fraction,
                                  .eps = s.eps * (fraction * fraction),
                                  .c = c0 * fraction },
-                     .tools = (const struct smoothed *)rival,
+                     .tools = (const struct smoothed *)integrator,
                      .h = first_step,
                      .watch = { crawler, kind, duration, samples, count } };
   return run_phase(&run.phases, &s.gait->phase[kind]);
 }
 
-static void smoothed_destroy(struct scallop_rival *self)
+static void smoothed_destroy(struct scallop_integrator *self)
 {
   struct smoothed *s = (struct smoothed *)self;
   gsl_odeiv2_driver_free(s->driver);
   free(s);
 }
 
-struct scallop_rival *scallop_smoothed_rival(double delta, double tolerance)
+struct scallop_integrator *scallop_smoothed_integrator(double delta, double tolerance)
 {
   static const gsl_odeiv2_system shape = { equation, jacobian, DIMENSION, NULL };
   bool good = delta > 0 && isfinite(delta) && tolerance >= DBL_EPSILON && tolerance <= 0.1;
@@ -220,7 +222,7 @@ struct scallop_rival *scallop_smoothed_rival(double delta, double tolerance)
                           delta };
   gsl_set_error_handler(handler);
   if (s->driver)
-    return &s->rival;
+    return &s->integrator;
   free(s);
   return NULL;
 }
