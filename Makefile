@@ -128,7 +128,7 @@ script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
 check asan matrix coverage fuzz flint3 faults:
 	+@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" $(script)
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
-## lint:       layers, clang-format, cppcheck and clang-tidy
+## lint:       layers, wordings (scripts/dev/prose.txt), clang-format, cppcheck and clang-tidy
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
 valgrind lint reproduce instructions bare release:
