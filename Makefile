@@ -55,7 +55,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
+.PHONY: all help docs single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release api layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -147,6 +147,8 @@ layers size: ; @/usr/bin/python3 scripts/dev/layers.py $(B) $(filter --size,--$@
 gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates $(GATES)
 ## docs:       docs/reference/commands.md anew, from --help
 docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/reference/commands.md
+## api:        the reference of the C and the Python interface as pages, BUILD/api; needs Doxygen
+api: ; @sh scripts/dev/api.sh $(B) $(version) $(headers)
 include explorer/rules.mk
 ## bench-sweeps: what a row of a sweep costs, beside the batch call
 bench-sweeps: $(B)/scallop $(B)/libscallop-core.a ; @/usr/bin/python3 scripts/dev/bench-sweeps.py $(B)
