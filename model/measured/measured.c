@@ -90,7 +90,7 @@ void scallop_measured_text(const struct scallop_measured *m, char *text, size_t 
     snprintf(text + used, size - (size_t)used, ", noise %.2g of L", m->fit.noise / m->best.L);
 }
 
-/* Another curve, if there is one and its estimated error at a sample that is left out is at most that */
+/* Makes another curve, if it exists and its estimated error at a sample that is left out is at most `error`. */
 static void add_other(struct curve_gait *other, struct fit fit, const struct samples *s, double error, const char *name)
 {
   struct curve curve = { .knots = NULL };
@@ -99,7 +99,7 @@ static void add_other(struct curve_gait *other, struct fit fit, const struct sam
   free(curve.knots);
 }
 
-/* Random numbers of the normal distribution, always the same ones (Marsaglia's xorshift, Box & Muller) */
+/* Returns normally distributed numbers, always in the same sequence (Marsaglia's xorshift, Box & Muller). */
 static double normal(uint64_t *state)
 {
   double uniform[2];
@@ -112,8 +112,8 @@ static double normal(uint64_t *state)
   return sqrt(-2 * log(uniform[0])) * cos(6.283185307179586 * uniform[1]);
 }
 
-/* The other kinds, where they foretell samples about as well; through rows with noise no cubic. The same kind through
- * every other sample. */
+/* Adds the other kinds, if their estimated errors are similar, without CUBIC if the rows have noise; then the same kind
+ * through every other sample. */
 static void add_models(struct scallop_measured *m)
 {
   const struct samples *s = &m->recording.samples;

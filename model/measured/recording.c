@@ -6,16 +6,16 @@
 
 #include "model/golden.h"
 
-enum { LEAST_ROWS = 4, LAGS = 600 }; /* lags that are tried for the period */
-static const double closes = 1e-9;   /* of the range of l, and of the period: what is nearer than this is the same */
+enum { LEAST_ROWS = 4, LAGS = 600 }; /* count of lags that are tried as the period */
+static const double closes = 1e-9;   /* largest relative difference of equal times, or of equal lengths */
 
 struct recorded {
   struct sample *at;
   int count;
-  double low, high; /* of l */
+  double low, high; /* range of l */
 };
 
-/* Sorts by t, and puts the mean in the place of samples at one time. */
+/* Sorts by t, and replaces samples at the same time by their mean. */
 static void tidy(struct sample *at, int *count, double least_step)
 {
   int used = 0;
@@ -42,8 +42,8 @@ static double linear_at(const struct recorded *r, double t)
   return a->l + (b->l - a->l) * (t - a->t) / (b->t - a->t);
 }
 
-/* The mean square of l(t) - l(t - lag), over the variance of l, by some 2000 rows at most; infinite where a fifth of
- * them or less have a t - lag */
+/* Returns the mean square of l(t) - l(t - lag), over the variance of l, from at most about 2000 rows; infinite if no
+ * more than a fifth of them have a t - lag. */
 static double unlike(const struct recorded *r, double lag)
 {
   enum { MOST = 2000 };
@@ -63,7 +63,7 @@ static double unlike(const struct recorded *r, double lag)
   return count * 5 > all ? squares / count / (sum_of_squares / all - (sum / all) * (sum / all)) : INFINITY;
 }
 
-/* The shortest lag after which the recording repeats itself, or 0: the first low valley of unlike(). */
+/* Returns the shortest lag after which the recording repeats: the first low valley of unlike(); 0: no such lag. */
 static double repeats_after(const struct recorded *r)
 {
   const double like = 0.06;
@@ -83,7 +83,7 @@ static double repeats_after(const struct recorded *r)
   return 0;
 }
 
-/* In units of the period, and of the range of l */
+/* Returns the samples in units of the period, and of the range of l. */
 static struct samples folded(const struct recorded *r, double period)
 {
   struct samples s = { .at = malloc((size_t)r->count * sizeof *s.at), .count = r->count, .period = 1 };
@@ -100,7 +100,7 @@ struct folding {
   struct fit fit;
 };
 
-/* What a smooth curve leaves of the recording, folded with that period */
+/* Returns the residual of a smooth curve through the recording, folded with this period. */
 static double leaves_of_period(void *folding, double period)
 {
   struct folding *f = folding;
@@ -112,7 +112,7 @@ static double leaves_of_period(void *folding, double period)
   return left;
 }
 
-/* The period near a first guess that fits the recording best */
+/* Returns the period near a first guess that fits the recording best. */
 static double refined(const struct recorded *r, double period)
 {
   struct folding folding = { r, { .kind = SCALLOP_FIT_SMOOTH } };
@@ -121,8 +121,8 @@ static double refined(const struct recorded *r, double period)
   return golden_least(leaves_of_period, &folding, period - step, period + step, 1e-5 * step);
 }
 
-/* One period that is not repeated: how long it is, where the last row is not the first one again but one step before.
- * False: a step would not bring l back. */
+/* Computes the length of a single period. Its last row repeats the first, and is removed, or (*gap) is one step before.
+ * Returns false if a step would not bring l back. */
 static bool close_gap(struct recorded *r, double *period, bool *gap)
 {
   struct sample first = r->at[0], last = r->at[r->count - 1];
@@ -135,7 +135,7 @@ static bool close_gap(struct recorded *r, double *period, bool *gap)
   return !*gap || fabs(first.l - last.l) / step <= 1.5 * steepest;
 }
 
-/* NULL, or what is wrong */
+/* Returns NULL, or the reason of the failure. */
 static const char *check(struct recorded *r)
 {
   if (r->count < LEAST_ROWS)
