@@ -32,8 +32,7 @@ struct curve {
 struct fit {
   enum scallop_fit kind;
   double sigma; /* required residual of a least-squares spline; 0: cross-validation chooses it */
-  /* Results: factor of the penalty (0: not yet found), times of minimum and maximum of l for PHASES, estimated error
-   * at a sample that is left out, noise of a sample. */
+  /* Results: factor of the penalty (0: unknown), times of extrema of l (PHASES), error at an omitted sample, noise. */
   double stiffness, turns[2], score, noise;
   bool moves; /* the turns may move by half a segment */
 };

@@ -150,7 +150,7 @@ static const char *check(struct recorded *r)
   return r->high > r->low ? NULL : "l is the same throughout: there is no gait in that";
 }
 
-static void tell(struct recording *g, int rows, double span, bool gap)
+static void describe(struct recording *g, int rows, double span, bool gap)
 {
   int used = snprintf(g->understood, sizeof g->understood, "%d rows", rows);
   char *end = g->understood + used;
@@ -178,7 +178,7 @@ static const char *find_period(struct recording *g, struct recorded *r, double p
   g->period = period;
   g->folded = span > period * (1 + closes);
   g->samples = folded(r, period);
-  tell(g, rows, span, gap);
+  describe(g, rows, span, gap);
   return g->samples.at ? NULL : "out of memory";
 }
 
