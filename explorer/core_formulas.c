@@ -1,4 +1,4 @@
-/* The formulas, and what they are off by. */
+/* The formulas, and their errors */
 #include "explorer/core.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "numerics/digits.h"
 #include "numerics/wide/wide.h"
 
-/* Number i of the published formulas and then of the corrected ones; NULL after the last. */
+/* Returns formula i of the published and then the corrected ones; NULL after the last. */
 static const struct scallop_formula *formula_at(int i)
 {
   int published = 0;
@@ -30,7 +30,7 @@ int describe_formula(int i)
   return 1;
 }
 
-struct turning { /* positions of the rear body, from its start and in L, at the first and at the last change of mode */
+struct turning { /* positions of the rear body, from its start and in L, at the first and last change of mode */
   double mu_front, stroke, first, last;
   struct scallop_mode mode;
   bool started;
@@ -57,10 +57,10 @@ static double modes_number(const struct scallop_modes *modes, double number)
   return number;
 }
 
-/* What formula f is about, in double or in binary128 */
+/* The motion of formula f, solved in double or in binary128 */
 struct solved {
   struct scallop_wide exact;
-  double modes, t1, dT, last; /* modes: equal where the modes are; nan: no answer */
+  double modes, t1, dT, last; /* modes: a number, equal for equal modes; nan: no solution */
 };
 
 static const struct solved unsolved = { { NAN, 0 }, NAN, NAN, NAN, NAN };
@@ -160,8 +160,8 @@ void formulas_along(int formulas, int kind, double v0, int count)
     scallop_formula_free(read[j]);
 }
 
-/* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences,
- * expanded in their place. */
+/* Replaces the values y[0], ..., y[count - 1] at x by the coefficients of the polynomial through them: Newton's divided
+ * differences, expanded in place. */
 static void interpolate(int count, const long double *x, long double *y)
 {
   for (int k = 1; k < count; k++)
