@@ -7,11 +7,11 @@
 
 enum { MORE = 8 }; /* further terms, to extend a coefficient from the middle of a ball to all of it */
 
-struct around { /* expansions around the middle of the ball, and around every point of it */
+struct expansions { /* expansions around the middle of the ball, and around every point of it */
   struct steady_lift middle, all;
 };
-#define AROUND(of) of(steady_lift, &s->middle) of(steady_lift, &s->all)
-SCOPED_PARTS(around, struct around, AROUND)
+#define EXPANSIONS(of) of(steady_lift, &s->middle) of(steady_lift, &s->all)
+SCOPED_PARTS(expansions, struct expansions, EXPANSIONS)
 
 /* Follows the branch to every eps in the ball, and expands it there to this many terms. */
 static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps, slong terms, slong precision)
@@ -31,8 +31,8 @@ static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps
 
 /* Computes the coefficient c_n at eps + h, |h| <= r: sum over k < MORE of binomial(n + k, n) c_(n+k) h^k, from the
  * middle, and the last term with c_(n+MORE) from all of the ball. */
-static void carry(arb_t value, const struct series *middle, const struct series *all, slong n, const mag_t r,
-                  slong precision)
+static void extend(arb_t value, const struct series *middle, const struct series *all, slong n, const mag_t r,
+                   slong precision)
 {
   SCOPED(fmpz, ways);
   SCOPED(arb, h, power, term);
@@ -52,7 +52,7 @@ static void carry(arb_t value, const struct series *middle, const struct series 
 static bool narrow(arb_t ball, const struct series *middle, const struct series *all, const mag_t r, slong precision)
 {
   SCOPED(arb, value);
-  carry(value, middle, all, 0, r, precision);
+  extend(value, middle, all, 0, r, precision);
   return arb_intersection(ball, ball, value, precision);
 }
 
@@ -60,7 +60,7 @@ static const char *const not_smooth = "the steady state is not shown to be smoot
 
 /* Narrows crossings and start velocities, enclosed by plain ball arithmetic, and checks the modes. Returns NULL, or the
  * reason of a failure. */
-static const char *modes_around(const struct around *a, struct limit *l, const arb_t eps, slong precision)
+static const char *modes_around(const struct expansions *a, struct limit *l, const arb_t eps, slong precision)
 {
   const mag_struct *r = arb_radref(eps);
   SCOPED(arb, u, w, w_mid);
@@ -86,7 +86,7 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
 
 /* Moves `here` to every eps in the ball, by its middle. Returns NULL; or the reason why the motion is not proven to be
  * the steady state, with `here` unchanged. */
-static const char *move_to(struct around *a, struct limit *here, const arb_t eps, slong terms, slong precision)
+static const char *move_to(struct expansions *a, struct limit *here, const arb_t eps, slong terms, slong precision)
 {
   SCOPED(arb, middle);
   SCOPED(limit, trial);
@@ -106,7 +106,7 @@ static void find_end(arf_t end, const char **ends, const struct limit *from, slo
 {
   enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4, MOST_FINE = 64 };
   int failures = 0, fine = 0;
-  SCOPED(around, around);
+  SCOPED(expansions, around);
   SCOPED(limit, here);
   SCOPED(arf, step, next);
   SCOPED(arb, eps);
@@ -135,51 +135,50 @@ static void find_end(arf_t end, const char **ends, const struct limit *from, slo
 }
 
 /* The coefficients of x^power[i], of w and of the displacement over L, maximal over all eps so far */
-struct largest {
+struct maxima {
   struct limit here; /* followed to the current eps */
   slong power[2], precision;
   arb_t value[2], most[2]; /* absolute values at the current eps, and the largest so far */
 };
-#define LARGEST(of) \
-  of(limit, &s->here) of(arb, s->value[0]) of(arb, s->value[1]) of(arb, s->most[0]) of(arb, s->most[1])
-SCOPED_PARTS(largest, struct largest, LARGEST)
+#define MAXIMA(of) of(limit, &s->here) of(arb, s->value[0]) of(arb, s->value[1]) of(arb, s->most[0]) of(arb, s->most[1])
+SCOPED_PARTS(maxima, struct maxima, MAXIMA)
 
 /* Computes the values for every eps in the ball. Returns false if the motion is not proven to be the steady state. */
-static bool take(struct largest *l, const arb_t eps)
+static bool evaluate_at(struct maxima *l, const arb_t eps)
 {
   const slong terms = FLINT_MAX(l->power[0], l->power[1]) + MORE + 1;
-  SCOPED(around, a);
+  SCOPED(expansions, a);
   if (move_to(&a, &l->here, eps, terms, l->precision))
     return false;
-  carry(l->value[0], &a.middle.w, &a.all.w, l->power[0], arb_radref(eps), l->precision);
-  carry(l->value[1], &a.middle.travel, &a.all.travel, l->power[1], arb_radref(eps), l->precision);
+  extend(l->value[0], &a.middle.w, &a.all.w, l->power[0], arb_radref(eps), l->precision);
+  extend(l->value[1], &a.middle.travel, &a.all.travel, l->power[1], arb_radref(eps), l->precision);
   for (int i = 0; i < 2; i++)
     arb_abs(l->value[i], l->value[i]);
   return arb_is_finite(l->value[0]) && arb_is_finite(l->value[1]);
 }
 
-static void count(struct largest *l)
+static void count(struct maxima *l)
 {
   for (int i = 0; i < 2; i++)
     arb_max(l->most[i], l->most[i], l->value[i], l->precision);
 }
 
 /* Computes the values at a few points: lower bounds of the largest, of the same size. */
-static void take_points(struct largest *l, const arf_t end)
+static void evaluate_at_points(struct maxima *l, const arf_t end)
 {
   enum { POINTS = 16 };
   SCOPED(arb, eps);
   for (ulong i = 1; i <= POINTS; i++) {
     arf_mul_ui(arb_midref(eps), end, i, l->precision, ARF_RND_DOWN);
     arf_mul_2exp_si(arb_midref(eps), arb_midref(eps), -4);
-    if (take(l, eps))
+    if (evaluate_at(l, eps))
       count(l);
   }
 }
 
 /* Returns true if value <= 2 most, or if value is negligible beside a function of size 1 on [0, end]: some coefficients
  * vanish identically. */
-static bool is_tight(const struct largest *l, int i, const arf_t end)
+static bool is_tight(const struct maxima *l, int i, const arf_t end)
 {
   SCOPED(arb, margin, size);
   arb_mul_2exp_si(margin, l->most[i], 1);
@@ -193,7 +192,7 @@ static bool is_tight(const struct largest *l, int i, const arf_t end)
 }
 
 /* Covers [0, end] by intervals; an interval is halved if it is wide or its ball exceeds twice the value at points. */
-static bool take_intervals(struct largest *l, const arf_t end)
+static bool evaluate_on_intervals(struct maxima *l, const arf_t end)
 {
   enum { MOST = 6000, NARROW = -11 };
   SCOPED(arf, lo, hi, step, narrow);
@@ -206,7 +205,7 @@ static bool take_intervals(struct largest *l, const arf_t end)
     arf_add(hi, lo, step, l->precision, ARF_RND_UP);
     arf_min(hi, hi, end);
     arb_set_interval_arf(eps, lo, hi, l->precision);
-    bool followed = take(l, eps), tight = followed && is_tight(l, 0, end) && is_tight(l, 1, end);
+    bool followed = evaluate_at(l, eps), tight = followed && is_tight(l, 0, end) && is_tight(l, 1, end);
     if (tight || (followed && arf_cmp(step, narrow) < 0)) {
       count(l);
       arf_set(lo, hi);
@@ -249,7 +248,7 @@ enum scallop_status scallop_steady_modes_hold(const struct scallop_rational_craw
 }
 
 /* Sets the bound of the series in T from |coefficient of x^power| of all eps up to eps0. */
-static void set_bound(struct scallop_bound *b, const struct largest *l, int i, const arb_t kappa,
+static void set_bound(struct scallop_bound *b, const struct maxima *l, int i, const arb_t kappa,
                       const struct scallop_rational_crawler *crawler, const arf_t eps0, const arf_t end)
 {
   SCOPED(arb, most);
@@ -263,7 +262,7 @@ static void set_bound(struct scallop_bound *b, const struct largest *l, int i, c
 }
 
 /* Finds the largest coefficients over all eps up to eps0, of the first nonzero powers at or above T^order. */
-static bool find_largest(struct largest *largest, const struct limit *l, slong order, const arf_t eps0, slong precision)
+static bool find_largest(struct maxima *largest, const struct limit *l, slong order, const arf_t eps0, slong precision)
 {
   largest->precision = precision;
   largest->power[0] = order / 2 + 1;
@@ -271,9 +270,9 @@ static bool find_largest(struct largest *largest, const struct limit *l, slong o
   if (l->even)
     largest->power[1] += largest->power[1] % 2;
   limit_set(&largest->here, l);
-  take_points(largest, eps0);
+  evaluate_at_points(largest, eps0);
   limit_set(&largest->here, l);
-  return take_intervals(largest, eps0);
+  return evaluate_on_intervals(largest, eps0);
 }
 
 enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler *crawler, slong order, slong precision,
@@ -283,7 +282,7 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
   if (none)
     return refused_for(SCALLOP_EDOMAIN, none, why);
   SCOPED(limit, l);
-  SCOPED(largest, largest);
+  SCOPED(maxima, largest);
   SCOPED(arf, end, eps0);
   SCOPED(arb, kappa);
   enum scallop_status status = limit_find(&l, crawler, precision, why);

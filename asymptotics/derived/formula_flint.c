@@ -144,7 +144,7 @@ static bool is_whole_power(const struct series *s)
 }
 
 /* Returns the reason why the result of an operation on names is not a rational function; top: after the last value. */
-static const char *no_ratio(enum formula_operation operation, const struct series *top)
+static const char *why_not_rational(enum formula_operation operation, const struct series *top)
 {
   if (operation == FORMULA_POWER)
     return is_whole_power(top - 1) ? NULL : "is a formula for whole powers from -64 to 64 only";
@@ -157,7 +157,7 @@ static const char *take_step(struct series **top, const struct formula_step *s, 
                              struct names *names, const struct ring *ring)
 {
   const enum formula_operation operation = s->operation;
-  const char *wrong = names ? no_ratio(operation, *top) : NULL;
+  const char *wrong = names ? why_not_rational(operation, *top) : NULL;
   if (wrong)
     return wrong;
   if (operation < FORMULA_NEGATE)

@@ -206,7 +206,7 @@ static const char *crossing_holds(const struct segment *g, int into)
 }
 
 /* Returns the likely event if c may touch a curve: a crossing is about to end, or a body starts or stops turning. */
-static const char *likely_event(const struct branch *b, const struct segment *g)
+static const char *likely_change(const struct branch *b, const struct segment *g)
 {
   const char *what = grazes[g->p->kind];
   double near = 0.04;
@@ -226,7 +226,7 @@ static const char *likely_event(const struct branch *b, const struct segment *g)
   return what;
 }
 
-static void enter(struct segment *g, int region)
+static void set_region(struct segment *g, int region)
 {
   g->region = region;
   arb_set_fmpq(g->b, g->p->beta[region], g->precision);
@@ -234,10 +234,10 @@ static void enter(struct segment *g, int region)
 }
 
 /* Continues after a crossing with the line through it: a = q |l'| - b s there. */
-static void bend(struct segment *g, const struct crossing *at)
+static void continue_after_crossing(struct segment *g, const struct crossing *at)
 {
   SCOPED(arb, s);
-  enter(g, at->to);
+  set_region(g, at->to);
   series_coefficient(s, &at->offset, 0, g->precision);
   scallop_ball_speed(g->a, at->piece, s, g->precision);
   ball_times(g->a, g->a, g->p->curve[at->curve], g->precision);
@@ -265,7 +265,7 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
   g.precision = precision;
   arb_set(g.a, c);
   arb_set(g.eps, eps);
-  enter(&g, b->first_region);
+  set_region(&g, b->first_region);
   if (g.region != 1 && !(g.region == 0 ? arb_is_positive(c) : arb_is_negative(c)))
     return starts[p->kind];
   edge_at_end(&g.from, 0, p->shape->pieces[0].begin);
@@ -276,11 +276,11 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
     if (why)
       return why;
     if (!is_clear(&g))
-      return likely_event(b, &g);
-    bend(&g, at);
+      return likely_change(b, &g);
+    continue_after_crossing(&g, at);
   }
   edge_at_end(&g.to, last, p->shape->pieces[last].end);
-  return is_clear(&g) ? NULL : likely_event(b, &g);
+  return is_clear(&g) ? NULL : likely_change(b, &g);
 }
 
 const char *limit_holds(const struct limit *l, const arb_t w, const arb_t w_mid, const arb_t eps, slong precision)

@@ -86,17 +86,17 @@ static void curve_along(struct series *value, struct series *rate, const struct 
   series_mul(rate, rate, curve->q, ring);
 }
 
-struct meeting { /* intersection of a curve and a line within balls */
+struct intersection { /* intersection of a curve and a line within balls */
   const struct scallop_piece *piece;
   fmpq_t q;
   arb_t a, b;
 };
 #define MEETING(of) of(fmpq, s->q) of(arb, s->a) of(arb, s->b)
-SCOPED_PARTS(meeting, struct meeting, MEETING)
+SCOPED_PARTS(meeting, struct intersection, MEETING)
 
 static bool gap_of(arb_t gap, arb_t slope, const arb_t u, void *meeting, slong precision)
 {
-  const struct meeting *m = meeting;
+  const struct intersection *m = meeting;
   gap_at(gap, slope, m->piece, m->q, m->a, m->b, u, precision);
   return true;
 }

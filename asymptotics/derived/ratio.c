@@ -124,7 +124,7 @@ static void cancel(fmpz_mpoly_t a, fmpz_mpoly_t b, const struct names *names)
 }
 
 /* Returns true if work has stopped; the result is then 1. */
-static bool gives_up(struct ratio *to)
+static bool has_stopped(struct ratio *to)
 {
   const bool given_up = names_given_up(to->names);
   if (given_up) {
@@ -151,7 +151,7 @@ static void sum(struct ratio *to, const struct ratio *a, const struct ratio *b, 
   SCOPED_POLYNOMIAL(p, to->names);
   SCOPED_POLYNOMIAL(q, to->names);
   SCOPED_POLYNOMIAL(term, to->names);
-  if (gives_up(to))
+  if (has_stopped(to))
     return;
   if (!fmpz_mpoly_gcd(g, a->under, b->under, ring))
     fmpz_mpoly_one(g, ring); /* GCOVR_EXCL_LINE: only if exponents overflow */
@@ -176,7 +176,7 @@ static void product(struct ratio *to, const fmpz_mpoly_t a, const fmpz_mpoly_t b
   const fmpz_mpoly_ctx_struct *ring = to->names->ring;
   SCOPED_POLYNOMIAL(over, to->names);
   SCOPED_POLYNOMIAL(under, to->names);
-  if (gives_up(to))
+  if (has_stopped(to))
     return;
   fmpz_mpoly_set(over, inverse ? other->under : other->over, ring);
   fmpz_mpoly_set(under, inverse ? other->over : other->under, ring);

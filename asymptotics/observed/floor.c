@@ -209,7 +209,7 @@ bool floor_judge(struct judged *j, bool announced)
   return false;
 }
 
-static bool may_count(const struct scallop_order_point *p)
+static bool is_candidate(const struct scallop_order_point *p)
 {
   return p->use != SCALLOP_ORDER_FLOOR && p->use != SCALLOP_ORDER_ZERO;
 }
@@ -218,14 +218,14 @@ bool floor_leave_out_near(struct judged *j)
 {
   int candidates = 0, above = 0;
   for (int i = 0; i < j->count; i++)
-    if (may_count(&j->p[i])) {
+    if (is_candidate(&j->p[i])) {
       candidates++;
       above += fabs(j->p[i].err) >= j->near_floor;
     }
   if (above < LEAST_TREND || above == candidates)
     return false;
   for (int i = 0; i < j->count; i++)
-    if (may_count(&j->p[i]))
+    if (is_candidate(&j->p[i]))
       j->p[i].use = fabs(j->p[i].err) >= j->near_floor ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
   points_sort_by_use(j);
   *j->result->reason = '\0';

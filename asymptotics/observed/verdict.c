@@ -67,7 +67,7 @@ static bool meets(const struct scallop_order_wanted *w, double order)
 }
 
 /* Computes the distances of few pairwise orders from the expected one. Returns their count, 0 for other counts. */
-static int offs_of(const struct judged *j, double off[MOST_PAIRS])
+static int deviations_of(const struct judged *j, double off[MOST_PAIRS])
 {
   const int pairs = j->used - 1;
   if (pairs < LEAST_PAIRS || pairs > MOST_PAIRS)
@@ -78,10 +78,10 @@ static int offs_of(const struct judged *j, double off[MOST_PAIRS])
 }
 
 /* Returns true if the pairwise orders move away from the expected order at an increasing rate. */
-static bool moves_away(const struct judged *j)
+static bool departs_from_expected(const struct judged *j)
 {
   double off[MOST_PAIRS], before = 0;
-  const int pairs = offs_of(j, off);
+  const int pairs = deviations_of(j, off);
   if (pairs == 0 || (j->wanted->at_least && off[pairs - 1] > 0))
     return false;
   double side = off[pairs - 1] < 0 ? -1 : 1;
@@ -96,10 +96,10 @@ static bool moves_away(const struct judged *j)
 
 /* Returns true if they approach it step by step, from one side, and the last one is within the tolerance; with
  * in_shorter_steps, only if the steps decrease. */
-static bool comes_closer(const struct judged *j, bool in_shorter_steps)
+static bool approaches_expected(const struct judged *j, bool in_shorter_steps)
 {
   double off[MOST_PAIRS], before = INFINITY;
-  const int pairs = offs_of(j, off);
+  const int pairs = deviations_of(j, off);
   bool closer = pairs > 0 && fabs(off[pairs - 1]) <= j->wanted->tolerance;
   for (int k = 1; k < pairs && closer; k++) {
     double step = fabs(off[k] - off[k - 1]);
@@ -133,7 +133,7 @@ static bool has_arrived(struct judged *j, double slope)
   bool on_the_way = fabs(slope - j->wanted->order) <= ON_THE_WAY * j->wanted->tolerance;
   if (on_the_way && tail_arrives(j))
     return true;
-  if (!comes_closer(j, !on_the_way))
+  if (!approaches_expected(j, !on_the_way))
     return false;
   set_pairwise_order(j, 0, finest_order(j));
   return true;
@@ -153,7 +153,7 @@ static void compare(struct judged *j, const struct trend *whole)
   const struct scallop_order_wanted *w = j->wanted;
   struct scallop_order_result *r = j->result;
   bool measured = isnan(w->order), pass = measured || meets(w, r->order);
-  if (pass && !whole->rounded && moves_away(j)) {
+  if (pass && !whole->rounded && departs_from_expected(j)) {
     report_drift(j, "the orders move away from the expected one");
     return;
   }
@@ -170,7 +170,7 @@ static void compare(struct judged *j, const struct trend *whole)
 }
 
 /* Result of a run of points: the order, its uncertainty `off`, and whether that is within the tolerance (known) */
-struct answer {
+struct estimate {
   enum scallop_order_interval interval;
   double order, off, low, high;
   int first;
@@ -178,13 +178,13 @@ struct answer {
 };
 
 /* Returns the result of the run from first on; finer: the trend of the run without its coarsest points. */
-static struct answer answer_of(const struct judged *j, int first, const struct trend *t, const struct trend *finer)
+static struct estimate estimate_of(const struct judged *j, int first, const struct trend *t, const struct trend *finer)
 {
   const double tolerance = j->wanted->tolerance;
   bool settles = t->kind == TREND_SETTLING;
   double off = fmax(t->half_width, fabs(t->slope - t->finest_order));
   double limit_off = fmax(t->limit_half_width, finer->points >= LEAST_TREND ? fabs(finer->limit - t->limit) : 0);
-  struct answer a = { SCALLOP_ORDER_SLOPE, t->slope, 0, 0, 0, first, false, false };
+  struct estimate a = { SCALLOP_ORDER_SLOPE, t->slope, 0, 0, 0, first, false, false };
   a.off = settles ? fmax(off, fabs(t->slope - t->limit)) : off; /* a bend makes the slope uncertain */
   if (settles && limit_off <= tolerance) {
     a.interval = SCALLOP_ORDER_LIMIT;
@@ -203,7 +203,7 @@ static struct answer answer_of(const struct judged *j, int first, const struct t
   return a;
 }
 
-static void set_answer(struct judged *j, const struct answer *a)
+static void set_estimate(struct judged *j, const struct estimate *a)
 {
   set_order(j, a->interval, a->order, a->low, a->high);
   if (j->used == 3)
@@ -231,13 +231,13 @@ static void judge_drift(struct judged *j, const struct trend *t)
 /* Returns the result of the longest run that determines the order, or, if it is a limit, of a shorter run that is far
  * more accurate; else of all points. Each run omits the coarsest points of its predecessor. If a run drifts first,
  * drifts is set, and *whole becomes its trend. */
-static struct answer best_answer(const struct judged *j, struct trend *whole)
+static struct estimate best_estimate(const struct judged *j, struct trend *whole)
 {
   const int half = (whole->points + 1) / 2, fewest = half > LEAST_TREND ? half : LEAST_TREND;
   const int least = whole->points < fewest ? whole->points : fewest;
-  const struct answer none = { SCALLOP_ORDER_NO_INTERVAL, 0, 0, 0, 0, 0, false, false };
+  const struct estimate none = { SCALLOP_ORDER_NO_INTERVAL, 0, 0, 0, 0, 0, false, false };
   const struct trend no_trend = { TREND_STRAIGHT, false, false, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-  struct answer best = none;
+  struct estimate best = none;
   struct trend t = *whole, finer;
   for (int first = 0, next; t.points >= least || (t.points == 3 && t.half_width < ALIGNED); first = next, t = finer) {
     bool drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
@@ -253,7 +253,7 @@ static struct answer best_answer(const struct judged *j, struct trend *whole)
     }
     next = first + 1 + t.points / MANY;
     finer = t.points >= LEAST_TREND ? trend_from(j, next) : no_trend;
-    struct answer a = answer_of(j, first, &t, &finer);
+    struct estimate a = estimate_of(j, first, &t, &finer);
     if (first == 0 || (best.known ? a.off < best.off / FAR_BETTER : a.known))
       best = a;
   }
@@ -287,11 +287,11 @@ static void judge_trend(struct judged *j)
     whole = trend_from(j, 0);
   }
   struct trend t = whole;
-  struct answer best = best_answer(j, &t);
+  struct estimate best = best_estimate(j, &t);
   const bool of_three = j->used == 3;
   if (best.known || best.drifts)
     points_leave_out(j, best.first, SCALLOP_ORDER_COARSE);
-  set_answer(j, &best);
+  set_estimate(j, &best);
   if (of_three) /* pairwise orders are more informative than a line with one degree of freedom */
     best.known = j->result->high - j->result->low <= j->wanted->tolerance;
   if (best.drifts)

@@ -103,7 +103,7 @@ double curve_residual(const struct curve *curve, const struct samples *s)
 }
 
 /* Returns the residual at every other sample of the cubic through the others; with noise it exceeds the noise. */
-static double cubic_leaves(const struct samples *s)
+static double cubic_residual(const struct samples *s)
 {
   struct samples half = samples_every_other(s, 0), others = samples_every_other(s, 1);
   struct fit fit = { .kind = SCALLOP_FIT_CUBIC };
@@ -122,7 +122,7 @@ static void choose_kind(struct curve *curve, struct fit *fit, const struct sampl
   smooth.kind = SCALLOP_FIT_SMOOTH;
   phases.kind = SCALLOP_FIT_PHASES;
   fit->kind = SCALLOP_FIT_CUBIC;
-  fit->score = cubic_leaves(s);
+  fit->score = cubic_residual(s);
   if (s->count < FIT_LEAST || spline_fit(curve->knots, &smooth, s) == 0 || spline_fit(curve->knots, &phases, s) == 0)
     return;
   const struct fit *better = phases.score < smooth.score ? &phases : &smooth;

@@ -21,8 +21,8 @@ struct scallop_measured {
 
 const char *const scallop_fit_names[] = { "chosen", "monotone", "cubic", "smooth", "phases", NULL };
 
-static const char *lay(struct curve_gait *made, struct curve *curve, struct fit *fit, const struct samples *s,
-                       const char *name)
+static const char *make_curve(struct curve_gait *made, struct curve *curve, struct fit *fit, const struct samples *s,
+                              const char *name)
 {
   return curve_through(curve, fit, s) ? gait_of_curve(made, curve, name) : "out of memory";
 }
@@ -41,7 +41,7 @@ struct scallop_measured *scallop_measured_new(const double *t, const double *l, 
   if (!*why && options)
     m->fit.sigma = options->sigma / m->recording.range;
   if (!*why)
-    *why = lay(&m->best, &m->curve, &m->fit, &m->recording.samples, name);
+    *why = make_curve(&m->best, &m->curve, &m->fit, &m->recording.samples, name);
   if (!*why)
     return m;
   scallop_measured_free(m);
@@ -94,7 +94,7 @@ void scallop_measured_text(const struct scallop_measured *m, char *text, size_t 
 static void add_other(struct curve_gait *other, struct fit fit, const struct samples *s, double error, const char *name)
 {
   struct curve curve = { .knots = NULL };
-  if (!s->at || lay(other, &curve, &fit, s, name) || fit.score > error)
+  if (!s->at || make_curve(other, &curve, &fit, s, name) || fit.score > error)
     curve_gait_free(other);
   free(curve.knots);
 }
