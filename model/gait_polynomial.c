@@ -394,7 +394,7 @@ static void conclude(struct scallop_polynomial *g, const struct plan *plan, int 
     shape->net += shape->pieces[i].direction * distance(&plan->places[i], &plan->places[i + 1]);
 }
 
-static const char *const too_near = "l' comes so near to 0 between the ends that its sign cannot be told from rounding";
+static const char *const too_near = "l' is so near to 0 between the ends that rounding may change its sign";
 
 static const char *plan_of(struct plan *plan, const double *c, int degree)
 {

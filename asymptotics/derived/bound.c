@@ -56,7 +56,7 @@ static bool narrow(arb_t ball, const struct series *middle, const struct series 
   return arb_intersection(ball, ball, value, precision);
 }
 
-static const char *const not_smooth = "the steady state is not shown to be smooth in T";
+static const char *const not_smooth = "the steady state is not proven to be smooth in T";
 
 /* Narrows crossings and start velocities, enclosed by plain ball arithmetic, and checks the modes. Returns NULL, or the
  * reason of a failure. */
@@ -289,9 +289,9 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
   if (status != SCALLOP_OK)
     return status;
   if (series_coefficient_is_zero(&l.w, 0))
-    return refused_for(
-        SCALLOP_EDOMAIN,
-        "the start velocity is 0 in the limit (F1 = F2, or alpha = 1/2): this bound is for those where it is not", why);
+    return refused_for(SCALLOP_EDOMAIN,
+                       "the start velocity is 0 in the limit (F1 = F2, or alpha = 1/2): the bound requires another one",
+                       why);
   follow_to_end(kappa, end, &ends, &l, crawler, precision);
   arf_mul_ui(eps0, end, 13, precision, ARF_RND_DOWN); /* T0 is 0.9 of T_end */
   arf_mul_2exp_si(eps0, eps0, -4);

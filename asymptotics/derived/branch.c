@@ -203,7 +203,7 @@ enum scallop_status refused_for(enum scallop_status status, const char *reason, 
 }
 
 const char *const branch_without_ends =
-    "l'' = 0 at an end of a phase: the switching times go as fractional powers of T; or "
+    "l'' = 0 at an end of a phase: the switching times are fractional powers of T; or "
     "the piece there is anchored elsewhere";
 
 static void add_crossing(struct branch *b, const struct scallop_piece *piece, int curve, int to, bool tangent)

@@ -319,7 +319,6 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
   if (sign == 0)
     none = limit_from_ends(l, difference);
   else if (!limit_from_level(l, crawler->gait, sign > 0 ? 1 : -1, precision))
-    return refused_for(SCALLOP_EUNDECIDED,
-                       "in the limit T -> 0 a body touches v = 0 without turning, or too nearly to tell", why);
+    return refused_for(SCALLOP_EUNDECIDED, "in the limit T -> 0 a body touches v = 0 without turning, or almost", why);
   return none ? refused_for(SCALLOP_EDOMAIN, none, why) : SCALLOP_OK;
 }

@@ -99,7 +99,7 @@ enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallo
   if (b.count > 0 && b.crossing[0].tangent)
     return refused_for(
         SCALLOP_EDOMAIN,
-        "l'' = 0 at the start of the phase, where a body is held first: its motion is not derived as a formula", why);
+        "l'' = 0 at the start of the phase, where a body is stuck first: its motion is not derived as a formula", why);
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     symbols_add(s, names[i], 0, kind);
   for (int i = 0; i < b.count; i++)
@@ -164,9 +164,9 @@ enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallo
         "alpha, F1 and F2 near these",
         why);
   if (!limit_is_linear(&limit))
-    return refused_for(
-        SCALLOP_EDOMAIN,
-        "l' is not linear where bodies turn, so that the steady state has no closed form: see --source limit", why);
+    return refused_for(SCALLOP_EDOMAIN,
+                       "l' is not linear where bodies turn: the steady state has no closed form; see --source limit",
+                       why);
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     symbols_add(s, names[i], 0, SCALLOP_EXTENSION);
   symbols_begin(s);
