@@ -10,7 +10,7 @@ static void set_law(struct continued_crossing *to, const struct crossing *at, co
   const struct scallop_piece *piece = at->piece;
   bool turned;
   to->sine = piece->law && piece->law->kind == SCALLOP_LAW_SINE;
-  to->joined = before && before->curve == at->curve && scallop_piece_goes_on(before->piece, piece, &turned);
+  to->joined = before && before->curve == at->curve && scallop_piece_continues(before->piece, piece, &turned);
   arb_init(to->base);
   arb_poly_init(to->law);
   if (to->joined) { /* exactly the same function */

@@ -71,7 +71,7 @@ static bool continues(const struct scallop_shape *shape, int piece, int to, bool
 {
   const int first = to > 0 ? piece : piece - 1;
   return first >= 0 && first + 1 < shape->count
-         && scallop_piece_goes_on(&shape->pieces[first], &shape->pieces[first + 1], turned);
+         && scallop_piece_continues(&shape->pieces[first], &shape->pieces[first + 1], turned);
 }
 
 /* Sets the current piece and offset of a crossing: it may have moved to an adjacent piece if l' has no corner there. */

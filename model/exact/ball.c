@@ -339,7 +339,7 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
     arb_poly_neg(rate, rate);
 }
 
-bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
+bool scallop_piece_continues(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
 {
   *turned = p->anchor != next->anchor;
   if (law_is_sine(p) || law_is_sine(next))

@@ -59,7 +59,7 @@ void scallop_ball_way(arb_t way, const struct scallop_piece *piece, const arb_t 
 
 /* Returns true if next, the following piece, continues the same analytic function: l' then has no corner between
  * them. |l'| at offset u of piece is |l'| at offset u of next or, with *turned, at 1 - u. */
-bool scallop_piece_goes_on(const struct scallop_piece *piece, const struct scallop_piece *next, bool *turned);
+bool scallop_piece_continues(const struct scallop_piece *piece, const struct scallop_piece *next, bool *turned);
 
 /* Computes |l'| at time x after the time of offset u, as a series in x with `length` coefficients. */
 void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *piece, const arb_t u, slong length,
