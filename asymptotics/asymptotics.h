@@ -37,17 +37,18 @@ extern "C" {
   SYMBOL(x_switch)
 #define SCALLOP_SYMBOL_ENUM(name) SCALLOP_SYMBOL_##name,
 enum scallop_symbol { SCALLOP_SYMBOL_LIST(SCALLOP_SYMBOL_ENUM) SCALLOP_SYMBOLS };
-extern const char *const scallop_symbol_names[SCALLOP_SYMBOLS];
+extern const char *const scallop_symbol_names[SCALLOP_SYMBOLS]; /* "m1", ... */
 
 /* Values of the names */
 struct scallop_values {
   double of[SCALLOP_SYMBOLS];
 };
 
-/* Return the values for one phase of a crawler from v0, and for its steady state; t1, dT and x_switch, and v0 of the
- * steady state, are nan. k0 and kT are nan if the gait has no exact law. */
+/* Returns the values for one phase of a crawler from v0; t1, dT and x_switch are nan. k0 and kT are nan if the gait has
+ * no exact law. */
 struct scallop_values scallop_phase_values(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
                                            double v0);
+/* Returns the values for the steady state, without v0: nan. */
 struct scallop_values scallop_steady_values(const struct scallop_crawler *crawler);
 
 /* Returns the values of the same motion with the names of the bodies exchanged: a contraction becomes an extension. The
@@ -78,7 +79,7 @@ enum scallop_symbol scallop_symbol_exchanged(enum scallop_symbol symbol, int *si
   QUANTITY(friction_work, STEADY_FRICTION_WORK)
 #define SCALLOP_QUANTITY_ENUM(word, NAME) SCALLOP_##NAME,
 enum scallop_quantity { SCALLOP_QUANTITY_LIST(SCALLOP_QUANTITY_ENUM) SCALLOP_QUANTITIES };
-extern const char *const scallop_quantity_words[SCALLOP_QUANTITIES];
+extern const char *const scallop_quantity_words[SCALLOP_QUANTITIES]; /* "dT", ... */
 
 enum scallop_setting { SCALLOP_AT_REST_START, SCALLOP_MOVING_EXTENSION, SCALLOP_MOVING_CONTRACTION, SCALLOP_STEADY };
 
@@ -88,10 +89,12 @@ enum scallop_turns { SCALLOP_TURNS_IN_BOTH, SCALLOP_NO_TURN_IN_CONTRACTION, SCAL
 /* Instead of a remainder: the formula is printed as an equality. */
 enum { SCALLOP_EQUALITY = -1 };
 
+/* A name for a part of a formula, and its text */
 struct scallop_part {
   const char *name, *text;
 };
 
+/* A formula, and its printed claim */
 struct scallop_formula {
   const char *name;
   const char *equation;

@@ -25,7 +25,8 @@ extern "C" {
   ROW(minimum_jerk, exact_polynomial) \
   ROW(polynomial, exact_polynomial)
 
-union scallop_made_gait { /* memory for a gait of any family with numbers */
+/* Memory for a gait of any family with numbers */
+union scallop_made_gait {
   struct scallop_gait gait;
   struct scallop_straight straight;
   struct scallop_polynomial polynomial;

@@ -23,6 +23,7 @@ struct scallop_straight_line {
   struct scallop_straight_form divisor, mean;
 };
 
+/* Memory for a gait with piecewise linear |l'| */
 struct scallop_straight {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][4];
@@ -52,6 +53,7 @@ enum {
   SCALLOP_POLYNOMIAL_PIECES = 2 * SCALLOP_POLYNOMIAL_DEGREE
 };
 
+/* Memory for a polynomial gait */
 struct scallop_polynomial {
   struct scallop_gait gait;
   struct scallop_piece pieces[2][SCALLOP_POLYNOMIAL_PIECES];
@@ -74,7 +76,8 @@ struct scallop_knot {
   double time, length, slope;
 };
 
-struct scallop_spline { /* the caller provides scallop_spline_pieces() pieces and laws */
+/* Memory for a spline; the caller provides arrays of scallop_spline_pieces() pieces and laws. */
+struct scallop_spline {
   struct scallop_gait gait;
   struct scallop_piece *pieces;
   struct scallop_law *laws;

@@ -26,8 +26,9 @@ enum scallop_status {
   SCALLOP_EUNDECIDED = -4, /* undecidable at any finite precision: the motion touches a boundary exactly, or almost */
   SCALLOP_ESTOPPED = -5    /* ended early at the caller's request, without a result */
 };
-const char *scallop_status_text(enum scallop_status status);
+const char *scallop_status_text(enum scallop_status status); /* returns a constant text */
 
+/* Phases: l grows by the amplitude in an extension, and shrinks by it in a contraction. */
 enum scallop_phase_kind { SCALLOP_EXTENSION = 0, SCALLOP_CONTRACTION = 1 };
 
 /* Origin of the time of a piece. Times near the end of a phase are kept as distances to that end: dT ~ T^3 would
@@ -100,7 +101,8 @@ struct scallop_piece {
   const struct scallop_fractions *exact;
 };
 
-struct scallop_shape { /* one phase of a gait, duration 1, amplitude 1                      */
+/* One phase of a gait, of duration 1 and amplitude 1 */
+struct scallop_shape {
   const struct scallop_piece *pieces;
   int count;
   double l0, lT; /* l'' at its start and end times duration^2: the paper's l_0, l_T   */
@@ -111,6 +113,7 @@ struct scallop_shape { /* one phase of a gait, duration 1, amplitude 1          
   bool ramps;   /* concave, with two pieces, each a SCALLOP_RAMP */
 };
 
+/* A periodic separation l(t): an extension, then a contraction */
 struct scallop_gait {
   const char *name;
   struct scallop_shape phase[2]; /* indexed by enum scallop_phase_kind                             */
@@ -129,9 +132,9 @@ extern const struct scallop_curve scallop_curve_linear;
     .curve = &scallop_curve_linear \
   }
 
-/* Returns the gait of this name, or NULL. scallop_gait_name(i) lists the names, NULL after the last. */
+/* Returns the gait of this name, or NULL. */
 const struct scallop_gait *scallop_gait_named(const char *name);
-const char *scallop_gait_name(int i);
+const char *scallop_gait_name(int i); /* returns the name of gait i = 0, 1, ...; NULL after the last */
 
 /* Returns true if l' is known exactly in every piece of both phases: the piece has a law, or is linear. */
 bool scallop_gait_is_exact(const struct scallop_gait *gait);
@@ -146,7 +149,7 @@ bool scallop_gait_is_reversible(const struct scallop_gait *gait);
 void scallop_gait_at(const struct scallop_gait *gait, enum scallop_phase_kind kind, double s, double *length,
                      double *velocity, double *acceleration);
 
-/* SI or any consistent units. Every m, F, L, T > 0 and finite; 0 < alpha < 1: the fraction of the
+/* Parameters, in SI or any consistent units. Every m, F, L, T > 0 and finite; 0 < alpha < 1 is the fraction of the
  * period T that the extension takes. */
 struct scallop_crawler {
   double m1, m2;
@@ -158,7 +161,8 @@ struct scallop_crawler {
 /* Returns m1 = m2 = 1, F1 = 4, F2 = 1, L = 10, T = 1, alpha = 3/4, quadratic. */
 struct scallop_crawler scallop_crawler_default(void);
 
-struct scallop_complaint { /* description of a bad parameter: "F1 = -3: a finite number > 0" */
+/* A bad parameter, its value and its domain: "F1 = -3: a finite number > 0" */
+struct scallop_complaint {
   const char *name;
   double given;
   const char *allowed;

@@ -29,34 +29,36 @@ extern "C" {
 /* The series of all quantities of one motion. Its members are private, and may change in a later library. */
 struct scallop_series;
 
-/* Derive all coefficients below T^order, 1 <= order <= 1000, of one phase from start velocity v0 (0: from rest), or of
- * the steady state. Balls have `precision` bits, 16 or more, less cancellation: request twice the bits that you need,
- * and check the radii. T of the crawler is not used, nor is alpha for a phase. *series becomes a new one; the caller
- * frees it by scallop_series_free.
+/* Derives all coefficients below T^order, 1 <= order <= 1000, of one phase from start velocity v0 (0: from rest). Balls
+ * have `precision` bits, 16 or more, less cancellation: request twice the bits that you need, and check the radii. T of
+ * the crawler is not used, nor is alpha for a phase. *series becomes a new one; the caller frees it by
+ * scallop_series_free.
  *
  * On failure *series is unchanged; *why, if why is not NULL, becomes a sentence in static text. SCALLOP_EDOMAIN: an
  * argument outside its domain, a gait without exact law, or a gait for which no series in powers of T exists: l' is 0
- * or changes its sign within a phase, or l'' = 0 at the start or the end of a phase. Of the steady state also
- * SCALLOP_EUNDECIDED: for T -> 0 a body touches v = 0 without turning, or is too close to that for this precision. */
+ * or changes its sign within a phase, or l'' = 0 at the start or the end of a phase. */
 enum scallop_status scallop_series_of_phase(struct scallop_series **series,
                                             const struct scallop_rational_crawler *crawler,
                                             enum scallop_phase_kind kind, const fmpq_t v0, slong order, slong precision,
                                             const char **why);
+/* Derives all coefficients of the steady state in the same way; also SCALLOP_EUNDECIDED: for T -> 0 a body touches v =
+ * 0 without turning, or is too close to that for this precision. */
 enum scallop_status scallop_series_of_steady(struct scallop_series **series,
                                              const struct scallop_rational_crawler *crawler, slong order,
                                              slong precision, const char **why);
 void scallop_series_free(struct scallop_series *series); /* NULL is allowed */
 
-/* Return the coefficient of T^power, for any power below the order, including negative ones: v_start and v_mid begin
+/* Computes the coefficient of T^power, for any power below the order, including negative ones: v_start and v_mid begin
  * with T^-1. A phase has the quantities of SCALLOP_QUANTITY_LIST from dT to v_at_last, the steady state those from
  * v_start on; a phase without changes of mode has no quantity of a switching time. The unit is the quantity's over
  * T^power.
  *
- * rational: returns false, with coefficient unchanged, if it is not a known fraction (or scallop_series_ball returns
- * false). A coefficient among balls that is proven to be 0 is the fraction 0. ball: returns false, with coefficient
- * unchanged, if the motion has no such quantity, or power is not below the order. */
+ * Returns false, with coefficient unchanged, if it is not a known fraction (or scallop_series_ball returns false). A
+ * coefficient among balls that is proven to be 0 is the fraction 0. */
 bool scallop_series_rational(fmpq_t coefficient, const struct scallop_series *series, enum scallop_quantity quantity,
                              slong power);
+/* Encloses this coefficient. Returns false, with coefficient unchanged, if the motion has no such quantity, or power is
+ * not below the order. */
 bool scallop_series_ball(arb_t coefficient, const struct scallop_series *series, enum scallop_quantity quantity,
                          slong power);
 

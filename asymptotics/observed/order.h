@@ -18,6 +18,7 @@
 extern "C" {
 #endif
 
+/* Use of a point, or the reason why it is left out */
 enum scallop_order_use {
   SCALLOP_ORDER_USED,
   SCALLOP_ORDER_ZERO,
@@ -25,8 +26,9 @@ enum scallop_order_use {
   SCALLOP_ORDER_COARSE,
   SCALLOP_ORDER_BEFORE_SIGN_CHANGE
 };
-const char *scallop_order_use_text(enum scallop_order_use use);
+const char *scallop_order_use_text(enum scallop_order_use use); /* returns "used", "zero", ... */
 
+/* A row of the table */
 struct scallop_order_point {
   double h;                   /* > 0                                                                    */
   double err;                 /* signed                                                                 */
@@ -36,6 +38,7 @@ struct scallop_order_point {
   enum scallop_order_use use; /* out                                                                    */
 };
 
+/* The expected order and the tolerance */
 struct scallop_order_wanted {
   double order;     /* expected order; nan: no expectation, the order is only measured */
   double tolerance; /* > 0: largest difference from the expected order, and largest half-width of the interval */
@@ -55,7 +58,7 @@ enum scallop_order_verdict {
   SCALLOP_ORDER_INSUFFICIENT,  /* fewer than three usable points                                                  */
   SCALLOP_ORDER_INVALID        /* h not positive, repeated or not finite; err not finite; noise negative */
 };
-const char *scallop_order_verdict_text(enum scallop_order_verdict verdict);
+const char *scallop_order_verdict_text(enum scallop_order_verdict verdict); /* returns "pass", "measured", ... */
 
 /* The kind of the interval [low, high] */
 enum scallop_order_interval {
@@ -70,10 +73,11 @@ enum scallop_order_interval {
   SCALLOP_ORDER_LIMIT,
   SCALLOP_ORDER_PAIRWISE /* the pairwise orders from the smallest to the largest */
 };
-const char *scallop_order_interval_text(enum scallop_order_interval interval);
+const char *scallop_order_interval_text(enum scallop_order_interval interval); /* returns "limit", "pairwise", ... */
 
 enum { SCALLOP_ORDER_REASON = 400 };
 
+/* The verdict, the order and its interval */
 struct scallop_order_result {
   enum scallop_order_verdict verdict;
   double order, low, high; /* nan: unknown */

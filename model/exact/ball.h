@@ -14,11 +14,13 @@
 extern "C" {
 #endif
 
+/* A crawler with exact parameters */
 struct scallop_rational_crawler {
   fmpq_t m1, m2, F1, F2, L, T, alpha; /* domains as in struct scallop_crawler */
   const struct scallop_gait *gait;
 };
 
+/* The parameters live from init to clear. */
 void scallop_rational_init(struct scallop_rational_crawler *crawler);
 void scallop_rational_clear(struct scallop_rational_crawler *crawler);
 void scallop_rational_copy(struct scallop_rational_crawler *to, const struct scallop_rational_crawler *from);
@@ -37,21 +39,22 @@ bool scallop_rational_parse(fmpq_t x, const char *text);
 /* Returns true if m1, m2, F1, F2, L > 0, 0 < alpha < 1, and a gait is set; T is ignored. */
 bool scallop_rational_is_valid(const struct scallop_rational_crawler *crawler);
 
-/* Compute the fraction of the period and the duration of a phase: alpha and alpha T, or 1 - alpha and (1 - alpha) T. */
+/* Computes the fraction of the period that a phase takes: alpha or 1 - alpha. */
 void scallop_rational_fraction(fmpq_t fraction, const struct scallop_rational_crawler *crawler,
                                enum scallop_phase_kind kind);
+/* Computes the duration of a phase: alpha T or (1 - alpha) T. */
 void scallop_rational_duration(fmpq_t duration, const struct scallop_rational_crawler *crawler,
                                enum scallop_phase_kind kind);
 
 /* Returns true if every coefficient of l' is rational: series then have exact coefficients. */
 bool scallop_gait_is_rational(const struct scallop_gait *gait);
 
-/* Compute the offsets at which a piece begins and ends. */
-void scallop_ball_begin(arb_t u, const struct scallop_piece *piece, slong precision);
-void scallop_ball_end(arb_t u, const struct scallop_piece *piece, slong precision);
+void scallop_ball_begin(arb_t u, const struct scallop_piece *piece, slong precision); /* offset of the start */
+void scallop_ball_end(arb_t u, const struct scallop_piece *piece, slong precision);   /* offset of the end */
 
-/* Compute |l'| and d|l'|/dt at offset u of a piece; any ball within [0, 1]. */
+/* Computes |l'| at offset u of a piece; any ball within [0, 1]. */
 void scallop_ball_speed(arb_t speed, const struct scallop_piece *piece, const arb_t u, slong precision);
+/* Computes d|l'|/dt there. */
 void scallop_ball_rate(arb_t rate, const struct scallop_piece *piece, const arb_t u, slong precision);
 /* Computes the integral of |l'| from offset u to offset v of a piece, in the direction from u to v in time: negative
  * if v is earlier. */

@@ -31,6 +31,7 @@ enum scallop_fit {
   SCALLOP_FIT_PHASES
 };
 extern const char *const scallop_fit_names[]; /* "chosen", ...; NULL after the last */
+/* Options of the fit; 0: default */
 struct scallop_measured_options {
   enum scallop_fit fit;
   double sigma;  /* > 0: the noise of a sample, in units of l; 0: cross-validation estimates it */
@@ -51,7 +52,7 @@ struct scallop_measured;
 struct scallop_measured *scallop_measured_new(const double *t, const double *l, int count,
                                               const struct scallop_measured_options *options, const char *name,
                                               const char **why);
-void scallop_measured_free(struct scallop_measured *measured);
+void scallop_measured_free(struct scallop_measured *measured); /* frees the gaits; NULL is allowed */
 
 /* Returns a gait, valid until scallop_measured_free. Not thread-safe: the first call with i >= 0 makes all others. */
 struct scallop_measured_gait scallop_measured_gait(struct scallop_measured *measured, int i);
