@@ -48,7 +48,7 @@ struct scallop_values {
  * no exact law. */
 struct scallop_values scallop_phase_values(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
                                            double v0);
-/* Returns the values for the steady state, without v0: nan. */
+/* Returns the values for the steady state; v0, t1, dT and x_switch are nan. */
 struct scallop_values scallop_steady_values(const struct scallop_crawler *crawler);
 
 /* Returns the values of the same motion with the names of the bodies exchanged: a contraction becomes an extension. The

@@ -89,10 +89,10 @@ double scallop_knot_round(double x);
 /* Returns an upper bound of the pieces of a spline through count[kind] knots in each phase. */
 int scallop_spline_pieces(const int count[2]);
 
-/* Returns true if l is monotone between two knots. Its slope is the quadratic with the Bernstein coefficients b0 =
- * a's slope, b1 = 3 (length gained)/(time passed) - b0 - b2, b2 = b's slope. The slope keeps its sign if b0 and b2
- * have this sign and both are in size at most three times the mean slope (Fritsch & Carlson, SIAM J. Numer. Anal.
- * 17, 1980), or if b1^2 <= b0 b2. */
+/* Returns true if l is monotone between two knots. Its slope is the quadratic with the Bernstein coefficients b0 = a's
+ * slope, b1 = 3 (length gained)/(time passed) - b0 - b2, b2 = b's slope. The slope keeps its sign if b0 and b2 have
+ * this sign, and either both are in size at most three times the mean slope (Fritsch & Carlson, SIAM J. Numer. Anal.
+ * 17, 1980) or b1^2 <= b0 b2. */
 bool scallop_knots_are_monotone(const struct scallop_knot *a, const struct scallop_knot *b);
 
 /* Makes the cubic Hermite spline through count[kind] >= 2 knots of each phase. Between knots of equal length l

@@ -49,7 +49,8 @@ static bool stays_inside(const struct segment *g, const struct scallop_piece *pi
   return arb_is_positive(gap);
 }
 
-/* Returns true if c stays off curve j between offsets lo and hi; it crosses the curve within an end with a set flag. */
+/* Returns true if c stays off curve j between offsets lo and hi; it meets it transversally within an end with a set
+ * flag. */
 static bool keeps_off(const struct segment *g, const struct scallop_piece *piece, int j, const arf_t lo, const arf_t hi,
                       bool touches_lo, bool touches_hi, int depth)
 {
@@ -166,7 +167,7 @@ static const char *const leaves[2] = { "a switching time of the extension reache
  * follows the curve; or it leaves its piece. After the last piece the other phase starts. */
 enum risk { STICKS_BEHIND, REACHES_END, REACHES_BEGIN, STICKS_BEFORE, RISKS };
 
-/* Computes the distance from this failure, 0 to 1. Returns the event, or NULL if l' is smooth there. */
+/* Computes the distance from this failure, 0 to 1. Returns the event, or NULL if l' continues there. */
 static const char *margin_of(arb_t margin, enum risk risk, const struct edge *e, const struct segment *g, int from,
                              int into)
 {

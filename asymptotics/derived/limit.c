@@ -103,8 +103,7 @@ bool steady_lift(struct steady_lift *s, struct limit *l, const struct phase_seri
   if (!phases)
     set_phases(&own, l);
   return steady_lift_start(s, l, used, eps, ring)
-         /* for all quantities that depend on w */
-         && lift_period(s, l, used, eps, CROSSINGS_KNOWN, &balance, &slope, ring);
+         && lift_period(s, l, used, eps, CROSSINGS_KNOWN, &balance, &slope, ring); /* all that depends on w */
 }
 
 /* Computes the balance and its derivative with respect to w, with newly enclosed crossings. */

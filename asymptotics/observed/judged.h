@@ -22,7 +22,7 @@ struct judged {
 /* points.c: sort all points by falling h, or by use after a change of use. */
 void points_sort_by_h(struct judged *j);
 void points_sort_by_use(struct judged *j);
-/* Leaves out the first points of those used. */
+/* Leaves out the used points p[0..first). */
 void points_leave_out(struct judged *j, int first, enum scallop_order_use why);
 /* Returns the order between two points with errors other than 0. */
 double points_slope(const struct scallop_order_point *a, const struct scallop_order_point *b);

@@ -20,9 +20,9 @@ extern "C" {
  * continuous on the whole circle. SMOOTH and PHASES are least-squares splines on at most 72 uniform segments, with a
  * penalty on the third differences of their B-spline coefficients (Eilers & Marx, Stat. Sci. 11, 1996). Its factor
  * gives the residuals the root mean square sigma, or is found by generalized cross-validation (Craven & Wahba, Numer.
- * Math. 31, 1979). In PHASES l'' may jump at the turns, as in the paper's gaits if alpha is not 1/2: the displacement
- * depends on l'' on both sides of a turn. CHOSEN is CUBIC, SMOOTH or PHASES, with the smallest estimated error at
- * samples that are left out. All are piecewise cubic. */
+ * Math. 31, 1979). In PHASES l'' may jump at the turns (l' = 0), as in the paper's gaits if alpha is not 1/2: the
+ * displacement depends on l'' on both sides of a turn. CHOSEN is CUBIC, SMOOTH or PHASES, with the smallest estimated
+ * error at samples that are left out. All are piecewise cubic. */
 enum scallop_fit {
   SCALLOP_FIT_CHOSEN,
   SCALLOP_FIT_MONOTONE,
