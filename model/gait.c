@@ -41,7 +41,7 @@ const struct scallop_gait scallop_gait_quadratic = { "quadratic",
                                                      { { quadratic_extension, 2, 4, -4, 2, 1, true, true },
                                                        { quadratic_contraction, 2, -4, 4, 2, -1, true, true } } };
 
-/* Half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end, so that both ends keep full relative accuracy. */
+/* Half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end: both ends keep full relative accuracy. */
 
 static double sine_length(const struct scallop_piece *p, double u)
 {
@@ -49,7 +49,7 @@ static double sine_length(const struct scallop_piece *p, double u)
   return law_sense(p) * p->direction * (h * h);
 }
 
-/* Near u = 1/2 sines and cosines are taken from there, so that l'' is exactly 0 where the two pieces meet. */
+/* Near u = 1/2 sines and cosines are taken from there: l'' is then exactly 0 at the boundary of the two pieces. */
 static bool is_late(double u) { return u > 0.25; }
 
 static double sine_velocity(const struct scallop_piece *p, double u)
@@ -115,7 +115,7 @@ const struct scallop_gait_family scallop_family_sinusoidal = { .name = "sinusoid
                                                                .sample = "sinusoidal",
                                                                .fixed = &scallop_gait_sinusoidal };
 
-/* Whether |l'| is the same function of the offset in both pieces */
+/* Returns true if |l'| is the same function of the offset in both pieces. */
 static bool same_law(const struct scallop_piece *a, const struct scallop_piece *b)
 {
   if (a->exact != b->exact)
@@ -162,7 +162,7 @@ bool scallop_gait_is_reversible(const struct scallop_gait *gait)
   return true;
 }
 
-/* The piece that holds time s, and the offset of s from its anchor. */
+/* Returns the piece that contains time s, and writes the offset of s from its anchor. */
 static const struct scallop_piece *piece_at(const struct scallop_shape *shape, double s, double *u)
 {
   for (int i = 0;; i++) {
