@@ -101,11 +101,11 @@ VECTOR static void solve_held(struct row *row, const struct scallop_gait *gait)
     struct scallop_scaled s;
     struct held h;
     int valid = scale(row, i, &s);
-    held_steady(&s, row->order[i], &e, &c, false, &h);
+    held_steady(&s, row->order[i], &e, &c, &h);
     row->course[0][i] = h.course[0];
     row->course[1][i] = h.course[1];
     valid &= answer(row, i, &s, h.c_start, h.c_mid, h.travel, 0);
-    valid &= !period_cancels(h.travel, h.size, 0);
+    valid &= !period_cancels(h.travel, h.size, 1);
     row->valid[i] = (valid & (h.margin > 0)) ? 1 : 0;
   }
 }

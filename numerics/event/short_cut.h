@@ -75,8 +75,8 @@ SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct r
 {
   double eps = l->eps, between = l->between, steep = r->up * l->q0, t = c / (steep + eps), y = steep * t;
   int turns = steep > between;
-  double top = turns ? y + between * (r->top - t) : steep * r->top, end = top + between * r->rest;
-  int above = turns ? end > 0 : 1;
+  double top = turns ? y + between * (r->top - t) : steep * r->top, end = top + (turns ? between : 0) * r->rest;
+  int above = end > 0;
   double side = above ? 1 : -1, q = above ? l->q0 : -l->q1, fall = r->down * q, u = end / (between + fall);
   double z = fall * u, grip = eps - side * fall;
   int crosses = grip < 0;
@@ -163,16 +163,16 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scallop_scaled *s, doub
 /* The steady state of two ramps in which friction holds a body to the end of a phase. Both bodies are then at rest, so
  * the next phase is known, and the one after it: if this comes to rest again the period is closed. */
 struct held {
-  double c_start, c_mid, travel, size; /* as in struct period                                                    */
-  double way[2], way_size[2];          /* of the bodies, and the sizes of their parts                            */
-  double margin;                       /* > 0: this is the steady state                                          */
-  double course[2];                    /* of each phase                                                          */
+  double c_start, c_mid;
+  double travel, size; /* as in struct period after period_sum_up                               */
+  double margin;       /* > 0: this is the steady state                                         */
+  double course[2];    /* of each phase                                                         */
 };
 
 /* order: +1 if friction holds a body to the end of the contraction, -1 if of the extension. The phase that is followed
- * by rest comes second, and the first begins at rest. Multiplier and balance are 0. ways: of the bodies too */
+ * by rest comes second, and the first begins at rest. Multiplier and balance are 0. */
 SCALLOP_INLINE void held_steady(const struct scallop_scaled *s, double order, const struct ramps *e,
-                                const struct ramps *c, int ways, struct held *out)
+                                const struct ramps *c, struct held *out)
 {
   int plain = order > 0;
   double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION], x1 = plain ? a : b,
@@ -187,14 +187,13 @@ SCALLOP_INLINE void held_steady(const struct scallop_scaled *s, double order, co
   int rests = p1.turns + p2.turns == 0 && p1.ends == -p2.ends; /* the same body in both phases */
   out->c_start = plain ? 0 : between;
   out->c_mid = plain ? between : 0;
-  out->travel = rests ? 0 : p1.travel + p2.travel;
-  out->size = rests ? 0 : p1.size + p2.size;
-  if (ways) {
-    out->way[0] = p1.way1 + p2.way1;
-    out->way[1] = p1.way2 + p2.way2;
-    out->way_size[0] = p1.size1 + p2.size1;
-    out->way_size[1] = p1.size2 + p2.size2;
-  }
+  double travel = rests ? 0 : p1.travel + p2.travel, size = rests ? 0 : p1.size + p2.size;
+  int cancels = period_cancels(travel, size, 0);
+  double size1 = cancels ? p1.size1 + p2.size1 : size, size2 = cancels ? p1.size2 + p2.size2 : size;
+  double way1 = p1.way1 + p2.way1, way2 = p1.way2 + p2.way2, best = least_of(size1, size);
+  travel = size1 < size ? way1 : travel;
+  out->travel = size2 < best ? way2 : travel;
+  out->size = least_of(size2, best);
   out->margin = least_of(least_of(p1.margin, p2.margin), p2.grip);
   out->course[0] = plain ? p1.course : p2.course;
   out->course[1] = plain ? p2.course : p1.course;

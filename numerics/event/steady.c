@@ -186,17 +186,9 @@ static bool solve_held(const struct scallop_scaled *s, double order, struct scal
   if (!has_ramps(s->gait))
     return false;
   const struct ramps e = ramps_of(&phase[SCALLOP_EXTENSION]), c = ramps_of(&phase[SCALLOP_CONTRACTION]);
-  held_steady(s, order, &e, &c, false, &h);
+  held_steady(s, order, &e, &c, &h);
   if (!(h.margin > 0))
     return false;
-  if (period_cancels(h.travel, h.size, false)) { /* over a whole period all come equally far, as in period_sum_up */
-    held_steady(s, order, &e, &c, true, &h);
-    for (int body = 0; body < 2; body++)
-      if (h.way_size[body] < h.size) {
-        h.travel = h.way[body];
-        h.size = h.way_size[body];
-      }
-  }
   struct scallop_period_result *p = &out->period;
   p->v_start = p->v_end = out->v_low = out->v_high = h.c_start;
   p->v_mid = h.c_mid;
