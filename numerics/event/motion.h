@@ -9,6 +9,7 @@
 
 typedef double real;
 #define ROUNDING (DBL_EPSILON / 2)
+#define SMALL_STEP 1e-9
 #define SOLVE
 #include "numerics/event/period.h"
 
@@ -59,21 +60,6 @@ static inline void piece_rates(const struct scallop_piece *p, double u, double *
   }
 }
 
-/* Newton's method for the crossings of a line with a curve ends by these two. How far two slopes that meet are from
- * being the same, in parts of their size */
-static inline double step_margin(double steep, double slope)
-{
-  return fabs(steep - slope) / (fabs(steep) + fabs(slope));
-}
-
-/* A step so small beside the root x, at least one inflection or end of x away, that the next would show only rounding:
- * the error is then about step^2/(margin x), and rounding that of x over margin. */
-static inline bool step_is_last(double step, double x, double margin)
-{
-  double small = 1e-9 * margin, rounding = 8 * DBL_EPSILON / margin;
-  return fabs(step) <= (small > rounding ? small : rounding) * x;
-}
-
 /* The mean of sgn l' over the period: 2 alpha - 1 for the usual gaits, correctly rounded */
 SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alpha)
 {
@@ -91,6 +77,9 @@ SCALLOP_INLINE struct phase_input phase_input_of(const struct scallop_scaled *s,
   return (struct phase_input){ shape, s->mu1, s->mu2, s->f1, s->f2, s->delta, s->eps * (fraction * fraction), 0 };
 }
 struct walker walker_of(const struct scallop_scaled *scaled);
+
+/* Solves a phase without a walk (concave.h). Returns false if it is of another kind. */
+bool short_cut(const struct phase_input *input, double c_0, struct motion *motion);
 
 /* What friction has left of the velocity at the end, as a fraction, if that is so little that rounding of what is gone
  * shows in it; else 1, as for two ramps, whose short cut does not set furthest. */

@@ -4,6 +4,7 @@
  *
  *     real       the type
  *     ROUNDING   2^-bits of it: half of the distance from 1 to the next number
+ *     SMALL_STEP a relative step whose square is below rounding
  *     SOLVE      how the functions are declared: static inline, or nothing where they are those of another file
  */
 #include "model/scaling.h"
@@ -28,10 +29,74 @@ static inline void sum_add(struct sum *s, real x)
 }
 static inline real sum_value(const struct sum *s) { return s->total + s->lost; }
 
+/* Newton's method for the crossings of a line with a curve ends by these two. Returns how far two slopes that meet are
+ * from being the same, in parts of their size. */
+static inline real step_margin(real steep, real slope)
+{
+  return magnitude(steep - slope) / (magnitude(steep) + magnitude(slope));
+}
+
+/* Returns true for a step so small beside the root x, at least one inflection or end of x away, that the next would
+ * show only rounding: the error is then about step^2/(margin x), and rounding that of x over margin. */
+static inline bool step_is_last(real step, real x, real margin)
+{
+  const real small = SMALL_STEP * margin, rounding = 16 * ROUNDING / margin;
+  return magnitude(step) <= (small > rounding ? small : rounding) * x;
+}
+
+/* The modes of a phase as one number, which a row of crawlers can hold. Both bodies move in direction `starts` first
+ * (0: the phase begins at rest), then, if one turns, in opposite directions, and at last in direction `ends`, or one
+ * does and the other is stuck, to the end or until it is released and moves in direction `ends` too. */
+enum { COURSE_STARTS = 3, COURSE_ENDS = 4, COURSE_TURNS = 8, COURSE_STUCK = 16, COURSE_RELEASED = 32 };
+SCALLOP_INLINE double course_of(double starts, double ends, double turns, int stuck)
+{
+  return starts + 1 + (ends > 0 ? COURSE_ENDS : 0) + turns * COURSE_TURNS + (stuck ? COURSE_STUCK : 0);
+}
+static inline bool course_turns(double course) { return (int)course & COURSE_TURNS; }
+void course_modes(enum scallop_phase_kind kind, double course, struct scallop_modes *modes);
+enum scallop_regime course_regime(const double course[2]);
+
 struct phase_input { /* in units where the phase lasts 1, L is 1 and forces are in F1 + F2                 */
   const struct scallop_shape *shape;
   real mu1, mu2, f1, f2, delta, eps; /* as in struct scallop_scaled; eps of this phase                           */
   real base; /* what velocities c at the start and at the end are counted from: 0, or see walk_level               */
+};
+
+/* What c meets in a phase whose |l'| is concave, in units of the phase: curve 0 is c = q0 |l'|, curve 1 is
+ * c = -q1 |l'|. */
+struct line {
+  real q0, q1, eps, between; /* c' is -eps, between, eps in regions 0, 1, 2                            */
+  real f_first, f_second;    /* of the body that turns first, and of the other, over F1 + F2           */
+};
+
+/* plain: body 1 is the one that turns first. */
+SCALLOP_INLINE struct line line_of(const struct phase_input *in, int plain)
+{
+  return (struct line){ .q0 = plain ? in->mu2 : in->mu1,
+                        .q1 = plain ? in->mu1 : in->mu2,
+                        .eps = in->eps,
+                        .between = in->eps * (plain ? in->delta : -in->delta),
+                        .f_first = plain ? in->f1 : in->f2,
+                        .f_second = plain ? in->f2 : in->f1 };
+}
+
+/* -1: seen in a mirror. direction: of l', +1 or -1 */
+SCALLOP_INLINE real mirror_of(real direction, real delta, real c)
+{
+  real drive = c != 0 ? c : direction * delta;
+  return drive >= 0 ? 1 : -1;
+}
+
+/* A phase that concave.h solves, seen so that c starts at or above 0. Offsets t are from the start of the phase, u back
+ * from its end, and x from the start if it is `early`, before |l'| is largest, else back from the end. */
+struct passage {
+  real sign;           /* -1: seen in a mirror                                                   */
+  real c, t, y, steep; /* c at the start; where c meets curve 0, c there, and the slope of the curve */
+  real side;           /* +1: curve 0 comes next, -1: curve 1                                    */
+  real x, z, fall;     /* where c leaves region 1, |c| there, and the slope of the curve, downwards */
+  real at_top;         /* c where the first piece ends, in region 1                              */
+  real u, w, end;      /* where it passes to the last region, |c| there and at the end           */
+  bool turns, early, holds, released;
 };
 
 /* Of a phase that begins with velocity c_0 of the centre of mass. */
@@ -48,6 +113,7 @@ struct motion {
   real path[2];             /* of body 1 and body 2: how far each slides, one way and the other               */
   real furthest;            /* the largest |c| since a body was held, of a phase of many pieces; else 0       */
   bool short_cut;           /* of the ways only way[0] and size[0] are known, and no path                     */
+  struct passage passage;   /* if so                                                                       */
   bool forgets;             /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0            */
   bool delicate;            /* slope and stretch depend on the last digit of c_0: see is_delicate             */
   bool sticks;              /* a body is stuck for some time                                                  */
@@ -73,6 +139,7 @@ struct walker {
   real fraction[2], eps; /* as in struct scallop_scaled                                                 */
   real driven;           /* the mean of sgn l' over the period: 2 alpha - 1 for the usual gaits         */
   const struct scallop_gait *gait;
+  bool walks; /* event by event, without short cuts                                           */
 };
 
 /* A curve whose slope is `along`, `steep` where it is steepest, is crossed by a line with these slopes on its sides,
@@ -115,6 +182,9 @@ SOLVE enum scallop_regime period_regime(const struct period *period);
 
 /* Above this velocity both bodies always move forward, below its negative always backward. */
 SOLVE real steady_bound(const struct walker *walker);
+/* Solves the contraction alone, for a steady state whose extension ends at rest. Returns the velocity at its end, to
+ * begin the search at. */
+SOLVE real steady_from_rest(const struct walker *walker, struct period *period);
 /* The root of the balance between -bound and bound, from guess on. The numbers of iterations and of what they take are
  * added to *work. */
 SOLVE void steady_find(const struct walker *walker, real guess, real bound, struct period *period,

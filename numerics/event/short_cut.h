@@ -15,10 +15,6 @@
 
 #include "numerics/event/motion.h"
 
-/* As motion_walk, of the ways only that of the centre of mass. False: the motion is of another kind, or too near to
- * one; *motion is then of no use. */
-bool short_cut(const struct phase_input *input, double c_0, struct motion *motion);
-
 struct ramps {
   double up, down;  /* |l'| = up t until t = top, then down (1 - t)                                       */
   double top, rest; /* rest = 1 - top                                                                    */
@@ -29,30 +25,6 @@ static inline struct ramps ramps_of(const struct scallop_shape *shape)
 {
   const struct scallop_piece *a = &shape->pieces[0], *b = &shape->pieces[1];
   return (struct ramps){ a->direction * a->acceleration, -b->direction * b->acceleration, a->end, b->begin };
-}
-
-/* What c meets, in units of the phase: curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|. */
-struct line {
-  double q0, q1, eps, between; /* c' is -eps, between, eps in regions 0, 1, 2                            */
-  double f_first, f_second;    /* of the body that turns first, and of the other, over F1 + F2           */
-};
-
-/* plain: body 1 is the one that turns first. */
-SCALLOP_INLINE struct line line_of(const struct phase_input *in, int plain)
-{
-  return (struct line){ .q0 = plain ? in->mu2 : in->mu1,
-                        .q1 = plain ? in->mu1 : in->mu2,
-                        .eps = in->eps,
-                        .between = in->eps * (plain ? in->delta : -in->delta),
-                        .f_first = plain ? in->f1 : in->f2,
-                        .f_second = plain ? in->f2 : in->f1 };
-}
-
-/* -1: seen in a mirror. direction: of l', +1 or -1 */
-SCALLOP_INLINE double mirror_of(double direction, double delta, double c)
-{
-  double drive = c != 0 ? c : direction * delta;
-  return drive >= 0 ? 1 : -1;
 }
 
 SCALLOP_INLINE double least_of(double a, double b) { return a < b ? a : b; }
@@ -114,18 +86,6 @@ SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct r
                               .own = one + two + three,
                               .own_size = one + fabs(two) + fabs(three) };
 }
-
-/* The modes of a phase as one number, which a row of crawlers can hold. Both bodies move in direction `starts` first
- * (0: the phase begins at rest), then, if one turns, in opposite directions, and at last in direction `ends`, or one
- * does and the other is held. */
-enum { COURSE_STARTS = 3, COURSE_ENDS = 4, COURSE_TURNS = 8, COURSE_HELD = 16 };
-SCALLOP_INLINE double course_of(double starts, double ends, double turns, int held)
-{
-  return starts + 1 + (ends > 0 ? COURSE_ENDS : 0) + turns * COURSE_TURNS + (held ? COURSE_HELD : 0);
-}
-static inline bool course_turns(double course) { return (int)course & COURSE_TURNS; }
-void course_modes(enum scallop_phase_kind kind, double course, struct scallop_modes *modes);
-enum scallop_regime course_regime(const double course[2]);
 
 /* The same as it is, and not in the mirror */
 struct held_phase {

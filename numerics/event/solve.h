@@ -1,9 +1,8 @@
 /* What period.h declares, once for every floating type. No header in the usual sense, and not public. Before including
- * it define what that and walk.h want, and
- *
- *     short_cut(input, c_0, motion)     solves a phase without a walk; false: it cannot
- */
+ * it define what that, walk.h and concave.h need. */
 #include "numerics/event/walk.h"
+
+#include "numerics/event/concave.h"
 
 SOLVE void motion_bodies(const struct phase_input *in, enum scallop_phase_kind kind, real mu_difference,
                          const struct motion *m, real way[3], real size[3])
@@ -31,7 +30,7 @@ SOLVE enum scallop_regime motion_regime(const struct motion *m)
 SOLVE real period_phase(const struct walker *s, enum scallop_phase_kind kind, real c, struct motion *motion)
 {
   const struct phase_input *in = &s->phase[kind];
-  if (in->base != 0 || !short_cut(in, c * s->fraction[kind], motion))
+  if (s->walks || in->base != 0 || !concave_phase(in, c * s->fraction[kind], motion))
     motion_walk(in, c * s->fraction[kind], NULL, NULL, motion);
   return motion->c_end / s->fraction[kind];
 }
@@ -71,7 +70,9 @@ SOLVE void period_sum_up(const struct walker *s, struct period *p)
     return;
   const real c[2] = { p->c_start, p->c_mid };
   for (int kind = 0; kind < 2; kind++)
-    if (p->phase[kind].short_cut) {
+    if (p->phase[kind].short_cut && law_is_sine(&s->phase[kind].shape->pieces[0])) {
+      concave_bodies(&s->phase[kind], &p->phase[kind]);
+    } else if (p->phase[kind].short_cut) {
       struct motion walked;
       motion_walk(&s->phase[kind], c[kind] * s->fraction[kind], NULL, NULL, &walked);
       for (int i = 1; i < 3; i++) {
@@ -104,6 +105,14 @@ SOLVE enum scallop_regime period_regime(const struct period *p)
 SOLVE real steady_bound(const struct walker *s)
 {
   return 2 * (s->phase[0].shape->peak / s->fraction[0] + s->phase[1].shape->peak / s->fraction[1] + s->eps);
+}
+
+SOLVE real steady_from_rest(const struct walker *s, struct period *p)
+{
+  p->c_mid = 0;
+  p->c_end = period_phase(s, SCALLOP_CONTRACTION, 0, &p->phase[SCALLOP_CONTRACTION]);
+  p->goes_on = true;
+  return p->c_end;
 }
 
 static void add_work(struct scallop_work *work, const struct period *p)

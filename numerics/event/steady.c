@@ -211,11 +211,8 @@ static enum scallop_status search(const struct scallop_scaled *scaled, enum regu
   const struct walker s = walker_of(scaled);
   struct period period = { .goes_on = false };
   out->work = (struct scallop_work){ 0 };
-  if (hint == EXTENSION_HOLDS) {
-    period.c_mid = 0;
-    c = period.c_end = period_phase(&s, SCALLOP_CONTRACTION, 0, &period.phase[SCALLOP_CONTRACTION]);
-    period.goes_on = true;
-  }
+  if (hint == EXTENSION_HOLDS)
+    c = steady_from_rest(&s, &period);
   double bound = steady_bound(&s);
   steady_find(&s, isfinite(c) ? c : 0, bound, &period, &out->work);
   c = period.c_start;

@@ -68,6 +68,35 @@ static void walk_curve(const struct scallop_piece *p, real u, real *velocity, re
   *acceleration = law_sense(p) * p->direction * speed_derivative(p, u, 1);
 }
 
+/* max |l'| of a shape whose pieces meet there */
+static real walk_peak(const struct scallop_shape *shape)
+{
+  return speed_derivative(&shape->pieces[0], shape->pieces[0].end, 0);
+}
+
+/* d|l'|/du at the start or at the end of a phase that begins and ends in curved pieces */
+static real walk_steepest(const struct scallop_shape *shape, bool at_end)
+{
+  return speed_derivative(&shape->pieces[at_end ? shape->count - 1 : 0], 0, 1);
+}
+
+/* A place to begin Newton's method for a + b x = q |l'(x)|: the root in double, found from start on. */
+static real walk_near(const struct scallop_piece *p, real start, real a, real b, real q)
+{
+  enum { STEPS = 30 };
+  double x = (double)start;
+  for (int i = 0; i < STEPS; i++) {
+    double velocity, acceleration;
+    p->curve->rates(p, x, &velocity, &acceleration);
+    double gap = (double)a + (double)b * x - (double)q * (p->direction * velocity);
+    double step = gap / ((double)q * (law_sense(p) * p->direction * acceleration) - (double)b);
+    x += step;
+    if (!(fabs(step) > 1e-9 * x))
+      break;
+  }
+  return x > 0 && x <= 1 ? (real)x : start;
+}
+
 static real walk_way(const struct scallop_piece *p, real from, real to)
 {
   real way = 0, apart = from < to ? to - from : from - to;

@@ -15,9 +15,11 @@
 struct wide_solver {
   void (*phase)(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                 struct scallop_wide_phase *out);
-  void (*period)(const struct scallop_crawler *crawler, double v0, struct scallop_wide_period *out);
-  /* guess: a start velocity to begin with */
-  void (*steady)(const struct scallop_crawler *crawler, double guess, struct scallop_wide_steady *out);
+  /* walks: event by event, and not by the short cuts that the solver in double takes */
+  void (*period)(const struct scallop_crawler *crawler, double v0, bool walks, struct scallop_wide_period *out);
+  /* guess: v_start and v_mid to begin with. Without walks the friction work is not computed. */
+  void (*steady)(const struct scallop_crawler *crawler, const double guess[2], bool walks,
+                 struct scallop_wide_steady *out);
 };
 #if LDBL_MANT_DIG == 113 /* then both are one */
 #define wide_long wide_quad
@@ -29,7 +31,7 @@ extern const struct wide_solver wide_long, wide_quad;
 bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
                        struct scallop_wide_phase *out);
 bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double left, struct scallop_wide_period *out);
-bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
+bool wide_enough_steady(const struct scallop_crawler *crawler, const double guess[2], double left,
                         struct scallop_wide_steady *out);
 
 #endif

@@ -112,7 +112,7 @@ TEST(ramps_are_the_walk)
 static void many_phases(const struct scallop_gait *gait)
 {
   struct random r = { 20261124 };
-  long solved = 0, regular = 0;
+  long solved = 0, regular = 0, stuck = 0;
   for (long n = 0; n < PHASES / 4; n++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), gait);
     enum scallop_phase_kind kind = n % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
@@ -137,12 +137,16 @@ static void many_phases(const struct scallop_gait *gait)
     CHECK_NEAR(m.way[0], w.way[0], roundings * size);
     CHECK_NEAR(m.first_switch, w.first_switch, roundings);
     CHECK_NEAR(m.last_switch, w.last_switch, roundings);
+    assert_true(m.forgets == w.forgets && m.sticks == w.sticks);
+    assert_memory_equal(m.never_moved, w.never_moved, sizeof m.never_moved);
+    stuck += m.sticks;
+    if (m.forgets)
+      continue;
     CHECK_NEAR(m.extra_impulse, w.extra_impulse, 4 * roundings);
     CHECK_NEAR(m.slope, w.slope, 1e3 * roundings * fabs(w.slope));
-    assert_true(!m.forgets && !m.sticks && !m.never_moved[0] && !m.never_moved[1] && !w.forgets);
   }
-  print_message("%s: %ld of %ld\n", gait->name, solved, regular);
-  assert_true(solved > 1000 && solved > 0.8 * (double)regular);
+  print_message("%s: %ld of %d, %ld of them slide, %ld stick\n", gait->name, solved, PHASES / 4, regular, stuck);
+  assert_true(solved > 1000 && solved - stuck > 0.8 * (double)regular);
 }
 
 TEST(concave_is_the_walk_sinusoidal) { many_phases(&scallop_gait_sinusoidal); }
