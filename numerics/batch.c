@@ -86,7 +86,7 @@ VECTOR static void solve_regular(struct row *row, const struct scallop_gait *gai
     struct scallop_scaled s;
     struct regular r;
     int valid = scale(row, i, &s);
-    valid &= regular_steady(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), &extension, &contraction, &r);
+    valid &= regular_steady(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), 1, &extension, &contraction, &r);
     valid &= (r.t[0] < e.top) & (r.u[0] < e.rest) & (r.t[1] < c.top) & (r.u[1] < c.rest);
     valid &= answer(row, i, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
     row->valid[i] = valid ? 1 : 0;
@@ -183,7 +183,7 @@ static void put_state(const struct scallop_steady_states *to, const struct row *
   if (to->regime)
     to->regime[i] = held ? course_regime(course) : SCALLOP_SLIDING;
   if (to->modes && !held)
-    regular_modes(row->number[1][j] > 0, to->modes[i]);
+    regular_modes(row->number[1][j] > 0, 1, to->modes[i]);
   for (int kind = 0; to->modes && held && kind < 2; kind++)
     course_modes((enum scallop_phase_kind)kind, course[kind], &to->modes[i][kind]);
 }

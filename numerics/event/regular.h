@@ -30,85 +30,97 @@ struct tangents { /* of one phase, at the first and at the last crossing        
 };
 
 struct regular_phase {
-  double up, down, up_offset, down_offset; /* q times the tangents                                                */
-  double eps, between;                     /* c' outside and between the crossings                               */
+  double up, down, up_offset, down_offset; /* the curves' tangents: q times those of |l'|, and the last one's sign */
+  double after, between;                   /* minus c' after, and c' between the crossings                       */
   double t_start, t_slope;                 /* t1 = t_start + t_slope c, for c at the start                        */
   double u_start, u_slope;                 /* dT likewise                                                        */
   double shear, stretch;                   /* d c_end / d c - 1, and d c_end / d c, each without a subtraction       */
-  double t, u, travel, c_end;              /* for the c of regular_run                                           */
+  double share;                            /* of dT in the impulse, beside t1                                   */
+  double t, u, travel, size, c_end;        /* for the c of regular_run                                           */
 };
 
 struct regular {
   double c_start, c_mid, c_end; /* in L/T                                                                      */
   double travel, multiplier, balance;
+  double size;       /* of the parts of travel, at most                                              */
   bool delicate;     /* as in struct motion                                                          */
   double t[2], u[2]; /* the crossings of each phase, from its start and back from its end          */
 };
 
-/* f: of the body that turns, over F1 + F2 */
-SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct tangents *tangents, double q, double f,
-                                    double eps, double beta)
+/* first: body 1 is the one that turns first. side: +1 if the same body turns back, -1 if the other one turns too. */
+SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct scallop_scaled *s,
+                                    const struct tangents *tangents, int first, double side, double eps)
 {
+  double q = first ? s->mu2 : s->mu1, q_last = side > 0 ? q : first ? -s->mu1 : -s->mu2;
+  double f = first ? s->f1 : s->f2, f_last = side > 0 ? f : first ? -s->f2 : -s->f1;
   p->up = q * tangents->first.slope;
-  p->down = q * tangents->last.slope;
+  p->down = q_last * tangents->last.slope;
   p->up_offset = q * tangents->first.offset;
-  p->down_offset = q * tangents->last.offset;
-  p->eps = eps;
-  p->between = beta * eps;
+  p->down_offset = q_last * tangents->last.offset;
+  p->after = side * eps;
+  p->between = (first ? s->delta : -s->delta) * eps;
   double share = 1 / (p->down + p->between), climb = (p->up - p->between) * share;
   p->t_slope = 1 / (p->up + eps);
   p->t_start = -p->up_offset * p->t_slope;
   p->u_slope = climb * p->t_slope;
-  double first = -2 * f * eps * p->t_slope, last = -2 * f * eps * share;
-  p->shear = first + last + first * last;
-  p->stretch = (p->up - p->between) * p->t_slope * ((p->down - eps) * share);
+  double first_shear = -2 * f * eps * p->t_slope, last_shear = -2 * f_last * eps * share;
+  p->shear = first_shear + last_shear + first_shear * last_shear;
+  p->stretch = (p->up - p->between) * p->t_slope * ((p->down - p->after) * share);
   p->u_start = (p->between + (p->up_offset - p->down_offset)) * share + climb * p->t_start;
+  p->share = side > 0 ? 1 : f_last / f;
 }
 
-/* The phase from c at its start. True: in these modes. */
-SCALLOP_INLINE int regular_run(struct regular_phase *p, double c)
+/* Follows the phase from c at its start. Returns whether these are the modes. */
+SCALLOP_INLINE int regular_run(struct regular_phase *p, double c, double side)
 {
   double t = p->t_start + p->t_slope * c, u = p->u_start + p->u_slope * c;
   double y = p->up * t + p->up_offset, z = p->down * u + p->down_offset;
   p->t = t;
   p->u = u;
-  p->c_end = (p->down - p->eps) * u + p->down_offset;
+  p->c_end = (p->down - p->after) * u + p->down_offset;
   p->travel = 0.5 * ((c + y) * t + (y + z) * (1 - t - u) + (z + p->c_end) * u);
-  return (t > 0) & (u > 0) & (p->up > p->between) & (p->down > p->eps);
+  p->size = 0.5 * ((c + y) * t + (y + side * z) * (1 - t - u) + side * (z + p->c_end) * u);
+  return (t > 0) & (u > 0) & (p->up > p->between) & (side * p->down > side * p->after);
 }
 
-/* driven: 2 alpha - 1 as the gait has it. True: these are the modes, if every time lies where its tangent is meant. */
-SCALLOP_INLINE int regular_steady(const struct scallop_scaled *s, double driven, const struct tangents *extension,
-                                  const struct tangents *contraction, struct regular *out)
+/* Whether the bodies move forward where the extension begins; body 1 turns first then. */
+SCALLOP_INLINE int regular_is_forward(const struct scallop_scaled *s, double driven, double side)
 {
-  int forward = s->delta * driven > 0; /* backward is forward with the bodies exchanged, in a mirror */
-  double alpha = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
-  double sign = forward ? 1 : -1, beta = sign * s->delta;
-  double q_e = forward ? s->mu2 : s->mu1, q_c = forward ? s->mu1 : s->mu2;
-  double f_e = forward ? s->f1 : s->f2, f_c = forward ? s->f2 : s->f1; /* of the bodies that turn */
+  return side > 0 ? s->delta * driven > 0 : s->delta < 0;
+}
+
+/* driven: 2 alpha - 1 as the gait has it. side: +1 if the motion ends each phase in the direction in which it begins
+ * it, -1 if in the other one. Returns whether these are the modes, if every time lies where its tangent is meant. */
+SCALLOP_INLINE int regular_steady(const struct scallop_scaled *s, double driven, double side,
+                                  const struct tangents *extension, const struct tangents *contraction,
+                                  struct regular *out)
+{
+  int forward = regular_is_forward(s, driven, side); /* else it is seen in a mirror */
+  double alpha = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION], sign = forward ? 1 : -1;
+  int again = side > 0 ? !forward : forward; /* whether body 1 turns first in the contraction */
   struct regular_phase e, c;
-  regular_prepare(&e, extension, q_e, f_e, s->eps * (alpha * alpha), beta);
-  regular_prepare(&c, contraction, q_c, f_c, s->eps * (b * b), -beta);
-  double ratio = b / alpha, across = e.down - e.eps;
-  f_e *= alpha;
-  f_c *= b;
-  double turned_c = (c.t_slope + c.u_slope) * ratio; /* by the velocity at the end of the extension */
-  double drive = 0.5 * beta * driven;
-  double at_zero = drive - f_e * (e.t_start + e.u_start)
-                   - f_c * ((c.t_start + c.u_start) + turned_c * (across * e.u_start + e.down_offset));
-  double start = at_zero / (f_e * (e.t_slope + e.u_slope) + f_c * turned_c * (across * e.u_slope));
-  int valid = regular_run(&e, start);
-  valid &= regular_run(&c, e.c_end * ratio);
+  regular_prepare(&e, s, extension, forward, side, s->eps * (alpha * alpha));
+  regular_prepare(&c, s, contraction, again, side, s->eps * (b * b));
+  double ratio = side * (b / alpha), across = e.down - e.after;
+  double f_e = (forward ? s->f1 : s->f2) * alpha, f_c = side * ((again ? s->f1 : s->f2) * b);
+  double turned_c = (c.t_slope + c.share * c.u_slope) * ratio; /* by the velocity at the end of the extension */
+  double drive = 0.5 * (sign * s->delta) * driven;
+  double at_zero = drive - f_e * (e.t_start + e.share * e.u_start)
+                   - f_c * ((c.t_start + c.share * c.u_start) + turned_c * (across * e.u_start + e.down_offset));
+  double start = at_zero / (f_e * (e.t_slope + e.share * e.u_slope) + f_c * turned_c * (across * e.u_slope));
+  int valid = regular_run(&e, start, side);
+  valid &= regular_run(&c, e.c_end * ratio, side);
   double near_1 = 1 + (e.shear + c.shear + e.shear * c.shear);
   out->multiplier = near_1 > 0.5 ? near_1 : e.stretch * c.stretch;
   /* where the map shrinks the error of its argument, its value is better */
-  double better = out->multiplier < 0.5 ? c.c_end * (alpha / b) : start;
+  double better = out->multiplier < 0.5 ? side * c.c_end * (alpha / b) : start;
   valid &= better > 0;
   out->c_start = sign * (better / alpha);
   out->c_mid = sign * ((e.c_end + e.stretch * (better - start)) / alpha);
-  out->c_end = sign * (c.c_end / b);
-  out->travel = sign * (e.travel + c.travel);
-  out->balance = sign * 2 * (drive - f_e * (e.t + e.u) - f_c * (c.t + c.u));
+  out->c_end = sign * (side * c.c_end / b);
+  out->travel = sign * (e.travel + side * c.travel);
+  out->size = e.size + c.size;
+  out->balance = sign * 2 * (drive - f_e * (e.t + e.share * e.u) - f_c * (c.t + c.share * c.u));
   out->t[0] = e.t;
   out->u[0] = e.u;
   out->t[1] = c.t;
@@ -137,17 +149,23 @@ SCALLOP_INLINE int regular_is_inside(const struct scallop_shape *shape, double t
   return (t < shape->pieces[0].end) & (u < shape->pieces[shape->count - 1].begin);
 }
 
-/* Extension and contraction: ++ -+ ++ | ++ +- ++, or backward -- -+ -- | -- +- --. */
-void regular_modes(bool forward, struct scallop_modes modes[2]);
+/* Extension and contraction: ++ -+ ++ | ++ +- ++, or backward -- -+ -- | -- +- --; side: -1: ++ -+ -- | -- +- ++, or
+ * -- -+ ++ | ++ +- --. */
+void regular_modes(bool forward, double side, struct scallop_modes modes[2]);
 
 enum regular_outcome {
-  REGULAR_FOUND,     /* *r is the steady state                                                            */
-  REGULAR_NOT,       /* something else, or too hard to tell; r->c_start is a place to begin, if it is finite */
-  CONTRACTION_HOLDS, /* friction holds a body to the end of the contraction                                */
+  REGULAR_MAY_BE,
+  REGULAR_NOT,
+  CONTRACTION_HOLDS, /* friction may hold a body to the end of the contraction                            */
   EXTENSION_HOLDS    /* of the extension only                                                              */
 };
 
-/* Adds to *work. */
-enum regular_outcome regular_solve(const struct scallop_scaled *scaled, struct regular *r, struct scallop_work *work);
+/* Tells what to look for first, and a velocity to begin a search at, if it is finite. */
+enum regular_outcome regular_begin(const struct scallop_scaled *scaled, double *guess);
+
+/* Solves for the steady state with the modes of regular_modes, of a gait that is concave in both phases. Returns false
+ * if it has other modes, or is too hard to tell; r->c_start is then a velocity to begin a search at, if it is finite.
+ * Sets what it takes in *work. */
+bool regular_solve(const struct scallop_scaled *scaled, double side, struct regular *r, struct scallop_work *work);
 
 #endif

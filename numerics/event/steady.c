@@ -164,7 +164,7 @@ static void doubt_displacement(const struct scallop_scaled *s, double travel, do
 
 /* The solvers below tell velocities in L/T, the displacement in L, and not what is scaled of them. */
 
-static void tell_regular(const struct regular *r, struct scallop_steady_result *out)
+static void tell_regular(const struct regular *r, double side, struct scallop_steady_result *out)
 {
   struct scallop_period_result *p = &out->period;
   p->v_start = out->v_low = out->v_high = r->c_start;
@@ -174,7 +174,7 @@ static void tell_regular(const struct regular *r, struct scallop_steady_result *
   p->multiplier = r->multiplier;
   p->balance = r->balance;
   p->regime = SCALLOP_SLIDING;
-  regular_modes(r->c_start > 0, p->modes);
+  regular_modes(r->c_start > 0, side, p->modes);
 }
 
 /* order as in held_steady. True: it is that simple. */
@@ -183,8 +183,6 @@ static bool solve_held(const struct scallop_scaled *s, double order, struct scal
 {
   struct held h;
   const struct scallop_shape *phase = s->gait->phase;
-  if (!has_ramps(s->gait))
-    return false;
   const struct ramps e = ramps_of(&phase[SCALLOP_EXTENSION]), c = ramps_of(&phase[SCALLOP_CONTRACTION]);
   held_steady(s, order, &e, &c, &h);
   if (!(h.margin > 0))
@@ -209,7 +207,8 @@ static enum scallop_status search(const struct scallop_scaled *scaled, enum regu
                                   struct scallop_steady_result *out, struct doubt *doubt)
 {
   const struct walker s = walker_of(scaled);
-  struct period period = { .goes_on = false };
+  struct period period;
+  period.goes_on = false;
   out->work = (struct scallop_work){ 0 };
   if (hint == EXTENSION_HOLDS)
     c = steady_from_rest(&s, &period);
@@ -237,20 +236,44 @@ static enum scallop_status search(const struct scallop_scaled *scaled, enum regu
   return interval ? SCALLOP_INTERVAL : SCALLOP_OK;
 }
 
+/* Returns whether no body is stuck at the end of a phase by which both have changed their direction. */
+static bool may_reverse(const struct scallop_scaled *s)
+{
+  const struct scallop_shape *phase = s->gait->phase;
+  const double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
+  const double q = s->delta < 0 ? s->mu1 : s->mu2; /* of the body that turns last */
+  return q * fabs(phase[0].lT) > s->eps * (a * a) && q * fabs(phase[1].lT) > s->eps * (b * b);
+}
+
 static enum scallop_status find(const struct scallop_scaled *s, struct scallop_steady_result *out, struct doubt *doubt)
 {
   struct regular regular;
+  double guess;
   *doubt = (struct doubt){ .left = 1 };
   out->work = (struct scallop_work){ 0 };
-  enum regular_outcome outcome = regular_solve(s, &regular, &out->work);
-  if (outcome == REGULAR_FOUND) {
-    tell_regular(&regular, out);
+  const enum regular_outcome outcome = regular_begin(s, &guess);
+  if (outcome == REGULAR_MAY_BE && regular_solve(s, 1, &regular, &out->work)) {
+    tell_regular(&regular, 1, out);
     doubt->delicate = regular.delicate;
     return SCALLOP_OK;
   }
-  if (outcome != REGULAR_NOT && solve_held(s, outcome == CONTRACTION_HOLDS ? 1 : -1, out, doubt))
-    return SCALLOP_OK;
-  return search(s, outcome, regular.c_start, out, doubt);
+  if (outcome == REGULAR_MAY_BE)
+    guess = regular.c_start;
+  else if (outcome != REGULAR_NOT && has_ramps(s->gait)) {
+    const double order = outcome == CONTRACTION_HOLDS ? 1 : -1;
+    if (solve_held(s, order, out, doubt) || solve_held(s, -order, out, doubt))
+      return SCALLOP_OK;
+  }
+  if (outcome != REGULAR_NOT && may_reverse(s) && regular_solve(s, -1, &regular, &out->work)) {
+    guess = regular.c_start;
+    if (!period_cancels(regular.travel, regular.size, false)) {
+      tell_regular(&regular, -1, out);
+      doubt->delicate = regular.delicate;
+      doubt_displacement(s, regular.travel, regular.size, doubt);
+      return SCALLOP_OK;
+    }
+  }
+  return search(s, outcome, guess, out, doubt);
 }
 
 enum scallop_status solve_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result,
