@@ -84,10 +84,12 @@ VECTOR static void solve_regular(struct row *row, const struct scallop_gait *gai
 #pragma omp simd
   for (int i = 0; i < row->count; i++) {
     struct scallop_scaled s;
+    struct regular_system system;
     struct regular r;
     int valid = scale(row, i, &s);
-    valid &= regular_steady(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), 1, &extension, &contraction, &r);
-    valid &= (r.t[0] < e.top) & (r.u[0] < e.rest) & (r.t[1] < c.top) & (r.u[1] < c.rest);
+    regular_system_of(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), 1, &system);
+    valid &= regular_times(&system, &extension, &contraction) & regular_result(&system, &r);
+    valid &= (system.e.t < e.top) & (system.e.u < e.rest) & (system.c.t < c.top) & (system.c.u < c.rest);
     valid &= answer(row, i, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
     row->valid[i] = valid ? 1 : 0;
   }

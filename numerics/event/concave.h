@@ -13,7 +13,8 @@
  *
  *     walk_near(piece, start, a, b, q)    a place to begin Newton's method in a curved piece: start, or one nearer to
  *                                         the root of a + b x = q |l'(x)|
- *     SMALL_STEP                          a relative step whose square is below rounding
+ *     SMALL_STEP, SMALL_THIRD_STEP        a relative step whose square, or third power, is below rounding
+ *     walk_pi(), walk_peak(shape), walk_steepest(shape, at_end)    of curved pieces: max |l'|, and its slope at an end
  */
 #include <math.h>
 #include <stddef.h>
@@ -22,6 +23,7 @@ struct meeting { /* of a line with a curve                                      
   real x;        /* when: from the start, or back from the end                                    */
   real level;    /* of the curve there: q |l'|                                                    */
   real slope;    /* of the curve there, in the direction of growing x                             */
+  real covered;  /* by |l'| from the start, or to the end, of a plain shape                        */
 };
 
 /* |l'| and its slope, in the direction of growing x */
@@ -40,47 +42,73 @@ static inline real concave_slope(const struct scallop_shape *shape, bool at_end)
   return p->linear ? p->direction * law_sense(p) * walk_acceleration(p) : walk_steepest(shape, at_end);
 }
 
+/* A step of Newton's method for a + b x = q |l'(x)| from x, of Halley's for a sine, whose third derivative is free.
+ * Returns the step, and in *margin what step_is_last needs. */
+static inline real concave_step(const struct scallop_piece *p, real a, real b, real q, real x,
+                                const struct rates *there, real *margin)
+{
+  const real slope = q * there->rate - b, step = (a + b * x - q * there->speed) / slope;
+  *margin = step_margin(q * there->rate, b);
+  if (!law_is_sine(p))
+    return step;
+  const real bend = 1 - step * (q * there->speed * (walk_pi() * walk_pi() / 2)) / slope;
+  return 2 * bend > 1 ? step / bend : step;
+}
+
+/* |l'|, its slope and what it covers from the anchor, a small step further on along a sine */
+static inline struct meeting concave_sine(real x, real q, struct rates there, real step)
+{
+  const real square = walk_pi() * walk_pi(), half = step / 2;
+  const real speed = there.speed + step * (there.rate - square * there.speed * half);
+  const real rate = there.rate - square * step * (there.speed + there.rate * half);
+  const real sine = speed / (walk_pi() / 2), cosine = rate / (square / 2);
+  return (struct meeting){ x + step, q * speed, q * rate, sine * sine / (2 + 2 * cosine) };
+}
+
 /* Finds x > 0 with a + b x = q |l'(x)| from a start on its convex side, where the first step is given. Returns false if
  * it is not in the piece before `last`. */
 static bool concave_meet(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
                          struct meeting *m, struct scallop_work *work)
 {
   enum { STEPS = 30 };
-  real x = start, margin = 1; /* of the last look */
+  const bool sine = law_is_sine(p);
+  struct rates there = { 0, 0 };
   if (p->linear) {
-    real slope = q * (p->direction * law_sense(p) * walk_acceleration(p));
-    *m = (struct meeting){ step, slope * step, slope };
+    const real slope = q * (p->direction * law_sense(p) * walk_acceleration(p));
+    *m = (struct meeting){ step, slope * step, slope, (real)0.5 * (slope / q) * (step * step) };
     return step > 0 && step < last;
   }
-  real near = walk_near(p, start, a, b, q);
-  if (near != start) {
-    const struct rates there = concave_rates(p, near, work);
-    step = (a + b * near - q * there.speed) / (q * there.rate - b);
-    margin = step_margin(q * there.rate, b);
-    x = near;
-  }
-  for (int i = 0; i < STEPS; i++) {
-    bool is_last = step_is_last(step, x, margin);
+  real x = walk_near(p, start, a, b, q), margin = 1; /* of the last look */
+  if (x == start) {                                  /* one step without a look */
     x += step;
-    if (!(x > 0 && x < last))
-      return false;
-    const struct rates there = concave_rates(p, x, work);
-    work->root_iterations++;
-    *m = (struct meeting){ x, q * there.speed, q * there.rate };
+    step = 0;
+  }
+  for (int i = 0; i < STEPS && x > 0 && x < last; i++) {
+    const bool is_last = step_is_last(step, x, margin, SMALL_STEP) && i > 0;
+    if (!is_last || !sine)
+      there = concave_rates(p, x, work);
+    if (is_last)
+      *m = (struct meeting){ x, q * there.speed, q * there.rate, 0 };
     if (is_last)
       return true;
-    step = (a + b * x - q * there.speed) / (q * there.rate - b);
-    margin = step_margin(q * there.rate, b);
+    work->root_iterations++;
+    step = concave_step(p, a, b, q, x, &there, &margin);
+    if (sine && step_is_last(step, x, margin, SMALL_THIRD_STEP)) {
+      *m = concave_sine(x, q, there, step);
+      return m->x > 0 && m->x < last;
+    }
+    x += step;
   }
-  return false; /* GCOVR_EXCL_LINE: convex, so Newton's method is there before that; the walk takes over if not */
+  return false;
 }
 
-/* What |l'| covers between two offsets of a piece */
-static real concave_covers(const struct scallop_piece *p, real from, real to)
+/* What |l'| covers between two offsets of a piece, of which it covers `less` and `more` from the anchor to the nearer
+ * and the farther one */
+static real concave_covers(const struct scallop_piece *p, real near, real far, real less, real more)
 {
   if (p->linear)
-    return (real)0.5 * magnitude(walk_acceleration(p)) * (magnitude(to - from) * (to + from));
-  return from == to ? 0 : walk_way(p, from, to);
+    return (real)0.5 * magnitude(walk_acceleration(p)) * ((far - near) * (far + near));
+  return far - near < far / 32 ? walk_way(p, near, far) : more - less;
 }
 
 /* Whether stuck bodies are followed here: of polynomials the walk measures times from the nearest knot. */
@@ -128,6 +156,7 @@ static bool concave_leave(const struct line *l, const struct scallop_shape *shap
   }
   k->x = m.x;
   k->z = m.level;
+  k->x_covered = m.covered;
   return true;
 }
 
@@ -140,13 +169,19 @@ static bool concave_hold(const struct line *l, const struct scallop_shape *shape
   if (!concave_is_plain(shape))
     return false;
   k->released = ends > l->eps;
-  k->u = k->w = 0;
+  k->u = k->w = k->u_covered = 0;
   if (!k->released)
     return true;
   k->u = last->linear ? last->begin : walk_when(last, -last->direction * (l->eps / q));
   if (!(k->u > 0 && k->u <= last->begin && (k->early || k->u < k->x)))
     return false;
-  k->w = q * (last->linear ? concave_slope(shape, true) * k->u : concave_rates(last, k->u, work).speed);
+  if (last->linear) {
+    k->w = q * (concave_slope(shape, true) * k->u);
+  } else {
+    const struct meeting m = concave_sine(k->u, q, concave_rates(last, k->u, work), 0);
+    k->w = m.level;
+    k->u_covered = m.covered;
+  }
   return true;
 }
 
@@ -185,9 +220,10 @@ static struct concave_parts concave_parts(const struct scallop_shape *shape, con
     parts.before_size += (real)0.5 * ((k->y + at_top) * d + (at_top + k->z) * left);
   }
   if (k->holds && k->early)
-    parts.stuck = concave_covers(first, k->x, top) + concave_covers(last, last->begin, k->u);
+    parts.stuck = concave_covers(first, k->x, top, k->x_covered, 0.5)
+                  + concave_covers(last, k->u, last->begin, k->u_covered, 0.5);
   else if (k->holds)
-    parts.stuck = concave_covers(last, k->x, k->u);
+    parts.stuck = concave_covers(last, k->u, k->x, k->u_covered, k->x_covered);
   return parts;
 }
 
@@ -220,6 +256,7 @@ static bool concave_path(const struct phase_input *in, real c_0, struct line *l,
       && !concave_meet(&shape->pieces[0], k->c, -l->eps, l->q0, 0, k->c / (first.slope + l->eps), shape->pieces[0].end,
                        &first, work))
     return false;
+  k->t_covered = k->x_covered = first.covered;
   k->t = k->x = first.x;
   k->y = k->z = first.level;
   k->steep = first.slope;
@@ -233,6 +270,7 @@ static bool concave_path(const struct phase_input *in, real c_0, struct line *l,
   k->released = false;
   k->u = k->x;
   k->w = k->z;
+  k->u_covered = k->x_covered;
   if (k->holds ? !concave_hold(l, shape, k, work) : k->early)
     return false;
   k->end = k->w - l->eps * k->u;
@@ -282,11 +320,12 @@ static void concave_bodies(const struct phase_input *in, struct motion *m)
   const bool plain = first->direction * k->sign > 0, above = k->side > 0;
   const struct line l = line_of(in, plain);
   const struct concave_parts parts = concave_parts(in->shape, k);
-  const real tail = concave_covers(last, k->u, 0);
-  real covered = concave_covers(first, 0, k->t); /* before it leaves region 1 */
+  const real tail = k->u_covered;
+  real covered = k->t_covered; /* before it leaves region 1 */
   if (k->turns)
-    covered += k->early ? concave_covers(first, k->t, k->x)
-                        : concave_covers(first, k->t, first->end) + concave_covers(last, last->begin, k->x);
+    covered += k->early ? concave_covers(first, k->t, k->x, k->t_covered, k->x_covered)
+                        : concave_covers(first, k->t, first->end, k->t_covered, 0.5)
+                              + concave_covers(last, k->x, last->begin, k->x_covered, 0.5);
   for (int j = 0; j < 2; j++) {
     const int body = (j == 0) == plain ? 1 : 2;
     const real q = j == 0 ? -l.q0 : l.q1, moves = (j == 0) == above ? 0 : parts.stuck;

@@ -47,6 +47,7 @@ static real walk_rise(const struct scallop_piece *p, real from, real to)
   return forward * short_sum(p, p->curve->acceleration, from, to);
 }
 
+static inline real walk_pi(void) { return 3.14159265358979323846; }
 static inline real walk_peak(const struct scallop_shape *shape) { return shape->peak; }
 static inline real walk_steepest(const struct scallop_shape *shape, bool at_end)
 {

@@ -10,6 +10,7 @@
 typedef double real;
 #define ROUNDING (DBL_EPSILON / 2)
 #define SMALL_STEP 1e-9
+#define SMALL_THIRD_STEP 2e-6
 #define SOLVE
 #include "numerics/event/period.h"
 

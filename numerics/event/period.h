@@ -37,10 +37,11 @@ static inline real step_margin(real steep, real slope)
 }
 
 /* Returns true for a step so small beside the root x, at least one inflection or end of x away, that the next would
- * show only rounding: the error is then about step^2/(margin x), and rounding that of x over margin. */
-static inline bool step_is_last(real step, real x, real margin)
+ * show only rounding: the error is then about step^2/(margin x), or step^3/(margin x)^2, and rounding that of x over
+ * margin. */
+static inline bool step_is_last(real step, real x, real margin, real least)
 {
-  const real small = SMALL_STEP * margin, rounding = 16 * ROUNDING / margin;
+  const real small = least * margin, rounding = 16 * ROUNDING / margin;
   return magnitude(step) <= (small > rounding ? small : rounding) * x;
 }
 
@@ -90,12 +91,13 @@ SCALLOP_INLINE real mirror_of(real direction, real delta, real c)
 /* A phase that concave.h solves, seen so that c starts at or above 0. Offsets t are from the start of the phase, u back
  * from its end, and x from the start if it is `early`, before |l'| is largest, else back from the end. */
 struct passage {
-  real sign;           /* -1: seen in a mirror                                                   */
-  real c, t, y, steep; /* c at the start; where c meets curve 0, c there, and the slope of the curve */
-  real side;           /* +1: curve 0 comes next, -1: curve 1                                    */
-  real x, z, fall;     /* where c leaves region 1, |c| there, and the slope of the curve, downwards */
-  real at_top;         /* c where the first piece ends, in region 1                              */
-  real u, w, end;      /* where it passes to the last region, |c| there and at the end           */
+  real sign;                            /* -1: seen in a mirror                                                   */
+  real c, t, y, steep;                  /* c at the start; where c meets curve 0, c there, and the slope of the curve */
+  real side;                            /* +1: curve 0 comes next, -1: curve 1                                    */
+  real x, z, fall;                      /* where c leaves region 1, |c| there, and the slope of the curve, downwards */
+  real at_top;                          /* c where the first piece ends, in region 1                              */
+  real u, w, end;                       /* where it passes to the last region, |c| there and at the end           */
+  real t_covered, x_covered, u_covered; /* what |l'| covers between each and its end of the phase      */
   bool turns, early, holds, released;
 };
 

@@ -19,50 +19,32 @@ static double first_guess(const struct scallop_scaled *s)
 }
 
 /* The tangent of |l'| at offset x of a piece, in the direction of growing x. */
-static struct tangent tangent_at(const struct scallop_piece *p, double x)
+SCALLOP_INLINE struct tangent tangent_at(const struct scallop_piece *p, bool sine, double x)
 {
   double velocity, acceleration;
+  if (sine)
+    return regular_sine(x);
   piece_rates(p, x, &velocity, &acceleration);
   double slope = law_sense(p) * p->direction * acceleration;
   return (struct tangent){ slope, p->direction * velocity - slope * x };
 }
 
-struct aim {             /* of one phase                                                                        */
-  double first, last;    /* factors of the curves of the two crossings                                  */
-  double between, after; /* c' between the crossings, and minus c' after them                           */
-  double before;         /* minus c' before them                                                        */
-  double t, u;           /* the crossings                                                               */
-};
-
-static struct aim aim_of(const struct scallop_scaled *s, enum scallop_phase_kind kind, bool first, double side)
+/* Puts the tangents at the crossings just found, which are t and u until then. Returns whether they are the last. */
+SCALLOP_INLINE bool touch(const struct scallop_shape *shape, bool sine, const struct regular_phase *p, double at[2],
+                          struct tangents *tangents)
 {
-  const double fraction = s->fraction[kind], eps = s->eps * (fraction * fraction), q = first ? s->mu2 : s->mu1;
-  return (struct aim){ .first = q,
-                       .last = side > 0 ? q
-                               : first  ? -s->mu1
-                                        : -s->mu2,
-                       .between = (first ? s->delta : -s->delta) * eps,
-                       .after = side * eps,
-                       .before = eps };
+  const double near = 1e-6; /* a larger step is not the last, but where the curve is almost touched */
+  const double t = at[0], u = at[1];
+  tangents->first = tangent_at(&shape->pieces[0], sine, p->t);
+  tangents->last = tangent_at(&shape->pieces[shape->count - 1], sine, p->u);
+  at[0] = p->t;
+  at[1] = p->u;
+  return fabs(p->t - t) < near * t && fabs(p->u - u) < near * u && regular_settles(p, t, u, tangents);
 }
 
-/* Puts the tangents at the crossings just found. Returns true if they are so small a step away from those before that
- * the tangents touch at the crossings, to all digits, and have the slopes there, which the multiplier needs. */
-static bool touch(const struct scallop_shape *shape, double t, double u, struct aim *aim, struct tangents *tangents)
+static bool is_sine(const struct scallop_shape *shape)
 {
-  *tangents = (struct tangents){ tangent_at(&shape->pieces[0], t), tangent_at(&shape->pieces[shape->count - 1], u) };
-  double up = aim->first * tangents->first.slope, down = aim->last * tangents->last.slope;
-  double margin = fmin(step_margin(down, -aim->between), step_margin(down, aim->after));
-  bool last = step_is_last(t - aim->t, t, step_margin(up, aim->between)) && step_is_last(u - aim->u, u, margin);
-  aim->t = t;
-  aim->u = u;
-  return last;
-}
-
-static bool crosses_delicately(const struct scallop_shape *shape, const struct aim *aim, const struct tangents *at)
-{
-  return is_delicate(aim->first * at->first.slope, -aim->before, aim->between, aim->first * shape->l0)
-         || is_delicate(-aim->last * at->last.slope, aim->between, -aim->after, aim->last * shape->lT);
+  return law_is_sine(&shape->pieces[0]) && law_is_sine(&shape->pieces[shape->count - 1]);
 }
 
 void regular_modes(bool forward, double side, struct scallop_modes modes[2])
@@ -76,34 +58,44 @@ void regular_modes(bool forward, double side, struct scallop_modes modes[2])
   modes[0].kept[2] = modes[1].kept[0] = to[middle];
 }
 
-bool regular_solve(const struct scallop_scaled *s, double side, struct regular *r, struct scallop_work *work)
+SCALLOP_INLINE bool solve(const struct scallop_scaled *s, double side, bool sine, struct regular *r,
+                          struct scallop_work *work)
 {
   const struct scallop_shape *phase = s->gait->phase;
-  const double driven = period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]);
-  const bool forward = regular_is_forward(s, driven, side);
   struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
-  struct aim aim[2] = { aim_of(s, SCALLOP_EXTENSION, forward, side),
-                        aim_of(s, SCALLOP_CONTRACTION, side > 0 ? !forward : forward, side) };
+  const struct tangents ends[2] = { tangents[0], tangents[1] };
+  double at[2][2] = { { 0, 0 }, { 0, 0 } };
+  struct regular_system system;
   bool ramps = phase[0].ramps && phase[1].ramps, last = ramps;
+  regular_system_of(s, period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]), side, &system);
   work->periods = 1;
+  r->c_start = NAN;
   for (int i = 0; i < STEPS; i++) {
-    bool valid = side > 0 ? regular_steady(s, driven, 1, &tangents[0], &tangents[1], r)
-                          : regular_steady(s, driven, -1, &tangents[0], &tangents[1], r);
-    if (!valid || !regular_is_inside(&phase[0], r->t[0], r->u[0]) || !regular_is_inside(&phase[1], r->t[1], r->u[1]))
-      return false;
+    const struct regular_phase *e = &system.e, *c = &system.c;
+    if (!regular_times(&system, &tangents[0], &tangents[1]) || !regular_is_inside(&phase[0], e->t, e->u)
+        || !regular_is_inside(&phase[1], c->t, c->u))
+      break;
     work->events = 4;
     if (last) {
       r->delicate = !ramps
-                    && (crosses_delicately(&phase[0], &aim[0], &tangents[0])
-                        || crosses_delicately(&phase[1], &aim[1], &tangents[1]));
-      return true;
+                    && (regular_is_delicate(e, ends[0].first.slope, ends[0].last.slope)
+                        || regular_is_delicate(c, ends[1].first.slope, ends[1].last.slope));
+      return regular_result(&system, r);
     }
-    last = touch(&phase[0], r->t[0], r->u[0], &aim[0], &tangents[0]);
-    last &= touch(&phase[1], r->t[1], r->u[1], &aim[1], &tangents[1]);
+    last = touch(&phase[0], sine, e, at[0], &tangents[0]);
+    last &= touch(&phase[1], sine, c, at[1], &tangents[1]);
     work->gait_evaluations += 4;
     work->root_iterations++;
   }
+  regular_result(&system, r);
   return false;
+}
+
+bool regular_solve(const struct scallop_scaled *s, double side, struct regular *r, struct scallop_work *work)
+{
+  if (is_sine(&s->gait->phase[0]) && is_sine(&s->gait->phase[1]))
+    return side > 0 ? solve(s, 1, true, r, work) : solve(s, -1, true, r, work);
+  return side > 0 ? solve(s, 1, false, r, work) : solve(s, -1, false, r, work);
 }
 
 enum regular_outcome regular_begin(const struct scallop_scaled *s, double *guess)

@@ -19,113 +19,162 @@
 #ifndef SCALLOP_NUMERICS_EVENT_REGULAR_H
 #define SCALLOP_NUMERICS_EVENT_REGULAR_H
 
+#include "model/sine.h"
 #include "numerics/event/motion.h"
 
 struct tangent { /* of |l'|, as slope * time + offset; time from the start or back from the end                */
   double slope, offset;
 };
 
+/* Of (pi/2) sin(pi x) */
+SCALLOP_INLINE struct tangent regular_sine(double x)
+{
+  const double pi = 3.14159265358979323846;
+  double sine, cosine;
+  sine_of_half_turn(x, &sine, &cosine);
+  double slope = 0.5 * pi * pi * cosine;
+  return (struct tangent){ slope, 0.5 * pi * sine - slope * x };
+}
+
 struct tangents { /* of one phase, at the first and at the last crossing                                         */
   struct tangent first, last;
 };
 
 struct regular_phase {
-  double up, down, up_offset, down_offset; /* the curves' tangents: q times those of |l'|, and the last one's sign */
-  double after, between;                   /* minus c' after, and c' between the crossings                       */
+  double q, q_last;                        /* factors of the curves of the two crossings, the last one with its sign */
+  double eps, between, after;              /* minus c' before, c' between, and minus c' after the crossings          */
+  double f, f_last, share, weight;         /* f of the two crossings, their ratio, and f times the fraction        */
+  double up, down, up_offset, down_offset; /* the tangents of the curves: q times those of |l'|                  */
+  double inverse;                          /* 1/(down + between)                                                 */
   double t_start, t_slope;                 /* t1 = t_start + t_slope c, for c at the start                        */
   double u_start, u_slope;                 /* dT likewise                                                        */
-  double shear, stretch;                   /* d c_end / d c - 1, and d c_end / d c, each without a subtraction       */
-  double share;                            /* of dT in the impulse, beside t1                                   */
-  double t, u, travel, size, c_end;        /* for the c of regular_run                                           */
+  double c, t, u, c_end;                   /* at the start, the crossings, and at the end                        */
+};
+
+/* The two phases, each seen so that it begins forward */
+struct regular_system {
+  struct regular_phase e, c;
+  double side;  /* +1 if the motion ends each phase in the direction in which it begins it, -1 if in the other one */
+  double sign;  /* +1 if the extension begins forward                                                          */
+  double drive; /* half of the mean impulse, in the direction of the start                                     */
+  double alpha, b, ratio;
 };
 
 struct regular {
   double c_start, c_mid, c_end; /* in L/T                                                                      */
   double travel, multiplier, balance;
-  double size;       /* of the parts of travel, at most                                              */
-  bool delicate;     /* as in struct motion                                                          */
-  double t[2], u[2]; /* the crossings of each phase, from its start and back from its end          */
+  double size;   /* of the parts of travel, at most                                                  */
+  bool delicate; /* as in struct motion                                                              */
 };
 
-/* first: body 1 is the one that turns first. side: +1 if the same body turns back, -1 if the other one turns too. */
-SCALLOP_INLINE void regular_prepare(struct regular_phase *p, const struct scallop_scaled *s,
-                                    const struct tangents *tangents, int first, double side, double eps)
+/* first: body 1 is the one that turns first. */
+SCALLOP_INLINE void regular_phase_of(struct regular_phase *p, const struct scallop_scaled *s, int first, double side,
+                                     double fraction)
 {
-  double q = first ? s->mu2 : s->mu1, q_last = side > 0 ? q : first ? -s->mu1 : -s->mu2;
-  double f = first ? s->f1 : s->f2, f_last = side > 0 ? f : first ? -s->f2 : -s->f1;
-  p->up = q * tangents->first.slope;
-  p->down = q_last * tangents->last.slope;
-  p->up_offset = q * tangents->first.offset;
-  p->down_offset = q_last * tangents->last.offset;
-  p->after = side * eps;
-  p->between = (first ? s->delta : -s->delta) * eps;
-  double share = 1 / (p->down + p->between), climb = (p->up - p->between) * share;
-  p->t_slope = 1 / (p->up + eps);
+  p->eps = s->eps * (fraction * fraction);
+  p->after = side * p->eps;
+  p->between = (first ? s->delta : -s->delta) * p->eps;
+  p->q = first ? s->mu2 : s->mu1;
+  p->q_last = side > 0 ? p->q : first ? -s->mu1 : -s->mu2;
+  p->f = first ? s->f1 : s->f2;
+  p->f_last = side > 0 ? p->f : first ? -s->f2 : -s->f1;
+  p->share = side > 0 ? 1 : p->f_last / p->f;
+  p->weight = p->f * fraction;
+}
+
+/* driven: 2 alpha - 1 as the gait has it. */
+SCALLOP_INLINE void regular_system_of(const struct scallop_scaled *s, double driven, double side,
+                                      struct regular_system *r)
+{
+  int forward = side > 0 ? s->delta * driven > 0 : s->delta < 0; /* then body 1 turns first in the extension */
+  r->side = side;
+  r->sign = forward ? 1 : -1;
+  r->alpha = s->fraction[SCALLOP_EXTENSION];
+  r->b = s->fraction[SCALLOP_CONTRACTION];
+  regular_phase_of(&r->e, s, forward, side, r->alpha);
+  regular_phase_of(&r->c, s, side > 0 ? !forward : forward, side, r->b);
+  r->c.weight *= side;
+  r->ratio = side * (r->b / r->alpha);
+  r->drive = 0.5 * (r->sign * s->delta) * driven;
+}
+
+SCALLOP_INLINE void regular_meets(struct regular_phase *p, const struct tangents *tangents)
+{
+  p->up = p->q * tangents->first.slope;
+  p->down = p->q_last * tangents->last.slope;
+  p->up_offset = p->q * tangents->first.offset;
+  p->down_offset = p->q_last * tangents->last.offset;
+  p->inverse = 1 / (p->down + p->between);
+  double climb = (p->up - p->between) * p->inverse;
+  p->t_slope = 1 / (p->up + p->eps);
   p->t_start = -p->up_offset * p->t_slope;
   p->u_slope = climb * p->t_slope;
-  double first_shear = -2 * f * eps * p->t_slope, last_shear = -2 * f_last * eps * share;
-  p->shear = first_shear + last_shear + first_shear * last_shear;
-  p->stretch = (p->up - p->between) * p->t_slope * ((p->down - p->after) * share);
-  p->u_start = (p->between + (p->up_offset - p->down_offset)) * share + climb * p->t_start;
-  p->share = side > 0 ? 1 : f_last / f;
+  p->u_start = (p->between + (p->up_offset - p->down_offset)) * p->inverse + climb * p->t_start;
 }
 
 /* Follows the phase from c at its start. Returns whether these are the modes. */
 SCALLOP_INLINE int regular_run(struct regular_phase *p, double c, double side)
 {
-  double t = p->t_start + p->t_slope * c, u = p->u_start + p->u_slope * c;
-  double y = p->up * t + p->up_offset, z = p->down * u + p->down_offset;
-  p->t = t;
-  p->u = u;
-  p->c_end = (p->down - p->after) * u + p->down_offset;
-  p->travel = 0.5 * ((c + y) * t + (y + z) * (1 - t - u) + (z + p->c_end) * u);
-  p->size = 0.5 * ((c + y) * t + (y + side * z) * (1 - t - u) + side * (z + p->c_end) * u);
-  return (t > 0) & (u > 0) & (p->up > p->between) & (side * p->down > side * p->after);
+  p->c = c;
+  p->t = p->t_start + p->t_slope * c;
+  p->u = p->u_start + p->u_slope * c;
+  p->c_end = (p->down - p->after) * p->u + p->down_offset;
+  return (p->t > 0) & (p->u > 0) & (p->up > p->between) & (side * p->down > side * p->after);
 }
 
-/* Whether the bodies move forward where the extension begins; body 1 turns first then. */
-SCALLOP_INLINE int regular_is_forward(const struct scallop_scaled *s, double driven, double side)
+/* Solves for the times with |l'| replaced by its tangents. Returns whether these are the modes, if every time lies where
+ * its tangent is meant. */
+SCALLOP_INLINE int regular_times(struct regular_system *r, const struct tangents *extension,
+                                 const struct tangents *contraction)
 {
-  return side > 0 ? s->delta * driven > 0 : s->delta < 0;
+  struct regular_phase *e = &r->e, *c = &r->c;
+  regular_meets(e, extension);
+  regular_meets(c, contraction);
+  double across = e->down - e->after;
+  double turned_c = (c->t_slope + c->share * c->u_slope) * r->ratio; /* by the velocity at the end of the extension */
+  double at_zero = r->drive - e->weight * (e->t_start + e->share * e->u_start)
+                   - c->weight
+                         * ((c->t_start + c->share * c->u_start) + turned_c * (across * e->u_start + e->down_offset));
+  double start = at_zero
+                 / (e->weight * (e->t_slope + e->share * e->u_slope) + c->weight * turned_c * (across * e->u_slope));
+  int valid = regular_run(e, start, r->side);
+  return valid & regular_run(c, e->c_end * r->ratio, r->side);
 }
 
-/* driven: 2 alpha - 1 as the gait has it. side: +1 if the motion ends each phase in the direction in which it begins
- * it, -1 if in the other one. Returns whether these are the modes, if every time lies where its tangent is meant. */
-SCALLOP_INLINE int regular_steady(const struct scallop_scaled *s, double driven, double side,
-                                  const struct tangents *extension, const struct tangents *contraction,
-                                  struct regular *out)
+struct
+    regular_travel { /* of one phase: how far the centre of mass comes, the size of that at most, and d c_end / d c - 1
+                           and d c_end / d c, each without a subtraction */
+  double way, size, shear, stretch;
+};
+
+SCALLOP_INLINE struct regular_travel regular_travel(const struct regular_phase *p, double side)
 {
-  int forward = regular_is_forward(s, driven, side); /* else it is seen in a mirror */
-  double alpha = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION], sign = forward ? 1 : -1;
-  int again = side > 0 ? !forward : forward; /* whether body 1 turns first in the contraction */
-  struct regular_phase e, c;
-  regular_prepare(&e, s, extension, forward, side, s->eps * (alpha * alpha));
-  regular_prepare(&c, s, contraction, again, side, s->eps * (b * b));
-  double ratio = side * (b / alpha), across = e.down - e.after;
-  double f_e = (forward ? s->f1 : s->f2) * alpha, f_c = side * ((again ? s->f1 : s->f2) * b);
-  double turned_c = (c.t_slope + c.share * c.u_slope) * ratio; /* by the velocity at the end of the extension */
-  double drive = 0.5 * (sign * s->delta) * driven;
-  double at_zero = drive - f_e * (e.t_start + e.share * e.u_start)
-                   - f_c * ((c.t_start + c.share * c.u_start) + turned_c * (across * e.u_start + e.down_offset));
-  double start = at_zero / (f_e * (e.t_slope + e.share * e.u_slope) + f_c * turned_c * (across * e.u_slope));
-  int valid = regular_run(&e, start, side);
-  valid &= regular_run(&c, e.c_end * ratio, side);
-  double near_1 = 1 + (e.shear + c.shear + e.shear * c.shear);
-  out->multiplier = near_1 > 0.5 ? near_1 : e.stretch * c.stretch;
+  double t = p->t, u = p->u, y = p->up * t + p->up_offset, z = p->down * u + p->down_offset;
+  double first = -2 * p->f * p->eps * p->t_slope, last = -2 * p->f_last * p->eps * p->inverse;
+  return (struct regular_travel){
+    .way = 0.5 * ((p->c + y) * t + (y + z) * (1 - t - u) + (z + p->c_end) * u),
+    .size = 0.5 * ((p->c + y) * t + (y + side * z) * (1 - t - u) + side * (z + p->c_end) * u),
+    .shear = first + last + first * last,
+    .stretch = (p->up - p->between) * p->t_slope * ((p->down - p->after) * p->inverse),
+  };
+}
+
+/* What the times come to. Returns whether the start velocity has the direction that the modes need. */
+SCALLOP_INLINE int regular_result(const struct regular_system *r, struct regular *out)
+{
+  const struct regular_phase *e = &r->e, *c = &r->c;
+  const struct regular_travel of_e = regular_travel(e, r->side), of_c = regular_travel(c, r->side);
+  double near_1 = 1 + (of_e.shear + of_c.shear + of_e.shear * of_c.shear);
+  out->multiplier = near_1 > 0.5 ? near_1 : of_e.stretch * of_c.stretch;
   /* where the map shrinks the error of its argument, its value is better */
-  double better = out->multiplier < 0.5 ? side * c.c_end * (alpha / b) : start;
-  valid &= better > 0;
-  out->c_start = sign * (better / alpha);
-  out->c_mid = sign * ((e.c_end + e.stretch * (better - start)) / alpha);
-  out->c_end = sign * (side * c.c_end / b);
-  out->travel = sign * (e.travel + side * c.travel);
-  out->size = e.size + c.size;
-  out->balance = sign * 2 * (drive - f_e * (e.t + e.share * e.u) - f_c * (c.t + c.share * c.u));
-  out->t[0] = e.t;
-  out->u[0] = e.u;
-  out->t[1] = c.t;
-  out->u[1] = c.u;
-  return valid;
+  double better = out->multiplier < 0.5 ? r->side * c->c_end * (r->alpha / r->b) : e->c;
+  out->c_start = r->sign * (better / r->alpha);
+  out->c_mid = r->sign * ((e->c_end + of_e.stretch * (better - e->c)) / r->alpha);
+  out->c_end = r->sign * (r->side * c->c_end / r->b);
+  out->travel = r->sign * (of_e.way + r->side * of_c.way);
+  out->size = of_e.size + of_c.size;
+  out->balance = r->sign * 2 * (r->drive - e->weight * (e->t + e->share * e->u) - c->weight * (c->t + c->share * c->u));
+  return better > 0;
 }
 
 /* The tangents at the two ends of a phase: of two straight ramps they are all. */
@@ -133,6 +182,24 @@ SCALLOP_INLINE struct tangents regular_ends(const struct scallop_shape *shape)
 {
   return (struct tangents){ { shape->pieces[0].direction * shape->l0, 0 },
                             { -shape->pieces[0].direction * shape->lT, 0 } };
+}
+
+/* Returns whether the crossings have come so close to those before, t and u, that tangents there touch at the crossings,
+ * to all digits, and have the slopes there, which the multiplier needs. tangents: at the new ones. */
+SCALLOP_INLINE int regular_settles(const struct regular_phase *p, double t, double u, const struct tangents *tangents)
+{
+  double up = p->q * tangents->first.slope, down = p->q_last * tangents->last.slope;
+  double before_u = step_margin(down, -p->between), after_u = step_margin(down, p->after);
+  double margin = before_u < after_u ? before_u : after_u;
+  return step_is_last(p->t - t, p->t, step_margin(up, p->between), SMALL_STEP)
+         & step_is_last(p->u - u, p->u, margin, SMALL_STEP);
+}
+
+/* Whether a crossing is delicate, as in period.h; slopes are those of |l'| at the ends of the phase. */
+SCALLOP_INLINE int regular_is_delicate(const struct regular_phase *p, double starts, double ends)
+{
+  return is_delicate(p->up, -p->eps, p->between, p->q * starts)
+         | is_delicate(-p->down, p->between, -p->after, p->q_last * ends);
 }
 
 /* Whether no body is held where |l'| falls to 0 at the end of a phase: slope, of |l'| there; eps, of the phase. */
