@@ -147,12 +147,18 @@ struct walker {
 /* A curve whose slope is `along`, `steep` where it is steepest, is crossed by a line with these slopes on its sides,
  * nearly at a tangent or where the curve is nearly level: where in the last digit decides what the crossing does to the
  * derivative of the motion. */
-static inline bool is_delicate(real along, real before, real after, real steep)
+SCALLOP_INLINE real delicate_margin(real along, real before, real after, real steep) /* < 0: it is */
 {
   const int small = 32;
-  real level = magnitude(along);
-  return small * level < magnitude(steep) || small * magnitude(along - before) < level + magnitude(before)
-         || small * magnitude(along - after) < level + magnitude(after);
+  real level = magnitude(along), least = small * level - magnitude(steep);
+  real by_before = small * magnitude(along - before) - (level + magnitude(before));
+  real by_after = small * magnitude(along - after) - (level + magnitude(after));
+  least = by_before < least ? by_before : least;
+  return by_after < least ? by_after : least;
+}
+SCALLOP_INLINE int is_delicate(real along, real before, real after, real steep)
+{
+  return delicate_margin(along, before, after, steep) < 0;
 }
 
 /* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding

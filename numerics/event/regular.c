@@ -29,17 +29,16 @@ SCALLOP_INLINE struct tangent tangent_at(const struct scallop_piece *p, bool sin
   return (struct tangent){ slope, p->direction * velocity - slope * x };
 }
 
-/* Puts the tangents at the crossings just found, which are t and u until then. Returns whether they are the last. */
+/* Puts the tangents at the crossings just found. Returns whether they are the last. */
 SCALLOP_INLINE bool touch(const struct scallop_shape *shape, bool sine, const struct regular_phase *p, double at[2],
                           struct tangents *tangents)
 {
-  const double near = 1e-6; /* a larger step is not the last, but where the curve is almost touched */
-  const double t = at[0], u = at[1];
+  bool last = regular_is_near(p->t, at[0]) && regular_is_near(p->u, at[1]) && regular_settles(p, at[0], at[1]);
   tangents->first = tangent_at(&shape->pieces[0], sine, p->t);
   tangents->last = tangent_at(&shape->pieces[shape->count - 1], sine, p->u);
   at[0] = p->t;
   at[1] = p->u;
-  return fabs(p->t - t) < near * t && fabs(p->u - u) < near * u && regular_settles(p, t, u, tangents);
+  return last;
 }
 
 static bool is_sine(const struct scallop_shape *shape)
@@ -78,8 +77,8 @@ SCALLOP_INLINE bool solve(const struct scallop_scaled *s, double side, bool sine
     work->events = 4;
     if (last) {
       r->delicate = !ramps
-                    && (regular_is_delicate(e, ends[0].first.slope, ends[0].last.slope)
-                        || regular_is_delicate(c, ends[1].first.slope, ends[1].last.slope));
+                    && (regular_delicate_margin(e, ends[0].first.slope, ends[0].last.slope) < 0
+                        || regular_delicate_margin(c, ends[1].first.slope, ends[1].last.slope) < 0);
       return regular_result(&system, r);
     }
     last = touch(&phase[0], sine, e, at[0], &tangents[0]);

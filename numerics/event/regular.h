@@ -122,8 +122,8 @@ SCALLOP_INLINE int regular_run(struct regular_phase *p, double c, double side)
   return (p->t > 0) & (p->u > 0) & (p->up > p->between) & (side * p->down > side * p->after);
 }
 
-/* Solves for the times with |l'| replaced by its tangents. Returns whether these are the modes, if every time lies where
- * its tangent is meant. */
+/* Solves for the times with |l'| replaced by its tangents. Returns whether these are the modes, if every time lies
+ * where its tangent is meant. */
 SCALLOP_INLINE int regular_times(struct regular_system *r, const struct tangents *extension,
                                  const struct tangents *contraction)
 {
@@ -184,22 +184,29 @@ SCALLOP_INLINE struct tangents regular_ends(const struct scallop_shape *shape)
                             { -shape->pieces[0].direction * shape->lT, 0 } };
 }
 
-/* Returns whether the crossings have come so close to those before, t and u, that tangents there touch at the crossings,
- * to all digits, and have the slopes there, which the multiplier needs. tangents: at the new ones. */
-SCALLOP_INLINE int regular_settles(const struct regular_phase *p, double t, double u, const struct tangents *tangents)
+/* Whether a step may be the last: a larger one is not, except where the curve is almost touched. */
+SCALLOP_INLINE int regular_is_near(double x, double before)
 {
-  double up = p->q * tangents->first.slope, down = p->q_last * tangents->last.slope;
-  double before_u = step_margin(down, -p->between), after_u = step_margin(down, p->after);
+  double step = x - before;
+  return (step < 0 ? -step : step) < 1e-6 * before;
+}
+
+/* Returns whether the crossings have come so close to those where the tangents are, t and u, that tangents at the new
+ * ones touch there to all digits, and have the slopes there, which the multiplier needs. */
+SCALLOP_INLINE int regular_settles(const struct regular_phase *p, double t, double u)
+{
+  double before_u = step_margin(p->down, -p->between), after_u = step_margin(p->down, p->after);
   double margin = before_u < after_u ? before_u : after_u;
-  return step_is_last(p->t - t, p->t, step_margin(up, p->between), SMALL_STEP)
+  return step_is_last(p->t - t, p->t, step_margin(p->up, p->between), SMALL_STEP)
          & step_is_last(p->u - u, p->u, margin, SMALL_STEP);
 }
 
-/* Whether a crossing is delicate, as in period.h; slopes are those of |l'| at the ends of the phase. */
-SCALLOP_INLINE int regular_is_delicate(const struct regular_phase *p, double starts, double ends)
+/* < 0: a crossing is delicate; slopes are those of |l'| at the ends of the phase. */
+SCALLOP_INLINE double regular_delicate_margin(const struct regular_phase *p, double starts, double ends)
 {
-  return is_delicate(p->up, -p->eps, p->between, p->q * starts)
-         | is_delicate(-p->down, p->between, -p->after, p->q_last * ends);
+  double first = delicate_margin(p->up, -p->eps, p->between, p->q * starts);
+  double last = delicate_margin(-p->down, p->between, -p->after, p->q_last * ends);
+  return first < last ? first : last;
 }
 
 /* Whether no body is held where |l'| falls to 0 at the end of a phase: slope, of |l'| there; eps, of the phase. */
