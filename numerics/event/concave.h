@@ -177,6 +177,7 @@ static bool concave_hold(const struct line *l, const struct scallop_shape *shape
     return false;
   if (last->linear) {
     k->w = q * (concave_slope(shape, true) * k->u);
+    k->u_covered = concave_covers(last, 0, k->u, 0, 0);
   } else {
     const struct meeting m = concave_sine(k->u, q, concave_rates(last, k->u, work), 0);
     k->w = m.level;

@@ -30,58 +30,54 @@ static inline struct ramps ramps_of(const struct scallop_shape *shape)
 SCALLOP_INLINE double least_of(double a, double b) { return a < b ? a : b; }
 
 struct ramp_phase {
-  double t, u;     /* the crossings, from the start and back from the end                           */
-  double y, steep; /* c at the first one, and the slope of the curve                                */
-  double z, fall;  /* the same of the last one, back in time                                        */
-  double side;     /* +1: c ends at or above 0, -1: below                                           */
-  double turns;    /* 0: the body does not turn, but is held from where it stops, to the end        */
-  double grip;     /* of friction on the body at the end: it is held there where this is >= 0       */
-  double margin;   /* > 0: the motion is of this kind                                               */
+  double side;   /* +1: c ends at or above 0, -1: below                                           */
+  double turns;  /* 0: the body does not turn, but is stuck from where it stops, to the end       */
+  double spare;  /* of friction on the body at the end: it is stuck there if this is >= 0         */
+  double margin; /* > 0: the motion is of this kind                                               */
   double c_end;
   double way, size;     /* of the centre of mass: how far it comes, and the magnitudes of the parts of that */
-  double own, own_size; /* the same of the body that turns last, or is held                              */
+  double own, own_size; /* the same of the body that turns last, or is stuck                             */
 };
 
 /* c: at the start, >= 0 */
 SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct ramps *r, double c)
 {
-  double eps = l->eps, between = l->between, steep = r->up * l->q0, t = c / (steep + eps), y = steep * t;
+  double eps = l->eps, between = l->between, steep = r->up * l->q0, below = r->up * l->q1;
+  double t = c / (steep + eps), y = steep * t;
   int turns = steep > between;
   double top = turns ? y + between * (r->top - t) : steep * r->top, end = top + (turns ? between : 0) * r->rest;
   int above = end > 0;
   double side = above ? 1 : -1, q = above ? l->q0 : -l->q1, fall = r->down * q, u = end / (between + fall);
-  double z = fall * u, grip = eps - side * fall;
-  int crosses = grip < 0;
+  double z = fall * u, spare = eps - side * fall, apart = top + below * r->top;
+  int crosses = spare < 0, early = apart < 0; /* early: the other body stops while |l'| rises still */
+  double stops = (y - between * t) / (-between - below);
   double c_end = crosses ? z - side * eps * u : 0;
-  /* how far the centre of mass comes: sliding straight; turning, then held or crossing; riding all the way */
-  double d = r->top - t, left = r->rest - u, first = 0.5 * (c + y) * t;
-  double turned = first + 0.5 * ((y + top) * d + (top + z) * left);
-  double turned_size = first + 0.5 * ((y + fabs(top)) * d + (fabs(top) + fabs(z)) * left);
+  /* how far the centre of mass comes: sliding straight; turning, then stuck or crossing; riding all the way */
+  double d = early ? stops - t : r->top - t, at = early ? -below * stops : top;
+  double left = early ? 0 : r->rest - u, first = 0.5 * (c + y) * t;
+  double turned = first + 0.5 * ((y + at) * d + (at + z) * left);
+  double turned_size = first + 0.5 * ((y + fabs(at)) * d + (fabs(at) + fabs(z)) * left);
   double ridden = first + l->q0 * 0.5 * (r->up * (d * (r->top + t)) + r->down * (r->rest * r->rest));
-  double held = q * (0.5 * r->down * (u * u)), crossed = 0.5 * (z + c_end) * u;
-  double last_size = crosses ? 0.5 * (fabs(z) + fabs(c_end)) * u : fabs(held);
+  double stuck = q * (early ? 1 - 0.5 * r->up * (stops * stops) : 0.5 * r->down * (u * u));
+  double crossed = 0.5 * (z + c_end) * u;
+  double last_size = crosses ? 0.5 * (fabs(z) + fabs(c_end)) * u : fabs(stuck);
   /* and the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes
    * to rest, another one or two until it does again, and a last one; own_...: as body_slope in walk_state.h */
-  double push0 = eps * l->f_first, push1 = eps * l->f_second, own_up = steep - push0, own_below = r->up * l->q1 - push1;
+  double push0 = eps * l->f_first, push1 = eps * l->f_second, own_up = steep - push0, own_below = below - push1;
   double slope_up = fabs(own_up) < fabs(between) ? own_up + push1 : steep - between;
-  double slope_below = fabs(own_below) < fabs(between) ? own_below + push0 : r->up * l->q1 + between;
-  double v = above ? -slope_up * d : r->up * t + slope_below * d, v_first = above ? 0 : r->up * t;
+  double slope_below = fabs(own_below) < fabs(between) ? own_below + push0 : below + between;
+  double v_first = above ? 0 : r->up * t, v = above ? -slope_up * d : early ? 0 : r->up * t + slope_below * d;
   double one = 0.5 * (c + v_first) * t, two = turns ? 0.5 * ((v_first + v) * d + v * left) : 0;
-  double pulled = above ? (fall - push0) - push1 : (fall + push1) + push0, three = crosses ? 0.5 * pulled * (u * u) : 0;
-  double turning = least_of(top + r->up * l->q1 * r->top, least_of(u, r->rest - u));
-  double riding = least_of(grip, between + r->down * l->q0);
-  return (struct ramp_phase){ .t = t,
-                              .u = u,
-                              .y = y,
-                              .steep = steep,
-                              .z = z,
-                              .fall = fall,
-                              .side = side,
+  double pulled = above ? (fall - push0) - push1 : (fall + push1) + push0;
+  double three = crosses ? 0.5 * pulled * (u * u) : 0;
+  double turning = early ? least_of(stops - t, spare) : least_of(apart, least_of(u, r->rest - u));
+  double riding = least_of(spare, between + r->down * l->q0);
+  return (struct ramp_phase){ .side = side,
                               .turns = turns,
-                              .grip = grip,
+                              .spare = spare,
                               .margin = least_of(r->top - t, turns ? turning : riding),
                               .c_end = c_end,
-                              .way = turns ? turned + (crosses ? crossed : held) : ridden,
+                              .way = turns ? turned + (crosses ? crossed : stuck) : ridden,
                               .size = turns ? turned_size + last_size : ridden,
                               .own = one + two + three,
                               .own_size = one + fabs(two) + fabs(three) };
@@ -91,7 +87,7 @@ SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct r
 struct held_phase {
   double c_end, travel, size;      /* of the centre of mass                                                      */
   double way1, way2, size1, size2; /* of the bodies                                                              */
-  double margin, grip, ends, turns, course;
+  double margin, spare, ends, turns, course;
 };
 
 /* fraction: of the period; direction: of l', +1 or -1; c: velocity of the centre of mass at the start, in L/tau. */
@@ -114,10 +110,10 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scallop_scaled *s, doub
                               .size1 = plain ? first_size : second_size,
                               .size2 = plain ? second_size : first_size,
                               .margin = p.margin,
-                              .grip = p.grip,
+                              .spare = p.spare,
                               .ends = sign * p.side,
                               .turns = p.turns,
-                              .course = course_of(c != 0 ? sign : 0, sign * p.side, p.turns, p.grip >= 0) };
+                              .course = course_of(c != 0 ? sign : 0, sign * p.side, p.turns, p.spare >= 0) };
 }
 
 /* The steady state of two ramps in which friction holds a body to the end of a phase. Both bodies are then at rest, so
@@ -154,7 +150,7 @@ SCALLOP_INLINE void held_steady(const struct scallop_scaled *s, double order, co
   travel = size1 < size ? way1 : travel;
   out->travel = size2 < best ? way2 : travel;
   out->size = least_of(size2, best);
-  out->margin = least_of(least_of(p1.margin, p2.margin), p2.grip);
+  out->margin = least_of(least_of(p1.margin, p2.margin), p2.spare);
   out->course[0] = plain ? p1.course : p2.course;
   out->course[1] = plain ? p2.course : p1.course;
 }

@@ -69,17 +69,20 @@ SOLVE void period_sum_up(const struct walker *s, struct period *p)
   if (!period_cancels(p->travel, p->size, false))
     return;
   const real c[2] = { p->c_start, p->c_mid };
-  for (int kind = 0; kind < 2; kind++)
-    if (p->phase[kind].short_cut && law_is_sine(&s->phase[kind].shape->pieces[0])) {
-      concave_bodies(&s->phase[kind], &p->phase[kind]);
-    } else if (p->phase[kind].short_cut) {
-      struct motion walked;
-      motion_walk(&s->phase[kind], c[kind] * s->fraction[kind], NULL, NULL, &walked);
-      for (int i = 1; i < 3; i++) {
-        p->phase[kind].way[i] = walked.way[i];
-        p->phase[kind].size[i] = walked.size[i];
-      }
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = s->phase[kind].shape;
+    struct motion walked, *m = &p->phase[kind];
+    if (!m->short_cut)
+      continue;
+    /* straight pieces are added up with fewer roundings by the walk */
+    if (concave_is_plain(shape) && (!shape->ramps || sizeof(real) > sizeof(double))) {
+      concave_bodies(&s->phase[kind], m);
+      continue;
     }
+    motion_walk(&s->phase[kind], c[kind] * s->fraction[kind], NULL, NULL, &walked);
+    memcpy(m->way + 1, walked.way + 1, 2 * sizeof *m->way);
+    memcpy(m->size + 1, walked.size + 1, 2 * sizeof *m->size);
+  }
   for (int i = 1; i < 3; i++)
     if (p->phase[0].size[i] + p->phase[1].size[i] < p->size) {
       p->travel = p->phase[0].way[i] + p->phase[1].way[i];

@@ -4,6 +4,7 @@
 #include <float.h>
 
 #include "numerics/event/short_cut.h"
+#include "numerics/wide/wide.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
 
@@ -193,6 +194,35 @@ static void many_periods(const struct scallop_gait *gait)
 
 TEST(ways_of_bodies_quadratic) { many_periods(&scallop_gait_quadratic); }
 TEST(ways_of_bodies_sinusoidal) { many_periods(&scallop_gait_sinusoidal); }
+
+/* Displacements of which too little is left are computed again in wider arithmetic by short cuts: they are those of the
+ * walk in binary128 to the last digit. */
+static void many_mended(const struct scallop_gait *gait)
+{
+  struct random r = { 20261126 };
+  long mended = 0, stuck = 0;
+  for (long n = 0; n < CRAWLERS; n++) {
+    struct scallop_crawler c = random_crawler(&r, n % 2 ? STICK_SLIP : ORDINARY, gait);
+    struct scallop_steady_result plain, mends;
+    struct scallop_wide_steady exact;
+    struct doubt doubt;
+    c.alpha = 0.5 + random_between(&r, -1, 1) * random_decades(&r, 1e-8, 0.1);
+    assert_int_equal(solve_steady(&c, &plain, &doubt), SCALLOP_OK);
+    if (!(doubt.left < 1))
+      continue;
+    assert_int_equal(scallop_steady(&c, &mends), SCALLOP_OK);
+    assert_int_equal(scallop_wide_steady(SCALLOP_BINARY128, &c, &exact), SCALLOP_OK);
+    CHECK_RELATIVE(mends.period.displacement, exact.period.displacement.high, 2 * DBL_EPSILON);
+    mended++;
+    stuck += mends.period.regime == SCALLOP_STICK_SLIP;
+  }
+  print_message("%s: %ld, %ld of them stuck\n", gait->name, mended, stuck);
+  assert_true(mended > CRAWLERS / 40 && stuck > CRAWLERS / 100);
+}
+
+TEST(mended_quadratic) { many_mended(&scallop_gait_quadratic); }
+TEST(mended_skewed) { many_mended(&skewed_gait); }
+TEST(mended_sinusoidal) { many_mended(&scallop_gait_sinusoidal); }
 
 /* Exact coincidences are left to the walk: c at the curve just where it turns, c at 0 just at the end. */
 TEST(coincidences)
