@@ -4,13 +4,12 @@
 
 #include "numerics/digits.h"
 #include "numerics/event/regular.h"
-#include "numerics/event/short_cut.h"
+#include "numerics/event/stuck.h"
 #include "numerics/threads.h"
 
-/* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be
- * held to the end of a phase, are put in a row each and solved by vector instructions; the rest, and what turns out to
- * be something else, one by one. A block is the same work whichever thread does it. `make instructions` counts what
- * that saves. */
+/* Crawlers are solved in blocks. Within a block, a row collects the crawlers that may have the regular modes and
+ * another one those of which a body may stick to the end of a phase; vector instructions solve a row. All others, and
+ * those that turn out to have other modes, are solved one by one. Which thread solves a block changes nothing. */
 enum { BLOCK = 64 };
 
 /* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or
@@ -31,18 +30,17 @@ struct row {
   const struct scallop_crawlers *of;
   int count;
   long index[BLOCK];
-  double order[BLOCK];           /* as in held_steady; 0: the modes are the regular ones                    */
+  double order[BLOCK];           /* as in stuck_steady; 0: the modes are the regular ones                    */
   double number[NUMBERS][BLOCK]; /* in the order of columns_of                                             */
-  double course[2][BLOCK];       /* held: of each phase                                                     */
+  double course[2][BLOCK];       /* of each phase, if a body sticks                                          */
   double valid[BLOCK];
   /* of the sinusoidal gait: the four crossings, whether they are the last, and mu1 mu2 f1 f2 delta eps */
   double at[4][BLOCK], last[BLOCK], scaled[6][BLOCK];
 };
 
-/* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the
- * extension only, 0 none. Roughly, as nothing depends on it but speed: nan where it is too close to call, which is left
- * to the call for one. */
-static double holds(const struct scallop_crawlers *c, long i, double slope_e, double slope_c)
+/* Returns at the end of which phase, where |l'| falls to 0 with the given slope, a body can stick: +1 contraction, -1
+ * extension only, 0 none, nan if rounding could decide. Only speed depends on it. */
+static double sticks(const struct scallop_crawlers *c, long i, double slope_e, double slope_c)
 {
   static const double close = 1e-12;
   double a = c->alpha[i], b = 1 - a, strength = c->T[i] * c->T[i] * (c->F1[i] + c->F2[i]) / c->L[i];
@@ -61,7 +59,7 @@ SCALLOP_INLINE int scale(const struct row *row, int i, struct scallop_scaled *s)
   return scaling_of(c->m1[at], c->m2[at], c->F1[at], c->F2[at], c->L[at], c->T[at], c->alpha[at], s);
 }
 
-/* True: no result over- or underflows. */
+/* Stores the numbers of a crawler. Returns whether no result over- or underflows. */
 SCALLOP_INLINE int answer(struct row *row, int i, const struct scallop_scaled *s, double c_start, double c_mid,
                           double travel, double multiplier)
 {
@@ -197,15 +195,15 @@ static void solve_sine(struct row *row, const struct scallop_gait *gait)
   sine_end(row);
 }
 
-VECTOR static void solve_held(struct row *row, const struct scallop_gait *gait)
+VECTOR static void solve_stuck(struct row *row, const struct scallop_gait *gait)
 {
   const struct ramps e = ramps_of(&gait->phase[0]), c = ramps_of(&gait->phase[1]);
 #pragma omp simd
   for (int i = 0; i < row->count; i++) {
     struct scallop_scaled s;
-    struct held h;
+    struct stuck h;
     int valid = scale(row, i, &s);
-    held_steady(&s, row->order[i], &e, &c, &h);
+    stuck_steady(&s, row->order[i], &e, &c, &h);
     row->course[0][i] = h.course[0];
     row->course[1][i] = h.course[1];
     valid &= answer(row, i, &s, h.c_start, h.c_mid, h.travel, 0);
@@ -235,7 +233,7 @@ static struct columns columns_of(const struct scallop_steady_states *to)
                              to->v_low, to->v_high } };
 }
 
-/* One crawler's numbers, and what all have: each column is NULL where it is not wanted. */
+/* Stores one crawler's numbers, status and regime; a column that is not requested is NULL. */
 static void put(struct columns columns, long i, const double numbers[NUMBERS], enum scallop_status status,
                 enum scallop_regime regime, enum scallop_status *statuses, enum scallop_regime *regimes)
 {
@@ -292,7 +290,7 @@ static void put_state(const struct scallop_steady_states *to, const struct row *
     course_modes((enum scallop_phase_kind)kind, course[kind], &to->modes[i][kind]);
 }
 
-/* What is not of the row's kind after all is solved alone. Returns how many have no answer. */
+/* Solves a row, and one by one the crawlers that have other modes. Returns how many have no answer. */
 static long solve_row(const struct job *job, struct row *row, const struct scallop_gait *gait,
                       void (*solve)(struct row *, const struct scallop_gait *))
 {
@@ -322,7 +320,7 @@ static long solve_states(const struct job *job, long first, int count)
   long failed = 0;
   for (long i = first; i < first + count; i++) {
     bool alike = (ramps || sine) && c->gait[i] == gait;
-    double order = alike ? holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT)) : NAN;
+    double order = alike ? sticks(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT)) : NAN;
     if (!alike || isnan(order) || (order != 0 && sine)
         || (order != 0 && period_undoes(period_driven(gait, c->alpha[i])))) {
       failed += solve_one(job, i);
@@ -335,7 +333,7 @@ static long solve_states(const struct job *job, long first, int count)
   if (sine)
     failed += solve_row(job, &regular, gait, solve_sine);
   if (ramps)
-    failed += solve_row(job, &regular, gait, solve_regular) + solve_row(job, &held, gait, solve_held);
+    failed += solve_row(job, &regular, gait, solve_regular) + solve_row(job, &held, gait, solve_stuck);
   return failed;
 }
 

@@ -1,5 +1,4 @@
-/* The solves in double (solve.h), joined with those in wider arithmetic (wide_parts.h), which tell what rounding has
- * spoilt. */
+/* The solver in double (solve.h), with wider arithmetic (wide_parts.h) for numbers that rounding has spoilt. */
 #include "numerics/numerics.h"
 
 #include <math.h>

@@ -1,15 +1,15 @@
-/* Phases without a walk, once for every floating type: a part of solve.h. No header in the usual sense, and not public.
+/* Phases solved without a walk, one text for every floating type: a part of solve.h. Not public.
  *
  * |l'| is concave and 0 at both ends of the phase. By symmetry c starts at or above 0: a motion that starts below, or
- * from rest and goes there, is seen in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2
- * (walk_state.h has curves and regions). Then c meets curve 0 once while |l'| rises, and goes on
- *     along curve 0, if friction holds the body there, or
- *     in region 1, which is convex, so that c leaves it exactly once: through curve 0 if c would end above 0, else
+ * leaves rest downwards, is seen in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2
+ * (walk_state.h defines curves and regions). Then c meets curve 0 once while |l'| rises, and continues
+ *     along curve 0, if the body sticks there, or
+ *     in region 1, which is convex. Therefore c leaves it exactly once: through curve 0 if it would end above 0, else
  *     through curve 1.
- * There the body turns back, or is stuck until |l'| falls too steeply for friction, or to the end. As |l'| falls ever
- * more steeply, nothing else happens. Crossings are roots of a convex function: Newton's method does not overshoot.
+ * There the body reverses again, or sticks until |l'| falls too steeply for friction, or to the end. As |l'| falls ever
+ * more steeply, no other event follows. Crossings are roots of a convex function: Newton's method does not overshoot.
  *
- * What is of another kind, or too near to one, is left to the walk. Before including it define
+ * Motions of another kind, or too near to one, are left to the walk. Before including this file define
  *
  *     walk_near(piece, start, a, b, q)    a place to begin Newton's method in a curved piece: start, or one nearer to
  *                                         the root of a + b x = q |l'(x)|
@@ -23,10 +23,10 @@ struct meeting { /* of a line with a curve                                      
   real x;        /* when: from the start, or back from the end                                    */
   real level;    /* of the curve there: q |l'|                                                    */
   real slope;    /* of the curve there, in the direction of growing x                             */
-  real covered;  /* by |l'| from the start, or to the end, of a plain shape                        */
+  real covered;  /* integral of |l'| from the start, or to the end, of a plain shape               */
 };
 
-/* |l'| and its slope, in the direction of growing x */
+/* Returns |l'| and its slope, in the direction of growing x. */
 static inline struct rates concave_rates(const struct scallop_piece *p, real x, struct scallop_work *work)
 {
   real velocity, acceleration;
@@ -35,15 +35,15 @@ static inline struct rates concave_rates(const struct scallop_piece *p, real x, 
   return (struct rates){ p->direction * velocity, law_sense(p) * p->direction * acceleration };
 }
 
-/* The slope of |l'| at the beginning, or back from the end */
+/* Returns the slope of |l'| at the beginning, or back from the end. */
 static inline real concave_slope(const struct scallop_shape *shape, bool at_end)
 {
   const struct scallop_piece *p = &shape->pieces[at_end ? shape->count - 1 : 0];
   return p->linear ? p->direction * law_sense(p) * walk_acceleration(p) : walk_steepest(shape, at_end);
 }
 
-/* A step of Newton's method for a + b x = q |l'(x)| from x, of Halley's for a sine, whose third derivative is free.
- * Returns the step, and in *margin what step_is_last needs. */
+/* Returns a step of Newton's method for a + b x = q |l'(x)| from x; of Halley's for a sine, whose second derivative is
+ * known from |l'|. Sets *margin for step_is_last. */
 static inline real concave_step(const struct scallop_piece *p, real a, real b, real q, real x,
                                 const struct rates *there, real *margin)
 {
@@ -55,7 +55,7 @@ static inline real concave_step(const struct scallop_piece *p, real a, real b, r
   return 2 * bend > 1 ? step / bend : step;
 }
 
-/* |l'|, its slope and what it covers from the anchor, a small step further on along a sine */
+/* Returns |l'|, its slope and its integral from the anchor, a small step further along a sine. */
 static inline struct meeting concave_sine(real x, real q, struct rates there, real step)
 {
   const real square = walk_pi() * walk_pi(), half = step / 2;
@@ -102,8 +102,8 @@ static bool concave_meet(const struct scallop_piece *p, real a, real b, real q, 
   return false;
 }
 
-/* What |l'| covers between two offsets of a piece, of which it covers `less` and `more` from the anchor to the nearer
- * and the farther one */
+/* Returns the integral of |l'| between two offsets of a piece; less, more: from the anchor to the nearer and to the
+ * farther one. */
 static real concave_covers(const struct scallop_piece *p, real near, real far, real less, real more)
 {
   if (p->linear)
@@ -111,21 +111,22 @@ static real concave_covers(const struct scallop_piece *p, real near, real far, r
   return far - near < far / 32 ? walk_way(p, near, far) : more - less;
 }
 
-/* Whether stuck bodies are followed here: of polynomials the walk measures times from the nearest knot. */
+/* Returns whether stuck bodies are followed here: in a polynomial the walk measures times from the nearest knot. */
 static inline bool concave_is_plain(const struct scallop_shape *shape)
 {
   const struct scallop_piece *p = shape->pieces;
   return shape->count == 2 && ((p[0].linear && p[1].linear) || (law_is_sine(&p[0]) && law_is_sine(&p[1])));
 }
 
-/* Of a plain shape: max |l'|, where its pieces meet */
+/* Returns max |l'| of a plain shape, where its pieces meet. */
 static inline real concave_peak(const struct scallop_shape *shape)
 {
   const struct scallop_piece *first = &shape->pieces[0];
   return first->linear ? magnitude(walk_acceleration(first)) * first->end : walk_peak(shape);
 }
 
-/* From the first crossing through region 1 to where c leaves it. Returns false if that is left to the walk. */
+/* Follows c from the first crossing through region 1 to where it leaves it. Returns false if that is left to the walk.
+ * */
 static bool concave_leave(const struct line *l, const struct scallop_shape *shape, struct passage *k,
                           struct scallop_work *work)
 {
@@ -160,9 +161,9 @@ static bool concave_leave(const struct line *l, const struct scallop_shape *shap
   return true;
 }
 
-/* A body is stuck from the offset k->x on: to the end, or until it is released. Returns false as above. */
-static bool concave_hold(const struct line *l, const struct scallop_shape *shape, struct passage *k,
-                         struct scallop_work *work)
+/* Follows a body that is stuck from the offset k->x on, to the end or to its release. Returns false as above. */
+static bool concave_stick(const struct line *l, const struct scallop_shape *shape, struct passage *k,
+                          struct scallop_work *work)
 {
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];
   const real q = k->side > 0 ? l->q0 : l->q1, ends = q * concave_slope(shape, true);
@@ -186,7 +187,7 @@ static bool concave_hold(const struct line *l, const struct scallop_shape *shape
   return true;
 }
 
-/* What a phase that does not stick does to impulses and to the derivative of the map */
+/* Sets impulse and derivative of the map, for a phase in which no body sticks. */
 static void concave_turn(const struct line *l, const struct scallop_shape *shape, const struct passage *k,
                          struct motion *m)
 {
@@ -220,15 +221,15 @@ static struct concave_parts concave_parts(const struct scallop_shape *shape, con
     parts.before += (real)0.5 * ((k->y + k->at_top) * d + (k->at_top + z) * left);
     parts.before_size += (real)0.5 * ((k->y + at_top) * d + (at_top + k->z) * left);
   }
-  if (k->holds && k->early)
+  if (k->sticks && k->early)
     parts.stuck = concave_covers(first, k->x, top, k->x_covered, 0.5)
                   + concave_covers(last, k->u, last->begin, k->u_covered, 0.5);
-  else if (k->holds)
+  else if (k->sticks)
     parts.stuck = concave_covers(last, k->u, k->x, k->u_covered, k->x_covered);
   return parts;
 }
 
-/* The times of the first and of the last change of mode */
+/* Sets the times of the first and of the last change of mode. */
 static void concave_switches(const struct passage *k, struct motion *m)
 {
   const real never = k->released ? 1 - k->u : NAN, leaves = k->early ? k->x : 1 - k->x;
@@ -267,19 +268,19 @@ static bool concave_path(const struct phase_input *in, real c_0, struct line *l,
   k->fall = -k->steep;
   if (k->turns && !concave_leave(l, shape, k, work))
     return false;
-  k->holds = k->fall <= l->eps;
+  k->sticks = k->fall <= l->eps;
   k->released = false;
   k->u = k->x;
   k->w = k->z;
   k->u_covered = k->x_covered;
-  if (k->holds ? !concave_hold(l, shape, k, work) : k->early)
+  if (k->sticks ? !concave_stick(l, shape, k, work) : k->early)
     return false;
   k->end = k->w - l->eps * k->u;
   return true;
 }
 
-/* Returns true if the phase from velocity c_0 is of this kind: as motion_walk, of the ways only that of the centre of
- * mass. False: *m is of no use. */
+/* Solves the phase from velocity c_0 as motion_walk does; of the ways only that of the centre of mass. Returns false if
+ * the phase is of another kind; *m is then undefined. */
 static bool concave_phase(const struct phase_input *in, real c_0, struct motion *m)
 {
   const struct scallop_shape *shape = in->shape;
@@ -297,23 +298,23 @@ static bool concave_phase(const struct phase_input *in, real c_0, struct motion 
   m->c_end = k->sign * (k->side * k->end) + 0; /* no -0 */
   m->way[0] = k->sign * (parts.before + k->side * (q * parts.stuck + parts.after));
   m->size[0] = parts.before_size + (q * parts.stuck + parts.after);
-  m->forgets = m->sticks = k->holds;
+  m->forgets = m->sticks = k->sticks;
   m->never_moved[0] = never && plain;
   m->never_moved[1] = never && !plain;
   m->extra_impulse = m->slope = m->stretch = 0;
   m->delicate = false;
-  if (!k->holds)
+  if (!k->sticks)
     concave_turn(&l, shape, k, m);
   concave_switches(k, m);
   m->work.events = 1 + k->turns + k->released;
   course_modes(direction > 0 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION,
-               course_of(k->c != 0 ? (double)k->sign : 0, (double)(k->sign * k->side), k->turns, k->holds)
+               course_of(k->c != 0 ? (double)k->sign : 0, (double)(k->sign * k->side), k->turns, k->sticks)
                    + (k->released ? COURSE_RELEASED : 0),
                &m->modes);
   return true;
 }
 
-/* The ways of the bodies, and their sizes, of a plain shape that concave_phase has solved */
+/* Sets the ways of the bodies, and their sizes, for a plain shape that concave_phase has solved. */
 static void concave_bodies(const struct phase_input *in, struct motion *m)
 {
   const struct passage *k = &m->passage;

@@ -96,7 +96,7 @@ void course_modes(enum scallop_phase_kind kind, double course, struct scallop_mo
   const int code = (int)course;
   const signed char starts = (signed char)((code & COURSE_STARTS) - 1), ends = code & COURSE_ENDS ? 1 : -1;
   const signed char apart = kind == SCALLOP_EXTENSION ? -1 : 1;   /* the direction of body 1 where they are opposite */
-  const bool stuck = code & COURSE_STUCK, second = apart == ends; /* the one whose direction changes at last */
+  const bool stuck = code & COURSE_STUCK, second = apart == ends; /* the body whose direction changes last */
   int count = 0;
   modes->kept[count] = (struct scallop_mode){ starts, starts };
   count += starts != 0;

@@ -16,7 +16,7 @@ static inline real magnitude(real x) { return x < 0 ? -x : x; }
 struct sum {
   real total, lost;
 };
-/* Of x + y, whose rounded sum is given */
+/* Returns what rounding dropped of x + y, whose rounded sum is given. */
 static inline real sum_dropped(real sum, real x, real y)
 {
   return magnitude(x) >= magnitude(y) ? (x - sum) + y : (y - sum) + x;
@@ -63,8 +63,8 @@ struct phase_input { /* in units where the phase lasts 1, L is 1 and forces are 
   real base; /* what velocities c at the start and at the end are counted from: 0, or see walk_level               */
 };
 
-/* What c meets in a phase whose |l'| is concave, in units of the phase: curve 0 is c = q0 |l'|, curve 1 is
- * c = -q1 |l'|. */
+/* The curves of a phase whose |l'| is concave, in units of the phase: curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|.
+ * */
 struct line {
   real q0, q1, eps, between; /* c' is -eps, between, eps in regions 0, 1, 2                            */
   real f_first, f_second;    /* of the body that turns first, and of the other, over F1 + F2           */
@@ -98,7 +98,7 @@ struct passage {
   real at_top;                          /* c where the first piece ends, in region 1                              */
   real u, w, end;                       /* where it passes to the last region, |c| there and at the end           */
   real t_covered, x_covered, u_covered; /* what |l'| covers between each and its end of the phase      */
-  bool turns, early, holds, released;
+  bool turns, early, sticks, released;
 };
 
 /* Of a phase that begins with velocity c_0 of the centre of mass. */
@@ -113,7 +113,7 @@ struct motion {
   real way[3];              /* how far the centre of mass, body 1 and body 2 come                             */
   real size[3];             /* sums of the magnitudes of the parts of that, which rounding goes with          */
   real path[2];             /* of body 1 and body 2: how far each slides, one way and the other               */
-  real furthest;            /* the largest |c| since a body was held, of a phase of many pieces; else 0       */
+  real furthest;            /* the largest |c| since a body was stuck, in a phase of many pieces; else 0      */
   bool short_cut;           /* of the ways only way[0] and size[0] are known, and no path                     */
   struct passage passage;   /* if so                                                                       */
   bool forgets;             /* c was glued to a curve, if only for an instant: d c_end / d c_0 = 0            */
@@ -131,11 +131,11 @@ struct period {
   real noise;                 /* what rounding can do to balance                                        */
   real slope;                 /* d balance / d c_start <= 0, unless it forgets                          */
   bool forgets;               /* a body was stuck: c_end does not depend on c_start                     */
-  bool goes_on;               /* phase[1] is the contraction from c_mid                                 */
+  bool continues;             /* phase[1] is the contraction from c_mid                                 */
   struct motion phase[2];
 };
 
-/* A crawler as it is solved for */
+/* A scaled crawler */
 struct walker {
   struct phase_input phase[2];
   real fraction[2], eps; /* as in struct scallop_scaled                                                 */
@@ -161,15 +161,15 @@ SCALLOP_INLINE int is_delicate(real along, real before, real after, real steep)
   return delicate_margin(along, before, after, steep) < 0;
 }
 
-/* Whether so much of a displacement cancels in the sum of its parts that wider arithmetic has to tell it: rounding
- * leaves up to an ulp of size, and the displacement itself may be known to as little as an ulp of its own. Of ramps the
- * parts are products, and exact to a few ulp of their own. */
+/* Returns whether so much of a displacement cancels in the sum of its parts that it needs wider arithmetic: rounding
+ * errs by up to an ulp of size, and the displacement may be determined to an ulp of its own. The parts of straight
+ * pieces are products, and exact to a few ulp of their own. */
 SCALLOP_INLINE int period_cancels(real travel, real size, int ramps)
 {
   return (travel < 0 ? -travel : travel) * (ramps ? 64 : 8) < size;
 }
 
-/* The level of a curve over a plateau of l' that c is no further from than `near`; 0: there is none. */
+/* Returns the level of a curve over a plateau of l' within `near` of c; 0: no such level. */
 SOLVE real walk_level(const struct phase_input *in, real c, real near);
 /* Event by event; visit may be NULL. */
 SOLVE void motion_walk(const struct phase_input *in, real c_0, scallop_visitor *visit, void *context, struct motion *m);
@@ -181,9 +181,9 @@ SOLVE enum scallop_regime motion_regime(const struct motion *motion);
 /* One phase, by a short cut where there is one: from velocity c in L/T to the one that is returned. */
 SOLVE real period_phase(const struct walker *walker, enum scallop_phase_kind kind, real c, struct motion *motion);
 SOLVE void period_solve(const struct walker *walker, real c_start, struct period *period);
-/* For who has solved the phases: what they come to */
+/* Combines two solved phases. */
 SOLVE void period_conclude(const struct walker *walker, struct period *period);
-/* Afterwards, where the displacement is wanted and not only the velocities: travel as well as it can be told */
+/* Sets travel as accurately as the type allows; needed only for the displacement. */
 SOLVE void period_sum_up(const struct walker *walker, struct period *period);
 SOLVE real period_multiplier(const struct walker *walker, const struct period *period);
 SOLVE enum scallop_regime period_regime(const struct period *period);
@@ -199,5 +199,5 @@ SOLVE void steady_find(const struct walker *walker, real guess, real bound, stru
                        struct scallop_work *work);
 /* If the root is near the level of a curve over a plateau of l', finds it once more with velocities counted from that
  * level: friction may change c by less than an ulp of c, but this change decides where on the plateau c meets the
- * curve, and so the modes and the multiplier. False: there is none, or c goes far from the level. */
+ * curve, and so the modes and the multiplier. Returns false if there is no such level, or c leaves its vicinity. */
 SOLVE bool steady_find_from_level(const struct walker *walker, struct period *period, struct scallop_work *work);

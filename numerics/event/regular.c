@@ -109,6 +109,6 @@ enum regular_outcome regular_begin(const struct scallop_scaled *s, double *guess
   }
   const double e = -phase[0].pieces[0].direction * phase[0].lT, c = -phase[1].pieces[0].direction * phase[1].lT;
   if (!regular_may_be(s, SCALLOP_CONTRACTION, driven, c, s->eps * (b * b)))
-    return CONTRACTION_HOLDS;
-  return regular_may_be(s, SCALLOP_EXTENSION, driven, e, s->eps * (a * a)) ? REGULAR_MAY_BE : EXTENSION_HOLDS;
+    return CONTRACTION_STICKS;
+  return regular_may_be(s, SCALLOP_EXTENSION, driven, e, s->eps * (a * a)) ? REGULAR_MAY_BE : EXTENSION_STICKS;
 }

@@ -1,5 +1,5 @@
 /* The steady state with the regular modes: each phase begins and ends with both bodies moving one way, and in between
- * one of them turns back and forth, never held. Inline and without a branch, so that many crawlers can be solved in a
+ * one of them turns back and forth, never stuck. Inline and without a branch, so that many crawlers can be solved in a
  * row by vector instructions. Not public.
  *
  * For phases whose |l'| is concave, from 0 to 0. Then the first and the last crossing of curve 0 are all there is: |l'|
@@ -13,9 +13,7 @@
  *     beta (2 alpha - 1) = 2 f_e alpha (t1 + dT)_e + 2 f_c (1 - alpha) (t1 + dT)_c.
  * Where |l'| is made of two straight ramps this is the answer; elsewhere it is a step of Newton's method for all four
  * crossings and the velocity at once.
- *
- * Without it a search, period by period, would give the same answers; `make instructions` counts what it saves.
- */
+ * */
 #ifndef SCALLOP_NUMERICS_EVENT_REGULAR_H
 #define SCALLOP_NUMERICS_EVENT_REGULAR_H
 
@@ -159,7 +157,7 @@ SCALLOP_INLINE struct regular_travel regular_travel(const struct regular_phase *
   };
 }
 
-/* What the times come to. Returns whether the start velocity has the direction that the modes need. */
+/* Computes the results from the times. Returns whether the start velocity has the direction that the modes need. */
 SCALLOP_INLINE int regular_result(const struct regular_system *r, struct regular *out)
 {
   const struct regular_phase *e = &r->e, *c = &r->c;
@@ -184,7 +182,7 @@ SCALLOP_INLINE struct tangents regular_ends(const struct scallop_shape *shape)
                             { -shape->pieces[0].direction * shape->lT, 0 } };
 }
 
-/* Whether a step may be the last: a larger one is not, except where the curve is almost touched. */
+/* Returns whether a step may be the last: a larger one is not, unless the line almost touches the curve. */
 SCALLOP_INLINE int regular_is_near(double x, double before)
 {
   double step = x - before;
@@ -209,7 +207,7 @@ SCALLOP_INLINE double regular_delicate_margin(const struct regular_phase *p, dou
   return first < last ? first : last;
 }
 
-/* Whether no body is held where |l'| falls to 0 at the end of a phase: slope, of |l'| there; eps, of the phase. */
+/* Returns whether no body sticks at the end of a phase; slope: of |l'| there; eps: of the phase. */
 SCALLOP_INLINE int regular_may_be(const struct scallop_scaled *s, enum scallop_phase_kind kind, double driven,
                                   double slope, double eps)
 {
@@ -230,8 +228,8 @@ void regular_modes(bool forward, double side, struct scallop_modes modes[2]);
 enum regular_outcome {
   REGULAR_MAY_BE,
   REGULAR_NOT,
-  CONTRACTION_HOLDS, /* friction may hold a body to the end of the contraction                            */
-  EXTENSION_HOLDS    /* of the extension only                                                              */
+  CONTRACTION_STICKS, /* a body may stick to the end of the contraction                                   */
+  EXTENSION_STICKS    /* of the extension only                                                              */
 };
 
 /* Tells what to look for first, and a velocity to begin a search at, if it is finite. */

@@ -1,5 +1,5 @@
-/* What period.h declares, once for every floating type. No header in the usual sense, and not public. Before including
- * it define what that, walk.h and concave.h need. */
+/* Definitions for period.h, one text for every floating type. Not public. Before including it define what period.h,
+ * walk.h and concave.h need. */
 #include "numerics/event/walk.h"
 
 #include "numerics/event/concave.h"
@@ -52,13 +52,13 @@ SOLVE void period_conclude(const struct walker *s, struct period *p)
 SOLVE void period_solve(const struct walker *s, real c_start, struct period *p)
 {
   /* cppcheck-suppress ctuuninitvar ; it is set before the first solve */
-  bool solved = p->goes_on;
+  bool solved = p->continues;
   real from = solved ? p->c_mid : 0;
   p->c_start = c_start;
   p->c_mid = period_phase(s, SCALLOP_EXTENSION, c_start, &p->phase[SCALLOP_EXTENSION]);
-  if (!solved || p->c_mid != from) /* once a body has been held, it is often the very same */
+  if (!solved || p->c_mid != from) /* once a body has stuck, c_mid often repeats */
     p->c_end = period_phase(s, SCALLOP_CONTRACTION, p->c_mid, &p->phase[SCALLOP_CONTRACTION]);
-  p->goes_on = true;
+  p->continues = true;
   period_conclude(s, p);
 }
 
@@ -114,7 +114,7 @@ SOLVE real steady_from_rest(const struct walker *s, struct period *p)
 {
   p->c_mid = 0;
   p->c_end = period_phase(s, SCALLOP_CONTRACTION, 0, &p->phase[SCALLOP_CONTRACTION]);
-  p->goes_on = true;
+  p->continues = true;
   return p->c_end;
 }
 
@@ -192,7 +192,7 @@ SOLVE bool steady_find_from_level(const struct walker *s, struct period *p, stru
     real base = level / a, there = base * b;
     real same = walk_level(&s->phase[1 - kind], there, rounding * magnitude(there)); /* both have a plateau there */
     struct walker from_level = *s;
-    struct period q = { .goes_on = false };
+    struct period q = { .continues = false };
     from_level.phase[kind].base = level;
     from_level.phase[1 - kind].base = same != 0 ? same : there;
     steady_find(&from_level, 0, reach, &q, work);

@@ -7,8 +7,8 @@
 #include "numerics/event/motion.h"
 #include "numerics/wide/wide_parts.h"
 
-/* Of long double: none where the processor rounds it to less than it holds, as a host of the library may have set it
- * to, and as it is under valgrind. A solve that ends at the last digit would take thousands of steps there. */
+/* Returns the bits of long double; 0 if the processor is set to round to fewer bits than the type has, as under
+ * valgrind: an iteration that ends at the last digit would take thousands of steps. */
 static int long_double_bits(void)
 {
   volatile long double one = 1, least = LDBL_EPSILON;
@@ -145,7 +145,7 @@ static enum scallop_width widest(void)
   return scallop_width_bits(SCALLOP_BINARY128) > 0 ? SCALLOP_BINARY128 : SCALLOP_LONG_DOUBLE;
 }
 
-/* size: of the parts that the number is a sum of; 0 where it is none */
+/* Returns the estimate for one number; size: of the parts that it is the sum of, or 0. */
 static double error_of(double value, const struct scallop_wide *exact, double size)
 {
   double rounding = 0x1p-62 * fabs(value) + 0x1p-111 * size;

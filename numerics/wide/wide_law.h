@@ -1,4 +1,4 @@
-/* Part of wide_solve.h: l' by the law of its piece, and what the walk asks of it. */
+/* Part of wide_solve.h: l' by the law of its piece, and the functions of it that the walk needs. */
 #include "model/bernstein.h"
 
 /* The circle's number in three doubles: 159 bits. */

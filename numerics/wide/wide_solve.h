@@ -95,7 +95,7 @@ static struct scallop_wide_period told(const struct scallop_crawler *c, const st
 static void wide_period(const struct scallop_crawler *c, double v0, bool walks, struct scallop_wide_period *out)
 {
   const struct walker s = walker_of(c, walks);
-  struct period p = { .goes_on = false };
+  struct period p = { .continues = false };
   period_solve(&s, v0 * (real)c->T / c->L, &p);
   period_sum_up(&s, &p);
   *out = told(c, &s, &p);
@@ -105,7 +105,7 @@ static void wide_steady(const struct scallop_crawler *c, const double guess[2], 
                         struct scallop_wide_steady *out)
 {
   const struct walker s = walker_of(c, walks);
-  struct period p = { .goes_on = false };
+  struct period p = { .continues = false };
   struct scallop_work ignored = { 0 };
   real work = 0, start = guess[0] * (real)c->T / c->L;
   if (guess[1] == 0 && guess[0] != 0)

@@ -1,9 +1,9 @@
-/* The short cuts of the solver against the long way: the closed forms and the roots of short_cut.c and the joint
+/* The short cuts of the solver against the long way: the roots of concave.h and the joint
  * Newton's method of regular.c beside the walk from event to event, which a gait takes that does not say what it is
  * (concave and ramps left false). */
 #include <float.h>
 
-#include "numerics/event/short_cut.h"
+#include "numerics/event/stuck.h"
 #include "numerics/wide/wide.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/solved.h"
@@ -170,7 +170,7 @@ static void many_periods(const struct scallop_gait *gait)
   for (long n = 0; n < PHASES / 4; n++) {
     struct scallop_crawler c = random_crawler(&r, n % 2 ? STICK_SLIP : ORDINARY, gait);
     struct scallop_scaled s;
-    struct period p = { .goes_on = false }, q = { .goes_on = false };
+    struct period p = { .continues = false }, q = { .continues = false };
     assert_int_equal(scallop_scale(&c, &s), SCALLOP_OK);
     struct walker walker = walker_of(&s), walks = walker;
     walks.walks = true;

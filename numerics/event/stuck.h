@@ -1,14 +1,8 @@
-/* Phases in closed form, or almost: |l'| is concave, from 0 to 0, and one body turns and turns back, or is held to the
- * end. Then there are at most two crossings, and nothing to walk through. Regions and curves are those of
- * walk_state.h. By symmetry c starts at or above 0 here: a motion that starts below, or from rest and goes there, is
- * seen in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2. Not public.
- *
- * Where |l'| rises along one straight line and falls along another (the quadratic gait) this is a row of formulas, one
- * division a crossing, inline and without a branch, so that many crawlers can be solved in a row by vector
- * instructions. What is of another kind is left to the walk.
- */
-#ifndef SCALLOP_NUMERICS_EVENT_SHORT_CUT_H
-#define SCALLOP_NUMERICS_EVENT_SHORT_CUT_H
+/* The steady state in which a body sticks to the end of a phase, in closed form. |l'| rises along one straight line and
+ * falls along another (the quadratic gait). Inline and without a branch, for vector instructions; concave.h has the
+ * same motions for any concave |l'|, and defines the mirror. Not public. */
+#ifndef SCALLOP_NUMERICS_EVENT_STUCK_H
+#define SCALLOP_NUMERICS_EVENT_STUCK_H
 
 #include <math.h>
 #include <stddef.h>
@@ -83,16 +77,16 @@ SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct r
                               .own_size = one + fabs(two) + fabs(three) };
 }
 
-/* The same as it is, and not in the mirror */
-struct held_phase {
+/* A phase as it is, not in the mirror */
+struct stuck_phase {
   double c_end, travel, size;      /* of the centre of mass                                                      */
   double way1, way2, size1, size2; /* of the bodies                                                              */
   double margin, spare, ends, turns, course;
 };
 
 /* fraction: of the period; direction: of l', +1 or -1; c: velocity of the centre of mass at the start, in L/tau. */
-SCALLOP_INLINE struct held_phase held_phase(const struct scallop_scaled *s, double fraction, double direction,
-                                            const struct ramps *r, double c)
+SCALLOP_INLINE struct stuck_phase stuck_phase(const struct scallop_scaled *s, double fraction, double direction,
+                                              const struct ramps *r, double c)
 {
   double sign = mirror_of(direction, s->delta, c);
   int plain = direction * sign > 0;
@@ -102,33 +96,33 @@ SCALLOP_INLINE struct held_phase held_phase(const struct scallop_scaled *s, doub
   int above = p.side > 0; /* then it is the body that turned first; the other one is |l| = 1 ahead, or behind */
   double first = above ? p.own : p.own - 1, second = above ? p.own + 1 : p.own;
   double first_size = above ? p.own_size : p.own_size + 1, second_size = above ? p.own_size + 1 : p.own_size;
-  return (struct held_phase){ .c_end = sign * p.c_end + 0.0, /* no -0 */
-                              .travel = sign * p.way,
-                              .size = p.size,
-                              .way1 = sign * (plain ? first : second),
-                              .way2 = sign * (plain ? second : first),
-                              .size1 = plain ? first_size : second_size,
-                              .size2 = plain ? second_size : first_size,
-                              .margin = p.margin,
-                              .spare = p.spare,
-                              .ends = sign * p.side,
-                              .turns = p.turns,
-                              .course = course_of(c != 0 ? sign : 0, sign * p.side, p.turns, p.spare >= 0) };
+  return (struct stuck_phase){ .c_end = sign * p.c_end + 0.0, /* no -0 */
+                               .travel = sign * p.way,
+                               .size = p.size,
+                               .way1 = sign * (plain ? first : second),
+                               .way2 = sign * (plain ? second : first),
+                               .size1 = plain ? first_size : second_size,
+                               .size2 = plain ? second_size : first_size,
+                               .margin = p.margin,
+                               .spare = p.spare,
+                               .ends = sign * p.side,
+                               .turns = p.turns,
+                               .course = course_of(c != 0 ? sign : 0, sign * p.side, p.turns, p.spare >= 0) };
 }
 
-/* The steady state of two ramps in which friction holds a body to the end of a phase. Both bodies are then at rest, so
- * the next phase is known, and the one after it: if this comes to rest again the period is closed. */
-struct held {
+/* When a body has stuck to the end of a phase, both are at rest. Therefore the next phase is known, and the one after
+ * it; if that comes to rest again, the period is closed. */
+struct stuck {
   double c_start, c_mid;
   double travel, size; /* as in struct period after period_sum_up                               */
   double margin;       /* > 0: this is the steady state                                         */
   double course[2];    /* of each phase                                                         */
 };
 
-/* order: +1 if friction holds a body to the end of the contraction, -1 if of the extension. The phase that is followed
- * by rest comes second, and the first begins at rest. Multiplier and balance are 0. */
-SCALLOP_INLINE void held_steady(const struct scallop_scaled *s, double order, const struct ramps *e,
-                                const struct ramps *c, struct held *out)
+/* order: +1 if a body sticks to the end of the contraction, -1 if of the extension. The phase that is followed by rest
+ * comes second, and the first begins at rest. Multiplier and balance are 0. */
+SCALLOP_INLINE void stuck_steady(const struct scallop_scaled *s, double order, const struct ramps *e,
+                                 const struct ramps *c, struct stuck *out)
 {
   int plain = order > 0;
   double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION], x1 = plain ? a : b,
@@ -137,9 +131,9 @@ SCALLOP_INLINE void held_steady(const struct scallop_scaled *s, double order, co
                             plain ? e->rest : c->rest };
   const struct ramps r2 = { plain ? c->up : e->up, plain ? c->down : e->down, plain ? c->top : e->top,
                             plain ? c->rest : e->rest };
-  const struct held_phase p1 = held_phase(s, x1, order, &r1, 0);
+  const struct stuck_phase p1 = stuck_phase(s, x1, order, &r1, 0);
   double between = p1.c_end / x1;
-  const struct held_phase p2 = held_phase(s, x2, -order, &r2, between * x2);
+  const struct stuck_phase p2 = stuck_phase(s, x2, -order, &r2, between * x2);
   int rests = p1.turns + p2.turns == 0 && p1.ends == -p2.ends; /* the same body in both phases */
   out->c_start = plain ? 0 : between;
   out->c_mid = plain ? between : 0;
