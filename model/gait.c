@@ -5,6 +5,7 @@
 
 #include "model/families.h"
 #include "model/law.h"
+#include "model/sine.h"
 
 #define PI 3.14159265358979323846
 
@@ -49,25 +50,26 @@ static double sine_length(const struct scallop_piece *p, double u)
   return law_sense(p) * p->direction * (h * h);
 }
 
-/* Near u = 1/2 sines and cosines are taken from there: l'' is then exactly 0 at the boundary of the two pieces. */
-static bool is_late(double u) { return u > 0.25; }
+static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
+{
+  double s, c;
+  sine_of_half_turn(u, &s, &c);
+  *velocity = p->velocity * s;
+  *acceleration = p->acceleration * c;
+}
 
 static double sine_velocity(const struct scallop_piece *p, double u)
 {
-  return p->velocity * (is_late(u) ? cos(PI * (0.5 - u)) : sin(PI * u));
+  double velocity, acceleration;
+  sine_rates(p, u, &velocity, &acceleration);
+  return velocity;
 }
 
 static double sine_acceleration(const struct scallop_piece *p, double u)
 {
-  return p->acceleration * (is_late(u) ? sin(PI * (0.5 - u)) : cos(PI * u));
-}
-
-static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
-{
-  bool late = is_late(u);
-  double angle = PI * (late ? 0.5 - u : u), s = sin(angle), c = cos(angle);
-  *velocity = p->velocity * (late ? c : s);
-  *acceleration = p->acceleration * (late ? s : c);
+  double velocity, acceleration;
+  sine_rates(p, u, &velocity, &acceleration);
+  return acceleration;
 }
 
 static double sine_when(const struct scallop_piece *p, double a)
