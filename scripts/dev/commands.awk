@@ -50,15 +50,15 @@ function name_repeated(   i, key, pages, page, names) {
   for (i = 1; i <= pages; i++)
     entry(substr(names[page[i]], 2) (index(heading, page[i]) ? "" : " as in " link(page[i])), "")
 }
-# A short paragraph goes on where the last one ends.
+# Short paragraphs are items of a list, with another mark than the entries of a group before them.
 function paragraph(text, is_short) {
   if (!(is_short && was_short))
     print ""
-  wrapped(text, "", "")
+  wrapped(text, is_short ? "- " : "", is_short ? "  " : "")
   was_short = is_short
 }
 function list(   i, listed) {
-  print heading == "" ? "" : "\n**" marked(heading) "**"
+  print heading == "" ? "" : "\n**" marked(heading) "**:"
   for (i = 1; i <= entries; i++) {
     if (name[i] == "" && listed)
       print ""
