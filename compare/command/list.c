@@ -38,7 +38,7 @@ static void print_item(FILE *to, const char *name, const char *text)
   fputc('\n', to);
 }
 
-/* Of a command those that it prints, else all; those that are formulas stand behind the list of all. */
+/* The quantities that a command prints; NULL: all, and behind them the formulas of quantities. */
 static void list_quantities(FILE *to, const struct command *command)
 {
   const int first = command ? command->quantities.first : 0;

@@ -18,7 +18,7 @@ static enum exit_code refuse(const char *what)
   return EXIT_USAGE;
 }
 
-/* Commands and topics of help have a page each. To a command that is none the answer may be a topic. */
+/* Commands and topics have a page each. The name nearest to an unknown command may be a topic. */
 static enum exit_code refuse_name(const char *what, const char *name, const char *before_topic)
 {
   const char *near = nearest_in(name, shipped_help, sizeof *shipped_help);
