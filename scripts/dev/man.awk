@@ -15,7 +15,7 @@ function roff(s) { # quotes in `...` and options are bold
   return s ~ /^\./ ? "\\&" s : s
 }
 
-# The headings above what is printed now, which begins with this line
+# Prints the headings that precede a line, and the text below them.
 function head(line) {
   if (section != "")
     print ".SH " section
@@ -43,7 +43,7 @@ FNR == 1 && is_command { # scallop NAME [options]: summary
 }
 FNR == 1 { # scallop help TOPIC: summary
   section = toupper(roff(substr($0, 1, index($0, ": ") - 1)))
-  heading = ""
+  heading = about = ""
   broken = left_out = 0
   next
 }
@@ -68,7 +68,7 @@ broken && /^[^ ].*:$/ { group = heading = substr($0, 1, length - 1); broken = 0;
         left_out = 0
   } else if (names != "" || /^[^ ]/)
     left_out = 0
-  if (!is_command && heading != "" && /^  / && !gap) { # an indented text about options, of which there may be none
+  if (!is_command && heading != "" && /^  / && !gap) { # a text above options: printed if the command takes one of them
     about = about (about == "" ? "" : "\n") roff(text)
     next
   }

@@ -143,7 +143,7 @@ TEST(every_page_is_listed)
 TEST(numbers_are_those_of_the_code)
 {
   static const double map[] = { BREAKDOWN_MAP_TOLERANCES };
-  enum { TEXT = 80, CASES = 9 };
+  enum { TEXT = 120, CASES = 9 };
   char stated[CASES][TEXT];
   static const int percent[] = { PAGE_PERCENTS };
   int order;
@@ -158,7 +158,8 @@ TEST(numbers_are_those_of_the_code)
   snprintf(stated[5], TEXT, "order up to %d with the least error", STUDY_MANY);
   snprintf(stated[6], TEXT, "with --map 1e-%.0f, 1e-%.0f)", -log10(map[0]), -log10(map[1]));
   snprintf(stated[7], TEXT, "more than %d %% and %d %%", percent[0], percent[1]);
-  snprintf(stated[8], TEXT, "by %d times its ulp or, if larger, %d times the change", STRESS_PROMISE, STRESS_PROMISE);
+  snprintf(stated[8], TEXT, "by %d times its ulp (unit in the last place) or, if larger, %d times the change",
+           STRESS_PROMISE, STRESS_PROMISE);
   assert_int_equal(STRESS_PERTURBED, 1 + 2 * STRESS_PROMISE);
   for (int i = 0; i < CASES; i++) {
     flatten(page, PAGE, printed(pages[i]));
