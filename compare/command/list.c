@@ -25,15 +25,12 @@ const struct command *command_named(const char *name)
 static void print_item(FILE *to, const char *name, const char *text)
 {
   enum { COLUMN = 22, WIDTH = 80 };
-  int at = fprintf(to, "  %-*s  ", COLUMN - 4, name);
-  bool begins = true;
-  for (int word; *text; text += word + (text[word] == ' '), begins = false) {
+  int at = fprintf(to, "  %-*s ", COLUMN - 4, name);
+  for (int word; *text; text += word + (text[word] == ' ')) {
     word = (int)strcspn(text, " ");
-    if (!begins && at + 1 + word > WIDTH)
-      at = fprintf(to, "\n%*s", COLUMN, "") - 1;
-    else if (!begins)
-      at += fprintf(to, " ");
-    at += fprintf(to, "%.*s", word, text);
+    if (at + 1 + word > WIDTH)
+      at = fprintf(to, "\n%*s", COLUMN - 1, "") - 1;
+    at += fprintf(to, " %.*s", word, text);
   }
   fputc('\n', to);
 }
