@@ -86,11 +86,11 @@ $(B)/with-%:
 $(B)/shipped_scenes.c: $(sort $(wildcard data/scenes/*.cfg))
 $(B)/shipped_scripts.c: $(addprefix scripts/plots/,plot.sh common.gp) $(sort $(wildcard scripts/plots/plot/*.awk scripts/plots/figure*.gp))
 $(B)/shipped_completion.c: scripts/dev/completion.bash
-$(B)/shipped_help.c: $(sort $(wildcard docs/help/*.txt))
+$(B)/shipped_help.c: $(sort $(wildcard docs/help/*.txt docs/help/parts/*.txt))
 $(B)/asymptotics/published/paper.c: scripts/dev/formulas.awk asymptotics/published/paper.cfg
 	@mkdir -p $(@D) && awk -f $^ >$@
 $(B)/shipped_%.c: scripts/dev/embed.sh
-	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $<,$^) >$@
+	@mkdir -p $(@D) && sh $< $(basename $(@F)) $(filter-out $< docs/help/parts/%,$^) >$@
 
 # A program is linked with the libraries that its objects need.
 needed     = $(if $(filter %/exact/ball.o,$^),$(FLINT)) $(if $(filter %/integrators/cvode.o,$^),$(SUNDIALS)) $(if $(filter %/support/check.o,$^),-lcmocka) \

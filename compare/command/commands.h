@@ -76,7 +76,7 @@ const struct option *given_option(const struct arguments *arguments, const char 
 
 /* list.c: the command of this name; NULL: there is none. */
 const struct command *command_named(const char *name);
-/* The help of a command, or, for NULL, of the program, of which scripts/dev/man.awk makes the manual. */
-void help_of(FILE *to, const struct command *command);
+/* Prints the page of a command or topic: docs/help/NAME.txt, of which scripts/dev/man.awk makes the manual. */
+void help_print(FILE *to, const char *name);
 
 #endif

@@ -1,5 +1,5 @@
-/* The commands by name, and what --help prints: texts of docs/help/, and the lists of quantities and gaits, in which
- * scripts/dev/completion.bash finds names: two blanks, a name, two blanks or more, what it is for. */
+/* The commands by name, and the pages of help: the texts of docs/help/, with the lists of quantities and gaits. An item
+ * of a list is two blanks, names, two blanks or more, and a text: scripts/dev/man.awk and completion.bash read it. */
 #include <string.h>
 
 #include "compare/command/commands.h"
@@ -22,47 +22,48 @@ const struct command *command_named(const char *name)
 }
 
 /* An item of a list: a name, and from the column on a text in as many lines as it takes */
-static void print_item(FILE *to, const char *name, int column, const char *text)
+static void print_item(FILE *to, const char *name, const char *text)
 {
-  enum { WIDTH = 100 };
-  int at = fprintf(to, "  %-*s  ", column - 4, name);
-  bool begins = true;
-  for (int word; *text; text += word + (text[word] == ' '), begins = false) {
+  enum { COLUMN = 22, WIDTH = 80 };
+  int at = fprintf(to, "  %-*s ", COLUMN - 4, name);
+  for (int word; *text; text += word + (text[word] == ' ')) {
     word = (int)strcspn(text, " ");
-    if (!begins && at + 1 + word > WIDTH)
-      at = fprintf(to, "\n%*s", column, "") - 1;
-    else if (!begins)
-      at += fprintf(to, " ");
-    at += fprintf(to, "%.*s", word, text);
+    if (at + 1 + word > WIDTH)
+      at = fprintf(to, "\n%*s", COLUMN - 1, "") - 1;
+    at += fprintf(to, " %.*s", word, text);
   }
   fputc('\n', to);
 }
 
-/* Those that are formulas stand behind the list of all. */
-static void list_quantities(FILE *to, int first, int end)
+/* The quantities that a command prints; NULL: all, and behind them the formulas of quantities. */
+static void list_quantities(FILE *to, const struct command *command)
 {
-  fputs("\nQuantities (with their units):\n", to);
+  const int first = command ? command->quantities.first : 0;
+  const int end = command ? command->quantities.end : NAMED_QUANTITIES;
   for (const struct quantity_row *row = quantity_rows + first;
        row < quantity_rows + end || (end == NAMED_QUANTITIES && row->formula); row++)
-    print_item(to, row->name, 22, wrong_text("%s [%s]", row->sentence, row->unit));
+    print_item(to, row->name, wrong_text("%s [%s]", row->sentence, row->unit));
 }
 
 static void list_gaits(FILE *to)
 {
   const struct scallop_gait_family *f;
-  fputs("\nGaits (with their usual numbers):\n", to);
   for (int i = 0; (f = gait_family(i)) != NULL; i++) {
     const char *name = !f->numbers ? f->name : wrong_text(f->usual ? "%s[:%s]" : "%s:%s", f->name, f->numbers);
     bool has_usual = f->numbers && f->usual;
-    print_item(to, name, 26, has_usual ? wrong_text("%s (%s)", f->sentence, f->usual) : f->sentence);
+    print_item(to, name, has_usual ? wrong_text("%s (%s)", f->sentence, f->usual) : f->sentence);
   }
 }
 
-void help_of(FILE *to, const struct command *command)
+void help_print(FILE *to, const char *name)
 {
-  fputs(shipped_text(shipped_help, command ? command->name : "scallop"), to);
-  if (command && command->quantities.end > 0)
-    list_quantities(to, command->quantities.first, command->quantities.end);
-  if (command && option_of(command, "gait"))
-    list_gaits(to);
+  for (const char *line = shipped_text(shipped_help, name), *next; line && *line; line = next) {
+    next = line + strcspn(line, "\n") + 1;
+    if (strncmp(line, "{quantities}", strlen("{quantities}")) == 0)
+      list_quantities(to, command_named(name));
+    else if (strncmp(line, "{gaits}", strlen("{gaits}")) == 0)
+      list_gaits(to);
+    else
+      fprintf(to, "%.*s", (int)(next - line), line);
+  }
 }

@@ -18,13 +18,12 @@ static enum exit_code refuse(const char *what)
   return EXIT_USAGE;
 }
 
-static enum exit_code refuse_command(const char *name)
+/* Commands and topics have a page each. The name nearest to an unknown command may be a topic. */
+static enum exit_code refuse_name(const char *what, const char *name, const char *before_topic)
 {
-  const char *names[64] = { NULL };
-  for (size_t i = 0; commands[i]; i++)
-    names[i] = commands[i]->name;
-  return refuse(
-      wrong_text("unknown command '%.400s'%s (see scallop --help)", name, did_you_mean(nearest(name, names))));
+  const char *near = nearest_in(name, shipped_help, sizeof *shipped_help);
+  near = near && !command_named(near) ? wrong_text("%s%s", before_topic, near) : near;
+  return refuse(wrong_text("unknown %s '%.400s'%s (see scallop --help)", what, name, did_you_mean(near)));
 }
 
 /* Help and version are output too: a full device is an error. */
@@ -63,21 +62,21 @@ static enum exit_code answer(const char *first, const char *next)
   snprintf(option, sizeof option, "%.*s", (int)strcspn(first, "="), first);
   const char *value = strchr(first, '=') ? strchr(first, '=') + 1 : next;
   const char *instead = strncmp(option, "--", 2) == 0 ? option_instead("", option + 2, NULL) : NULL;
-  const struct command *command = next ? command_named(next) : NULL;
+  const char *page = next && !is_help(next) ? next : "scallop";
   if (instead)
     return refuse(wrong_text("%s is no longer there: %s", option, instead));
-  if (is_help(first) && next && !command && !is_help(next))
-    return refuse_command(next);
+  if (is_help(first) && !shipped_text(shipped_help, page))
+    return refuse_name("command or topic", page, "");
   if (strcmp(option, "--completion") == 0 && (!value || strcmp(value, "bash") != 0))
     return refuse(wrong_text("--completion takes the name of a shell, bash, and not '%s'", value ? value : ""));
   if (is_help(first))
-    help_of(stdout, command);
+    help_print(stdout, page);
   else if (strcmp(first, "--version") == 0)
     puts("scallop " SCALLOP_VERSION);
   else if (strcmp(option, "--completion") == 0)
     fputs(shipped_completion->text, stdout);
   else if (first[0] != '-')
-    return refuse_command(first);
+    return refuse_name("command", first, "help ");
   else
     return refuse(
         wrong_text("the command comes first, then options such as '%.80s': scallop COMMAND %.80s (see scallop "
@@ -116,7 +115,7 @@ int main(int count, char **arguments)
   if (!isatty(STDOUT_FILENO))
     setvbuf(stdout, rows, _IOFBF, sizeof rows);
   if (count < 2) {
-    help_of(stderr, NULL);
+    help_print(stderr, "scallop");
     return EXIT_USAGE;
   }
   const struct command *command = command_named(arguments[1]);
@@ -126,7 +125,7 @@ int main(int count, char **arguments)
   enum exit_code code;
   enum reading reading = options_read(&read, command, commands, count, arguments, &code);
   if (reading == READ_HELP) {
-    help_of(stdout, command);
+    help_print(stdout, command->name);
     code = flushed();
   } else if (reading == READ_RUN)
     code = run(&read);

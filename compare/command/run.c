@@ -188,7 +188,6 @@ const struct command command_run = {
   .options = options_of_run,
   .rules = rules,
   .size = sizeof(struct scene_options),
-  .quantities = { 0, NAMED_QUANTITIES },
   .run = run,
 };
 

@@ -18,7 +18,7 @@ _scallop_values() { # PROGRAM COMMAND OPTION WORD: "it takes tsv, json or table"
   done < <(compgen -W "$values" -- "$4")
 }
 _scallop() { # PROGRAM WORD
-  local line names='' name='^  (-*[A-Za-z][-A-Za-z0-9_]*)' program=${1/#\~/$HOME} command=${COMP_WORDS[1]} at=$((COMP_CWORD - 1)) word=$2
+  local line item items names='' section='' program=${1/#\~/$HOME} command=${COMP_WORDS[1]} at=$((COMP_CWORD - 1)) word=$2
   COMPREPLY=()
   if [[ $COMP_CWORD -ge 3 && ${COMP_WORDS[COMP_CWORD]} == = ]]; then # --gait=, which is three words with what follows
     word=''
@@ -36,7 +36,14 @@ _scallop() { # PROGRAM WORD
     return 0
   fi
   while IFS= read -r line; do
-    [[ ! $line =~ $name ]] || names+=" ${BASH_REMATCH[1]}"
+    [[ $line != [A-Z]*: ]] || section=$line
+    [[ $line == '  --'* || (! $command && $line == '  '[a-z]*) ]] || continue
+    [[ $section != Topics: || $COMP_CWORD -eq 2 ]] || continue # topics are for `scallop help`
+    line=${line#  }
+    read -ra items <<<"${line%%  *}" # what stands in front of the text: "--m1 M, --m2 M", "steady"
+    for item in "${items[@]}"; do
+      [[ $line == --* && $item != --* ]] || names+=" ${item%,}"
+    done
   done < <("$program" --help $command 2>/dev/null)
   while IFS= read -r line; do
     COMPREPLY+=("$line")

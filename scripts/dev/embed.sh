@@ -1,7 +1,7 @@
 #!/bin/sh
 # Writes a C file with the texts of files, so that the program needs no folder for them: scripts/dev/embed.sh LIST FILE... >FILE.c.
 # LIST is one of the lists of compare/text/shipped.h. A text has the name of its file, without folder and ending. A line @NAME in it stands
-# for the lines of NAME.txt beside it.
+# for the lines of NAME.txt in its folder.
 set -eu
 list=$1
 shift
@@ -15,7 +15,7 @@ for file in "$@"; do
   awk -v folder="${file%/*}/" '
     function put(file, line) {
       while ((getline line < file) > 0)
-        if (line ~ /^@[a-z-]+$/) put(folder substr(line, 2) ".txt"); else print line
+        if (line ~ /^@[a-z/-]+$/) put(folder substr(line, 2) ".txt"); else print line
       close(file)
     }
     BEGIN { put(ARGV[1]) }' "$file" | sed -e 's/[\\"?]/\\&/g' -e 's/^/    "/' -e 's/$/\\n"/'

@@ -33,8 +33,8 @@ run() { # CODE ARGUMENT...
   code=$?
   [ "$code" = "$wanted" ] || note "scallop $* gives exit code $code, not $wanted: $(head -n 2 err)"
 }
-# What --help prints of a command, each item of a list on one line
-help_of() { "$tool" "$1" --help | awk '/^                    / { sub(/^ +/, ""); printf " %s", $0; next } { printf "%s%s", (NR == 1 ? "" : "\n"), $0 } END { print "" }'; }
+# The help of a command or topic, each item of a list on one line
+help_of() { "$tool" help "$1" | awk '/^                    / { sub(/^ +/, ""); printf " %s", $0; next } { printf "%s%s", (NR == 1 ? "" : "\n"), $0 } END { print "" }'; }
 header() { sed '/^#/d; q' "$1" | tr '\t' ' '; }
 rows() { sed '/^#/d' "$1" | sed 1d; }
 cells() { # FILE COLUMN...: those columns of every row, separated by blanks

@@ -17,22 +17,25 @@ refused() { # NAME PATTERN ARGUMENT...
   [ ! -s out ] || note "scallop $* prints to standard output: $(head -n 1 out)"
   finish "$name"
 }
-help_options() { sed -n 's/^  --\([A-Za-z0-9_-]*\) .*/\1/p' "$1"; } # FILE: as --help prints it
+help_options() { # FILE, as --help prints it: in "  --m1 M, --m2 M  masses" those before the text, without dashes
+  awk '/^  --/ { sub(/^  /, ""); sub(/  .*/, ""); n = split($0, word, /,? /); for (i = 1; i <= n; i++) if (sub(/^--/, "", word[i])) print word[i] }' "$1"
+}
 
 # ---- the pages ----
 run 0 --help
 commands=$(sed -n '/^Commands:/,/^$/s/^  \([a-z][a-z]*\) .*/\1/p' out)
 [ "$(echo "$commands" | wc -w)" -gt 8 ] || note "commands: $commands"
+(cd "$root" && sh scripts/dev/man.sh "$tool" 1.0 "$scratch/pages") || note "man.sh fails"
 for command in '' $commands; do
   page=scallop${command:+-$command}
   # shellcheck disable=SC2086
   run 0 --help $command
   mv out "$page"
-  awk -v page="$page" -v version='scallop 1.0' -f "$root/scripts/dev/man.awk" "$page" >"$page.1"
+  mv "pages/$page.1" .
   for section in NAME SYNOPSIS ${command:+DESCRIPTION OPTIONS} EXAMPLE '"SEE ALSO"'; do says "^\\.SH $section" "$page.1"; done
   [ -n "$(help_options "$page")" ] || note "no options in the help of $page"
   for option in $(help_options "$page"); do
-    says "^\\\\fB\\\\-\\\\-$(printf %s "$option" | sed 's/-/\\\\-/g')\\\\fR" "$page.1"
+    sed -n '/^\.TP$/{n;p}' "$page.1" | grep -q -F -e "\\fB\\-\\-$(printf %s "$option" | sed 's/-/\\-/g')\\fR" || note "$page.1 does not explain --$option"
   done
 done
 for command in $commands; do says "^\\\\fBscallop\\\\-$command.fR(1)" scallop.1; done
@@ -40,9 +43,9 @@ for code in 0 1 2 3 4; do says "^\\\\fB$code\\\\fR" scallop.1; done
 finish "every page has its sections and options"
 
 # Words, punctuation aside, so often as they are there
-words() { tr -s ' ' '\n' | tr -d '`.,:;' | sed '/^$/d' | sort; }
+words() { tr -s ' ' '\n' | tr -d '`.,:;"' | tr '[:upper:]' '[:lower:]' | sed '/^$/d' | sort; }
 for page in scallop*.1; do
-  sed '1,2d; s/^\(Options\|Commands\|Quantities\|Gaits\|Exit codes\).*//' "${page%.1}" | words >told
+  sed '1,2d; s/^Exit codes://' "${page%.1}" | words >told
   [ "$(wc -l <told)" -gt 80 ] || note "$(wc -l <told) words in the help of ${page%.1}"
   sed "s/\\\\f[BR]//g; s/\\\\(aq/'/g; s/\\\\(ha/^/g; s/\\\\(ti/~/g; s/\\\\&//g; s/\\\\-/-/g" "$page" | words | comm -23 told - >lost
   [ ! -s lost ] || note "$page: lost: $(head -n 5 lost | tr '\n' ' ')"
@@ -70,7 +73,9 @@ refused "--man says where the manual is" 'make install.*man scallop' --man stead
 refused "--man=PAGE does so too" 'make install.*man scallop' --man=list
 refused "--completion without a shell" 'takes .*bash' --completion
 refused "--completion of another shell" "takes .*bash, and not 'zsh'" --completion zsh
-refused "help: no such command" "unknown command 'stead': did you mean 'steady'" help stead
+refused "help: no such command or topic" "unknown command or topic 'stead': did you mean 'steady'" help stead
+refused "help: a misspelt topic" "unknown command or topic 'colunms': did you mean 'columns'" --help colunms
+refused "a topic in place of a command" "unknown command 'gaits': did you mean 'help gaits'" gaits
 refused "--manual" "the command comes first" --manual
 for command in $commands; do
   run 0 "$command" --help
@@ -105,6 +110,8 @@ END
   completes 'steady stress' st
   completes '--version' --v
   completes 'steady stress' help st
+  completes 'order options' help o
+  completes 'order' o
   completes '' help steady st
   completes '' nonsense --
   completes quadratic steady --gait q

@@ -473,7 +473,7 @@ if many.status.tolist() != ["interval of steady states", "ok"]:
 END
 finish "gaits live as long as they are needed, with the names of --gait"
 
-help_of steady >out
+help_of gaits >out
 python out <<'END'
 text = open(sys.argv[1]).read().split("\nGaits")[1].split("\n\n")[0].replace("\n      ", " ") # a long sentence goes on
 listed = {line.split()[0].split(":")[0].rstrip("["): " ".join(line[2:].split("  ", 1)[1].split()) for line in text.strip().split("\n")[1:]}
