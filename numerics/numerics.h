@@ -3,8 +3,9 @@
  *     x1' = c - (m2/M) l',   x2' = c + (m1/M) l',   c' = -(F1 s1 + F2 s2)/M,
  * so l' drops out of the dynamics: c is piecewise linear in time, and a body changes direction where c meets (m2/M) l'
  * or -(m1/M) l'. While a body is stuck, c follows its curve. docs/background/theory.md has the rest. Nothing here
- * prints, exits, holds state or uses asymptotics/; the solver allocates nothing, general-purpose methods (integrator.h) do.
- */
+ * prints, exits, holds state or uses asymptotics/; the solver allocates nothing, general-purpose methods
+ * (integrator.h) do.
+ * */
 #ifndef SCALLOP_NUMERICS_NUMERICS_H
 #define SCALLOP_NUMERICS_NUMERICS_H
 
