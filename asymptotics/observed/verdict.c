@@ -1,4 +1,4 @@
-/* The rules of docs/guide/order.md, one after the other. */
+/* The rules of docs/reference/order.md, one after the other. */
 #include <math.h>
 #include <stddef.h>
 

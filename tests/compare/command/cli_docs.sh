@@ -77,6 +77,8 @@ finish "pages that the sources name are there"
 sh scripts/dev/commands.sh "$tool" >"$scratch/commands.md"
 cmp -s "$scratch/commands.md" docs/reference/commands.md || note "$(diff docs/reference/commands.md "$scratch/commands.md" | head -n 5); make docs"
 finish "docs/reference/commands.md is what --help prints"
+differs=$(/usr/bin/python3 scripts/dev/pages.py --check) || note "$differs; make docs"
+finish "pages have what follows from data, the paper's formulas and --help"
 "$tool" claims --summary 2>"$scratch/counts" >/dev/null
 grep -o -e '[0-9]* checks' -e '[0-9]* hold,' -e '[0-9]* errors fall faster than claimed' -e '[0-9]* are refuted' -e '[0-9]* statements in words' \
   -e '[0-9]* fail under some condition' "$scratch/counts" >"$scratch/phrases"
