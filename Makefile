@@ -55,7 +55,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs pictures single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
+.PHONY: all help docs pictures single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release api layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -128,7 +128,7 @@ script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
 check asan matrix coverage fuzz flint3 faults:
 	+@WITH_FLINT=$(WITH_FLINT) STATIC=$(if $(filter -lgsl,$(LDLIBS)),0,1) MAKE="$(MAKE)" $(script)
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
-## lint:       layers, clang-format, cppcheck and clang-tidy
+## lint:       layers, wordings (scripts/dev/prose.txt), clang-format, cppcheck and clang-tidy
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
 valgrind lint reproduce instructions bare release:
@@ -153,6 +153,8 @@ docs: $(program)
 pictures: explorer $(program)
 	@sh scripts/plots/pages.sh $(B)/scallop
 	@/usr/bin/python3 scripts/report/explorer_picture.py $(B)/explorer/index.html docs/guide/explorer.png
+## api:        the reference of the C and the Python interface as pages, BUILD/api; needs Doxygen
+api: ; @sh scripts/dev/api.sh $(B) $(version) $(headers)
 include explorer/rules.mk
 ## bench-sweeps: what a row of a sweep costs, beside the batch call
 bench-sweeps: $(B)/scallop $(B)/libscallop-core.a ; @/usr/bin/python3 scripts/dev/bench-sweeps.py $(B)

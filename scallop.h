@@ -20,7 +20,7 @@
  * In libscallop alone, and not included here:
  *     numerics/certified/certified.h   any number of proven digits (FLINT), with exact parameters
  *     asymptotics/derived/expansion.h  the derived series, term by term, and formulas in balls (FLINT)
- *     numerics/integrators/integrator.h          general-purpose methods to compare with, on GSL and SUNDIALS
+ *     numerics/integrators/integrator.h  general-purpose methods to compare with, on GSL and SUNDIALS
  *
  * No function prints, exits or holds state. Only the integrators, the functions that need FLINT, scallop_formula_read
  * and scallop_measured_new allocate memory. All functions can be called from several threads at once. */

@@ -54,7 +54,7 @@ static const struct option_rule rules[] = {
     "needs the rows of --only reach" },
   { "formulas", RULE_WITH, "source=published source=derived source=limit",
     "needs its own series: leave --source out, or --source user" },
-  { "source=user", RULE_WITHOUT, "formulas", "formulas needs --formulas FILE" },
+  { "source=user", RULE_WITHOUT, "formulas", "user needs --formulas FILE" },
   { NULL, RULE_WITH, NULL, NULL }
 };
 static const struct breakdown_options initial = { .source = { "published", false },

@@ -1,6 +1,7 @@
 #!/bin/sh
-# clang-format, cppcheck and clang-tidy on every source: lint.sh BUILD
+# Wordings (prose.py), then clang-format, cppcheck and clang-tidy on every source: lint.sh BUILD
 set -eu
+/usr/bin/python3 "$(dirname "$0")/prose.py"
 folders="model asymptotics numerics compare tests bench"
 # shellcheck disable=SC2086
 sources=$(find $folders -name '*.c')

@@ -52,7 +52,7 @@ def table(head, rows):
 
 
 def remainder(power):
-    return {"inf": "none: `=`", "1": "`O(T)`"}.get(power, f"`O(T^{power})`")
+    return {"inf": "`=`", "1": "`O(T)`"}.get(power, f"`O(T^{power})`")
 
 
 def refuted_formulas(claims):

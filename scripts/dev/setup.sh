@@ -8,7 +8,7 @@ purposes() { # GOAL...: the first column of the table below
   for goal in "$@"; do
     echo "${goal##*/}"
     case ${goal##*/} in
-      help | clean | uninstall | gates | size | release | core.wasm | single-order | scallop_order.h) continue ;;
+      help | clean | uninstall | gates | size | api | release | core.wasm | single-order | scallop_order.h) continue ;;
       check | asan | faults | fuzz | lint | valgrind | matrix | coverage) echo tests ;;
       explorer | check-explorer | pictures) echo core.wasm ;;
       test_*) echo test ;;
@@ -37,6 +37,7 @@ tests                 | python3-mpmath python3-numpy  | module mpmath,numpy
 tests                 | python3-pytest mypy           | module pytest && found mypy
 tests                 | python3-venv python3-pip python3-setuptools python3-wheel | module ensurepip && module pip && module setuptools,wheel
 layers size bench-sweeps check-report check-explorer docs pictures | python3 | found /usr/bin/python3
+api                   | doxygen python3-sphinx python3-numpy | found doxygen && module sphinx,numpy
 check-report check-explorer pictures | chromium       | found chromium || found chromium-browser || found google-chrome
 lint                  | clang-tidy clang-format cppcheck | found clang-tidy && found clang-format && found cppcheck
 fuzz matrix core.wasm | clang                         | found clang

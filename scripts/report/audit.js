@@ -125,7 +125,7 @@ globalThis.audit = (() => {
   };
   const width = () => [document.documentElement.scrollWidth, innerWidth];
   // Verdict and conditions of every row of a table of claims are within the window, and formulas are drawn.
-  const tables of claims = () => {
+  const claimTables = () => {
     const bad = [];
     for (const cell of document.querySelectorAll('.claims tbody tr:not(.claim) :is(td:nth-child(1), td:nth-child(3))')) {
       const box = cell.getBoundingClientRect();
@@ -176,5 +176,5 @@ globalThis.audit = (() => {
       said: Number(link.textContent.match(/\d+/)[0]),
       says: document.querySelector('.controls output').textContent };
   };
-  return { texts, plotTexts, colours, pictures, painted, open, width, clipped, tables of claims, overlaps, moved, filtered };
+  return { texts, plotTexts, colours, pictures, painted, open, width, clipped, claimTables, overlaps, moved, filtered };
 })();

@@ -125,7 +125,7 @@ class Check:
                 self.width()
                 for what in (
                     self.call("texts", TEXT, TEXT_IN_TABLES) + self.call("plotTexts", TEXT_IN_PLOTS) + self.call("colours")
-                    + self.call("tables of claims") + self.call("clipped") + self.call("overlaps")
+                    + self.call("claimTables") + self.call("clipped") + self.call("overlaps")
                 ):
                     self.complain(what)
                 self.filtering()

@@ -77,8 +77,8 @@ static void judge(char *table, int code, const char *expect)
     if (split(line, cells, MOST) != columns)
       fuzz_fail("a row of other than %d cells", columns);
     struct row r = { strtod(cells[column(names, columns, "order")], NULL),
-                     strtod(cells[column(names, columns, "low")], NULL),
-                     strtod(cells[column(names, columns, "high")], NULL), atoi(cells[column(names, columns, "points")]),
+                     strtod(cells[column(names, columns, "order_low")], NULL),
+                     strtod(cells[column(names, columns, "order_high")], NULL), atoi(cells[column(names, columns, "points")]),
                      "" };
     snprintf(r.verdict, sizeof r.verdict, "%s", cells[column(names, columns, "verdict")]);
     judge_row(&r, cells[column(names, columns, "reason")], expect);

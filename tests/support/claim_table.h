@@ -62,9 +62,9 @@ static inline const struct claim_row *row_of(const char *claim, int g, const cha
 #define READ_NUMBERS(row, text, count, ...) assert_int_equal(sscanf(behind(row, text), __VA_ARGS__), count)
 static inline const char *behind(const struct claim_row *row, const char *text)
 {
-  const char *at = strstr(row->measured, text);
+  const char *at = strstr(row->summary, text);
   if (!at)
-    fail_msg("%s: no '%s' in '%s'", row->claim, text, row->measured);
+    fail_msg("%s: no '%s' in '%s'", row->claim, text, row->summary);
   return at ? at + strlen(text) : "";
 }
 

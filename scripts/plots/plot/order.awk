@@ -44,7 +44,7 @@ function draw_series(i, from, to,   n, key, order, used) {
   order = v("order")
   expected[i] = v("expected")
   key = name_of_series() ": " (is_number(order) ? "order " order \
-    (is_number(v("low")) ? " (" v("low") " to " v("high") ")" : "") ", " : "") \
+    (is_number(v("order_low")) ? " (" v("order_low") " to " v("order_high") ")" : "") ", " : "") \
     (is_number(expected[i]) ? "expected " expected[i] ": " : "") v("verdict")
   for (n = from; n <= to; n++) {
     go(n)

@@ -146,8 +146,8 @@ function kind_of_table(part,   kinds, kind, i) {
     "bounds            : dots     :       : bound                      : quantity                    :    \n" \
     "breakdown         : reach    : T     :                            :                             :    \n" \
     "workprec          : workprec :       : error                      :                             :    \n" \
-    "stress            : dots     :       : units,rounding,perturbed   : family,gait                 :    \n" \
-    "stress of a point : dots     :       : units,rounding,perturbed   : quantity                    :    \n" \
+    "stress            : dots     :       : error_units,spread_rounding,change_per_ulp : family,gait                 :    \n" \
+    "stress of a point : dots     :       : error_units,spread_rounding,change_per_ulp : quantity                    :    \n" \
     "stiff             : curves   : delta : displacement_error         : scene,gait,stepper          : xy|\n" \
     "phase             : curves   : *     : dxC                        : *                           :    \n" \
     "steady            : curves   : *     : mean_velocity              : *                           :    \n" \

@@ -21,10 +21,10 @@ class Order(NamedTuple):
         ``'pass'``, ``'measured'``, ``'too-low'``, ``'drifting'``, ...: as ``scallop order`` prints it (docs/reference/order.md).
     passed : bool
         Whether the verdict is ``'pass'``.
-    order, low, high : float
+    order, order_low, order_high : float
         The order and its interval; nan where there is none.
     interval : str
-        What `low` and `high` are: ``'confidence-95'``, ``'slope-95'``, ``'limit'``, ``'pairwise'`` or ``'-'``.
+        What `order_low` and `order_high` are: ``'confidence-95'``, ``'slope-95'``, ``'limit'``, ``'pairwise'`` or ``'-'``.
     used : int
         Number of points behind the order.
     gci, asymptotic_ratio : float
@@ -40,8 +40,8 @@ class Order(NamedTuple):
     verdict: str
     passed: bool
     order: float
-    low: float
-    high: float
+    order_low: float
+    order_high: float
     interval: str
     used: int
     gci: float

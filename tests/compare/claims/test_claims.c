@@ -89,13 +89,13 @@ TEST(equalities)
 /* Seen in a mirror these formulas are themselves, so that they leave out the same. */
 TEST(mirrored_rows_are_about_the_motion_itself)
 {
-  static const char *const claims[] = { "eq18_v_end", "eq21_dxC" };
+  static const char *const names[] = { "eq18_v_end", "eq21_dxC" };
   static const char *const conditions[] = { "extension from rest, F1 < F2", "contraction from rest, F2 < F1" };
   for (int i = 0; i < 8; i++) {
     int g = i >> 2;
     char mirrored[64];
-    snprintf(mirrored, sizeof mirrored, "%s:mirrored", claims[i & 1]);
-    const struct claim_row *row = find(claims[i & 1], g, conditions[i >> 1 & 1], false);
+    snprintf(mirrored, sizeof mirrored, "%s:mirrored", names[i & 1]);
+    const struct claim_row *row = find(names[i & 1], g, conditions[i >> 1 & 1], false);
     const struct claim_row *seen = find(mirrored, g, conditions[i >> 1 & 1], false);
     assert_string_equal(seen->quantity, row->quantity);
     assert_string_equal(seen->coefficient, row->coefficient);

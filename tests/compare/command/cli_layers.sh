@@ -1,6 +1,6 @@
 #!/bin/sh
 # scripts/dev/layers.py on a house made up here: it finds a wrong arrow, a circle through a table of function pointers, and what is too long.
-folders=$(cd "$(dirname "$0")/../../.." && pwd)/scripts/dev/layers.py
+layers=$(cd "$(dirname "$0")/../../.." && pwd)/scripts/dev/layers.py
 . "$(dirname "$0")/../../support/common.sh"
 
 build() { # every .c of the program as an object file

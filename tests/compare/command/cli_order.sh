@@ -155,7 +155,7 @@ grep -q -x 'scallop order: note: table.txt: columns between commas; h is column 
 run 1 order table.txt --expect 2,2 --y L2,H1
 [ "$(cells out expected verdict | tr '\n' ' ')" = '2 pass 2 too-low ' ] || note "$(cat out)"
 run 0 order table.txt --expect L2=2 --y L2,H1
-[ "$(cells out test verdict | tr '\n' ' ')" = 'equal pass none measured ' ] || note "$(cat out)"
+[ "$(cells out comparison verdict | tr '\n' ' ')" = 'equal pass none measured ' ] || note "$(cat out)"
 for wanted in 2,1,1 L2=2,1 L3=2 L2=x; do run 2 order table.txt --expect $wanted; done
 run 2 order table.txt --per volumes
 finish "order: an order for each column, numbers of cells"

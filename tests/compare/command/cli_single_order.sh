@@ -56,7 +56,7 @@ awk 'BEGIN {
       close(file)
     }
 }'
-"$tool" order table_*.txt --expect 2 --columns verdict,interval,order,low,high,points,reason 2>err >all
+"$tool" order table_*.txt --expect 2 --columns verdict,interval,order,order_low,order_high,points,reason 2>err >all
 rows all | tr '\t' ' ' >want
 [ "$(wc -l <want)" -eq 96 ] || note "$(wc -l <want) verdicts: $(cat err)"
 [ "$(cut -d ' ' -f 1 want | sort -u | wc -l)" -ge 8 ] || note "verdicts: $(cut -d ' ' -f 1 want | sort | uniq -c | tr '\n' ' ')"
