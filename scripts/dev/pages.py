@@ -11,6 +11,10 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
+sys.dont_write_bytecode = True
+sys.path.append(str(ROOT / "scripts/report"))
+import formula_file  # noqa: E402  (beside the report, which typesets the same formulas)
+
 PAGES = [f"docs/{name}.md" for name in ("background/errata", "background/evidence", "background/stability", "reference/columns")]
 # The values of the column evidence begin with these; the words are those of the page
 EVIDENCE = {
@@ -24,13 +28,6 @@ EVIDENCE = {
 def read_table(name):
     with open(ROOT / "data" / name, encoding="utf-8") as lines:
         return list(csv.DictReader((line for line in lines if line[0] != "#"), delimiter="\t"))
-
-
-def read_corrections():
-    """The groups of the list `corrected` of the paper's formula file, each as its members."""
-    text = (ROOT / "asymptotics/published/paper.cfg").read_text(encoding="utf-8").split("corrected = (")[1]
-    for group in re.findall(r"\{\s*(name = (?:[^{}]|\{[^{}]*\})*)\}", text):
-        yield {name: "".join(re.findall(r'"([^"]*)"', value)) or value for name, value in re.findall(r'(\w+) = ((?:"[^"]*"\s*)+|\d+);', group)}
 
 
 def is_formula(claim):
@@ -70,10 +67,10 @@ def refuted_formulas(claims):
 
 
 def corrections(_):
-    rows = []
-    for c in read_corrections():
-        rows.append([f"`{c['name']}`", c["equation"], f"`{c['text']}`", "exact" if c["claimed"] == "equality" else remainder(c["claimed"])])
-    return table(["formula", "instead of", "text", "remainder"], rows)
+    formulas = [c for c in formula_file.read(ROOT / "asymptotics/published/paper.cfg").values() if c["name"].startswith("corrected_")]
+    remainders = ["exact" if c["claimed"] == "equality" else remainder(c["claimed"]) for c in formulas]
+    return table(["formula", "instead of", "text", "remainder"],
+                 [[f"`{c['name']}`", c["equation"], f"`{c['text']}`", power] for c, power in zip(formulas, remainders)])  # fmt: skip
 
 
 def refuted_statements(claims):

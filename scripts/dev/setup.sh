@@ -30,13 +30,13 @@ flint                 | libflint-dev                  | header flint/fmpq.h
 flint                 | libflint-arb-dev              | header arb.h || header flint/arb.h || flint_has_it
 test tests flint3 bare | libcmocka-dev                 | header cmocka.h
 tests reproduce bare pictures | gnuplot-nox fonts-dejavu-core | found gnuplot
-tests reproduce bare  | python3 python3-jinja2        | module jinja2
+tests reproduce bare docs | python3 python3-jinja2    | module jinja2
 tests bare            | locales                       | there /usr/share/i18n/locales/de_DE
 tests                 | pkgconf                       | found pkg-config
 tests                 | python3-mpmath python3-numpy  | module mpmath,numpy
 tests                 | python3-pytest mypy           | module pytest && found mypy
 tests                 | python3-venv python3-pip python3-setuptools python3-wheel | module ensurepip && module pip && module setuptools,wheel
-layers size bench-sweeps check-report check-explorer docs pictures | python3 | found /usr/bin/python3
+layers size bench-sweeps check-report check-explorer pictures | python3 | found /usr/bin/python3
 api                   | doxygen python3-sphinx python3-numpy | found doxygen && module sphinx,numpy
 check-report check-explorer pictures | chromium       | found chromium || found chromium-browser || found google-chrome
 lint                  | clang-tidy clang-format cppcheck | found clang-tidy && found clang-format && found cppcheck
