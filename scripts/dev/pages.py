@@ -12,7 +12,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
 sys.dont_write_bytecode = True
-sys.path.append(str(ROOT / "scripts/report"))
+sys.path.insert(0, str(ROOT / "scripts/report"))
 import formula_file  # noqa: E402  (beside the report, which typesets the same formulas)
 
 PAGES = [f"docs/{name}.md" for name in ("background/errata", "background/evidence", "background/stability", "reference/columns")]
