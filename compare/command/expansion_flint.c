@@ -31,6 +31,27 @@ static bool errors_are_seen(const struct expansion *e)
   return seen;
 }
 
+/* Returns how many digits of a sum at T lie before its last term: the errors of the sums take about as many. */
+static long digits_before_last_terms(const struct expansion *e)
+{
+  slong most = 0;
+  SCOPED(arb, sum, last, power);
+  for (int q = 0; q < QUANTITIES; q++) {
+    const struct series *s = e->derived.value[q];
+    slong k = e->order - 1;
+    while (s && k > 0 && series_coefficient_is_zero(s, k))
+      k--;
+    if (!s || k <= 0)
+      continue;
+    series_value(sum, s, e->at, e->order, e->precision);
+    series_coefficient(last, s, k, e->precision);
+    arb_pow_ui(power, e->at, (ulong)k, e->precision);
+    arb_mul(last, last, power, e->precision);
+    most = FLINT_MAX(most, arf_abs_bound_lt_2exp_si(arb_midref(sum)) - arf_abs_bound_lt_2exp_si(arb_midref(last)));
+  }
+  return (long)(0.302 * (double)most);
+}
+
 /* Is the series, whose modes are those for T -> 0, about the motion? */
 static void say_status(struct expansion *e)
 {
@@ -44,30 +65,37 @@ static void say_status(struct expansion *e)
     snprintf(e->status, sizeof e->status, "ok");
 }
 
-/* With as many digits as the coefficients take, and the errors of certified values, within reason */
+/* With as many digits as the coefficients and the errors of certified values require, within reason. Of a long series
+ * the first FEW terms tell how fast the last terms fall, and with it the digits of the errors. */
 void expand_numbers(struct expansion *e)
 {
-  enum { TRIES = 9, MOST_FAILURES = 6, MOST = 10000 };
+  enum { TRIES = 9, MOST_FAILURES = 6, MOST = 10000, FEW = 64 };
   int main_quantity = e->of == OF_STEADY ? Q_V_START : Q_V_END;
   bool derived = false, enough = false;
+  const long order = e->order;
   symbols_add(e->symbols, NAMED_T, 0, SCALLOP_EXTENSION);
   symbols_begin(e->symbols);
   if (e->of == OF_STEADY)
     fmpq_set(e->T, e->crawler->T);
   else
     scallop_rational_duration(e->T, e->crawler, e->kind);
-  for (long i = 0, more = e->digits + 20; i < TRIES && !enough; i++, more *= 2) {
+  for (long i = 0, more = e->digits + 20; i < TRIES && !enough; i++) {
     long digits = more < MOST ? more : MOST;
+    const bool is_trial = i == 0 && e->is_certified && order > 2 * FEW;
+    e->order = is_trial ? FEW : order;
     e->precision = 4 * digits + 128 + e->order;
     arb_set_fmpq(e->at, e->T, e->precision);
     if (!derived || e->derived.value[main_quantity]->kind == SERIES_BALLS)
       derived = answer_in_series(&e->derived, e->crawler, e->of, e->kind, e->v0, e->order, e->precision);
     if (!derived && (e->derived.status == SCALLOP_EDOMAIN || i + 1 == MOST_FAILURES))
-      return;
+      break;
+    more = is_trial && derived ? more + digits_before_last_terms(e) * order / FEW : 2 * more;
+    derived = derived && !is_trial;
     enough = derived && (is_precise(e) || i + 1 == TRIES)
              && (!e->is_certified || !answer_in_balls(&e->exact, e->crawler, e->of, e->kind, e->v0, digits)
                  || digits == MOST || errors_are_seen(e));
   }
+  e->order = order;
   if (derived)
     say_status(e);
 }
