@@ -1,5 +1,5 @@
-/* From text to operations: a recursive descent, of which each function takes one line of the grammar in formula.h. And
- * their value in doubles. */
+/* Formulas read into operations by recursive descent, one function for each line of the grammar in formula.h, and
+ * evaluated in doubles. */
 #include "asymptotics/formula.h"
 
 #include <ctype.h>
@@ -12,9 +12,9 @@
 #include <string.h>
 
 struct parser {
-  const char *text; /* of the formula, or of the part that is read                               */
-  const char *part; /* its name, or NULL                                                          */
-  const char *at;   /* what is to be read next */
+  const char *text; /* text of the formula, or of the part that is read */
+  const char *part; /* name of the part, or NULL */
+  const char *at;   /* next character to be read */
   struct formula made;
   const struct formula_names *names;
   int nested;
@@ -70,14 +70,14 @@ static bool add(struct parser *p, const char *at, enum formula_operation operati
   return add_step(p, at, (struct formula_step){ .operation = operation });
 }
 
-/* The next character that is no blank */
+/* Skips blanks and returns the next character. */
 static char next(struct parser *p)
 {
   p->at += strspn(p->at, " \t");
   return *p->at;
 }
 
-/* From a digit or a point on */
+/* Reads a number from its first digit or point. */
 static bool read_number(struct parser *p)
 {
   const char *start = p->at;
@@ -97,7 +97,7 @@ static bool read_number(struct parser *p)
                   (struct formula_step){ .operation = FORMULA_NUMBER, .length = (int)(end - start), .number = number });
 }
 
-/* FORMULA_NUMBER: there is none of this name. */
+/* Returns the function of this name, or FORMULA_NUMBER for an unknown name. */
 static enum formula_operation function_named(const char *name)
 {
   for (int i = FORMULA_ABS; i <= FORMULA_MAX; i++)
@@ -110,7 +110,7 @@ bool formula_is_word(const char *name) { return function_named(name) != FORMULA_
 
 static bool read_sum(struct parser *p);
 
-/* After the parenthesis at open */
+/* Reads the parenthesis that closes the one at open. */
 static bool read_close(struct parser *p, const char *open)
 {
   char c = next(p);
@@ -122,7 +122,7 @@ static bool read_close(struct parser *p, const char *open)
   return true;
 }
 
-/* Of two arguments the operation is one step, of three two */
+/* Reads the arguments of a function: the operation is one step for two arguments, two steps for three. */
 static bool read_arguments(struct parser *p, enum formula_operation function, const char *start)
 {
   const char *open = p->at;
@@ -142,7 +142,7 @@ static bool read_arguments(struct parser *p, enum formula_operation function, co
   return of_many || add(p, start, function);
 }
 
-/* A name that is no quantity or, where some are given, none of these functions */
+/* Reports an unknown name, or, if a list of functions is given, a name that is not in it. */
 static bool fail_name(const struct parser *p, const char *start, const char *name, const char *const *of)
 {
   static const char no_function[] = "function: there are abs sqrt exp log log10 sin cos asin min max";
@@ -155,7 +155,7 @@ static bool fail_name(const struct parser *p, const char *start, const char *nam
 
 static bool read_all(struct parser *p);
 
-/* The text of a part in the place of its name */
+/* Reads the text of a part instead of its name. */
 static bool read_part(struct parser *p, const char *name, const char *text)
 {
   const struct parser outside = *p;
@@ -330,7 +330,7 @@ static double of_two(enum formula_operation operation, double a, double b)
 
 double formula_double(const struct formula *formula, const double *values)
 {
-  double below[FORMULA_DEPTH + 1], *top = below, last = 0; /* the last value, and those below it */
+  double below[FORMULA_DEPTH + 1], *top = below, last = 0; /* the last value, and the values below it */
   for (const struct formula_step *s = formula->steps, *end = s + formula->count; s < end; s++) {
     if (s->operation < FORMULA_NEGATE) {
       *top++ = last;
@@ -338,7 +338,7 @@ double formula_double(const struct formula *formula, const double *values)
     } else if (s->operation < FORMULA_ADD)
       last = of_one[s->operation](last);
     else {
-      top--; /* formula_read has put both operands there: NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage) */
+      top--; /* formula_read ensures both operands: NOLINTNEXTLINE(clang-analyzer-core.CallAndMessage) */
       last = of_two(s->operation, *top, last);
     }
   }

@@ -1,5 +1,5 @@
-/* Formulas as text: one language for the columns of a scene, the published series and any formula file. A formula
- * is read once into operations, and evaluated as often as needed in double (below), in balls or as a series in T
+/* Formulas as text: one language for the columns of a scene, the published series and formula files. A formula is read
+ * once into operations, and evaluated any number of times in double (below), in balls or as a series in T
  * (formula_flint.h).
  *
  *     sum      product, then any number of + product, - product
@@ -7,12 +7,11 @@
  *     factor   - factor, or value, or value ^ factor
  *     value    a number, a name, FUNCTION(sum, ...) or (sum)
  *
- * So -2^2 = -4, 2^3^2 = 2^9, 2^-3 = 1/8 and 1/2/2 = 1/4. Numbers are decimal (12, .5 or 1.25e-3) and in the range of
- * doubles; they are kept as text, so that balls and series take 0.1 for 1/10. Names begin with a letter and go on with
- * letters, digits, _ . and :. A name before a parenthesis is that of a function: abs sqrt exp log log10 sin cos asin,
- * of one argument, min and max, of two or more. Any other name means what the caller says: a quantity, or a part, whose
- * text is read in its place as if in parentheses; or else, if it is pi, that number. Blanks and tabs may stand between
- * all of these.
+ * Hence -2^2 = -4, 2^3^2 = 2^9, 2^-3 = 1/8 and 1/2/2 = 1/4. Numbers are decimal (12, .5 or 1.25e-3), in the range of
+ * doubles, and kept as text: balls and series read 0.1 as 1/10. Names are a letter, then letters, digits, _ . and :. A
+ * name before a parenthesis is a function: abs sqrt exp log log10 sin cos asin have one argument, min and max two or
+ * more. The caller defines all other names, except pi if the caller does not: quantities, and parts, with texts that
+ * are read as if in parentheses. Blanks and tabs may separate all of these.
  *
  *                   double                ball              series in T
  *     number, pi    the nearest double    enclosed          exact: pi is a name, in fractions of polynomials in pi
@@ -25,7 +24,7 @@
  * A series holds for T -> 0 from above. x = c T^k (1 + ...), k a whole number, c the first coefficient that is not
  * exactly 0:
  *
- *                   a series where                      exact, if x is, where             refused, among others
+ *                   a series if                         exact, if x is, for               refused, among others
  *     exp sin cos   x is known at T = 0: no T^-1, ...   x = 0 at T = 0                    exp(1/T)
  *     asin          -1 < x < 1 at T = 0, or x = -1 or 1 x = 0 at T = 0                    asin(1 - T)
  *     log log10     k = 0, c > 0                        x = 1 at T = 0 (log)              log(T)
@@ -38,25 +37,26 @@
  *                   its known coefficients are exactly 0
  *
  * In double, min and max of a nan are nan, and x^n for whole |n| <= FORMULA_PRODUCTS is a product of x, x^2, x^4, x^8,
- * x^16, the lower powers first, or 1 over that: the same bits on every machine, x^2 and x^-1 correctly rounded, and a
- * relative error of at most 16 * 2^-53 where x^|n| is in the normal range of doubles (the largest met in 10^7 powers is
- * 13.1 ulp, at x = 0x1.000b273205d5cp+5, n = -16). Any other x^y is pow's. */
+ * x^16, the lower powers first, or its inverse: the same bits on every machine, x^2 and x^-1 correctly rounded, and a
+ * relative error of at most 16 * 2^-53 if x^|n| is in the normal range of doubles (the largest in 10^7 powers is 13.1
+ * ulp, at x = 0x1.000b273205d5cp+5, n = -16). Any other x^y is computed by pow. */
 #ifndef SCALLOP_ASYMPTOTICS_FORMULA_H
 #define SCALLOP_ASYMPTOTICS_FORMULA_H
 
 #include <stdbool.h>
 
 enum {
-  FORMULA_STEPS = 256,                   /* numbers, names and operations of a formula              */
-  FORMULA_NESTED = 64,                   /* parentheses, minus signs and powers within one another  */
-  FORMULA_NAME = 64,                     /* characters of a name and its NUL                        */
-  FORMULA_DIGITS = 1200,                 /* characters of a number and a NUL                        */
-  FORMULA_PRODUCTS = 16,                 /* the largest power that is a product in double           */
-  FORMULA_DEPTH = FORMULA_STEPS / 2 + 1, /* values at a time: each but the last needs an operation that takes it away */
+  FORMULA_STEPS = 256,   /* most numbers, names and operations of a formula */
+  FORMULA_NESTED = 64,   /* deepest nesting of parentheses, minus signs and powers */
+  FORMULA_NAME = 64,     /* characters of a name and its NUL                        */
+  FORMULA_DIGITS = 1200, /* characters of a number and a NUL                        */
+  FORMULA_PRODUCTS = 16, /* the largest power that is a product in double           */
+  /* most values on the stack: each but the last needs an operation that consumes it */
+  FORMULA_DEPTH = FORMULA_STEPS / 2 + 1,
   FORMULA_MESSAGE = 320
 };
 
-/* Those of one operand are from FORMULA_NEGATE on, those of two from FORMULA_ADD on. */
+/* Operations of one operand start at FORMULA_NEGATE, of two at FORMULA_ADD. */
 enum formula_operation {
   FORMULA_NUMBER,
   FORMULA_QUANTITY,
@@ -79,50 +79,50 @@ enum formula_operation {
   FORMULA_MAX
 };
 
-/* A formula that was read: its operations after their operands. */
+/* A formula in postfix order: each operation follows its operands. */
 struct formula {
   int count;
   struct formula_step {
     enum formula_operation operation;
-    const char *text; /* of the formula, or of the part; the caller's: balls and series read its numbers again */
-    int at;           /* where it stands in text, from 0                     */
-    int length;       /* of a number, there                                  */
-    int place;        /* of a quantity, as formula_names says                */
-    double number;    /* of a number, the nearest double                     */
+    /* text of the formula or of a part, owned by the caller; balls and series read its numbers again */
+    const char *text;
+    int at;        /* position in text, from 0 */
+    int length;    /* length of a number in text */
+    int place;     /* index of a quantity, from formula_names */
+    double number; /* nearest double of a number */
   } steps[FORMULA_STEPS];
 };
 
-/* What names mean. */
+/* The meaning of names, defined by the caller. Only place is required. */
 struct formula_names {
-  /* of a quantity among the values, or < 0 where the name is unknown */
+  /* Returns the index of a quantity among the values, or < 0 for an unknown name. */
   int (*place)(void *context, const char *name);
-  /* The known name that an unknown one resembles, or, where functions (NULL-terminated) is not NULL, the one of these;
-   * or NULL. May be NULL, as may part: the text of a part, or NULL */
+  /* nearest: returns the known name most similar to an unknown one, or, if functions (NULL-terminated) is not NULL, the
+   * most similar of these; or NULL. part: returns the text of a part, or NULL. */
   const char *(*nearest)(void *context, const char *name, const char *const *functions);
   const char *(*part)(void *context, const char *name);
   void *context;
 };
 
-/* Reads text. Returns NULL, or `message`: what is wrong and at which character, counted from 1, of the text or of the
- * part that the message names; *formula is then unchanged. A part that uses itself is found by the limit
- * FORMULA_NESTED. */
+/* Reads text. Returns NULL, or `message`: the mistake and its character, counted from 1, in the text or in the part
+ * that the message names; *formula is then unchanged. A part that contains itself exceeds FORMULA_NESTED. */
 const char *formula_read(struct formula *formula, const char *text, const struct formula_names *names,
                          char message[FORMULA_MESSAGE]);
 
-/* The value in double, where values[place] is that of the quantity at a place. A formula that is one name gives that
- * value's bits. */
+/* Returns the value in double; values[place] is the value of the quantity with this index. A formula that is one name
+ * returns the same bits as the value. */
 double formula_double(const struct formula *formula, const double *values);
 
-/* The places that a formula uses, each once, in the order in which it first does. Returns how many. */
+/* Writes the indices of the quantities in a formula, each once, in the order of first use. Returns their count. */
 int formula_places(const struct formula *formula, int places[FORMULA_STEPS]);
 
-/* Is it a word of the language: the name of a function, or pi? */
+/* Returns true if the name is a word of the language: a function, or pi. */
 bool formula_is_word(const char *name);
 
-/* How an operation is written: "+", "sqrt" */
+/* Returns the notation of an operation: "+", "sqrt". */
 const char *formula_operation_text(enum formula_operation operation);
 
-/* message becomes "character 3: log WRONG", with the name, number or operation of the step. Returns it. */
+/* Writes "character 3: log WRONG" to message, with the name, number or operation of the step. Returns message. */
 const char *formula_refuse(char message[FORMULA_MESSAGE], const struct formula_step *step, const char *wrong);
 
 #endif

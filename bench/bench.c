@@ -1,9 +1,8 @@
-/* What an exact answer costs: beside the arithmetic floor, and beside what a general-purpose integrator takes for the
- * same one; and what starting the program costs.
+/* The benchmark: times of the solver, beside the arithmetic floor and general-purpose methods, and the start-up time.
  *
- * A batch is a number of passes over a set of seeded crawlers, long enough for the clock; all rows take turns, batch
- * by batch, so that a machine that slows down slows all of them; the table has the median and the quartiles of the
- * batches. A new row is a line of add_rows, with a new method a line of methods. */
+ * A batch is a number of passes over a set of seeded crawlers, long enough for the clock. All rows take turns, batch by
+ * batch: a machine that slows down slows all of them. The table has the median and the quartiles of the batches. A new
+ * row is a line of add_rows, a new method a line of methods. */
 #include <libgen.h>
 #include <limits.h>
 #include <math.h>
@@ -24,7 +23,7 @@ enum { MANY = 1024, FEW = 64, BATCHES = 61, PARAMETERS = 7, MOST_ROWS = 64 };
 
 static const double batch_seconds = 2e-3;
 
-/* What crawlers a set has. eps = T^2 (F1 + F2)/(M L) decides the regime: small slides, large sticks. */
+/* The crawlers of a set. eps = T^2 (F1 + F2)/(M L) decides the regime: small slides, large sticks. */
 enum choice { REGULAR, STICK_SLIP, ANY, CHOICES };
 static const char *const choice_text[] = { "regular", "stick-slip", "any", NULL };
 
@@ -42,7 +41,7 @@ struct method {
   const char *name;
   stopwatch_task *body; /* an answer for each crawler of the set, or one start; context is the row */
   enum scallop_odeiv_stepper stepper;
-  double goal; /* the error that an integrator has to reach; else 0 */
+  double goal; /* the error that a general-purpose method has to reach; else 0 */
 };
 
 struct row {
@@ -118,8 +117,8 @@ static void put(struct set *set, int i, const struct scallop_crawler *c)
     set->parameter[k][i] = parameter[k];
 }
 
-/* Crawlers of the wanted kind, with T = 1, each with a velocity within a fifth of the steady one. starts: a period from
- * there is of the same regime, and its results are not small. */
+/* Fills a set with crawlers of the requested kind, with T = 1, each with a velocity within a fifth of the steady one.
+ * starts: a period from there has the same regime, and its results are not small. */
 static const struct set *fill(struct set *set, int count, const struct scallop_gait *gait, enum choice choice,
                               bool starts)
 {
@@ -250,8 +249,8 @@ static double integrator_error(const struct row *row)
   return worst;
 }
 
-/* An integrator is given its best: the largest tolerance that reaches the goal in v_end and displacement on every
- * crawler of the set. */
+/* Gives a general-purpose method its best tolerance: the largest that reaches the goal in v_end and displacement on
+ * every crawler of the set. */
 static double loosest_integrator(struct row *row)
 {
   for (int i = 4; i <= 30; i++) { /* half decades: 1e-2 to 1e-15 */
@@ -354,7 +353,7 @@ static void print(void)
   }
 }
 
-/* Nothing but passes over one set, for who counts instructions (scripts/dev/instructions.sh). */
+/* Makes passes over one set, for counts of instructions (scripts/dev/instructions.sh). */
 static void repeat(const char *name, const char *choice_name, const char *gait_name, long passes)
 {
   static struct set set;

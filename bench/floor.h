@@ -1,4 +1,4 @@
-/* The arithmetic floor: the least that a steady state can cost. */
+/* The arithmetic floor: the cost of a steady state without any check. */
 #ifndef SCALLOP_BENCH_FLOOR_H
 #define SCALLOP_BENCH_FLOOR_H
 
@@ -9,8 +9,8 @@ struct floor_result {
 };
 
 /* The steady state of a crawler with the quadratic gait and the modes ++ -+ ++ | ++ +- ++, F1 > F2 and alpha > 1/2 or
- * both the other way round: the numbers that scallop_steady gives, from a closed form written out by hand. It checks
- * nothing, and is wrong for any other crawler. */
+ * both the other way round: the numbers of scallop_steady, from a closed form written out by hand. Checks nothing;
+ * wrong for any other crawler. */
 void floor_steady(const struct scallop_crawler *crawler, struct floor_result *result);
 
 #endif

@@ -1,4 +1,4 @@
-// What a map can have as an axis, and the crawlers along it, as `scallop breakdown --map` has them: F1 = x F2, m1 = x m2, T from the Froude number.
+// Axes of a map, and the crawlers along them, as in `scallop breakdown --map`: F1 = x F2, m1 = x m2, T from the Froude number.
 export const AXES = {
   "F1/F2": { from: 0.1, to: 1000, log: true, sets: "F1", of: (c) => c.F1 / c.F2, value: (c, x) => x * c.F2 },
   "m1/m2": { from: 0.01, to: 100, log: true, sets: "m1", of: (c) => c.m1 / c.m2, value: (c, x) => x * c.m2 },
@@ -13,17 +13,17 @@ function froude(c) {
   return ((c.m1 + c.m2) * c.L) / (c.T * c.T * (c.F1 + c.F2));
 }
 
-/** From and to of an axis, wide enough for the crawler. */
+/** Returns the ends of an axis, wide enough for the crawler. */
 export function range(name, crawler) {
   const { from, to, log, of } = AXES[name], x = of(crawler);
   if (!log) return [Math.min(from, x), Math.max(to, x)];
   return [Math.min(from, 10 ** Math.floor(Math.log10(x) + 1e-9)), Math.max(to, 10 ** Math.ceil(Math.log10(x) - 1e-9))];
 }
 
-/** The value at part of an axis, 0 to 1. */
+/** Returns the value at a fraction of an axis, 0 to 1. */
 export const valueAt = (name, [from, to], part) => (AXES[name].log ? from * (to / from) ** part : from + (to - from) * part);
 
-/** The fields of the crawler that places on axes set; the Froude number last, as it follows from the others. */
+/** Returns the crawler's fields at places on axes; the Froude number last, because it depends on the others. */
 export function placed(crawler, places) {
   const made = { ...crawler };
   for (const [name, x] of places.filter(([name]) => name !== "froude")) made[AXES[name].sets] = AXES[name].value(made, x);
@@ -31,7 +31,7 @@ export function placed(crawler, places) {
   return made;
 }
 
-/** Writes count crawlers, places(i) of them, into rows of the core. */
+/** Writes count crawlers, at places(i), to rows of the core. */
 export function fill(rows, crawler, count, names, xs) {
   FIELDS.forEach((field, k) => rows[k].fill(crawler[field]));
   const order = names[0] === "froude" ? [1, 0] : [0, 1], [m1, m2, F1, F2, L, T] = rows;

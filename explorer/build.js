@@ -1,4 +1,4 @@
-// Makes the page one file: node build.js CORE.wasm OUT.html. Modules, styles and the core go into it; it asks for nothing else.
+// Builds the page as one file: node build.js CORE.wasm OUT.html. It contains modules, styles and the core, and loads nothing else.
 import { readFile, writeFile } from "node:fs/promises";
 import { dirname, resolve } from "node:path";
 import { fileURLToPath } from "node:url";

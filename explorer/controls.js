@@ -1,4 +1,4 @@
-// The parameters: for each a slider on a log scale, and a field that takes anything valid.
+// Controls of the parameters: a slider on a log scale, and a field for any valid value.
 import { numberOf } from "./core.js";
 
 const FIELDS = [
@@ -16,7 +16,7 @@ const toSlider = (field, x) =>
   STEPS * (field.linear ? (x - field.from) / (field.to - field.from) : Math.log(x / field.from) / Math.log(field.to / field.from));
 const ofSlider = (field, s) =>
   field.linear ? field.from + ((field.to - field.from) * s) / STEPS : field.from * (field.to / field.from) ** (s / STEPS);
-/** A number in few digits, as a slider gives it. */
+/** Returns a number in few digits, for a slider. */
 export const rounded = (x, digits = 4) => String(Number(x.toPrecision(digits)));
 
 function element(tag, properties, ...children) {
@@ -25,7 +25,7 @@ function element(tag, properties, ...children) {
   return made;
 }
 
-/** Fills the form; change(fields, done) is told what the reader sets, done: not in the middle of a drag. */
+/** Fills the form; calls change(fields, done) with the fields that the reader sets, done = false during a drag. */
 export class Controls {
   constructor(form, families, change) {
     this.change = change;
@@ -35,7 +35,7 @@ export class Controls {
     form.append(this.gait(families), this.start());
   }
 
-  /** A field of text and what is wrong with it. */
+  /** Adds a text field, and a message of its error. */
   input(name, title) {
     const id = `field-${name}`;
     const text = element("input", { id, type: "text", inputMode: "decimal", spellcheck: false });
@@ -88,7 +88,7 @@ export class Controls {
       element("label", { className: "file", textContent: "Measured: a recording, t and l " }, file));
   }
 
-  /** A file that was chosen or dropped: the gait is then that. */
+  /** Reads a chosen or dropped file as the gait. */
   async read(file) {
     const table = await file.text();
     this.change({ gait: "measured", table, table_name: file.name }, true);
@@ -107,7 +107,7 @@ export class Controls {
     return element("fieldset", {}, element("legend", { textContent: "Start" }), select, velocity, count);
   }
 
-  /** Shows a state, and beside each field of `wrong` what is wrong with it. */
+  /** Shows a state, and the error beside each field of `wrong`. */
   show(state, wrong) {
     for (const [name, { text, slider, field, wrong: note }] of Object.entries(this.fields)) {
       if (name === "gait" || name === "start") continue;

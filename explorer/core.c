@@ -11,7 +11,7 @@ double explorer_numbers[EXPLORER_NUMBERS], explorer_rows[EXPLORER_ROWS][EXPLORER
 char explorer_text[EXPLORER_TEXT];
 
 static const struct scallop_gait *gait = &scallop_gait_quadratic;
-static const struct gait_file *recorded; /* that gait, where it is measured */
+static const struct gait_file *recorded; /* the chosen gait if it is measured */
 
 double *numbers(void) { return explorer_numbers; }
 double *row(int i) { return explorer_rows[i]; }

@@ -1,17 +1,17 @@
-// The core, in WebAssembly: core.h has what its calls take and give. Numbers are those of the command `scallop`.
+// The core, in WebAssembly: core.h describes its functions. Its numbers equal the numbers of the command `scallop`.
 export const PARAMETERS = ["m1", "m2", "F1", "F2", "L", "T", "alpha"];
 export const REGIMES = ["sliding", "stick-slip", "at-rest"];
 const COLUMNS = ["froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier", "class", "friction_work"];
 const DIGITS = ["all", "no multiplier", "picture"]; // as in core.h
 const NUMBER = /^[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?$/;
 
-/** The number that a text is, or NaN: decimal notation as the command takes it, finite. */
+/** Returns the number in a text, or NaN: finite, in the decimal notation of the command. */
 export function numberOf(text) {
   const trimmed = String(text).trim();
   const x = NUMBER.test(trimmed) ? Number(trimmed) : NaN;
   return Number.isFinite(x) ? x : NaN;
 }
-const MOST_ROWS = 2000; // of a measured gait: the page answers between two steady states, and each has to pass all rows
+const MOST_ROWS = 2000; // most rows of a measured gait: the page responds between two steady states, and each reads all rows
 const tooMany = (name, rows) => `${name}: ${rows} rows; this page takes at most ${MOST_ROWS}. Keep one row in ${Math.ceil(rows / (MOST_ROWS - 1))}, with the first and the last, or use the command scallop, which takes 100,000`;
 
 export class Core {
@@ -52,8 +52,8 @@ export class Core {
     return { index, name, equation, text, quantity, setting: Number(setting), remainder: Number(remainder), turns: Number(turns), parts };
   }
 
-  /** Chooses a gait, "trapezoidal:0.1,0.2", or with a table { name, text } a measured one. Null or, for a table, its own { L, T, alpha };
-   * throws an Error that says what is allowed. */
+  /** Chooses a gait, "trapezoidal:0.1,0.2", or a measured one from a table { name, text }. Returns null or, for a table, its { L, T, alpha };
+   * throws an Error that states the domain. */
   chooseGait(text, table) {
     const key = `${text}\n${text === "measured" && table ? `${table.name}\n${table.text}` : ""}`;
     if (this.chosen?.key === key) return this.chosen.own;
@@ -91,7 +91,7 @@ export class Core {
     return { L, T, alpha };
   }
 
-  /** Of a measured gait { samples: [t, l], curve: [t, l, l'], text }, at so many places; null: it is none. */
+  /** Returns a measured gait { samples: [t, l], curve: [t, l, l'], text }, the curve at `places` times; null if it is not measured. */
   recording(places) {
     const count = this.calls.recording(places);
     if (!count) return null;
@@ -99,13 +99,13 @@ export class Core {
     return { samples: [0, 1].map((i) => copy(i, count)), curve: [2, 3, 4].map((i) => copy(i, places)), text: this.text() };
   }
 
-  /** Chooses the crawler { m1, m2, F1, F2, L, T, alpha }; throws an Error that says what is allowed. */
+  /** Chooses the crawler { m1, m2, F1, F2, L, T, alpha }; throws an Error that states the domain. */
   chooseCrawler(crawler) {
     this.numbers().set(PARAMETERS.map((name) => crawler[name]));
     if (this.calls.choose_crawler() < 0) throw new Error(this.text());
   }
 
-  /** The steady state of the crawler. */
+  /** Returns the steady state of the crawler. */
   steady() {
     const status = this.calls.steady();
     if (status < 0) throw new Error(this.text());
@@ -115,14 +115,14 @@ export class Core {
              regime: REGIMES[regime], modes };
   }
 
-  /** One period from v0. */
+  /** Returns one period from v0. */
   period(v0) {
     if (this.calls.period(v0) < 0) throw new Error(this.text());
     const [v_mid, v_end, displacement, multiplier, regime] = this.numbers();
     return { v_mid, v_end, displacement, multiplier, regime: REGIMES[regime], modes: this.text() };
   }
 
-  /** Intervals of constant mode: t_begin, t_end, s1, s2 of each. */
+  /** Returns the intervals of constant mode: t_begin, t_end, s1, s2 of each. */
   walk(v0, periods) {
     const count = this.calls.walk(v0, periods);
     if (count < 0) throw new Error(this.text());
@@ -130,7 +130,7 @@ export class Core {
     return { count, begin, end, s1, s2 };
   }
 
-  /** Samples: t, x1, x2, xC, v1, v2, l. */
+  /** Returns samples: t, x1, x2, xC, v1, v2, l. */
   trajectory(v0, periods, samples) {
     const count = this.calls.trajectory(v0, periods, samples);
     if (count < 0) throw new Error(this.text());
@@ -138,13 +138,13 @@ export class Core {
     return { count, t, x1, x2, xC, v1, v2, l };
   }
 
-  /** The steady states of many crawlers with the gait: fill(rows) writes m1, m2, F1, F2, L, T, alpha. Views, good until the next call. */
+  /** Returns the steady states of many crawlers with the gait: fill(rows) writes m1, m2, F1, F2, L, T, alpha. Views, valid until the next call. */
   steadyStates(count, fill, { withWork = false, digits = "all" } = {}) {
     fill(PARAMETERS.map((_, i) => this.row(i, count)));
     this.calls.steady_states(count, withWork ? 1 : 0, DIGITS.indexOf(digits));
     return Object.fromEntries(COLUMNS.map((name, i) => [name, this.row(PARAMETERS.length + i, count)]));
   }
-  /** A formula of the steady state for the crawlers that the rows hold. */
+  /** Returns a formula of the steady state for the crawlers in the rows. */
   formulaOver(formula, count) {
     this.calls.formula_over(formula.index, count);
     return this.row(15, count);
@@ -160,7 +160,7 @@ export class Core {
     return this.calls.formula_is_claimed(formula.index) === 1;
   }
 
-  /** Formulas of one quantity along the periods T, beside what is exact; phase: 0 extension, 1 contraction. */
+  /** Returns formulas of one quantity at the periods T, and the exact values; phase: 0 extension, 1 contraction. */
   formulasAlong(formulas, phase, v0, T) {
     this.numbers().set(formulas.map(({ index }) => index));
     this.row(0, T.length).set(T);
@@ -169,8 +169,8 @@ export class Core {
     return { exact, modes, values };
   }
 
-  /** Coefficients of (T/unit)^(step k - shift) of what a formula is about, from the exact numbers at the periods T, one period after the other;
-   * null where there are none. */
+  /** Computes coefficients of (T/unit)^(step k - shift) of a formula's quantity, from the exact numbers at the periods T, one period after the other;
+   * null if they do not exist. */
   *seriesOf(formula, phase, v0, unit, { step, shift }, T) {
     for (let k = 0; k < T.length; k++) {
       this.row(0, T.length).set(T);

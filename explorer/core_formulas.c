@@ -1,4 +1,4 @@
-/* The formulas, and what they are off by. */
+/* The formulas, and their errors */
 #include "explorer/core.h"
 
 #include <math.h>
@@ -8,7 +8,7 @@
 #include "numerics/digits.h"
 #include "numerics/wide/wide.h"
 
-/* Number i of the published formulas and then of the corrected ones; NULL after the last. */
+/* Returns formula i of the published and then the corrected ones; NULL after the last. */
 static const struct scallop_formula *formula_at(int i)
 {
   int published = 0;
@@ -30,7 +30,7 @@ int describe_formula(int i)
   return 1;
 }
 
-struct turning { /* positions of the rear body, from its start and in L, at the first and at the last change of mode */
+struct turn_positions { /* positions of the rear body, from its start and in L, at the first and last change of mode */
   double mu_front, stroke, first, last;
   struct scallop_mode mode;
   bool started;
@@ -38,7 +38,7 @@ struct turning { /* positions of the rear body, from its start and in L, at the 
 
 static void note_turning(void *context, const struct scallop_interval *i)
 {
-  struct turning *t = context;
+  struct turn_positions *t = context;
   if (t->started && (i->mode.s1 != t->mode.s1 || i->mode.s2 != t->mode.s2)) {
     double way = i->piece->anchor == SCALLOP_FROM_END ? t->stroke : 0;
     t->last = i->x_begin - t->mu_front * t->stroke * (way + i->piece->curve->length(i->piece, i->u_begin));
@@ -57,15 +57,15 @@ static double modes_number(const struct scallop_modes *modes, double number)
   return number;
 }
 
-/* What formula f is about, in double or in binary128 */
-struct solved {
+/* The motion of formula f, solved in double or in binary128 */
+struct solution {
   struct scallop_wide exact;
-  double modes, t1, dT, last; /* modes: equal where the modes are; nan: no answer */
+  double modes, t1, dT, last; /* modes: a number, equal for equal modes; nan: no solution */
 };
 
-static const struct solved unsolved = { { NAN, 0 }, NAN, NAN, NAN, NAN };
+static const struct solution unsolved = { { NAN, 0 }, NAN, NAN, NAN, NAN };
 
-static struct solved solve_steady(const struct scallop_formula *f, const struct scallop_crawler *c, bool wide)
+static struct solution solve_steady(const struct scallop_formula *f, const struct scallop_crawler *c, bool wide)
 {
   struct scallop_wide_steady w;
   struct scallop_steady_result s;
@@ -89,16 +89,16 @@ static struct solved solve_steady(const struct scallop_formula *f, const struct 
                                                        [SCALLOP_STEADY_MEAN_VELOCITY] = w.mean_velocity,
                                                        [SCALLOP_STEADY_FRICTION_WORK] = w.friction_work };
   double modes = modes_number(&w.period.modes[1], modes_number(&w.period.modes[0], 0));
-  return (struct solved){ of[f->quantity], modes, NAN, NAN, NAN };
+  return (struct solution){ of[f->quantity], modes, NAN, NAN, NAN };
 }
 
-static struct solved solve_phase(const struct scallop_formula *f, const struct scallop_crawler *c,
-                                 enum scallop_phase_kind kind, double v0, bool wide)
+static struct solution solve_phase(const struct scallop_formula *f, const struct scallop_crawler *c,
+                                   enum scallop_phase_kind kind, double v0, bool wide)
 {
   bool extension = kind == SCALLOP_EXTENSION;
   struct scallop_wide_phase w;
   struct scallop_phase_result p;
-  struct turning t = {
+  struct turn_positions t = {
     .mu_front = (extension ? c->m2 : c->m1) / (c->m1 + c->m2), .stroke = extension ? 1 : -1, .first = NAN, .last = NAN
   };
   if ((wide ? scallop_wide_phase(SCALLOP_BINARY128, c, kind, v0, &w) : scallop_phase(c, kind, v0, &p)) < 0)
@@ -122,11 +122,11 @@ static struct solved solve_phase(const struct scallop_formula *f, const struct s
     [SCALLOP_VELOCITY_AT_FIRST] = at_turn,
     [SCALLOP_VELOCITY_AT_LAST] = at_turn,
   };
-  return (struct solved){ of[f->quantity], modes_number(&w.modes, 0), w.t1.high, w.dT.high, t.last * c->L };
+  return (struct solution){ of[f->quantity], modes_number(&w.modes, 0), w.t1.high, w.dT.high, t.last * c->L };
 }
 
-static struct solved solve(const struct scallop_formula *f, const struct scallop_crawler *c,
-                           enum scallop_phase_kind kind, double v0, bool wide)
+static struct solution solve(const struct scallop_formula *f, const struct scallop_crawler *c,
+                             enum scallop_phase_kind kind, double v0, bool wide)
 {
   return f->setting == SCALLOP_STEADY ? solve_steady(f, c, wide) : solve_phase(f, c, kind, v0, wide);
 }
@@ -149,7 +149,7 @@ void formulas_along(int formulas, int kind, double v0, int count)
     read[j] = scallop_formula_read(formula_at((int)explorer_numbers[j]), message);
   for (int k = 0; k < count; k++) {
     c.T = explorer_rows[0][k];
-    const struct solved s = solve(f, &c, phase, v0, false);
+    const struct solution s = solve(f, &c, phase, v0, false);
     explorer_rows[1][k] = s.exact.high;
     explorer_rows[2][k] = s.modes;
     for (int j = 0; j < formulas; j++)
@@ -160,8 +160,8 @@ void formulas_along(int formulas, int kind, double v0, int count)
     scallop_formula_free(read[j]);
 }
 
-/* The coefficients of the polynomial through the values y[0], ..., y[count - 1] at x: Newton's divided differences,
- * expanded in their place. */
+/* Replaces the values y[0], ..., y[count - 1] at x by the coefficients of the polynomial through them: Newton's divided
+ * differences, expanded in place. */
 static void interpolate(int count, const long double *x, long double *y)
 {
   for (int k = 1; k < count; k++)
@@ -181,7 +181,7 @@ int series_of(int i, int kind, double v0, double unit, int step, int shift, int 
   c.T = explorer_rows[0][k];
   long double T = (long double)c.T / unit;
   x[k] = step == 2 ? T * T : T;
-  const struct solved s = solve(f, &c, (enum scallop_phase_kind)kind, v0, true);
+  const struct solution s = solve(f, &c, (enum scallop_phase_kind)kind, v0, true);
   y[k] = (long double)s.exact.high + s.exact.low;
   if (isnan(y[k]) || (k > 0 && s.modes != first_modes))
     return 0;

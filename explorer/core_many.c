@@ -1,4 +1,4 @@
-/* Many crawlers at once, with the gait and in the order of the rows. */
+/* Many crawlers at once, with the chosen gait, in the order of the rows */
 #include "explorer/core.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 
 enum { CLASSES = 256 };
 
-/* The last class is for all that there is no room for. */
+/* The last class collects all further classes. */
 static char class_text[CLASSES][2 * SCALLOP_MODES_TEXT + 16];
 static struct scallop_modes class_modes[CLASSES][2];
 static enum scallop_regime class_regime[CLASSES];
@@ -25,7 +25,7 @@ static int class_of(enum scallop_regime regime, const struct scallop_modes modes
 {
   static int last;
   for (int k = 0; k < classes; k++) {
-    int i = (last + k) % classes; /* as a rule that of the neighbour */
+    int i = (last + k) % classes; /* usually the neighbour's */
     if (class_regime[i] == regime && same_modes(&modes[0], &class_modes[i][0])
         && same_modes(&modes[1], &class_modes[i][1]))
       return last = i;

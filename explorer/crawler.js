@@ -1,4 +1,4 @@
-// The crawler as a drawing: the bodies on the ground, the mechanism, velocities, friction, and where the centre has been.
+// A drawing of the crawler: the bodies on the ground, the mechanism, velocities, friction, and the path of the centre.
 const SPACE = "http://www.w3.org/2000/svg";
 const GROUND = 175, TRACE = 340;
 
@@ -13,7 +13,7 @@ const set = (node, attributes) => {
   for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
 };
 
-/** An arrow from x along the level y, of so many pixels to the right; none where it is short. */
+/** Draws an arrow from x along the level y, `length` pixels to the right, unless it is short. */
 function arrow(node, x, y, length) {
   const head = Math.min(9, Math.abs(length)) * Math.sign(length), half = 0.55 * Math.abs(head);
   node.setAttribute("d", Math.abs(length) < 1.5 ? "" : `M${x} ${y}h${length}m${-head} ${-half}l${head} ${half}l${-head} ${half}`);
@@ -37,7 +37,7 @@ export class Drawing {
     this.fit();
   }
 
-  /** As wide as there is room for, so that texts keep their size. */
+  /** Fits the width of the page; texts keep their size. */
   fit() {
     this.width = Math.min(Math.max(this.svg.clientWidth, 330), 900);
     set(this.svg, { viewBox: `0 0 ${this.width} 360` });
@@ -62,7 +62,7 @@ export class Drawing {
     const scale = (width * 0.3) / L, middle = (x) => (x - now.followed) * scale + width / 2;
     const mass = Math.max(crawler.m1, crawler.m2), force = Math.max(crawler.F1, crawler.F2);
     const speed = (0.13 * width) / motion.fastest;
-    // The separation is l plus what keeps the bodies apart when l = 0, which is not part of the model.
+    // The separation is l plus a distance at l = 0 that is not part of the model.
     const apart = 34; // pixels
     const sides = [
       { x: middle(now.x1) - apart, m: crawler.m1, s: now.s1, v: now.v1, f: now.friction[0] },
@@ -112,7 +112,7 @@ export class Drawing {
     set(this.marks, { d: marks });
   }
 
-  /** Where the bodies and the centre have been in the last period, downwards. */
+  /** Draws the paths of the bodies and the centre in the last period, downwards. */
   showTraces(motion, now, middle) {
     const count = 120, { T } = motion.crawler, lines = ["", "", ""];
     const time = now.time;

@@ -32,13 +32,13 @@ export class Curve {
     return { ends, xs: [...xs], exact, published, series, classes, names: [name, of, ...(series ? [series.name] : [])] };
   }
 
-  /** For a table: x, the exact number, and that of a formula. */
+  /** Returns rows of a table: x, the exact number, and the formula's. */
   *table() {
     const [crawler, name, of] = this.shown, { names, xs, exact, published } = yield* this.solve(crawler, name, of, of === "multiplier" ? "all" : "no multiplier");
     return { names, rows: [xs, exact, ...(published ? [published] : [])] };
   }
 
-  /** The work of showing it. own: the quantity of the crawler itself. */
+  /** Returns the work to show it. own: the quantity of the crawler itself. */
   show(crawler, name, of, own) {
     this.shown = [crawler, name, of];
     return this.drawn(crawler, name, of, own);
@@ -58,7 +58,7 @@ export class Curve {
     this.tell(name, title, xs, exact);
   }
 
-  /** Where it is largest and smallest. */
+  /** Shows a sentence about the maxima. */
   tell(name, title, xs, values) {
     const peaks = [];
     for (let i = 1; i + 1 < values.length; i++) if (values[i] > values[i - 1] && values[i] >= values[i + 1]) peaks.push(i);

@@ -1,4 +1,4 @@
-// Errors of formulas against T, on log scales, beside what is claimed of them.
+// Errors of formulas against T, on log scales, beside the claimed orders.
 import { mathOf } from "./formula.js";
 import { Plot, drawMarks, line, scale } from "./plots.js";
 import { nextPower, seriesOf, sumOf } from "./series.js";
@@ -6,13 +6,13 @@ import { shown } from "./words.js";
 import { inParts, within } from "./work.js";
 
 const COUNT = 241, DECADES = [-3.5, 1.5]; // around the period at which the Froude number is 1
-const ROUNDING = 64 * 2 ** -52; // of the exact number: below that an error is the rounding of doubles
+const ROUNDING = 64 * 2 ** -52; // relative: smaller errors are rounding of doubles
 const TOLERANCE = 0.01, HALVINGS = 28;
 const COLOURS = ["accent", "body2", "centre", "friction", "body1", "soft"];
 const STEADY = 3;
-const FIRST = ["eq28_displacement", "eq21_dxC", "eq23_dxC", "eq25_dxC"]; // where another setting's was chosen
+const FIRST = ["eq28_displacement", "eq21_dxC", "eq23_dxC", "eq25_dxC"]; // after a change of the setting
 
-/** Of which settings formulas are, of what is shown: a steady state, or a phase from rest or from a velocity. */
+/** Returns true if a formula is about the displayed motion: a steady state, or a phase from rest or from a velocity. */
 function applies(formula, start, phase) {
   if (start === "steady") return formula.setting === STEADY && formula.turns === 0;
   if (start === "rest") return formula.setting === 0;
@@ -24,7 +24,7 @@ export class Errors {
     Object.assign(this, { core, select, formula, note, plot: new Plot(host, { height: 340 }) });
   }
 
-  /** What can be asked about in a state. */
+  /** Returns the quantities available in a state. */
   list(state) {
     return this.core.formulas.filter((one) => applies(one, state.start, state.phase) && one.remainder !== 0 && this.core.isClaimed(one));
   }
@@ -55,7 +55,7 @@ export class Errors {
     return Float64Array.from({ length: COUNT }, (_, i) => naturalPeriod(crawler) * 10 ** (DECADES[0] + ((DECADES[1] - DECADES[0]) * i) / (COUNT - 1)));
   }
 
-  /** Formulas, each with along(T): what is exact, its value, and its errors, null where they are those of rounding. */
+  /** Returns formulas, each with along(T): exact values, its values, and its errors, null if they are rounding. */
   *solve(formulas, phase, v0, T) {
     const { core } = this, exact = [], modes = [], values = formulas.map(() => []);
     yield* inParts(T.length, (from, to) => {
@@ -74,7 +74,7 @@ export class Errors {
     });
   }
 
-  /** The same of the series of what a formula is about; null where there is none. */
+  /** Returns the same for the series of a formula's quantity; null if it does not exist. */
   *derivedCurve({ formula, exact, modes }, phase, v0, unit, T, order) {
     const series = yield* seriesOf(this.core, formula, phase, v0, unit), value = (periods) => sumOf(series, order, periods);
     if (!series) return null;
@@ -95,7 +95,7 @@ export class Errors {
     this.plot.show({ key, x: "T", y: size === "absolute" ? "|formula − exact|" : "|formula/exact − 1|", series, scales, hooks }, [[...T], ...curves.map((curve) => curve[size]), tolerated]);
   }
 
-  /** Slopes at the cursor, or at the crawler's period, beside the claimed ones. */
+  /** Shows slopes at the cursor, or at the crawler's period, beside the claimed ones. */
   tell(index) {
     const { T, main, derived, order } = this, i = index ?? nearest(T, this.crawlerT), { formula } = main;
     const said = [`${formula.equation} at T = ${shown(Number(T[i].toPrecision(3)))}: ${this.measured(main, i)}; claimed: ${formula.remainder > 0 ? formula.remainder : "an equality"}.`, this.limit(main)];
@@ -122,7 +122,7 @@ export class Errors {
     return absolute.every((off) => off === null) ? "" : "The relative error stays below 1 %.";
   }
 
-  /** For a table: T, and exact, formula and error of each. */
+  /** Returns rows of a table: T, and exact value, formula and error of each. */
   table() {
     const names = ["T"], rows = [[...this.T]];
     for (const { name, exact, value, absolute, relative } of this.curves) {
@@ -133,10 +133,10 @@ export class Errors {
   }
 }
 
-/** The period at which the Froude number is 1. */
+/** Returns the period at which the Froude number is 1. */
 const naturalPeriod = ({ m1, m2, F1, F2, L }) => Math.sqrt(((m1 + m2) * L) / (F1 + F2));
 
-/** Whole decades around a range. */
+/** Returns whole decades around a range. */
 const decades = (low, high) => (low > 0 ? [10 ** Math.floor(Math.log10(low)), 10 ** (Math.floor(Math.log10(high)) + 1)] : [1e-16, 1]);
 
 const nearest = (T, x) => T.reduce((best, t, i) => (Math.abs(Math.log(t / x)) < Math.abs(Math.log(T[best] / x)) ? i : best), 0);
@@ -152,7 +152,7 @@ function slopeAt(T, error, i) {
   return error[a] > 0 && error[b] > 0 ? Math.log(error[b] / error[a]) / Math.log(T[b] / T[a]) : NaN;
 }
 
-/** The T from which a relative error exceeds the tolerance, null where it never does: between two T of a list, which is then halved. */
+/** Returns the T from which a relative error exceeds the tolerance, by bisection between two T of a list; null if it never does. */
 function* firstAbove({ relative, along }, T) {
   const i = relative.findIndex((off) => off > TOLERANCE);
   if (i <= 0) return i < 0 ? null : T[0];

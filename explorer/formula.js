@@ -1,4 +1,4 @@
-// A formula's text as MathML, for the eye; values come from the core.
+// A formula's text as MathML, for display; the core computes values.
 const SPACE = "http://www.w3.org/1998/Math/MathML";
 const GREEK = { alpha: "α", pi: "π" };
 const TOKENS = /\s*([0-9.]+|[A-Za-z][A-Za-z0-9_.:]*|[-+*/^(),])/gy;
@@ -24,7 +24,7 @@ function named(name) {
   return index ? node("msub", letter, node(/[0-9]/.test(index) ? "mn" : "mi", index)) : letter;
 }
 
-/** Reads by descent: a sum of products of powers. Each gives a node, and whether it is a sum. */
+/** Reads by recursive descent: a sum of products of powers. Each function returns a node, and whether it is a sum. */
 class Reader {
   constructor(text) {
     this.tokens = [...text.matchAll(TOKENS)].map((match) => match[1]);
@@ -72,7 +72,7 @@ const around = (one) => (one.isSum ? node("mrow", node("mo", "("), one, node("mo
 const joined = (all) => (all.length === 1 ? all[0] : node("mrow", ...all.flatMap((one, i) => (i === 0 ? [around(one)] : [node("mo", "⁢"), around(one)]))));
 const fraction = (above, below) => node("mfrac", joined(above), joined(below));
 
-/** The MathML of "QUANTITY = TEXT + O(T^n)". */
+/** Returns the MathML of "QUANTITY = TEXT + O(T^n)". */
 export function mathOf(formula) {
   const right = [new Reader(formula.text).sum()];
   if (formula.remainder > 0) right.push(node("mo", "+"), node("mi", "O"), bracket("("), node("msup", node("mi", "T"), node("mn", String(formula.remainder))), bracket(")"));

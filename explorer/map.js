@@ -1,4 +1,4 @@
-// The map: crawlers over two axes; regions of the same modes with their names in them, or a heat map. The crawler is a point that can be dragged.
+// The map: crawlers over two axes, as regions of equal modes with names, or as a heat map. The crawler is a point that can be dragged.
 import { AXES, LABELS, fill, range, valueAt } from "./axes.js";
 import { classColour, css, heatColour } from "./colours.js";
 import { Plot, colour, drawPoint, scale } from "./plots.js";
@@ -8,9 +8,9 @@ import { finished, inParts, within } from "./work.js";
 export const SHOWN = {
   modes: "regimes and modes", displacement: "displacement", mean_velocity: "mean velocity", error: "relative error of a formula", friction_work: "friction work",
 };
-const SIDES = [100, 50, 25, 12]; // cells a side, from fine to coarse
-const FULL = SIDES[0], BUDGET = 7, MOST = 30, REST = 75; // milliseconds of a frame, of the coarsest map in one, and until the legend follows
-const NAMED = 12; // regions in the legend before the others
+const SIDES = [100, 50, 25, 12]; // cells per side, from fine to coarse
+const FULL = SIDES[0], BUDGET = 7, MOST = 30, REST = 75; // milliseconds of a frame, of the coarsest map in it, and until the legend is drawn
+const NAMED = 12; // regions at the top of the legend
 
 export class CrawlerMap {
   constructor(core, work, host, legend, moved) {
@@ -19,7 +19,7 @@ export class CrawlerMap {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.classes && (this.paint(this.n), this.draw(), this.explain()));
   }
 
-  /** Shows the map around a crawler; the same map as before where the crawler has only moved in it. gait: what the time of a cell depends on. */
+  /** Shows the map around a crawler; keeps the map if the crawler has only moved in it. gait: key of the time per cell. */
   show(crawler, { x, y, show, formula }, gait) {
     Object.assign(this, { crawler, names: [x, y], what: show, gait });
     const steady = this.core.formulas.filter(({ setting, turns }) => setting === 3 && turns === 0);
@@ -37,7 +37,7 @@ export class CrawlerMap {
     if (n !== FULL) this.work.put("finer", "a finer map", gait, this.refine());
   }
 
-  /** Cells a side that a frame has time for, more than some; none where nothing is known of the gait. */
+  /** Returns cells per side that a frame has time for, more than `from`; undefined if the gait's time is unknown. */
   side(from = 0) {
     return SIDES.find((n) => n > from && n * n * this.perCell[this.gait] < (n === SIDES.at(-1) ? MOST : BUDGET));
   }
@@ -49,7 +49,7 @@ export class CrawlerMap {
     }
   }
 
-  /** Solves and shows n cells a side. */
+  /** Solves and shows n cells per side. */
   *solve(n) {
     const made = blank(n);
     let took = 0;
@@ -60,7 +60,7 @@ export class CrawlerMap {
       took += performance.now() - begun;
     });
     const each = took / n ** 2, before = this.perCell[this.gait] ?? each;
-    this.perCell[this.gait] = each < before ? (before + each) / 2 : Math.min(each, 1.2 * before); // a pause of the machine counts little
+    this.perCell[this.gait] = each < before ? (before + each) / 2 : Math.min(each, 1.2 * before); // limits the effect of a pause of the machine
     Object.assign(this, made, { took });
     this.paint(n);
     this.draw();
@@ -68,7 +68,7 @@ export class CrawlerMap {
     this.later = setTimeout(() => this.explain(), REST);
   }
 
-  /** The middles of the cells. */
+  /** Returns the centres of the cells. */
   place(n) {
     const key = `${n} ${this.names} ${this.ranges}`, count = n * n;
     if (this.places?.key === key) return;
@@ -141,7 +141,7 @@ export class CrawlerMap {
     ctx.restore();
   }
 
-  /** Legend and names, when the map has come to rest. */
+  /** Draws legend and names, after the map has come to rest. */
   explain() {
     if (this.what === "modes") this.explainModes();
     else this.explainHeat();
@@ -163,7 +163,7 @@ export class CrawlerMap {
     this.legend.replaceChildren(...items, ...folded);
   }
 
-  /** The smaller regions, to be opened; they stay open. */
+  /** Lists the smaller regions on request; the list stays open. */
   folded(items, part) {
     const made = document.createElement("details"), head = document.createElement("summary");
     head.textContent = `others (${items.length}), ${Number((100 * part).toPrecision(2))} % of the map`;
@@ -221,7 +221,7 @@ export class CrawlerMap {
   }
 }
 
-/** How values are placed between 0 and 1: by their size, or where they span decades by their logarithm on either side of 0. */
+/** Returns the scale of values from 0 to 1: linear, or, if they span decades, logarithmic on either side of 0. */
 function heatScale(values, what) {
   const sorted = values.filter(Number.isFinite).sort(), low = sorted[0] ?? 0, high = sorted.at(-1) ?? 1;
   const both = low < 0 && high > 0 && what !== "error", most = Math.max(Math.abs(low), Math.abs(high));
@@ -234,7 +234,7 @@ function heatScale(values, what) {
 
 const blank = (n) => ({ n, classes: new Int16Array(n * n), values: new Float64Array(n * n) });
 
-/** Of each class: how many cells, and the cell farthest from all others, by the distance in steps. */
+/** Returns for each class the count of its cells, and the cell farthest from all other classes, by the distance in steps. */
 function widest(classes, n) {
   const reach = new Int16Array(n * n), found = new Map();
   const other = (i, j) => j < 0 || j >= n * n || classes[j] !== classes[i];

@@ -1,4 +1,4 @@
-// The motion that is shown: samples and modes of some periods, from the core, at any time.
+// The displayed motion: samples and modes of some periods, from the core, at any time.
 const SAMPLES = 240; // of a period
 const MOST_PERIODS = 60;
 
@@ -13,13 +13,13 @@ export class Motion {
     this.first = core.period(this.v0);
     this.walk = core.walk(this.v0, this.periods);
     this.asked = this.periods;
-    if (this.walk.count === core.most) this.periods = Math.max(1, Math.floor(this.walk.end.at(-1) / crawler.T)); // there is no room for the modes of more
+    if (this.walk.count === core.most) this.periods = Math.max(1, Math.floor(this.walk.end.at(-1) / crawler.T)); // the core stores no more modes
     this.samples = core.trajectory(this.v0, this.periods, SAMPLES);
     this.duration = this.periods * crawler.T;
     this.fastest = [this.samples.v1, this.samples.v2].reduce((most, row) => row.reduce((a, v) => Math.max(a, Math.abs(v)), most), 0) || 1;
   }
 
-  /** Everything at a time: of the steady state at any, else within the duration. */
+  /** Returns all quantities at a time: any time for the steady state, else within the duration. */
   at(time) {
     const { crawler, samples, walk } = this, { T, m1, m2 } = crawler;
     const rounds = this.endless ? Math.floor(time / this.duration) : 0;
@@ -40,7 +40,7 @@ export class Motion {
     };
   }
 
-  /** Friction forces in interval k near sample i: -F s of a body that slides; of one that sticks what holds it, m l'' + F s of the other. */
+  /** Returns friction forces in interval k near sample i: -F s of a sliding body; of a stuck body m l'' + F s of the other. */
   friction(k, i) {
     const { m1, m2, F1, F2, T } = this.crawler, { v1, v2 } = this.samples, s1 = this.walk.s1[k], s2 = this.walk.s2[k];
     const rate = (v) => ((v[i + 1] - v[i]) * SAMPLES) / T, within = (F, force) => Math.min(Math.max(force, -F), F);
@@ -48,7 +48,7 @@ export class Motion {
     return [s1 === 0 ? within(F1, m2 * rate(v2) + F2 * s2) : -F1 * s1, s2 === 0 ? within(F2, m1 * rate(v1) + F1 * s1) : -F2 * s2];
   }
 
-  /** Line and curves of the plane over one period, from the period n: times in T, c, (m2/M) l', -(m1/M) l'. */
+  /** Returns line and curves of the plane over period n: times in T, c, (m2/M) l', -(m1/M) l'. */
   plane(n) {
     const { m1, m2, T } = this.crawler, M = m1 + m2, { samples } = this, rows = [[], [], [], []];
     for (let i = n * SAMPLES; i <= (n + 1) * SAMPLES; i++) {

@@ -1,4 +1,4 @@
-// The page: one state, and everything that follows it.
+// The page: one state, and all views of it.
 import bytes from "core.wasm";
 import { Core, PARAMETERS, numberOf } from "./core.js";
 import { AXES, LABELS, placed } from "./axes.js";
@@ -36,14 +36,14 @@ let state = ofLink();
 const history = new History(state);
 let motion = null, took = 0, time = 0, playing = false, before = 0, asked = false;
 
-/** The state of the page's address; two axes of a map never set the same parameter. */
+/** Returns the state in the page's address; two axes of a map never set the same parameter. */
 function ofLink() {
   const linked = stateOf(location.hash, AMONG);
   if (AXES[linked.x].sets === AXES[linked.y].sets) Object.assign(linked, { x: USUAL.x, y: USUAL.y });
   return linked;
 }
 
-/** Sets fields of the state. done: the reader let go, and it can be undone. */
+/** Sets fields of the state. done: the drag has ended, and the change can be undone. */
 function change(fields, done = true) {
   state = { ...state, ...fields };
   if (fields.table !== undefined) ownOf(fields);
@@ -54,13 +54,13 @@ function change(fields, done = true) {
   ask();
 }
 
-/** A measured gait that was just read brings its own L, T and alpha. */
+/** Sets L, T and alpha of a measured gait that was just read. */
 function ownOf(fields) {
   try {
     const own = core.chooseGait("measured", { name: fields.table_name, text: fields.table });
     for (const name of ["L", "T", "alpha"]) state[name] = String(own[name]);
   } catch {
-    // said beside the gait
+    // shown beside the gait
   }
 }
 
@@ -69,7 +69,7 @@ function ask() {
   asked = true;
 }
 
-/** What is wrong with each field of a state, and the crawler, which is chosen where nothing is. */
+/** Returns the errors of a state's fields, and the crawler; without errors it is chosen in the core. */
 function judged(state) {
   const wrong = {}, crawler = crawlerOf(state);
   for (const name of PARAMETERS)
@@ -89,7 +89,7 @@ function judged(state) {
   return { wrong, crawler };
 }
 
-/** The page follows its state; the last picture stays where something is wrong with that. */
+/** Shows the state; the last picture stays if the state has errors. */
 function update() {
   const begun = performance.now();
   asked = false;
@@ -108,7 +108,7 @@ function update() {
   took = performance.now() - begun;
 }
 
-/** Shows everything about a crawler. */
+/** Shows all views of a crawler. */
 function picture(state, crawler) {
   motion = new Motion(core, crawler, { start: state.start, v0: numberOf(state.v0), periods: Number(state.periods) });
   showAnswers();
@@ -116,7 +116,7 @@ function picture(state, crawler) {
   recording.show(state.gait === "measured" ? `${state.table_name} ${state.table}` : "");
   if (work.has("table")) say("The table was not saved, as the crawler changed before it was computed");
   work.drop("table");
-  const gait = state.gait === "measured" ? `measured ${state.table.length}` : state.gait; // what times depend on
+  const gait = state.gait === "measured" ? `measured ${state.table.length}` : state.gait; // key of measured times
   map.show(crawler, state, `${gait} ${state.show}`);
   work.put("curve", "the curve along one axis", gait, curve.show(crawler, state[state.along], state.of, motion.steady[state.of]));
   work.put("errors", "the errors of the formulas", gait, errors.show(crawler, state, motion.endless ? 0 : motion.v0));
@@ -127,7 +127,7 @@ function picture(state, crawler) {
   find("save-table").hidden = state.table === "";
 }
 
-/** The crawler was moved in the map. */
+/** Handles a move of the crawler in the map. */
 function movedTo(places, done) {
   const names = [state.x, state.y], moved = placed(motion.crawler, places.map((x, k) => [names[k], x]));
   change(Object.fromEntries(names.map((name) => [AXES[name].sets, rounded(moved[AXES[name].sets])])), done);
@@ -156,7 +156,7 @@ function showAnswers() {
 const CHOICES = { "map-x": "x", "map-y": "y", "map-show": "show", "curve-along": "along", "curve-of": "of", "error-phase": "phase", "error-size": "error", "error-order": "order" };
 const SPEEDS = { "1": "real time", "0.5": "1/2", "0.2": "1/5", "0.05": "1/20", "4s": "a period in 4 s", "12s": "a period in 12 s" };
 
-/** Seconds of the motion that pass in a second. */
+/** Returns seconds of the motion per second. */
 function rate() {
   const chosen = find("speed").value;
   return chosen.endsWith("s") ? motion.crawler.T / parseFloat(chosen) : Number(chosen);
@@ -208,7 +208,7 @@ options("curve-of", Object.fromEntries(Object.entries(QUANTITIES).map(([name, { 
 for (const [id, name] of Object.entries(CHOICES)) find(id).addEventListener("change", () => choose(name, find(id).value));
 find("error-formula").addEventListener("change", (event) => choose("formula", event.target.value));
 
-/** A choice; the other axis gives way where both would set the same parameter. */
+/** Adds a choice; the other axis changes if both would set the same parameter. */
 function choose(name, value) {
   const fields = { [name]: value }, other = { x: "y", y: "x" }[name];
   if (other && AXES[value].sets === AXES[state[other]].sets) fields[other] = AXES[state[name]].sets === AXES[value].sets ? "F1/F2" : state[name];
@@ -230,7 +230,7 @@ find("presets").addEventListener("change", (event) => {
   event.target.value = "";
 });
 
-/** Says something, for a while. */
+/** Shows a message for a few seconds. */
 function say(text) {
   find("said").textContent = text;
   clearTimeout(say.later);
@@ -255,7 +255,7 @@ find("curve-tsv").addEventListener("click", () => {
   work.put("table", "the table of the curve", "", savedCurve(commandOf(state)));
   work.go();
 });
-/** Does something with pictures when they are those of the state. */
+/** Calls a function with the pictures once they show the state. */
 function ifDone(names, action) {
   if (names.some((name) => work.has(name))) say("This is still to be computed: wait, or press Go on, and try again");
   else action();
@@ -308,7 +308,7 @@ function stop() {
   say("Stopped; pale pictures are those from before");
 }
 
-/** What is being computed, and how far; pictures that are not yet those of the state are pale. */
+/** Shows the progress of computations; pictures of an earlier state are pale. */
 function showWork(now) {
   find("work").hidden = !now;
   for (const [name, id] of [["map", "map-section"], ["curve", "curve-section"], ["errors", "error-section"]])

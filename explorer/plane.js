@@ -1,4 +1,4 @@
-// The plane of time and c: one line and two curves, and the instant of the animation in it.
+// The plane of time and c: one line and two curves, with the instant of the animation.
 import { Plot, line, scale } from "./plots.js";
 
 export class Plane {

@@ -1,4 +1,4 @@
-// Plots, by uPlot: axes, lines and cursors are the library's.
+// Plots, by uPlot: the library draws axes, lines and cursors.
 import uPlot from "uplot";
 
 export const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();
@@ -6,12 +6,12 @@ const HEIGHT = 300;
 
 const number = (x) => (x === null ? "" : x !== 0 && (Math.abs(x) < 1e-3 || Math.abs(x) >= 1e5) ? x.toExponential().replace("e+", "e") : String(Number(x.toPrecision(6))));
 const isPower = (x) => Math.abs(Math.log10(x) - Math.round(Math.log10(x))) < 1e-9;
-/** On a log scale of many decades, grid lines at powers of ten only. */
+/** Filters grid lines: on a log scale of many decades at powers of ten only. */
 const fewer = (u, splits, i) => {
   const { distr, min, max } = u.scales[u.axes[i].scale];
   return distr === 3 && max / min > 1e4 ? splits.map((x) => (isPower(x) ? x : null)) : splits;
 };
-/** And labels at as many of those as there is room for. */
+/** Filters labels: as many of these as fit. */
 const labelled = (u, splits, i) => {
   const { distr, min, max } = u.scales[u.axes[i].scale], decades = Math.log10(max / min);
   if (distr !== 3) return splits;
@@ -19,7 +19,7 @@ const labelled = (u, splits, i) => {
   const kept = (x) => (decades < 1.5 ? true : isPower(x) && Math.round(Math.log10(x)) % every === 0);
   return splits.map((x) => (kept(x) ? x : null));
 };
-/** Powers of ten, and where there are few their multiples. */
+/** Returns powers of ten, and their multiples if they are few. */
 function logSplits(u, i, min, max) {
   const from = Math.floor(Math.log10(min)), to = Math.ceil(Math.log10(max)), few = to - from <= 6, splits = [];
   for (let k = from; k <= to; k++) for (let digit = 1; digit <= (few ? 9 : 1); digit++) splits.push(Number(`${digit}e${k}`));
@@ -30,10 +30,10 @@ const axis = (label, grid, log) => ({
   grid: { show: grid ?? true, filter: fewer, stroke: () => colour("line"), width: 1 }, ticks: { stroke: () => colour("line") },
 });
 export const scale = (log, range) => ({ time: false, distr: log ? 3 : 1, range: range ?? ((_, low, high) => [low, high]) });
-/** A line: its label, the name of its colour, and what else uPlot takes. */
+/** Returns a line: its label, the name of its colour, and other options of uPlot. */
 export const line = (label, name, more = {}) => ({ label, stroke: () => colour(name), width: 2, points: { show: false }, ...more });
 
-/** A plot in a host: made anew where what it is changes, else given new data. */
+/** A plot in a host element: created again if its kind changes, otherwise updated. */
 export class Plot {
   constructor(host, { height = HEIGHT, ...more } = {}) {
     Object.assign(this, { host, height, more });
@@ -44,7 +44,7 @@ export class Plot {
     return { width: Math.max(200, this.host.clientWidth), height: this.height };
   }
 
-  /** what: { key, x, y, series, scales, hooks }; key: equal where all but the data is. */
+  /** what: { key, x, y, series, scales, hooks }; key: equal if only the data differs. */
   show(what, data) {
     if (this.key !== what.key) {
       this.plot?.destroy();
@@ -62,7 +62,7 @@ export class Plot {
   }
 }
 
-/** Vertical marks at places of x, dashed, drawn behind the lines. */
+/** Draws vertical dashed marks at values of x, behind the lines. */
 export function drawMarks(u, places, name = "soft") {
   const { ctx, bbox } = u;
   ctx.save();
@@ -80,7 +80,7 @@ export function drawMarks(u, places, name = "soft") {
   ctx.restore();
 }
 
-/** A disc at a place. */
+/** Draws a disc at a point. */
 export function drawPoint(u, x, y, name = "accent") {
   const { ctx, bbox } = u, left = u.valToPos(x, "x", true), top = u.valToPos(y, "y", true);
   if (!(left >= bbox.left && left <= bbox.left + bbox.width && top >= bbox.top && top <= bbox.top + bbox.height)) return;

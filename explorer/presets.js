@@ -1,4 +1,4 @@
-// The figures of the paper, with the parameters of data/scenes/*.cfg, and what was found about its claims.
+// The figures of the paper, with the parameters of data/scenes/*.cfg, and findings about its claims.
 export const PRESETS = [
   { group: "Figures of the paper", name: "2 A, B: symmetric kinematics, from rest", state: { T: "2", alpha: "0.5", start: "rest", periods: "8" },
     note: "With alpha = 1/2 the crawler goes back and forth: it moves at first, and the steady state does not crawl." },

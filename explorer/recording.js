@@ -1,4 +1,4 @@
-// A measured gait: its samples beside l of the curve through them, and l' of that curve.
+// A measured gait: its samples, and l and l' of the curve through them.
 import { Plot, line, scale } from "./plots.js";
 
 const PLACES = 600;
@@ -8,7 +8,7 @@ export class Recording {
     Object.assign(this, { core, section, note, plots: hosts.map((host) => new Plot(host, { height: 200 })) });
   }
 
-  /** Shows that of the gait that was chosen, which name tells apart from others; hides where there is none. */
+  /** Shows the chosen gait, identified by name; hides the view if the gait is not measured. */
   show(name) {
     const recording = name && this.core.recording(PLACES);
     this.section.hidden = !recording;

@@ -1,5 +1,5 @@
-# The explorer: the core in WebAssembly, with no import, in a page of one file. The walk is compiled for speed, the rest for size; long double
-# is binary128 there. wasm-opt reads in the object which features of WebAssembly clang has used: the linker must not strip them.
+# The explorer: the core in WebAssembly, without imports, in a page of one file. The event solver is compiled for speed, the rest for size;
+# long double is binary128. wasm-opt reads the features of WebAssembly that clang has used from the object: the linker must keep them.
 wasm_parts := $(filter-out numerics/integrators/% asymptotics/observed/% compare/%,$(filter-out $(flint),$(parts))) \
               compare/points/gait_file $(addprefix compare/tables/,tsv json) $(addprefix compare/text/,values digits message) $(basename $(wildcard explorer/*.c))
 wasm       = clang --target=wasm32-wasi
@@ -18,9 +18,9 @@ $(B)/explorer/index.html: $(B)/core.wasm $(wildcard explorer/*.js explorer/*.css
 check-report:
 	@/usr/bin/python3 scripts/report/check_report.py $(B)/report/index.html --screenshots $(B)/report/screenshots
 
-## explorer:   build/explorer/index.html, a page in which the solver follows the reader's hand: one file, needs no server
+## explorer:   build/explorer/index.html, an interactive page with the solver: one file, needs no server
 explorer: $(B)/explorer/index.html
 	@echo "open $<"
-## check-explorer: that page in headless Chromium: its numbers, drags, presets, links, and what is refused
+## check-explorer: this page in headless Chromium: its numbers, drags, presets, links, and refused input
 check-explorer: explorer $(B)/scallop
 	@/usr/bin/python3 scripts/report/check_explorer.py $(B)/explorer/index.html $(B)/scallop --screenshots $(B)/explorer/screenshots

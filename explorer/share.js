@@ -1,4 +1,4 @@
-// What can be taken along: the command and the scene that give the same numbers, tables, pictures.
+// Exports: the command and the scene for the same numbers, tables, pictures.
 import { PARAMETERS, numberOf } from "./core.js";
 import { USUAL } from "./state.js";
 
@@ -8,7 +8,7 @@ const quoted = (text) => `"${text.replaceAll("\\", "\\\\").replaceAll('"', '\\"'
 const gaitOf = (state) => (state.gait === "measured" ? `measured:${tidy(state.table_name)}` : state.gait);
 const startOf = (state) => (state.start === "velocity" ? String(numberOf(state.v0)) : state.start);
 
-/** The command line of a state. */
+/** Returns the command line of a state. */
 export function commandOf(state) {
   const measured = state.gait === "measured", options = [];
   for (const name of PARAMETERS)
@@ -18,7 +18,7 @@ export function commandOf(state) {
   return ["scallop", state.start === "steady" ? "steady" : "trajectory", ...options].join(" ");
 }
 
-/** The same as a scene for `scallop run`. */
+/** Returns a state as a scene for `scallop run`. */
 export function sceneOf(state) {
   const crawler = [...PARAMETERS.map((name) => `${name} = ${numberOf(state[name])}`), `gait = ${quoted(gaitOf(state))}`];
   const steady = state.start === "steady";
@@ -29,14 +29,14 @@ export function sceneOf(state) {
   return `title = "a crawler of the explorer";\ncrawler = { ${crawler.join("; ")}; };\n${start}tables = ( {\n  ${want}\n  file = "explorer.tsv";\n} );\n`;
 }
 
-/** A table as TSV; numbers read back to the same doubles. */
+/** Returns a table as TSV; numbers read back to the same doubles. */
 export function tsvOf({ names, rows }, command, version) {
   const cell = (x) => (x === null || x === undefined || Number.isNaN(x) ? "nan" : String(x));
   const lines = rows[0].map((_, i) => rows.map((row) => cell(row[i])).join("\t"));
   return `# scallop ${version}, the explorer\n# of the crawler of: ${tidy(command)}\n${names.join("\t")}\n${lines.join("\n")}\n`;
 }
 
-/** Hands a file to the reader. */
+/** Offers a file as a download. */
 export function save(name, content, type) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(content instanceof Blob ? content : new Blob([content], { type }));
@@ -47,7 +47,7 @@ export function save(name, content, type) {
 
 const STYLED = ["fill", "stroke", "stroke-width", "stroke-dasharray", "font", "opacity", "font-weight"];
 
-/** The drawing of the crawler with its styles in it. */
+/** Returns the drawing of the crawler, including its styles. */
 function standalone(svg) {
   const copy = svg.cloneNode(true), from = [svg, ...svg.querySelectorAll("*")], to = [copy, ...copy.querySelectorAll("*")];
   from.forEach((node, i) => {
@@ -57,7 +57,7 @@ function standalone(svg) {
   return copy;
 }
 
-/** What is seen as one SVG: the crawler in lines, plots as pictures, a title on top. plots: { title, canvas } */
+/** Returns the view as one SVG: the crawler in lines, plots as pictures, a title on top. plots: { title, canvas } */
 export function pictureOf(svg, plots, title) {
   const width = 900, paper = getComputedStyle(document.body).backgroundColor, ink = getComputedStyle(document.body).color;
   const space = "http://www.w3.org/2000/svg", all = document.createElementNS(space, "svg");
@@ -86,7 +86,7 @@ export function pictureOf(svg, plots, title) {
   return new XMLSerializer().serializeToString(all);
 }
 
-/** That SVG as PNG. */
+/** Converts this SVG to PNG. */
 export async function pngOf(picture) {
   const image = new Image();
   image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(picture)}`;

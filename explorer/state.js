@@ -1,4 +1,4 @@
-// What the page shows is one flat object of texts: its fields are what a link has in its fragment.
+// The state of the page: one flat object of texts, written to the fragment of a link.
 import { PARAMETERS, numberOf } from "./core.js";
 
 export const USUAL = {
@@ -7,12 +7,12 @@ export const USUAL = {
   x: "F1/F2", y: "T", show: "modes", along: "x", of: "mean_velocity", formula: "eq28_displacement",
   phase: "extension", error: "absolute", order: "8", table_name: "", table: "",
 };
-export const LONGEST_TABLE = 20000; // characters of a measured gait that go into a link
+export const LONGEST_TABLE = 20000; // most characters of a measured gait in a link
 
-/** The crawler of a state: numbers, NaN where a field is none. */
+/** Returns the crawler of a state: numbers, NaN for a field without a number. */
 export const crawlerOf = (state) => Object.fromEntries(PARAMETERS.map((name) => [name, numberOf(state[name])]));
 
-/** The fragment of a link: fields that are not the usual ones. */
+/** Returns the fragment of a link: fields that differ from the defaults. */
 export function fragmentOf(state) {
   const fields = new URLSearchParams();
   for (const [name, usual] of Object.entries(USUAL))
@@ -20,12 +20,12 @@ export function fragmentOf(state) {
   return fields.toString();
 }
 
-const WHOLE = ["periods", "order"], NUMBERS = ["v0"]; // a parameter that is no number is shown, and refused beside its field
+const WHOLE = ["periods", "order"], NUMBERS = ["v0"]; // an invalid parameter is shown, with an error beside its field
 
 const isAllowed = (name, value, choices) => choices[name]?.includes(value)
   ?? (WHOLE.includes(name) ? /^[1-9][0-9]{0,3}$/.test(value) : !NUMBERS.includes(name) || Number.isFinite(numberOf(value)));
 
-/** The state of a fragment. Fields that there are not are passed over, and so is what is none of the choices of a field, or no number. */
+/** Returns the state of a fragment. Unknown fields, choices and numbers are ignored. */
 export function stateOf(fragment, choices) {
   const state = { ...USUAL };
   for (const [name, value] of new URLSearchParams(fragment.replace(/^#/, "")))
@@ -33,7 +33,7 @@ export function stateOf(fragment, choices) {
   return state;
 }
 
-/** States gone through, to be gone back to. */
+/** Past states, for undo. */
 export class History {
   constructor(state) {
     this.states = [state];

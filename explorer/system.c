@@ -1,4 +1,4 @@
-/* What C's library would bring along, and no call here needs: files, as messages and tables are in memory, and
+/* Functions that C's library would link and no call here needs: files, because messages and tables are in memory, and
  * trigonometry of large arguments and in binary128. */
 #include <errno.h>
 #include <math.h>
@@ -20,7 +20,7 @@ FILE *fopen(const char *name, const char *mode)
   return NULL;
 }
 int close(int file) { return (void)file, refuse(); }
-off_t __lseek(int file, off_t offset, int whence); /* as the library itself calls it */
+off_t __lseek(int file, off_t offset, int whence); /* the library's internal call */
 off_t __lseek(int file, off_t offset, int whence) { return (void)file, (void)offset, (void)whence, refuse(); }
 ssize_t read(int file, void *to, size_t size) { return (void)file, (void)to, (void)size, refuse(); }
 ssize_t readv(int file, const struct iovec *to, int count) { return (void)file, (void)to, (void)count, refuse(); }
@@ -32,10 +32,10 @@ char *strerror(int error)
   return error == ENOMEM ? memory : other;
 }
 
-/* Of an end of a piece, where it is 1 (model/law.c). */
+/* Called at an end of a piece, with result 1 (model/law.c). */
 long double cosl(long double x) { return (long double)cos((double)x); }
 
-/* What sines and cosines do with arguments beyond 2^20: no call has one beyond a quarter turn. */
+/* Reduces arguments of sines and cosines beyond 2^20: no call has one beyond a quarter turn. */
 int __rem_pio2_large(double *x, double *y, int exponent, int count, int precision);
 int __rem_pio2_large(double *x, double *y, int exponent, int count, int precision)
 {

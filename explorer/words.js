@@ -1,7 +1,7 @@
 // Numbers and modes in words.
 const DIRECTIONS = { "+": "forward", "-": "back", 0: "at rest" };
 
-/** A number as the page shows it: all digits that a double has where `full`, else six. */
+/** Returns a number for display: all digits of a double if `full`, else six. */
 export function shown(x, full = false) {
   if (Number.isNaN(x)) return "none";
   return full ? String(x) : String(Number(x.toPrecision(6)));
@@ -13,7 +13,7 @@ function modeInWords(mode) {
   return one === two ? `both ${one}` : `body 1 ${one}, body 2 ${two}`;
 }
 
-/** "++ -+ ++ | ..." as sentences. */
+/** Returns "++ -+ ++ | ..." as sentences. */
 export function modesInWords(modes) {
   return modes.split(" | ").map((phase, i) => {
     const words = phase.split(" ").filter(Boolean).map(modeInWords);

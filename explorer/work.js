@@ -1,8 +1,8 @@
-// Work that may take long: generators, which give the part that is done, run in slices, and between these the page answers.
-const SLICE = 30, PART = 5; // milliseconds until the page answers, and of a part of a loop
-const QUICK = 8, PATIENCE = 150, VISIBLE = 300; // of work that need not wait, until other work begins, and until its progress is shown
+// Long work: generators that yield the completed fraction run in slices, and the page responds in between.
+const SLICE = 30, PART = 5; // milliseconds of a slice, and of a part of a loop
+const QUICK = 8, PATIENCE = 150, VISIBLE = 300; // of work that starts at once, until other work begins, and until its progress is shown
 
-/** Runs a generator to its end, and gives what it returns. */
+/** Runs a generator to its end, and returns its result. */
 export function finished(steps) {
   for (;;) {
     const { done, value } = steps.next();
@@ -10,7 +10,7 @@ export function finished(steps) {
   }
 }
 
-/** action(from, to) over all of 0, ..., count - 1, as many at a time as there is time for. */
+/** Calls action(from, to) over all of 0, ..., count - 1, as many at a time as a part allows. */
 export function* inParts(count, action) {
   for (let from = 0, size = 1; from < count;) {
     const begun = performance.now(), to = Math.min(count, from + size);
@@ -21,7 +21,7 @@ export function* inParts(count, action) {
   }
 }
 
-/** So much of a whole: from a part of it on, steps give a share. */
+/** Yields the progress of steps as a share of the whole, from a fraction on. */
 export function* within(from, share, steps) {
   for (;;) {
     const { done, value } = steps.next();
@@ -31,13 +31,13 @@ export function* within(from, share, steps) {
 }
 
 export class Work {
-  /** order: of the names of jobs. show({ what, part, left, stopped }): what is under way, how far, and what else is left; null: nothing is.
+  /** order: names of jobs. show({ what, part, left, stopped }): the current job, its progress, and the remaining jobs; null: idle.
    * failed(error): a job failed. */
   constructor(order, show, failed) {
     Object.assign(this, { order, show, failed, jobs: [], costs: {}, stopped: false, began: 0 });
   }
 
-  /** A job in the place of what has its name: it gives way at once. what: words for it; key: what its cost depends on. */
+  /** Replaces the job of this name, which stops at once. what: words for it; key: identifies its cost. */
   put(name, what, key, steps) {
     this.drop(name);
     if (this.jobs.length === 0) this.began = performance.now();
@@ -56,7 +56,7 @@ export class Work {
     return this.jobs.some((job) => job.name === name);
   }
 
-  /** Goes on: at once with what never took long, and with the rest when nothing has changed for a while. */
+  /** Continues: at once with jobs that were always short, with the others after a pause without changes. */
   go() {
     this.slice(this.jobs.filter(({ key }) => (this.costs[key] ?? 0) < QUICK), PATIENCE);
   }

@@ -1,5 +1,5 @@
-/* A Bernstein law (struct scallop_law) in the type `real`, which is to be defined before: its value, derivatives and
- * integral. No header in the usual sense, and not public. */
+/* Bernstein laws (struct scallop_law) in the type `real` of the including file: value, derivatives and integral.
+ * Included as text, not public. */
 #include "model/model.h"
 
 struct bernstein { /* sum of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), x = (u - near)/(far - near) */
@@ -8,7 +8,7 @@ struct bernstein { /* sum of b[j] binomial(degree, j) x^j (1 - x)^(degree - j), 
   int degree;
 };
 
-/* With the coefficient that the law only implies */
+/* Returns the polynomial of a law, with the coefficient that the law implies. */
 static inline struct bernstein bernstein_of(const struct scallop_law *law)
 {
   const struct scallop_bernstein_law *given = &law->bernstein;
@@ -24,8 +24,8 @@ static inline struct bernstein bernstein_of(const struct scallop_law *law)
   return f;
 }
 
-/* sum of b[j] binomial(n, j) x^j y^(n - j), x + y = 1: to a few ulp of the sum of magnitudes, also next to x = 0 and
- * y = 0. */
+/* Returns the sum of b[j] binomial(n, j) x^j y^(n - j), x + y = 1, to a few ulp of the sum of magnitudes, also next
+ * to x = 0 and y = 0. */
 static inline real bernstein_sum(const real *b, int n, real x, real y)
 {
   real sum = b[0], factor = 1;
@@ -36,7 +36,7 @@ static inline real bernstein_sum(const real *b, int n, real x, real y)
   return sum;
 }
 
-/* b[j + 1] - b[j], of degree - 1: the slope times (far - near)/degree */
+/* Replaces the coefficients by b[j + 1] - b[j], of degree - 1: the slope times (far - near)/degree. */
 static inline void bernstein_differences(struct bernstein *f)
 {
   f->degree--;
@@ -44,7 +44,7 @@ static inline void bernstein_differences(struct bernstein *f)
     f->b[j] = f->b[j + 1] - f->b[j];
 }
 
-/* The derivative of that order with respect to u; order 0: the value. */
+/* Returns the derivative of this order with respect to u; order 0: the value. */
 static inline real bernstein_derivative(struct bernstein f, real u, int order)
 {
   real range = f.far - f.near, factor = 1;
@@ -57,17 +57,17 @@ static inline real bernstein_derivative(struct bernstein f, real u, int order)
   return factor * bernstein_sum(f.b, f.degree, (u - f.near) / range, (f.far - u) / range);
 }
 
-/* The part between two offsets, low <= high, by de Casteljau's rule: the mean of its coefficients is that of the
- * polynomial there. */
+/* Restricts the polynomial to low <= u <= high, by de Casteljau's rule. The mean of its coefficients is then its
+ * mean value there. */
 static inline void bernstein_cut(struct bernstein *f, real low, real high)
 {
   real range = f->far - f->near, x = (high - f->near) / range, y = (f->far - high) / range;
-  for (int k = 0; k < f->degree; k++) /* b[j] becomes that of near to high */
+  for (int k = 0; k < f->degree; k++) /* b[j] from near to high */
     for (int j = f->degree; j > k; j--)
       f->b[j] = y * f->b[j - 1] + x * f->b[j];
   x = (low - f->near) / (high - f->near);
   y = (high - low) / (high - f->near);
-  for (int k = 0; k < f->degree; k++) /* and of low to high */
+  for (int k = 0; k < f->degree; k++) /* then from low to high */
     for (int j = 0; j < f->degree - k; j++)
       f->b[j] = y * f->b[j] + x * f->b[j + 1];
   f->near = low;
@@ -82,7 +82,7 @@ static inline real bernstein_total(const struct bernstein *f)
   return sum;
 }
 
-/* The integral over u from the smaller to the larger of the two */
+/* Returns the integral over u between the two offsets, positive in either order. */
 static inline real bernstein_integral(struct bernstein f, real from, real to)
 {
   if (from == to)
@@ -91,9 +91,9 @@ static inline real bernstein_integral(struct bernstein f, real from, real to)
   return bernstein_total(&f) / (f.degree + 1) * (f.far - f.near);
 }
 
-/* The value at `to` minus that at `from`: to a few ulp of (to - from) max |slope|, however near they are to each other.
- * The mean of the slope is formed without a difference of two values, which may be much larger than what they differ
- * by: it is the mean of n + 1 coefficients, each (n + 1)/(far - near) times a difference. */
+/* Returns the value at `to` minus the value at `from`, to a few ulp of (to - from) max |slope|, however near the
+ * offsets are to each other. The mean of the slope is formed without a difference of two values, whose digits would
+ * cancel: it is the mean of n + 1 coefficients, each (n + 1)/(far - near) times a difference. */
 static inline real bernstein_rise(struct bernstein f, real from, real to)
 {
   real range = f.far - f.near;

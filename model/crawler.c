@@ -37,7 +37,7 @@ static enum scallop_status complain(struct scallop_complaint *complaint, const c
 
 static bool is_positive(double x) { return x > 0 && x <= DBL_MAX; }
 
-/* Nothing to complain of, which is what is most often asked. */
+/* Returns true if the crawler needs no complaint, the usual case. */
 static bool is_good(const struct scallop_crawler *c)
 {
   return is_positive(c->m1) && is_positive(c->m2) && is_positive(c->F1) && is_positive(c->F2) && is_positive(c->L)
@@ -68,7 +68,7 @@ double scallop_phase_duration(const struct scallop_crawler *crawler, enum scallo
   return (kind == SCALLOP_EXTENSION ? crawler->alpha : 1 - crawler->alpha) * crawler->T;
 }
 
-/* T^2 F/(M L) with the exponents apart, for where a step in between leaves the normal range. */
+/* Returns T^2 F/(M L), exponents apart, for parameters of which an intermediate result leaves the normal range. */
 static double inverse_froude(double T, double F, double M, double L)
 {
   int eT, eF, eM, eL;
@@ -81,7 +81,7 @@ enum scallop_status scallop_scale(const struct scallop_crawler *c, struct scallo
   struct scallop_scaled s;
   if (scaling_is_moderate(c->m1) && scaling_is_moderate(c->m2) && scaling_is_moderate(c->F1)
       && scaling_is_moderate(c->F2) && scaling_is_moderate(c->L) && scaling_is_moderate(c->T)
-      && scaling_is_moderate(c->alpha) && 1 - c->alpha > 0 && c->gait) { /* nearly always, and then in its domain */
+      && scaling_is_moderate(c->alpha) && 1 - c->alpha > 0 && c->gait) { /* the usual case; within the domain */
     scaling_set(c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha, scaled);
     scaled->gait = c->gait;
     return SCALLOP_OK;

@@ -1,8 +1,7 @@
-/* The families of gaits: all that commands, --help, documents and Python know of them. libm only; nothing is allocated.
+/* The families of gaits, described once for commands, --help, documents and Python. libm only; nothing is allocated.
  *
- * A new family is a function that makes its gaits, its struct scallop_gait_family beside that, and a row of
- * SCALLOP_GAIT_FAMILIES.
- */
+ * A new family is a function that makes its gaits, its struct scallop_gait_family in the same file, and a row of
+ * SCALLOP_GAIT_FAMILIES. */
 #ifndef SCALLOP_MODEL_FAMILIES_H
 #define SCALLOP_MODEL_FAMILIES_H
 
@@ -14,8 +13,9 @@
 extern "C" {
 #endif
 
-/* In the order in which they are listed, those with a fixed gait first: ROW(family, law) for scallop_family_FAMILY.
- * law: what makes fractions of its numbers, in model/exact/exact_gaits.c; NULL: its doubles stand for it. */
+/* Rows in the order of lists, families with a fixed gait first: ROW(family, law) for scallop_family_FAMILY. law: the
+ * function of model/exact/exact_gaits.c that makes fractions of the gait's numbers; NULL: the doubles of the gait
+ * are exact. */
 #define SCALLOP_GAIT_FAMILIES(ROW) \
   ROW(quadratic, NULL) \
   ROW(sinusoidal, NULL) \
@@ -25,26 +25,27 @@ extern "C" {
   ROW(minimum_jerk, exact_polynomial) \
   ROW(polynomial, exact_polynomial)
 
-union scallop_made_gait { /* memory for a gait of any family that is made of numbers */
+/* Memory for a gait of any family with numbers */
+union scallop_made_gait {
   struct scallop_gait gait;
   struct scallop_straight straight;
   struct scallop_polynomial polynomial;
 };
-extern const size_t scallop_made_gait_size; /* of the union, for callers in other languages */
+extern const size_t scallop_made_gait_size; /* size of the union, for callers in other languages */
 
-enum { SCALLOP_GAIT_NUMBERS = SCALLOP_POLYNOMIAL_DEGREE }; /* the most that a gait is made of */
+enum { SCALLOP_GAIT_NUMBERS = SCALLOP_POLYNOMIAL_DEGREE }; /* maximal count of the numbers of a gait */
 
 struct scallop_gait_family {
-  const char *name;     /* "trapezoidal"; with ':' and the numbers after it the name of a gait           */
-  const char *numbers;  /* what they are called: "UP,DOWN"; NULL: none are given                         */
-  const char *usual;    /* the numbers where none are given: "0.25,0.25"; NULL: some must be, or none are */
-  const char *allowed;  /* the numbers and their domain, in words; NULL: none are given                   */
-  const char *sentence; /* what the gait is                                                              */
-  const char *sample;   /* one of them in full, for checks; its numbers not the usual ones, where it has any  */
-  int each;             /* numbers of a phase, which hold for both, or twice as many; 0: any number, of both   */
-  const struct scallop_gait *fixed; /* the only gait of a family without numbers, else NULL                    */
-  /* x: of both phases, the extension first. SCALLOP_EDOMAIN: not as allowed, or as *why says, if that is set. NULL:
-   * fixed, or not of numbers */
+  const char *name;     /* "trapezoidal"; a gait is named by it, or by it, ':' and the numbers */
+  const char *numbers;  /* names of the numbers: "UP,DOWN"; NULL: the gait has no numbers */
+  const char *usual;    /* default numbers: "0.25,0.25"; NULL: no default, or no numbers */
+  const char *allowed;  /* the numbers and their domain, in words; NULL: the gait has no numbers */
+  const char *sentence; /* description of the gait */
+  const char *sample;   /* name of one gait for checks, with numbers other than the default */
+  int each; /* count of numbers for one phase; twice as many set both phases; 0: any count, for both phases */
+  const struct scallop_gait *fixed; /* the only gait of a family without numbers, else NULL */
+  /* Makes a gait of the numbers x, extension first, both phases given. SCALLOP_EDOMAIN: x is not in the domain;
+   * *why, if set, is the reason. NULL: the family is fixed. */
   enum scallop_status (*make)(union scallop_made_gait *made, const char *name, const double *x, int count,
                               const char **why);
 };
@@ -53,12 +54,12 @@ struct scallop_gait_family {
 SCALLOP_GAIT_FAMILIES(SCALLOP_DECLARE_FAMILY)
 #undef SCALLOP_DECLARE_FAMILY
 
-/* i = 0, 1, ...; NULL after the last */
+/* Returns family i = 0, 1, ...; NULL after the last. */
 const struct scallop_gait_family *scallop_gait_family(int i);
 
-/* A gait of the family with these numbers: family->each of them, which then hold for the contraction too, or twice as
- * many. name: as in gaits.h. SCALLOP_EDOMAIN: too many or too few, not as allowed, or the family is fixed; *why then
- * says more, or is NULL. */
+/* Makes the gait of the family with these numbers: family->each of them for both phases, or twice as many. name: kept,
+ * as in gaits.h. SCALLOP_EDOMAIN: wrong count, numbers outside the domain, or a fixed family; *why is then the reason
+ * or NULL. */
 enum scallop_status scallop_make_gait(union scallop_made_gait *made, const struct scallop_gait_family *family,
                                       const char *name, const double *x, int count, const char **why);
 

@@ -5,6 +5,7 @@
 
 #include "model/families.h"
 #include "model/law.h"
+#include "model/sine.h"
 
 #define PI 3.14159265358979323846
 
@@ -41,7 +42,7 @@ const struct scallop_gait scallop_gait_quadratic = { "quadratic",
                                                      { { quadratic_extension, 2, 4, -4, 2, 1, true, true },
                                                        { quadratic_contraction, 2, -4, 4, 2, -1, true, true } } };
 
-/* Half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end, so that both ends keep full relative accuracy. */
+/* Half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end: both ends keep full relative accuracy. */
 
 static double sine_length(const struct scallop_piece *p, double u)
 {
@@ -49,25 +50,26 @@ static double sine_length(const struct scallop_piece *p, double u)
   return law_sense(p) * p->direction * (h * h);
 }
 
-/* Near u = 1/2 sines and cosines are taken from there, so that l'' is exactly 0 where the two pieces meet. */
-static bool is_late(double u) { return u > 0.25; }
+static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
+{
+  double s, c;
+  sine_of_half_turn(u, &s, &c);
+  *velocity = p->velocity * s;
+  *acceleration = p->acceleration * c;
+}
 
 static double sine_velocity(const struct scallop_piece *p, double u)
 {
-  return p->velocity * (is_late(u) ? cos(PI * (0.5 - u)) : sin(PI * u));
+  double velocity, acceleration;
+  sine_rates(p, u, &velocity, &acceleration);
+  return velocity;
 }
 
 static double sine_acceleration(const struct scallop_piece *p, double u)
 {
-  return p->acceleration * (is_late(u) ? sin(PI * (0.5 - u)) : cos(PI * u));
-}
-
-static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
-{
-  bool late = is_late(u);
-  double angle = PI * (late ? 0.5 - u : u), s = sin(angle), c = cos(angle);
-  *velocity = p->velocity * (late ? c : s);
-  *acceleration = p->acceleration * (late ? s : c);
+  double velocity, acceleration;
+  sine_rates(p, u, &velocity, &acceleration);
+  return acceleration;
 }
 
 static double sine_when(const struct scallop_piece *p, double a)
@@ -115,7 +117,7 @@ const struct scallop_gait_family scallop_family_sinusoidal = { .name = "sinusoid
                                                                .sample = "sinusoidal",
                                                                .fixed = &scallop_gait_sinusoidal };
 
-/* Whether |l'| is the same function of the offset in both pieces */
+/* Returns true if |l'| is the same function of the offset in both pieces. */
 static bool same_law(const struct scallop_piece *a, const struct scallop_piece *b)
 {
   if (a->exact != b->exact)
@@ -162,7 +164,7 @@ bool scallop_gait_is_reversible(const struct scallop_gait *gait)
   return true;
 }
 
-/* The piece that holds time s, and the offset of s from its anchor. */
+/* Returns the piece that contains time s, and writes the offset of s from its anchor. */
 static const struct scallop_piece *piece_at(const struct scallop_shape *shape, double s, double *u)
 {
   for (int i = 0;; i++) {

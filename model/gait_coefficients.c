@@ -1,4 +1,4 @@
-/* The families of gaits that are made of the coefficients of a polynomial, by gait_polynomial.c. */
+/* The families of gaits with polynomial coefficients, made by gait_polynomial.c. */
 #include <string.h>
 
 #include "model/families.h"

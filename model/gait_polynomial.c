@@ -19,8 +19,8 @@ static long double binomial(int n, int k)
   return value;
 }
 
-/* Of the sum of (i + 1) c[i + 1] s^i, i <= n, up to a factor; 0 where they may be but for half an ulp of each c.
- * Returns NULL, or why that is no gait. */
+/* Computes Bernstein coefficients of sum of (i + 1) c[i + 1] s^i, i <= n, up to a factor; 0 if half an ulp of each c
+ * can change them to 0. Returns NULL, or the reason why it is no gait. */
 static const char *coefficients_of(long double *b, const double *c, int n)
 {
   double top = 0;
@@ -56,7 +56,8 @@ static const char *coefficients_of(long double *b, const double *c, int n)
   return NULL;
 }
 
-/* A polynomial by its Bernstein coefficients, without its zeros at 0 and 1; noise: what cannot be told from 0. */
+/* A polynomial by its Bernstein coefficients, without its zeros at 0 and 1; noise: the largest size that cannot be
+ * distinguished from 0. */
 struct polynomial {
   long double b[MOST + 1], noise;
   int n;
@@ -79,7 +80,7 @@ static struct polynomial without_ends(const long double *b, int n)
   return p;
 }
 
-/* The coefficients for the parts before and after x */
+/* Computes the coefficients of the parts before and after x. */
 static void divide(const long double *b, int n, long double x, long double *before, long double *after)
 {
   long double row[MOST + 1];
@@ -93,8 +94,8 @@ static void divide(const long double *b, int n, long double x, long double *befo
   }
 }
 
-/* Changes of sign along the coefficients, as many as roots or an even number more (Descartes' rule); -1: noise may hide
- * some. */
+/* Returns the changes of sign along the coefficients, the count of roots or an even number more (Descartes' rule); -1:
+ * noise may hide some. */
 static int variations(const long double *b, int n, long double noise)
 {
   int count = 0, last = 0;
@@ -120,12 +121,12 @@ struct roots {
   const struct polynomial *p;
   long double low[MOST], high[MOST]; /* one between each pair                                               */
   int count;
-  bool all; /* else there may be more: they, or a touch, are too near to each other                */
+  bool all; /* false: there may be more roots, or double roots, too near to each other */
 };
 
 static void isolate(struct roots *r, const long double *b, long double low, long double high, int depth)
 {
-  const long double part = 0.4871L; /* not a place where roots are likely */
+  const long double part = 0.4871L; /* a place where roots are unlikely */
   int n = r->p->n, count = variations(b, n, r->p->noise);
   if (count == 0)
     return;
@@ -150,7 +151,7 @@ static struct roots roots_of(const struct polynomial *p)
   return r;
 }
 
-/* Where pieces end inside a phase: the offset from the start or, late, from the end */
+/* Ends of pieces inside a phase: the offset from the start or, if late, from the end */
 struct place {
   double offset;
   bool late, turns; /* l' changes its sign                                                      */
@@ -162,7 +163,7 @@ static double value_at(const struct polynomial *p, double offset, bool late)
   return (double)(late ? bernstein_sum(p->b, p->n, 1 - u, u) : bernstein_sum(p->b, p->n, u, 1 - u));
 }
 
-/* The root between low and high, to the last digit of its offset from the nearer end */
+/* Returns the root between low and high, to the last digit of its offset from the nearer end. */
 static struct place root_at(const struct polynomial *p, long double low, long double high, bool turns)
 {
   double middle = value_at(p, 0.5, false);
@@ -179,11 +180,11 @@ static struct place root_at(const struct polynomial *p, long double low, long do
 }
 
 struct plan {
-  long double b[2][MOST + 1]; /* of l', from the start and from the end                                */
+  long double b[2][MOST + 1]; /* of l', from the start and from the end */
   int n;
-  struct place places[MOST_ROOTS + 3]; /* in the order of time: the start first, the end last                   */
+  struct place places[MOST_ROOTS + 3]; /* in the order of time, with the start first and the end last */
   int count;
-  bool turns; /* somewhere                                                                   */
+  bool turns; /* some place has turns */
 };
 
 static bool is_later(const struct place *p, const struct place *q)
@@ -199,8 +200,8 @@ static double distance(const struct place *p, const struct place *q)
   return p->late == q->late ? fabs(p->offset - q->offset) : fabs(s - t);
 }
 
-/* Adds a place, unless one is there. Where l' turns it must be exact; one for the sake of l'' may as well be next to
- * it. */
+/* Adds a place unless it is already in the plan. A change of sign of l' must be exact; a zero of l''' may be off by
+ * rounding. */
 static void add_place(struct plan *plan, struct place place)
 {
   for (int i = 0; i < plan->count; i++)
@@ -214,7 +215,7 @@ static void add_place(struct plan *plan, struct place place)
   plan->places[at] = place;
 }
 
-/* False: it cannot be told where l' changes its sign. */
+/* Adds the roots. Returns false if rounding hides a change of sign of l'. */
 static bool add_roots(struct plan *plan, const long double *b, int n, bool turns)
 {
   struct polynomial p = without_ends(b, n);
@@ -225,8 +226,8 @@ static bool add_roots(struct plan *plan, const long double *b, int n, bool turns
   return r.all;
 }
 
-/* The ends and the middle, the sign changes of l', and those of l''', so that l'' is monotone in between: where they
- * are too near to each other to be told, l'' is so all the same but for rounding. */
+/* Plans the places: the ends, the middle, and the changes of sign of l' and of l'''. In between, l'' is monotone. If
+ * roots of l''' are too near to each other to be separated, l'' is monotone except for rounding. */
 static bool make_plan(struct plan *plan)
 {
   long double bend[MOST + 1];
@@ -242,8 +243,8 @@ static bool make_plan(struct plan *plan)
   return true;
 }
 
-/* The largest of the coefficients that are not at the ends: rounding does least to it where it follows from the
- * others. */
+/* Returns the index of the largest coefficient except the first and the last: rounding affects it least when it is
+ * computed from the others. */
 static int largest(const double *b, int degree)
 {
   int at = 1;
@@ -262,7 +263,7 @@ static struct scallop_law law_of(int degree, const double *b, int implied, doubl
   return (struct scallop_law){ SCALLOP_LAW_BERNSTEIN, degree, .bernstein = law, .base = base };
 }
 
-/* One law from the start and one from the end, for all pieces */
+/* Sets two laws for all pieces, one from the start and one from the end. */
 static void set_common_laws(struct scallop_polynomial *g, const struct plan *plan)
 {
   int n = plan->n;
@@ -274,7 +275,7 @@ static void set_common_laws(struct scallop_polynomial *g, const struct plan *pla
   g->laws[1] = law_of(n, b[1], n - implied, 0, 1, 1, 0);
 }
 
-/* What l covers in an extension from the place's anchor to the place, in time or back */
+/* Returns the integral of l' in an extension from the place's anchor to the place, in time or back. */
 static long double way_to(const struct plan *plan, const struct place *place)
 {
   long double sums[MOST + 2] = { 0 }, u = place->offset;
@@ -289,8 +290,8 @@ static double speed_at(const struct plan *plan, const struct place *place)
   return place->turns ? 0 : (double)bernstein_sum(plan->b[place->late], plan->n, u, 1 - u);
 }
 
-/* The law of one piece, for which l' is 0 exactly where it changes its sign; its way is to the last digit, however
- * short it is. */
+/* Sets the law of one piece, with l' = 0 exactly at changes of its sign, and the way to the last digit, however short
+ * it is. */
 static void set_own_law(struct scallop_polynomial *g, int at, const struct plan *plan, int direction, bool late,
                         const struct place *begin, const struct place *end)
 {
@@ -310,15 +311,15 @@ static void set_own_law(struct scallop_polynomial *g, int at, const struct plan 
                        (double)(direction * (late ? -1 : 1) * way_to(plan, near)));
 }
 
-/* The sign of l' between two places, in an extension */
+/* Returns the sign of l' between two places, in an extension. */
 static int direction_between(const struct plan *plan, const struct place *begin, const struct place *end, bool late)
 {
   long double u = ((long double)begin->offset + end->offset) / 2;
   return bernstein_sum(plan->b[late], plan->n, u, 1 - u) > 0 ? 1 : -1;
 }
 
-/* The ways are rounded, each to its own last digit; the longest one is what they leave of the amplitude, to all digits.
- * False: one is not positive, so short is its piece. */
+/* Sets the ways, each rounded to its own last digit; the longest is the rest of the amplitude, to all digits. Returns
+ * false if one is not positive, because its piece is too short. */
 static bool share_amplitude(struct scallop_polynomial *g, const struct plan *plan)
 {
   const struct scallop_piece *pieces = g->pieces[SCALLOP_EXTENSION];
@@ -358,7 +359,7 @@ static bool add_pieces(struct scallop_polynomial *g, const struct plan *plan)
   return !plan->turns || share_amplitude(g, plan);
 }
 
-/* |l'| is largest at an end of a piece, or where l'' = 0. */
+/* Returns max |l'|, attained at an end of a piece or at l'' = 0. */
 static double peak_of(const struct scallop_shape *shape)
 {
   double peak = 0;
@@ -372,7 +373,7 @@ static double peak_of(const struct scallop_shape *shape)
   return peak;
 }
 
-/* No second difference of the coefficients is positive: then l''' is not, either. */
+/* Returns true if no second difference of the coefficients is positive: l''' <= 0 then. */
 static bool is_concave(const struct plan *plan)
 {
   for (int j = 0; j + 2 <= plan->n; j++)
@@ -393,7 +394,7 @@ static void conclude(struct scallop_polynomial *g, const struct plan *plan, int 
     shape->net += shape->pieces[i].direction * distance(&plan->places[i], &plan->places[i + 1]);
 }
 
-static const char *const too_near = "l' comes so near to 0 between the ends that its sign cannot be told from rounding";
+static const char *const too_near = "l' is so near to 0 between the ends that rounding may change its sign";
 
 static const char *plan_of(struct plan *plan, const double *c, int degree)
 {

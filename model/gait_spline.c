@@ -43,7 +43,7 @@ static bool is_phase(const struct scallop_knot *knots, int count, int kind)
   return true;
 }
 
-/* The piece of the cubic between two knots that lies between the times from and to, on one side of the middle */
+/* Adds the piece of the cubic between two knots that lies between the times from and to, on one side of the middle. */
 static void add(struct scallop_spline *s, int at, const struct scallop_knot *a, const struct scallop_knot *b, int kind,
                 double from, double to)
 {
@@ -73,7 +73,7 @@ static void add(struct scallop_spline *s, int at, const struct scallop_knot *a, 
   piece->curve = &law_curve_bernstein;
 }
 
-/* Returns how many pieces there are then. */
+/* Adds the pieces of a phase from index at on. Returns the count of pieces so far. */
 static int add_phase(struct scallop_spline *s, int at, const struct scallop_knot *knots, int count, int kind)
 {
   for (int i = 1; i < count; i++) {
@@ -87,7 +87,7 @@ static int add_phase(struct scallop_spline *s, int at, const struct scallop_knot
   return at;
 }
 
-/* The largest value of b0 (1 - x)^2 + 2 b1 x (1 - x) + b2 x^2, 0 <= x <= 1 */
+/* Returns the maximum of b0 (1 - x)^2 + 2 b1 x (1 - x) + b2 x^2, 0 <= x <= 1. */
 static long double largest(const long double b[3])
 {
   long double ends = b[0] > b[2] ? b[0] : b[2], rise = b[1] - b[0], bend = b[0] - 2 * b[1] + b[2];
@@ -105,7 +105,7 @@ static double peak_of(const struct scallop_shape *shape)
   return (double)peak;
 }
 
-/* Is d|l'|/dt falling throughout, as far as long double tells? */
+/* Returns true if d|l'|/dt decreases throughout, to the precision of long double. */
 static bool is_concave(const struct scallop_shape *shape, int kind)
 {
   long double last = LDBL_MAX;

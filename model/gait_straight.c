@@ -1,4 +1,4 @@
-/* Gaits whose |l'| is made of straight lines: trapezoidal, skewed, constant. */
+/* Gaits with piecewise linear |l'|: trapezoidal, skewed, constant. */
 #include "model/families.h"
 
 static const double least = 0x1p-100; /* fraction of a phase */
@@ -9,7 +9,7 @@ static const form ZERO = { 0, 0, 0 }, HALF = { 0.5, 0, 0 }, ONE = { 1, 0, 0 }, U
 
 static double value(form f, double up, double down) { return f.one + f.up * up + f.down * down; }
 
-/* The next piece of a phase, from offset begin to offset end. */
+/* Adds the next piece of a phase, from offset begin to offset end. */
 static void add(struct scallop_straight *g, int kind, enum scallop_anchor anchor, struct scallop_straight_line line,
                 double up, double down, double base)
 {
@@ -49,7 +49,7 @@ static void end_phase(struct scallop_straight *g, int kind, double peak)
   shape->ramps = shape->count == 2;
 }
 
-/* Where a piece begins or ends must be a double, from the start or from the end: 1 - x is one if x >= 1/2. */
+/* Adds the constant part. Its ends must be doubles, from the start or from the end: 1 - x is a double if x >= 1/2. */
 static void add_plateau(struct scallop_straight *g, int kind, double up, double down)
 {
   double V = (double)(1 / (1 - (long double)up / 2 - (long double)down / 2));
@@ -62,11 +62,11 @@ static void add_plateau(struct scallop_straight *g, int kind, double up, double 
         up, down, 0.5 * V * down);
 }
 
-/* Rises for beta of the phase, falls for the rest */
+/* Adds a phase in which |l'| rises for a fraction b and falls for the rest. */
 static void add_skewed(struct scallop_straight *g, int kind, double b)
 {
   double rest = 1 - b;
-  bool is_exact = 1 - rest == b; /* else what falls is split, so that it begins at a double */
+  bool is_exact = 1 - rest == b; /* false: the falling part is split, to begin at a double */
   add(g, kind, SCALLOP_FROM_START, (struct scallop_straight_line){ ZERO, UP, 0, 2, UP, ONE }, b, rest, 0);
   if (is_exact) {
     add(g, kind, SCALLOP_FROM_END, (struct scallop_straight_line){ BUT_UP, ZERO, 0, 2, BUT_UP, ONE }, b, rest, 0);
@@ -122,10 +122,10 @@ enum scallop_status scallop_make_constant(struct scallop_straight *g, const char
   for (int kind = 0; kind < 2; kind++)
     if (ramp[kind] != 0)
       add_trapezoid(g, kind, ramp[kind], ramp[kind]);
-    else { /* |l'| = 1, in two pieces, so that times are measured from the nearer end of the phase */
+    else { /* |l'| = 1, in two pieces: times are measured from the nearer end of the phase */
       add_plateau(g, kind, 0, 0);
       end_phase(g, kind, 1);
-      g->gait.phase[kind].l0 = g->gait.phase[kind].lT = 0; /* and not -0 */
+      g->gait.phase[kind].l0 = g->gait.phase[kind].lT = 0; /* instead of -0 */
     }
   for (int kind = 0; kind < 2 && (ramp[0] == 0 || ramp[1] == 0); kind++) { /* l' jumps */
     g->pieces[kind][0].jump = true;

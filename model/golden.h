@@ -1,4 +1,4 @@
-/* The least value of a function with one valley, by golden section. Header-only; not public. */
+/* The minimum of a function with one valley, by golden section. Header-only; not public. */
 #ifndef SCALLOP_MODEL_GOLDEN_H
 #define SCALLOP_MODEL_GOLDEN_H
 
@@ -6,7 +6,7 @@
 
 typedef double golden_function(void *context, double x);
 
-/* Where f is least between a and b, to within width. Each step takes one value of f. */
+/* Returns the argument of the minimum of f between a and b, to within width. One value of f per step. */
 static inline double golden_least(golden_function *f, void *context, double a, double b, double width)
 {
   const double golden = 0.6180339887498949;

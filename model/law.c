@@ -4,8 +4,9 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Long double rounds off, where it is wider, what the many terms of a Bernstein polynomial add up to. In WebAssembly it
- * is binary128 in software, a hundred times slower: how much double rounds there, tests/explorer/core.js measures. */
+/* Long double, if it is wider than double, reduces the rounding of the many terms of a Bernstein polynomial. In
+ * WebAssembly it is binary128 in software, a hundred times slower; tests/explorer/core.js measures the rounding of
+ * double there. */
 #ifdef __wasm__
 typedef double real;
 #define ROUNDING (DBL_EPSILON / 2)
@@ -21,7 +22,7 @@ double law_rise(const struct scallop_law *law, double from, double to)
   return (double)bernstein_rise(bernstein_of(law), from, to);
 }
 
-/* What |l'| covers from near on */
+/* Returns the integral of |l'| from near to u. */
 static real way(const struct bernstein *f, real u)
 {
   real sums[SCALLOP_LAW_MOST_DEGREE + 2], range = f->far - f->near;
@@ -63,7 +64,7 @@ static real polynomial_third(const struct scallop_law *law, real u)
   return sum / law->polynomial.denominator;
 }
 
-/* d^3 |l'|/du^3 at offset u; nan where there is no law */
+/* Returns d^3 |l'|/du^3 at offset u; nan without a law. */
 static double third_derivative(const struct scallop_piece *p, double u)
 {
   const real pi = (real)3.14159265358979323846264338327950288L;
@@ -86,7 +87,7 @@ double scallop_fourth_derivative(const struct scallop_shape *shape, bool at_end)
 
 struct slope_search {
   struct bernstein of;
-  real wanted; /* of d|l'|/du */
+  real wanted; /* the requested value of d|l'|/du */
 };
 
 static real slope_beyond(const void *context, real u, real *slope)

@@ -1,15 +1,13 @@
-/* The root of a monotone function, once for every floating type. No header in the usual sense, and not public. Before
- * including it define
+/* The root of a monotone function, for every floating type. Included as text, not public. The including file defines
  *
  *     real          the type
- *     ROUNDING      2^-bits of it: half of the distance from 1 to the next number
- */
+ *     ROUNDING      2^-bits of it: half of the distance from 1 to the next number */
 #include <float.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
-/* f(u), and its derivative in *slope. */
+/* Returns f(u), and writes its derivative to *slope. */
 typedef real root_function(const void *context, real u, real *slope);
 
 struct root_end {
@@ -18,8 +16,8 @@ struct root_end {
 
 static inline real root_size(real x) { return x < 0 ? -x : x; }
 
-/* Halfway between two numbers >= 0, in the order of the doubles: no interval of doubles is halved more than 64 times,
- * however small the numbers in it are. Of a wider type there is more to halve within an ulp of a double. */
+/* Returns the number halfway between two numbers >= 0, in the order of the doubles: at most 64 bisections of any
+ * interval of doubles, however small the numbers. A wider type also bisects within an ulp of a double. */
 static inline real root_halfway(real a, real b)
 {
   const double ends[2] = { (double)a, (double)b };
@@ -31,8 +29,8 @@ static inline real root_halfway(real a, real b)
   return (middle > a) != (middle > b) && middle != a && middle != b ? (real)middle : a + (b - a) / 2;
 }
 
-/* From p towards the root: the cubic through p and the point before it, as u over f, at f = 0. Written so that no power
- * of f is formed, which could underflow. */
+/* Returns the step from p to the zero of the inverse cubic through p and the point before it. No power of f is formed:
+ * it could underflow. */
 static inline real root_cubic_step(const struct root_end *p, const struct root_end *before)
 {
   real d = p->f - before->f, steep = 1 / p->slope, part = p->f / d;
@@ -40,8 +38,8 @@ static inline real root_cubic_step(const struct root_end *p, const struct root_e
   return part * part * (3 * e + g - part * (g + 2 * e)) - p->f * steep;
 }
 
-/* Will a step of inverse cubic interpolation end at the root to all digits? Its error is about k^3 (step last)^2, with
- * k the relative change of the slope per unit of u, which is large near a graze and is 1/u at least. */
+/* Returns true if a step of inverse cubic interpolation ends at the root to all digits. Its error is about k^3 (step
+ * last)^2, k the relative change of the slope per unit of u: large near a graze, and at least 1/u. */
 static inline bool root_is_last(const struct root_end *p, const struct root_end *before, real step, real last)
 {
   real k = root_size((p->slope - before->slope) / (last * p->slope)), least = 1 / root_size(p->u);
@@ -50,8 +48,8 @@ static inline bool root_is_last(const struct root_end *p, const struct root_end 
   return error * error <= ROUNDING / 128 * (k * root_size(p->u));
 }
 
-/* Of the two ends of the bracket, whether a step of Newton's method from the first is the better one: f f'' > 0 there,
- * so that it cannot overshoot; where f is straight, whether rounding does less to it. */
+/* Returns true if Newton's method starts better from the first end of the bracket: f f'' > 0 there, therefore no
+ * overshoot; or, if f is straight, if |f| and with it the rounding of the step is smaller there. */
 static inline bool root_begins_at(const struct root_end *a, const struct root_end *b)
 {
   real bend = b->slope - a->slope;
@@ -61,12 +59,12 @@ static inline bool root_begins_at(const struct root_end *a, const struct root_en
 
 static inline bool root_is_between(real u, real a, real b) { return (u > a) != (u > b) && u != a && u != b; }
 
-/* The root of f between a and b, both >= 0, to the last digit that f can resolve. Needs: f monotone, f(a) and f(b) of
- * opposite sign or zero; it is fastest where f does not change its curvature.
+/* Returns the root of f between a and b, both >= 0, to the last digit that f can resolve. Needs: f monotone, f(a) and
+ * f(b) of opposite sign or zero; fastest if f does not change its curvature.
  *
  * Method: a step of Newton's method, then cubic interpolation of the inverse function through the last two points and
- * their slopes. The bracket is halved instead where a step leaves it, and where there have been many: near a graze, at
- * which f is nearly flat. */
+ * their slopes. The bracket is halved instead if a step leaves it, or after STEPS steps: near a graze f is nearly flat.
+ */
 static real root_between(root_function *f, const void *context, struct root_end a, struct root_end b)
 {
   enum { STEPS = 12 };

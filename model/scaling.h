@@ -1,5 +1,4 @@
-/* The arithmetic of scallop_scale, inline and without a branch, for those who scale many crawlers in a row. Not
- * public. */
+/* The arithmetic of scallop_scale, inline and without branches, for loops over many crawlers. Not public. */
 #ifndef SCALLOP_MODEL_SCALING_H
 #define SCALLOP_MODEL_SCALING_H
 
@@ -7,31 +6,32 @@
 
 #include "model/model.h"
 
-/* Into loops over many crawlers: a call would keep them from vector instructions. (make coverage wants each function
- * once.) */
+/* Inline in loops over many crawlers: a call would prevent vector instructions. (make coverage requires each
+ * function once.) */
 #ifndef SCALLOP_INLINE
 #define SCALLOP_INLINE static inline __attribute__((always_inline))
 #endif
 
-/* Below DBL_MAX, which is what an overflow gives where it is not rounded up. */
+/* Returns true if the number is normal. It is below DBL_MAX, the result of an overflow that is not rounded up. */
 SCALLOP_INLINE int scaling_is_normal(double positive) { return (positive >= DBL_MIN) & (positive < DBL_MAX); }
 
-/* Whether a result keeps its digits when it is scaled back. Far below its natural unit it has few to keep. */
+/* Returns true if a result keeps its digits when it is scaled back. Far below its natural unit it has few digits to
+ * lose. */
 SCALLOP_INLINE int scaling_keeps(double scaled, double result)
 {
   double a = scaled < 0 ? -scaled : scaled, b = result < 0 ? -result : result;
   return (b < DBL_MAX) & ((a < 0x1p-960) | (b >= DBL_MIN));
 }
 
-/* A result scaled back, which scaling_keeps judges; 0 for one below the normal doubles, whose only digit would be that
- * of the rounding mode. */
+/* Returns a result scaled back; scaling_keeps judges it. 0 below the normal doubles: the rounding mode would decide the
+ * only digit. */
 SCALLOP_INLINE double scaling_back(double scaled, double unit)
 {
   double result = scaled * unit, size = result < 0 ? -result : result;
   return size >= DBL_MIN ? result : 0 * scaled;
 }
 
-/* All but the gait */
+/* Writes all scaled quantities; the gait is left unchanged. */
 SCALLOP_INLINE void scaling_set(double m1, double m2, double F1, double F2, double L, double T, double alpha,
                                 struct scallop_scaled *s)
 {
@@ -48,8 +48,8 @@ SCALLOP_INLINE void scaling_set(double m1, double m2, double F1, double F2, doub
   s->velocity = L / T;
 }
 
-/* The same. True: every parameter is in its domain and every scaled quantity, on the way too, a normal number. False:
- * scallop_scale will tell what is the matter, and what it is. */
+/* Writes all scaled quantities. Returns true if every parameter is in its domain and every scaled quantity and
+ * intermediate result is normal; otherwise scallop_scale determines the reason. */
 SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double L, double T, double alpha,
                               struct scallop_scaled *s)
 {
@@ -64,8 +64,8 @@ SCALLOP_INLINE int scaling_of(double m1, double m2, double F1, double F2, double
   return positive & normal;
 }
 
-/* Whether a parameter is so far from over- and underflow that of such ones no scaled quantity can be near either: eps
- * times the square of a phase's fraction is a product of seven. */
+/* Returns true if a parameter is far from over- and underflow. With such parameters every scaled quantity is normal:
+ * eps times the square of a phase's fraction is a product of seven. */
 static inline bool scaling_is_moderate(double x) { return x >= 0x1p-100 && x <= 0x1p100; }
 
 #endif

@@ -1,13 +1,13 @@
-/* The version, here and nowhere else. */
+/* The version of the project and of its libraries. */
 #ifndef SCALLOP_MODEL_VERSION_H
 #define SCALLOP_MODEL_VERSION_H
 
-/* Semantic: the last number rises when mistakes are repaired, the second when something is added, the first when
- * something that worked has to be written differently. While the first is 0 the second stands for both. */
+/* Semantic version. The last number increases with repairs, the second with additions, the first with incompatible
+ * changes. While the first is 0, the second counts additions and incompatible changes. */
 #define SCALLOP_VERSION "0.3.0-dev"
 
-/* Of the shared libraries: the number after .so. It rises when a program that was linked with an earlier one would not
- * run right: a function has gone or takes something else, or a struct has changed its layout. */
+/* Number after .so of the shared libraries. It increases if programs linked with an earlier library would fail: a
+ * function is removed or its arguments change, or the layout of a struct changes. */
 #define SCALLOP_ABI 1
 
 #endif

@@ -4,13 +4,12 @@
 
 #include "numerics/digits.h"
 #include "numerics/event/regular.h"
-#include "numerics/event/short_cut.h"
+#include "numerics/event/stuck.h"
 #include "numerics/threads.h"
 
-/* Crawlers are solved in blocks. In a block those that may have the regular modes, and those of which a body may be
- * held to the end of a phase, are put in a row each and solved by vector instructions; the rest, and what turns out to
- * be something else, one by one. A block is the same work whichever thread does it. `make instructions` counts what
- * that saves. */
+/* Crawlers are solved in blocks. Within a block, a row collects the crawlers that may have the regular modes and
+ * another one those of which a body may stick to the end of a phase; vector instructions solve a row. All others, and
+ * those that turn out to have other modes, are solved one by one. Which thread solves a block changes nothing. */
 enum { BLOCK = 64 };
 
 /* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or
@@ -31,16 +30,17 @@ struct row {
   const struct scallop_crawlers *of;
   int count;
   long index[BLOCK];
-  double order[BLOCK];           /* as in held_steady; 0: the modes are the regular ones                    */
+  double order[BLOCK];           /* as in stuck_steady; 0: the modes are the regular ones                    */
   double number[NUMBERS][BLOCK]; /* in the order of columns_of                                             */
-  double course[2][BLOCK];       /* held: of each phase                                                     */
+  double course[2][BLOCK];       /* of each phase, if a body sticks                                          */
   double valid[BLOCK];
+  /* of the sinusoidal gait: the four crossings, whether they are the last, and mu1 mu2 f1 f2 delta eps */
+  double at[4][BLOCK], last[BLOCK], scaled[6][BLOCK];
 };
 
-/* The phase at whose end, where |l'| falls to 0 with that slope, friction can hold a body: +1 the contraction, -1 the
- * extension only, 0 none. Roughly, as nothing depends on it but speed: nan where it is too close to call, which is left
- * to the call for one. */
-static double holds(const struct scallop_crawlers *c, long i, double slope_e, double slope_c)
+/* Returns at the end of which phase, where |l'| falls to 0 with the given slope, a body can stick: +1 contraction, -1
+ * extension only, 0 none, nan if rounding could decide. Only speed depends on it. */
+static double sticks(const struct scallop_crawlers *c, long i, double slope_e, double slope_c)
 {
   static const double close = 1e-12;
   double a = c->alpha[i], b = 1 - a, strength = c->T[i] * c->T[i] * (c->F1[i] + c->F2[i]) / c->L[i];
@@ -59,7 +59,7 @@ SCALLOP_INLINE int scale(const struct row *row, int i, struct scallop_scaled *s)
   return scaling_of(c->m1[at], c->m2[at], c->F1[at], c->F2[at], c->L[at], c->T[at], c->alpha[at], s);
 }
 
-/* True: no result over- or underflows. */
+/* Stores the numbers of a crawler. Returns whether no result over- or underflows. */
 SCALLOP_INLINE int answer(struct row *row, int i, const struct scallop_scaled *s, double c_start, double c_mid,
                           double travel, double multiplier)
 {
@@ -76,36 +76,138 @@ SCALLOP_INLINE int answer(struct row *row, int i, const struct scallop_scaled *s
          & scaling_keeps(travel, displacement) & scaling_keeps(travel, mean);
 }
 
+SCALLOP_INLINE void regular_of(struct row *row, int i, const struct scallop_gait *gait, const struct tangents ends[2],
+                               const struct ramps *e, const struct ramps *c)
+{
+  struct scallop_scaled s;
+  struct regular_system system;
+  struct regular r;
+  int valid = scale(row, i, &s);
+  regular_system_of(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), 1, &system);
+  valid &= regular_times(&system, &ends[0], &ends[1]) & regular_result(&system, &r);
+  valid &= (system.e.t < e->top) & (system.e.u < e->rest) & (system.c.t < c->top) & (system.c.u < c->rest);
+  valid &= answer(row, i, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
+  row->valid[i] = valid ? 1 : 0;
+}
+
 VECTOR static void solve_regular(struct row *row, const struct scallop_gait *gait)
 {
   const struct scallop_shape *phase = gait->phase;
-  const struct tangents extension = regular_ends(&phase[0]), contraction = regular_ends(&phase[1]);
+  const struct tangents ends[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
   const struct ramps e = ramps_of(&phase[0]), c = ramps_of(&phase[1]);
 #pragma omp simd
   for (int i = 0; i < row->count; i++) {
-    struct scallop_scaled s;
-    struct regular r;
-    int valid = scale(row, i, &s);
-    valid &= regular_steady(&s, period_driven(gait, s.fraction[SCALLOP_EXTENSION]), &extension, &contraction, &r);
-    valid &= (r.t[0] < e.top) & (r.u[0] < e.rest) & (r.t[1] < c.top) & (r.u[1] < c.rest);
-    valid &= answer(row, i, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
-    row->valid[i] = valid ? 1 : 0;
+    regular_of(row, i, gait, ends, &e, &c);
   }
 }
 
-VECTOR static void solve_held(struct row *row, const struct scallop_gait *gait)
+VECTOR static void sine_begin(struct row *row)
+{
+#pragma omp simd
+  for (int i = 0; i < row->count; i++) {
+    struct scallop_scaled s;
+    row->valid[i] = scale(row, i, &s) ? 1 : 0;
+    row->scaled[0][i] = s.mu1;
+    row->scaled[1][i] = s.mu2;
+    row->scaled[2][i] = s.f1;
+    row->scaled[3][i] = s.f2;
+    row->scaled[4][i] = s.delta;
+    row->scaled[5][i] = s.eps;
+    row->at[0][i] = row->at[1][i] = row->at[2][i] = row->at[3][i] = row->last[i] = 0;
+  }
+}
+
+/* Solves crawler i with |l'| replaced by its tangents at the crossings. Returns whether it is regular so far. */
+SCALLOP_INLINE int sine_times(const struct row *row, int i, struct regular_system *system)
+{
+  const double(*in)[BLOCK] = row->scaled, alpha = row->of->alpha[row->index[i]];
+  const struct scallop_scaled s = { .mu1 = in[0][i],
+                                    .mu2 = in[1][i],
+                                    .f1 = in[2][i],
+                                    .f2 = in[3][i],
+                                    .delta = in[4][i],
+                                    .eps = in[5][i],
+                                    .fraction = { alpha, 1 - alpha } };
+  const struct tangents e = { regular_sine(row->at[0][i]), regular_sine(row->at[1][i]) };
+  const struct tangents c = { regular_sine(row->at[2][i]), regular_sine(row->at[3][i]) };
+  regular_system_of(&s, period_driven(&scallop_gait_sinusoidal, alpha), 1, system);
+  int valid = regular_times(system, &e, &c);
+  return valid & (system->e.t < 0.5) & (system->e.u < 0.5) & (system->c.t < 0.5) & (system->c.u < 0.5);
+}
+
+/* A step of Newton's method for all four crossings, as in regular.c; of a crawler that has arrived nothing changes. */
+SCALLOP_INLINE void sine_step_of(struct row *row, int i)
+{
+  struct regular_system system;
+  int valid = sine_times(row, i, &system);
+  const double x[4] = { system.e.t, system.e.u, system.c.t, system.c.u }, last = row->last[i];
+  const double at[4] = { row->at[0][i], row->at[1][i], row->at[2][i], row->at[3][i] };
+  int near = regular_is_near(x[0], at[0]) & regular_is_near(x[1], at[1]) & regular_is_near(x[2], at[2])
+             & regular_is_near(x[3], at[3]);
+  int settles = near & regular_settles(&system.e, at[0], at[1]) & regular_settles(&system.c, at[2], at[3]);
+  row->at[0][i] = last > 0 ? at[0] : x[0];
+  row->at[1][i] = last > 0 ? at[1] : x[1];
+  row->at[2][i] = last > 0 ? at[2] : x[2];
+  row->at[3][i] = last > 0 ? at[3] : x[3];
+  row->last[i] = settles ? 1 : last;
+  row->valid[i] = valid ? row->valid[i] : last * row->valid[i];
+}
+
+VECTOR static void sine_step(struct row *row)
+{
+#pragma omp simd
+  for (int i = 0; i < row->count; i++)
+    sine_step_of(row, i);
+}
+
+SCALLOP_INLINE void sine_end_of(struct row *row, int i)
+{
+  const double steep = scallop_gait_sinusoidal.phase[0].l0, L = row->of->L[row->index[i]],
+               T = row->of->T[row->index[i]];
+  const struct scallop_scaled s = { .eps = row->scaled[5][i], .velocity = L / T };
+  struct regular_system system;
+  struct regular r;
+  int valid = sine_times(row, i, &system) & regular_result(&system, &r);
+  valid &= answer(row, i, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
+  valid &= (regular_delicate_margin(&system.e, steep, steep) >= 0)
+           & (regular_delicate_margin(&system.c, steep, steep) >= 0);
+  row->valid[i] = valid ? row->valid[i] * row->last[i] : 0;
+}
+
+VECTOR static void sine_end(struct row *row)
+{
+#pragma omp simd
+  for (int i = 0; i < row->count; i++)
+    sine_end_of(row, i);
+}
+
+static void solve_sine(struct row *row, const struct scallop_gait *gait)
+{
+  enum { STEPS = 7 };
+  (void)gait;
+  sine_begin(row);
+  for (int step = 0, left = 1; step < STEPS && left; step++) {
+    sine_step(row);
+    left = 0;
+    for (int i = 0; i < row->count; i++)
+      left |= row->valid[i] > 0 && row->last[i] == 0;
+  }
+  sine_end(row);
+}
+
+VECTOR static void solve_stuck(struct row *row, const struct scallop_gait *gait)
 {
   const struct ramps e = ramps_of(&gait->phase[0]), c = ramps_of(&gait->phase[1]);
 #pragma omp simd
   for (int i = 0; i < row->count; i++) {
     struct scallop_scaled s;
-    struct held h;
+    struct stuck h;
     int valid = scale(row, i, &s);
-    held_steady(&s, row->order[i], &e, &c, false, &h);
+    stuck_steady(&s, row->order[i], &e, &c, &h);
     row->course[0][i] = h.course[0];
     row->course[1][i] = h.course[1];
     valid &= answer(row, i, &s, h.c_start, h.c_mid, h.travel, 0);
-    valid &= !period_cancels(h.travel, h.size, 0);
+    valid &= !period_cancels(h.travel, h.size, 1);
     row->valid[i] = (valid & (h.margin > 0)) ? 1 : 0;
   }
 }
@@ -131,7 +233,7 @@ static struct columns columns_of(const struct scallop_steady_states *to)
                              to->v_low, to->v_high } };
 }
 
-/* One crawler's numbers, and what all have: each column is NULL where it is not wanted. */
+/* Stores one crawler's numbers, status and regime; a column that is not requested is NULL. */
 static void put(struct columns columns, long i, const double numbers[NUMBERS], enum scallop_status status,
                 enum scallop_regime regime, enum scallop_status *statuses, enum scallop_regime *regimes)
 {
@@ -183,12 +285,12 @@ static void put_state(const struct scallop_steady_states *to, const struct row *
   if (to->regime)
     to->regime[i] = held ? course_regime(course) : SCALLOP_SLIDING;
   if (to->modes && !held)
-    regular_modes(row->number[1][j] > 0, to->modes[i]);
+    regular_modes(row->number[1][j] > 0, 1, to->modes[i]);
   for (int kind = 0; to->modes && held && kind < 2; kind++)
     course_modes((enum scallop_phase_kind)kind, course[kind], &to->modes[i][kind]);
 }
 
-/* What is not of the row's kind after all is solved alone. Returns how many have no answer. */
+/* Solves a row, and one by one the crawlers that have other modes. Returns how many have no answer. */
 static long solve_row(const struct job *job, struct row *row, const struct scallop_gait *gait,
                       void (*solve)(struct row *, const struct scallop_gait *))
 {
@@ -211,15 +313,16 @@ static long solve_states(const struct job *job, long first, int count)
 {
   const struct scallop_crawlers *c = job->crawlers;
   const struct scallop_gait *gait = c->gait[first];
-  bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps;
+  bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps, sine = gait == &scallop_gait_sinusoidal;
   struct row regular, held;
   regular.of = held.of = c;
   regular.count = held.count = 0;
   long failed = 0;
   for (long i = first; i < first + count; i++) {
-    bool alike = ramps && c->gait[i] == gait;
-    double order = alike ? holds(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT)) : NAN;
-    if (!alike || isnan(order) || (order != 0 && period_undoes(period_driven(gait, c->alpha[i])))) {
+    bool alike = (ramps || sine) && c->gait[i] == gait;
+    double order = alike ? sticks(c, i, fabs(gait->phase[0].lT), fabs(gait->phase[1].lT)) : NAN;
+    if (!alike || isnan(order) || (order != 0 && sine)
+        || (order != 0 && period_undoes(period_driven(gait, c->alpha[i])))) {
       failed += solve_one(job, i);
       continue;
     }
@@ -227,8 +330,10 @@ static long solve_states(const struct job *job, long first, int count)
     row->index[row->count] = i;
     row->order[row->count++] = order;
   }
+  if (sine)
+    failed += solve_row(job, &regular, gait, solve_sine);
   if (ramps)
-    failed += solve_row(job, &regular, gait, solve_regular) + solve_row(job, &held, gait, solve_held);
+    failed += solve_row(job, &regular, gait, solve_regular) + solve_row(job, &held, gait, solve_stuck);
   return failed;
 }
 

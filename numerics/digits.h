@@ -1,5 +1,5 @@
-/* Steady states with fewer digits, for who draws pictures: what rounding has spoilt is computed again in wider
- * arithmetic, which can take a hundred times as long as all the rest. Not public. */
+/* Steady states with fewer digits, for pictures: without the second computation in wider arithmetic of numbers that
+ * rounding has spoilt. Not public. */
 #ifndef SCALLOP_NUMERICS_DIGITS_H
 #define SCALLOP_NUMERICS_DIGITS_H
 
@@ -7,7 +7,7 @@
 
 enum digits {
   ALL_DIGITS,
-  WITHOUT_MULTIPLIER, /* the multiplier may be wrong where it depends on the last digit of the velocity */
+  WITHOUT_MULTIPLIER, /* the multiplier may be wrong if it depends on the last digit of the velocity */
   PICTURE_DIGITS      /* and displacements that are small by cancellation by a few ulp of L */
 };
 

@@ -1,5 +1,4 @@
-/* The solves in double (solve.h), joined with those in wider arithmetic (wide_parts.h), which tell what rounding has
- * spoilt. */
+/* The solver in double (solve.h), with wider arithmetic (wide_parts.h) for numbers that rounding has spoilt. */
 #include "numerics/numerics.h"
 
 #include <math.h>
@@ -95,7 +94,8 @@ enum scallop_status scallop_period(const struct scallop_crawler *crawler, double
 static void mend(const struct scallop_crawler *crawler, const struct doubt *doubt, struct scallop_steady_result *result)
 {
   struct scallop_wide_steady wider;
-  if (!wide_enough_steady(crawler, result->period.v_start, doubt->left, &wider))
+  const double guess[2] = { result->period.v_start, result->period.v_mid };
+  if (!wide_enough_steady(crawler, guess, doubt->left, &wider))
     return;
   if (doubt->left < 1 && !(doubt->amplified && result->period.displacement == 0)) {
     result->period.displacement = wider.period.displacement.high;

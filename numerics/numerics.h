@@ -1,11 +1,10 @@
-/* numerics/: exact periods. No step size, no tolerance: the motion between two switching times is known in closed
- * form, and only the switching times are solved for. Everything rests on the velocity c of the centre of mass. With M
- * = m1 + m2,
+/* numerics/: the event-driven solver. No step size, no tolerance: the motion between two switching times is known in
+ * closed form, and only the switching times are solved for. With M = m1 + m2, the velocity c of the centre of mass has
  *     x1' = c - (m2/M) l',   x2' = c + (m1/M) l',   c' = -(F1 s1 + F2 s2)/M,
- * so l' drops out of the dynamics: c is piecewise linear in time and a body changes direction where c meets (m2/M) l'
- * or -(m1/M) l'. A stuck body glues c to its curve. docs/background/theory.md has the rest. Nothing here prints,
- * exits, holds state or looks at asymptotics/; the solver allocates nothing, the general-purpose integrators
- * (integrator.h) do. */
+ * so l' drops out of the dynamics: c is piecewise linear in time, and a body changes direction where c meets (m2/M) l'
+ * or -(m1/M) l'. While a body is stuck, c follows its curve. docs/background/theory.md has the rest. Nothing here
+ * prints, exits, holds state or uses asymptotics/; the solver allocates nothing, general-purpose methods (integrator.h) do.
+ */
 #ifndef SCALLOP_NUMERICS_NUMERICS_H
 #define SCALLOP_NUMERICS_NUMERICS_H
 
@@ -34,8 +33,8 @@ void scallop_modes_text(const struct scallop_modes *modes, char *text);
 enum scallop_regime { SCALLOP_SLIDING, SCALLOP_STICK_SLIP, SCALLOP_AT_REST };
 const char *scallop_regime_text(enum scallop_regime regime);
 
-/* A stretch of time within one piece of a phase in which the mode does not change, in units where the phase lasts 1 and
- * L is 1 (velocities in L/tau). Offsets u are measured from the piece's anchor. */
+/* An interval of time within one piece of a phase in which the mode does not change, in units where the phase lasts 1
+ * and L is 1 (velocities in L/tau). Offsets u are measured from the piece's anchor. */
 struct scallop_interval {
   const struct scallop_piece *piece;
   double u_begin, u_end;
@@ -50,7 +49,7 @@ typedef void scallop_visitor(void *context, const struct scallop_interval *inter
 /* The work that an answer took. */
 struct scallop_work {
   long periods;          /* solved                                                             */
-  long events;           /* changes of mode met, and bodies held or released, over all periods   */
+  long events;           /* changes of mode, and bodies that stick or are released, over all periods */
   long gait_evaluations; /* of l' or l'' (or both at once) at a time; none where l' is linear   */
   long root_iterations;  /* of the start velocity and of switching times, closed forms not counted */
 };
@@ -79,7 +78,7 @@ enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawle
 /* An interval in the units of the parameters: in seconds, metres and metres a second, if they are. Bodies have the
  * velocities of just after the beginning and just before the end. Times are good to an ulp or two of tau; velocities
  * and displacements, which may be differences of larger numbers, to a few ulp of L/tau and of what c comes to, and of
- * L. What a stuck body does is exactly 0. A number beyond the doubles is infinite, or 0. */
+ * L. Velocity and displacement of a stuck body are exactly 0. A number beyond the doubles is infinite, or 0. */
 struct scallop_span {
   double t_begin, t_end; /* since the phase began                                                */
   double duration;       /* > 0, to its own last digits, also where t_end - t_begin is rounded to 0 */
@@ -132,8 +131,8 @@ struct scallop_crawlers {
   const double *m1, *m2, *F1, *F2, *L, *T, *alpha;
   const struct scallop_gait *const *gait;
 };
-/* What is wanted of them, of the steady states or of one phase: arrays of count, each NULL where it is not wanted.
- * Where a crawler has no answer its numbers are nan, its modes none and its regime is untouched. */
+/* Requested columns, of the steady states or of one phase: arrays of count; NULL: not requested. If a crawler has no
+ * answer, its numbers are nan, its count of modes is 0 and its regime is unchanged. */
 struct scallop_steady_states {
   double *froude, *v_start, *v_mid, *displacement, *mean_velocity, *multiplier, *v_low, *v_high;
   enum scallop_regime *regime;

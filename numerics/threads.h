@@ -1,4 +1,4 @@
-/* How many threads a loop runs on. Header-only; not public. */
+/* The number of threads of a loop. Header-only; not public. */
 #ifndef SCALLOP_NUMERICS_THREADS_H
 #define SCALLOP_NUMERICS_THREADS_H
 
@@ -6,9 +6,8 @@
 #include <omp.h>
 #endif
 
-/* As many as are wanted, but no more than there are items or processors: more gain nothing, and OpenMP ends the process
- * where it cannot start them, or has no room on the stack for a list of them. wanted = 0: as many as OMP_NUM_THREADS
- * says. */
+/* Returns the requested number (0: that of OMP_NUM_THREADS), but at most the number of items and of processors: more
+ * threads gain nothing, and OpenMP ends the process if it cannot start them or list them on the stack. */
 static inline int threads_for(int wanted, long items)
 {
 #ifdef _OPENMP

@@ -1,19 +1,19 @@
-/* Error bounds of the steady state's series: Taylor's theorem with the remainder in Lagrange's form, the last
- * coefficient enclosed for every eps between 0 and eps0. That the motion has the branch's modes all the way is
- * proven interval by interval; the steady state is unique (docs/background/theory.md), so it is this one. */
+/* Error bounds of the steady state's series: Taylor's theorem with Lagrange's remainder, the last coefficient enclosed
+ * for every eps between 0 and eps0. The modes of the motion are proven interval by interval; the steady state is unique
+ * (docs/background/theory.md), therefore the motion is the steady state. */
 #include "asymptotics/derived/derived.h"
 
 #include "asymptotics/derived/scoped.h"
 
-enum { MORE = 8 }; /* further terms, by which a coefficient is carried from the middle of a ball to all of it */
+enum { MORE = 8 }; /* further terms, to extend a coefficient from the middle of a ball to all of it */
 
-struct around { /* the expansions around the middle of the ball, and around anywhere in it              */
+struct expansions { /* expansions around the middle of the ball, and around every point of it */
   struct steady_lift middle, all;
 };
-#define AROUND(of) of(steady_lift, &s->middle) of(steady_lift, &s->all)
-SCOPED_PARTS(around, struct around, AROUND)
+#define EXPANSIONS(of) of(steady_lift, &s->middle) of(steady_lift, &s->all)
+SCOPED_PARTS(expansions, struct expansions, EXPANSIONS)
 
-/* The branch followed to every eps in the ball, and expanded there to so many terms */
+/* Follows the branch to every eps in the ball, and expands it there to this many terms. */
 static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps, slong terms, slong precision)
 {
   const struct ring ring = { terms, precision };
@@ -29,10 +29,10 @@ static bool lift_at(struct steady_lift *lifted, struct limit *l, const arb_t eps
   return steady_lift(lifted, l, NULL, &eps_series, &ring);
 }
 
-/* The coefficient c_n at eps + h, |h| <= r: sum over k < MORE of binomial(n + k, n) c_(n+k) h^k, from the middle, and
- * the last term with c_(n+MORE) from anywhere in the ball. */
-static void carry(arb_t value, const struct series *middle, const struct series *all, slong n, const mag_t r,
-                  slong precision)
+/* Computes the coefficient c_n at eps + h, |h| <= r: sum over k < MORE of binomial(n + k, n) c_(n+k) h^k, from the
+ * middle, and the last term with c_(n+MORE) from all of the ball. */
+static void extend(arb_t value, const struct series *middle, const struct series *all, slong n, const mag_t r,
+                   slong precision)
 {
   SCOPED(fmpz, ways);
   SCOPED(arb, h, power, term);
@@ -48,20 +48,19 @@ static void carry(arb_t value, const struct series *middle, const struct series 
   }
 }
 
-/* A ball for all of them becomes as narrow as the expansion says. False: the two exclude each other, so one is of
- * another branch. */
+/* Intersects a ball for all eps with the expansion. Returns false if they are disjoint: of different branches. */
 static bool narrow(arb_t ball, const struct series *middle, const struct series *all, const mag_t r, slong precision)
 {
   SCOPED(arb, value);
-  carry(value, middle, all, 0, r, precision);
+  extend(value, middle, all, 0, r, precision);
   return arb_intersection(ball, ball, value, precision);
 }
 
-static const char *const not_smooth = "the steady state is not shown to be smooth in T";
+static const char *const not_smooth = "the steady state is not proven to be smooth in T";
 
-/* Crossings and start velocities, enclosed by plain ball arithmetic, are narrowed, and the modes looked at. NULL, or
- * why not. */
-static const char *modes_around(const struct around *a, struct limit *l, const arb_t eps, slong precision)
+/* Narrows crossings and start velocities, enclosed by plain ball arithmetic, and checks the modes. Returns NULL, or the
+ * reason of a failure. */
+static const char *modes_around(const struct expansions *a, struct limit *l, const arb_t eps, slong precision)
 {
   const mag_struct *r = arb_radref(eps);
   SCOPED(arb, u, w, w_mid);
@@ -79,15 +78,15 @@ static const char *modes_around(const struct around *a, struct limit *l, const a
                                 *of_all = forward ? &all->when : &all->left;
       series_coefficient(u, &at->offset, 0, precision);
       if (!narrow(u, &of_middle->at[i], &of_all->at[i], r, precision))
-        return not_smooth; /* GCOVR_EXCL_LINE: likewise */
+        return not_smooth; /* GCOVR_EXCL_LINE: balls too wide */
       series_set_ball(&at->offset, u);
     }
   return limit_holds(l, w, w_mid, eps, precision);
 }
 
-/* Follows `here` to every eps in the ball, first to its middle, which is near. NULL; or why the motion is not shown to
- * be the steady state there, and `here` is as before. */
-static const char *move_to(struct around *a, struct limit *here, const arb_t eps, slong terms, slong precision)
+/* Moves `here` to every eps in the ball, by its middle. Returns NULL; or the reason why the motion is not proven to be
+ * the steady state, with `here` unchanged. */
+static const char *move_to(struct expansions *a, struct limit *here, const arb_t eps, slong terms, slong precision)
 {
   SCOPED(arb, middle);
   SCOPED(limit, trial);
@@ -101,13 +100,13 @@ static const char *move_to(struct around *a, struct limit *here, const arb_t eps
   return why;
 }
 
-/* The largest eps up to which the modes are shown to be those of the branch, by steps down to 2^FINEST of it and
- * MOST_FINE attempts with finer ones, which come no nearer than their number; *ends: what happens there. */
+/* Computes the largest eps up to which the modes of the branch are proven, by steps down to 2^FINEST of it and at most
+ * MOST_FINE attempts with finer ones; *ends: the event there. */
 static void find_end(arf_t end, const char **ends, const struct limit *from, slong precision)
 {
   enum { STEPS = 4000, FINEST = -11, SMALLEST = -400, FAILURES = 4, MOST_FINE = 64 };
   int failures = 0, fine = 0;
-  SCOPED(around, around);
+  SCOPED(expansions, around);
   SCOPED(limit, here);
   SCOPED(arf, step, next);
   SCOPED(arb, eps);
@@ -135,66 +134,65 @@ static void find_end(arf_t end, const char **ends, const struct limit *from, slo
   }
 }
 
-/* The coefficients of x^power[i], of w and of the displacement over L, for all eps so far */
-struct largest {
-  struct limit here; /* followed to where we are */
+/* The coefficients of x^power[i], of w and of the displacement over L, maximal over all eps so far */
+struct maxima {
+  struct limit here; /* followed to the current eps */
   slong power[2], precision;
-  arb_t value[2], most[2]; /* absolute values here, and the largest so far */
+  arb_t value[2], most[2]; /* absolute values at the current eps, and the largest so far */
 };
-#define LARGEST(of) \
-  of(limit, &s->here) of(arb, s->value[0]) of(arb, s->value[1]) of(arb, s->most[0]) of(arb, s->most[1])
-SCOPED_PARTS(largest, struct largest, LARGEST)
+#define MAXIMA(of) of(limit, &s->here) of(arb, s->value[0]) of(arb, s->value[1]) of(arb, s->most[0]) of(arb, s->most[1])
+SCOPED_PARTS(maxima, struct maxima, MAXIMA)
 
-/* The values for every eps in the ball. False: the motion is not shown to be the steady state there. */
-static bool take(struct largest *l, const arb_t eps)
+/* Computes the values for every eps in the ball. Returns false if the motion is not proven to be the steady state. */
+static bool evaluate_at(struct maxima *l, const arb_t eps)
 {
   const slong terms = FLINT_MAX(l->power[0], l->power[1]) + MORE + 1;
-  SCOPED(around, a);
+  SCOPED(expansions, a);
   if (move_to(&a, &l->here, eps, terms, l->precision))
     return false;
-  carry(l->value[0], &a.middle.w, &a.all.w, l->power[0], arb_radref(eps), l->precision);
-  carry(l->value[1], &a.middle.travel, &a.all.travel, l->power[1], arb_radref(eps), l->precision);
+  extend(l->value[0], &a.middle.w, &a.all.w, l->power[0], arb_radref(eps), l->precision);
+  extend(l->value[1], &a.middle.travel, &a.all.travel, l->power[1], arb_radref(eps), l->precision);
   for (int i = 0; i < 2; i++)
     arb_abs(l->value[i], l->value[i]);
   return arb_is_finite(l->value[0]) && arb_is_finite(l->value[1]);
 }
 
-static void count(struct largest *l)
+static void count(struct maxima *l)
 {
   for (int i = 0; i < 2; i++)
     arb_max(l->most[i], l->most[i], l->value[i], l->precision);
 }
 
-/* The values at a few points: less than the largest, and of its size. */
-static void take_points(struct largest *l, const arf_t end)
+/* Computes the values at a few points: lower bounds of the largest, of the same size. */
+static void evaluate_at_points(struct maxima *l, const arf_t end)
 {
   enum { POINTS = 16 };
   SCOPED(arb, eps);
   for (ulong i = 1; i <= POINTS; i++) {
     arf_mul_ui(arb_midref(eps), end, i, l->precision, ARF_RND_DOWN);
     arf_mul_2exp_si(arb_midref(eps), arb_midref(eps), -4);
-    if (take(l, eps))
+    if (evaluate_at(l, eps))
       count(l);
   }
 }
 
-/* value <= 2 most, or it is nothing beside a function of size 1 on [0, end]: some coefficients vanish identically */
-static bool is_tight(const struct largest *l, int i, const arf_t end)
+/* Returns true if value <= 2 most, or if value is negligible beside a function of size 1 on [0, end]: some coefficients
+ * vanish identically. */
+static bool is_tight(const struct maxima *l, int i, const arf_t end)
 {
-  SCOPED(arb, room, size);
-  arb_mul_2exp_si(room, l->most[i], 1);
-  arb_sub(room, room, l->value[i], l->precision);
+  SCOPED(arb, margin, size);
+  arb_mul_2exp_si(margin, l->most[i], 1);
+  arb_sub(margin, margin, l->value[i], l->precision);
   arb_set_arf(size, end);
   arb_pow_ui(size, size, (ulong)l->power[i], l->precision);
   arb_mul(size, size, l->value[i], l->precision);
   bool nothing = mag_cmp_2exp_si(arb_radref(size), -l->precision / 2) < 0
                  && arf_cmpabs_2exp_si(arb_midref(size), -l->precision / 2) < 0;
-  return arb_is_nonnegative(room) || nothing;
+  return arb_is_nonnegative(margin) || nothing;
 }
 
-/* Covers [0, end] by intervals, which are halved while they are wide or their balls are: more than twice the value at
- * points. */
-static bool take_intervals(struct largest *l, const arf_t end)
+/* Covers [0, end] by intervals; an interval is halved if it is wide or its ball exceeds twice the value at points. */
+static bool evaluate_on_intervals(struct maxima *l, const arf_t end)
 {
   enum { MOST = 6000, NARROW = -11 };
   SCOPED(arf, lo, hi, step, narrow);
@@ -207,7 +205,7 @@ static bool take_intervals(struct largest *l, const arf_t end)
     arf_add(hi, lo, step, l->precision, ARF_RND_UP);
     arf_min(hi, hi, end);
     arb_set_interval_arf(eps, lo, hi, l->precision);
-    bool followed = take(l, eps), tight = followed && is_tight(l, 0, end) && is_tight(l, 1, end);
+    bool followed = evaluate_at(l, eps), tight = followed && is_tight(l, 0, end) && is_tight(l, 1, end);
     if (tight || (followed && arf_cmp(step, narrow) < 0)) {
       count(l);
       arf_set(lo, hi);
@@ -215,7 +213,7 @@ static bool take_intervals(struct largest *l, const arf_t end)
     } else
       arf_mul_2exp_si(step, step, -1);
   }
-  return false; /* GCOVR_EXCL_LINE: likewise */
+  return false; /* GCOVR_EXCL_LINE: balls too wide */
 }
 
 static void time_of(arb_t T, const arf_t eps, const arb_t kappa, slong precision)
@@ -225,7 +223,7 @@ static void time_of(arb_t T, const arf_t eps, const arb_t kappa, slong precision
   arb_sqrt(T, T, precision);
 }
 
-/* eps/T^2, and the eps up to which the modes of the limit are shown to hold */
+/* Computes eps/T^2, and the eps up to which the modes of the limit are proven. */
 static void follow_to_end(arb_t kappa, arf_t end, const char **ends, const struct limit *l,
                           const struct scallop_rational_crawler *crawler, slong precision)
 {
@@ -249,8 +247,8 @@ enum scallop_status scallop_steady_modes_hold(const struct scallop_rational_craw
   return status;
 }
 
-/* |coefficient of x^power| of all eps up to eps0, as a bound of the series in T */
-static void set_bound(struct scallop_bound *b, const struct largest *l, int i, const arb_t kappa,
+/* Sets the bound of the series in T from |coefficient of x^power| of all eps up to eps0. */
+static void set_bound(struct scallop_bound *b, const struct maxima *l, int i, const arb_t kappa,
                       const struct scallop_rational_crawler *crawler, const arf_t eps0, const arf_t end)
 {
   SCOPED(arb, most);
@@ -263,8 +261,8 @@ static void set_bound(struct scallop_bound *b, const struct largest *l, int i, c
   time_of(b->T_end, end, kappa, l->precision);
 }
 
-/* Of all eps up to eps0: of the first powers that the expansion below T^order leaves out and that do not vanish */
-static bool find_largest(struct largest *largest, const struct limit *l, slong order, const arf_t eps0, slong precision)
+/* Finds the largest coefficients over all eps up to eps0, of the first nonzero powers at or above T^order. */
+static bool find_largest(struct maxima *largest, const struct limit *l, slong order, const arf_t eps0, slong precision)
 {
   largest->precision = precision;
   largest->power[0] = order / 2 + 1;
@@ -272,9 +270,9 @@ static bool find_largest(struct largest *largest, const struct limit *l, slong o
   if (l->even)
     largest->power[1] += largest->power[1] % 2;
   limit_set(&largest->here, l);
-  take_points(largest, eps0);
+  evaluate_at_points(largest, eps0);
   limit_set(&largest->here, l);
-  return take_intervals(largest, eps0);
+  return evaluate_on_intervals(largest, eps0);
 }
 
 enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler *crawler, slong order, slong precision,
@@ -284,21 +282,21 @@ enum scallop_status scallop_steady_bounds(const struct scallop_rational_crawler 
   if (none)
     return refused_for(SCALLOP_EDOMAIN, none, why);
   SCOPED(limit, l);
-  SCOPED(largest, largest);
+  SCOPED(maxima, largest);
   SCOPED(arf, end, eps0);
   SCOPED(arb, kappa);
   enum scallop_status status = limit_find(&l, crawler, precision, why);
   if (status != SCALLOP_OK)
     return status;
   if (series_coefficient_is_zero(&l.w, 0))
-    return refused_for(
-        SCALLOP_EDOMAIN,
-        "the start velocity is 0 in the limit (F1 = F2, or alpha = 1/2): this bound is for those where it is not", why);
+    return refused_for(SCALLOP_EDOMAIN,
+                       "the start velocity is 0 in the limit (F1 = F2, or alpha = 1/2): the bound requires another one",
+                       why);
   follow_to_end(kappa, end, &ends, &l, crawler, precision);
   arf_mul_ui(eps0, end, 13, precision, ARF_RND_DOWN); /* T0 is 0.9 of T_end */
   arf_mul_2exp_si(eps0, eps0, -4);
   if (arf_is_zero(end)
-      || !find_largest(&largest, &l, order, eps0, precision)) /* GCOVR_EXCL_START: no limit is known to */
+      || !find_largest(&largest, &l, order, eps0, precision)) /* GCOVR_EXCL_START: no limit is known to fail */
     return refused_for(SCALLOP_EUNDECIDED,
                        "the modes of the limit are not shown to hold for any T > 0: it is too close to a boundary",
                        why);

@@ -1,4 +1,4 @@
-/* The laws of a branch in balls, and its crossings for T -> 0: at the ends of a phase, or where |l'| takes a value. */
+/* The laws of a branch in balls, and its crossings for T -> 0: at the ends of a phase, or at a given |l'| */
 #include "asymptotics/derived/branch.h"
 
 #include "asymptotics/derived/scoped.h"
@@ -32,7 +32,7 @@ void time_of_offset(arb_t time, const struct scallop_piece *piece, const arb_t u
   }
 }
 
-/* |l'| - level, and its derivative by u */
+/* Computes |l'| - level, and its derivative with respect to u. */
 static void excess_at(arb_t excess, arb_t slope, const struct scallop_piece *piece, const arb_t level, const arb_t u,
                       slong precision)
 {
@@ -59,7 +59,7 @@ void gap_at(arb_t gap, arb_t slope, const struct scallop_piece *piece, const fmp
     arb_neg(slope, slope);
 }
 
-/* Newton's method for the middle, until it stays or goes to and fro; value and slope are those there. */
+/* Finds the middle by Newton's method, until it is stationary or alternates; value and slope are computed there. */
 static bool find_middle(arb_t x, arb_t value, arb_t slope, root_function *f, void *of, slong precision)
 {
   enum { STEPS = 40 };
@@ -203,7 +203,7 @@ enum scallop_status refused_for(enum scallop_status status, const char *reason, 
 }
 
 const char *const branch_without_ends =
-    "l'' = 0 at an end of a phase: the switching times go as fractional powers of T; or "
+    "l'' = 0 at an end of a phase: the switching times are fractional powers of T; or "
     "the piece there is anchored elsewhere";
 
 static void add_crossing(struct branch *b, const struct scallop_piece *piece, int curve, int to, bool tangent)
@@ -216,8 +216,8 @@ static void add_crossing(struct branch *b, const struct scallop_piece *piece, in
   series_set_si(&at->offset, 0);
 }
 
-/* A crossing at one end of the phase, which is at that offset of the piece: its anchor. Where l' jumps there is none: c
- * is small. */
+/* Adds a crossing at one end of the phase, at this offset of the piece: its anchor. If l' jumps there, it has no
+ * crossing: c is small. */
 static bool add_end(struct branch *b, const struct scallop_piece *piece, bool at_end, int curve, int to)
 {
   piece_place *place = at_end ? scallop_ball_end : scallop_ball_begin;
@@ -229,7 +229,8 @@ static bool add_end(struct branch *b, const struct scallop_piece *piece, bool at
   return true;
 }
 
-/* Where l'' = 0 at the start of a phase from rest, friction that differs holds the body with more of it. Likewise */
+/* Adds the release of a body: if l'' = 0 at the start of a phase from rest, friction holds the body with more friction.
+ * Returns false as add_end. */
 static bool add_release(struct branch *b, const struct scallop_piece *piece, int sign)
 {
   if (sign == 0 || !is_zero_at(scallop_ball_speed, piece, scallop_ball_begin)
@@ -268,10 +269,10 @@ const char *branch_of_phase(struct branch *b, struct phase_constants *p, const s
 
 struct search { /* for the crossings of one piece                                                     */
   const struct scallop_piece *piece;
-  arb_srcptr level; /* of |l'|, positive                                                          */
+  arb_srcptr level; /* level of |l'|, positive */
 };
 
-/* |l'| - level and, with order 2, its derivative, as arb_calc.h wants them */
+/* Computes |l'| - level and, with order 2, its derivative, in the form of arb_calc.h. */
 static int excess(arb_ptr value, const arb_t u, void *search, slong order, slong precision)
 {
   const struct search *s = search;
@@ -282,7 +283,7 @@ static int excess(arb_ptr value, const arb_t u, void *search, slong order, slong
   return 0;
 }
 
-/* A place near the one root in the block: halved until it is narrow enough for Newton's method */
+/* Finds a place near the single root in the block, by bisection, narrow enough for Newton's method. */
 static void approach(arb_t u, struct search *s, const arf_interval_t block, slong precision)
 {
   enum { HALVINGS = 24 };
@@ -301,8 +302,8 @@ static void approach(arb_t u, struct search *s, const arf_interval_t block, slon
   arf_interval_clear(narrow);
 }
 
-/* Adds the roots in the order of time. False: one is not isolated, or there are too many. outer: the region above curve
- * 0 or below curve 1 */
+/* Adds the roots in the order of time. Returns false if one is not isolated, or if they are too many. outer: the region
+ * above curve 0 or below curve 1. */
 static bool add_roots(struct branch *b, struct search *s, int outer, slong precision)
 {
   enum { DEPTH = 40, MOST_EVALUATIONS = 100000 };
@@ -344,7 +345,7 @@ bool branch_of_level(struct branch *b, const struct phase_constants *p, const ar
   scallop_ball_begin(u, &p->shape->pieces[0], precision);
   excess_at(above, slope, &p->shape->pieces[0], level, u, precision);
   b->count = 0;
-  b->first_region = arb_is_negative(above) ? outer : 1; /* below the level the bodies move alike */
+  b->first_region = arb_is_negative(above) ? outer : 1; /* below the level both bodies move in the same direction */
   bool found = !arb_contains_zero(c) && !arb_contains_zero(above);
   for (int i = 0; found && i < p->shape->count; i++) {
     s.piece = &p->shape->pieces[i];

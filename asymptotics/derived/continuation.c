@@ -3,17 +3,17 @@
 
 #include "asymptotics/derived/scoped.h"
 
-/* before: the crossing before in the same phase, of to[-1], that it may be joined with; or NULL. */
+/* Sets the law of a crossing. before: the preceding crossing, of to[-1], for a joined equation; or NULL. */
 static void set_law(struct continued_crossing *to, const struct crossing *at, const struct crossing *before,
                     slong precision)
 {
   const struct scallop_piece *piece = at->piece;
   bool turned;
   to->sine = piece->law && piece->law->kind == SCALLOP_LAW_SINE;
-  to->joined = before && before->curve == at->curve && scallop_piece_goes_on(before->piece, piece, &turned);
+  to->joined = before && before->curve == at->curve && scallop_piece_continues(before->piece, piece, &turned);
   arb_init(to->base);
   arb_poly_init(to->law);
-  if (to->joined) { /* the very same function */
+  if (to->joined) { /* exactly the same function */
     arb_set(to->base, to[-1].base);
     arb_poly_set(to->law, to[-1].law);
   }
@@ -32,7 +32,7 @@ static void set_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t va
   acb_set_fmpq(acb_mat_entry(matrix, row, column), value, precision);
 }
 
-/* += a b: a share of the slope of c, and what it is multiplied by */
+/* Adds a b: a fraction of the slope of c, and its factor. */
 static void add_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t a, const fmpq_t b, slong precision)
 {
   SCOPED(fmpq, product);
@@ -42,9 +42,9 @@ static void add_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t a,
   acb_add(acb_mat_entry(matrix, row, column), acb_mat_entry(matrix, row, column), ball, precision);
 }
 
-/* Adds share times what c has gained over eps, up to crossing `until` of the phase (its count: up to the end), to a
- * row: the drops of the slope times the times of the crossings before, and the slope there times the time of this one
- * (1 at the end). */
+/* Adds share times the gain of c over eps, up to crossing `until` of the phase (its count: up to the end), to a row:
+ * the drops of the slope times the times of the crossings before, and the slope there times the time of this one (1 at
+ * the end). */
 static void add_gain(struct continuation *c, acb_mat_t matrix, slong row, const struct branch *b,
                      const struct phase_constants *p, slong first, slong until, const fmpq_t share, slong precision)
 {
@@ -57,8 +57,8 @@ static void add_gain(struct continuation *c, acb_mat_t matrix, slong row, const 
   add_entry(matrix, row, column, share, p->beta[branch_region(b, (int)until)], precision);
 }
 
-/* The rows of a phase whose crossings are those from `first` on; c at its start is fraction w, and what the phase
- * before has added. */
+/* Sets the rows of a phase with crossings from `first` on; c starts at fraction w, plus the gain of the phase
+ * before. */
 static void add_phase(struct continuation *c, const struct branch *b, const struct phase_constants *p, slong first,
                       slong count, const fmpq_t fraction, bool join, slong precision)
 {
@@ -85,7 +85,7 @@ static void add_phase(struct continuation *c, const struct branch *b, const stru
   }
 }
 
-/* With z so that kappa is near 1 */
+/* Starts the equations, with z scaled to make kappa near 1. */
 static void begin(struct continuation *c, slong m, slong power, const fmpq_t kappa, slong precision)
 {
   c->m = m;
@@ -118,7 +118,7 @@ void continue_steady(struct continuation *c, const struct limit *l, const fmpq_t
     add_phase(c, b, p, k * first, b->count, p->fraction, join, precision);
     add_gain(c, c->fixed, c->m, b, p, k * first, b->count, p->fraction, precision); /* the balance */
   }
-  for (slong i = first; i < c->m; i++) /* what the first phase has added */
+  for (slong i = first; i < c->m; i++) /* the gain of the first phase */
     if (!c->crossing[i].joined)
       add_gain(c, c->per_eps, i, &l->branch[0], &l->phase[0], 0, first, product, precision);
 }
@@ -221,7 +221,7 @@ void continued_jacobian(acb_mat_t to, const struct continuation *c, acb_srcptr v
   }
 }
 
-/* -(law_aa u_a^2 + 2 law_ab u_a u_b + law_bb u_b^2) + 2 eps' u_z per_eps u + eps'' u_z^2 per_eps (v, 1) */
+/* Computes -(law_aa u_a^2 + 2 law_ab u_a u_b + law_bb u_b^2) + 2 eps' u_z per_eps u + eps'' u_z^2 per_eps (v, 1). */
 void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, acb_srcptr u, slong precision)
 {
   SCOPED_BALLS(jet, JET);
@@ -251,9 +251,9 @@ void continued_bend(acb_mat_t bend, const struct continuation *c, acb_srcptr v, 
   }
 }
 
-/* With the direction u, the drops d_i of the slope over eps at the crossings and f_i the fraction of the phase of
- * crossing i: after the first phase u_0 + eps sum of f_0 d_i u_i over its crossings; travel u_0 + eps sum of f_i d_i
- * u_i (f_i (1 - s_i) + (f_1 in the first phase)). */
+/* Computes a gain. With the direction u, the drops d_i of the slope over eps at the crossings, and f_i the fraction of
+ * the phase of crossing i: after the first phase u_0 + eps sum of f_0 d_i u_i over its crossings; travel u_0 + eps sum
+ * of f_i d_i u_i (f_i (1 - s_i) + (f_1 in the first phase)). */
 void continued_gain(acb_t gain, const struct continuation *c, enum continued_value value, acb_srcptr v, acb_srcptr u,
                     slong precision)
 {

@@ -1,5 +1,5 @@
-/* Branch points. With v_p as the parameter t all is analytic in t, also z; the branch, a function of z, is not where
- * z'(t) = 0. */
+/* Branch points. With v_p as the parameter t all functions are analytic in t, also z; the branch, as a function of z,
+ * is not analytic at z'(t) = 0. */
 #include <math.h>
 
 #include "asymptotics/derived/continuation.h"
@@ -22,7 +22,7 @@ void fold_clear(struct fold *f)
   _acb_vec_clear(f->around, f->c->n + 1);
 }
 
-/* The coordinate that changes most with z */
+/* Returns the coordinate that changes most with z. */
 static slong steepest(acb_srcptr first, slong n)
 {
   slong best = 0;
@@ -37,7 +37,7 @@ static slong steepest(acb_srcptr first, slong n)
   return best;
 }
 
-/* v and both derivatives for the ball in v[p] */
+/* Encloses v and both derivatives for the ball in v[p]. */
 static bool enclose(struct fold *f, acb_t second, slong precision)
 {
   return continuation_enclose(f->v, f->around, f->c, f->p, precision)
@@ -51,7 +51,7 @@ static double size_of(const acb_t z)
   return mag_get_d(size);
 }
 
-/* t -= z'/z'' until that is of no size; v, first and second are then at that place. */
+/* Iterates t -= z'/z'' until the step is negligible; v, first and second are then computed there. */
 static bool approach(struct fold *f, acb_t second, double far, slong precision)
 {
   enum { STEPS = 40 };
@@ -66,7 +66,7 @@ static bool approach(struct fold *f, acb_t second, double far, slong precision)
       return false;
     acb_div(step, f->first + f->c->n, second, precision);
     if (!acb_is_finite(step))
-      return false; /* GCOVR_EXCL_LINE: likewise */
+      return false; /* GCOVR_EXCL_LINE: balls too wide */
     if (size_of(step) < ldexp(1, -(int)precision / 2))
       return true;
     acb_sub(f->v + f->p, f->v + f->p, step, precision);
@@ -74,8 +74,8 @@ static bool approach(struct fold *f, acb_t second, double far, slong precision)
   return false;
 }
 
-/* Newton's interval operator for z' in a ball of t: t - z'(t)/z''(ball) lies inside it, and holds the only zero of
- * z'. */
+/* Proves the fold by Newton's interval operator for z' in a ball of t: t - z'(t)/z''(ball) lies inside it, and contains
+ * the only zero of z'. */
 static bool prove(struct fold *f, acb_t second, slong precision)
 {
   SCOPED(acb, zero, rate);
@@ -85,17 +85,17 @@ static bool prove(struct fold *f, acb_t second, slong precision)
   mag_set_ui_2exp_si(size, 1, -precision / 3);
   acb_add_error_mag(f->v + f->p, size);
   if (!enclose(f, second, precision))
-    return false; /* GCOVR_EXCL_LINE: likewise */
+    return false; /* GCOVR_EXCL_LINE: balls too wide */
   acb_div(rate, rate, second, precision);
   acb_sub(zero, zero, rate, precision);
   if (!acb_is_finite(zero) || !acb_contains_interior(f->v + f->p, zero))
-    return false; /* GCOVR_EXCL_LINE: likewise */
+    return false; /* GCOVR_EXCL_LINE: balls too wide */
   acb_set(f->v + f->p, zero);
   return enclose(f, second, precision);
 }
 
-/* min |z''|/2 over the square |Re t|, |Im t| <= size around the branch point, times size^2; 0: not shown to be
- * positive. By Taylor's theorem |z - z*| is at least that at distance size. */
+/* Returns min |z''|/2 over the square |Re t|, |Im t| <= size around the branch point, times size^2; 0: not proven to be
+ * positive. By Taylor's theorem |z - z*| is at least this at distance size. */
 static double clearance(acb_ptr around, const struct fold *f, double size)
 {
   slong n = f->c->n;
@@ -111,10 +111,10 @@ static double clearance(acb_ptr around, const struct fold *f, double size)
       && continuation_derivatives(first, second, f->c, v, f->p, NEIGHBOURHOOD_BITS))
     acb_get_abs_lbound_arf(least, second, NEIGHBOURHOOD_BITS);
   return fmax(0,
-              arf_get_d(least, ARF_RND_DOWN) * size * size / 2 * (1 - 0x1p-20)); /* t* is known to far less than that */
+              arf_get_d(least, ARF_RND_DOWN) * size * size / 2 * (1 - 0x1p-20)); /* t* is known much more accurately */
 }
 
-/* The size with the largest clearance, of 2, 1, 1/2, ... */
+/* Chooses the size with the largest clearance, of 2, 1, 1/2, ... */
 static bool set_neighbourhood(struct fold *f)
 {
   enum { LARGEST = 1, SMALLEST = -20 };
@@ -138,7 +138,7 @@ bool fold_find(struct fold *f, acb_srcptr v, double far, slong precision)
   SCOPED(acb, second);
   _acb_vec_set(f->v, v, f->c->n + 1);
   if (!continuation_derivatives(f->first, second, f->c, f->v, f->c->n, precision))
-    return false; /* GCOVR_EXCL_LINE: likewise */
+    return false; /* GCOVR_EXCL_LINE: balls too wide */
   f->p = steepest(f->first, f->c->n);
   return approach(f, second, far, precision) && prove(f, second, precision) && set_neighbourhood(f);
 }

@@ -8,8 +8,8 @@
 #endif
 
 /* S(h) = sin(pi h)/(pi h) = g(y), y = -(pi h)^2/4, and S' = -(pi^2/2) h g', S'' = -(pi^2/2) (g' + 2 y g''): g is the
- * entire function 0F1(; 3/2; y), whose derivatives are (2/3) 0F1(; 5/2; y) and (4/15) 0F1(; 7/2; y).
- * acb_poly_sinc_series is not for balls that hold 0. */
+ * entire function 0F1(; 3/2; y), with derivatives (2/3) 0F1(; 5/2; y) and (4/15) 0F1(; 7/2; y). acb_poly_sinc_series
+ * does not accept balls that contain 0. */
 static void sine_quotient(acb_ptr S, const acb_t h, const arb_t pi_squared, slong precision)
 {
   static const int factors[][2] = { { 1, 1 }, { 2, 3 }, { 4, 15 } };
@@ -57,7 +57,7 @@ static void joined_sine(acb_ptr jet, const acb_t a, const acb_t b, slong precisi
   acb_mul_arb(C + 2, C, square, precision);
   acb_neg(C + 2, C + 2);
   acb_mul(jet + JET_VALUE, C, S, precision);
-  acb_mul(m, C + 1, S, precision); /* D_m, D_h and, in the places of jets, D_mm and D_hh */
+  acb_mul(m, C + 1, S, precision); /* D_m, D_h and, instead of jets, D_mm and D_hh */
   acb_mul(h, C, S + 1, precision);
   acb_mul(jet + JET_AA, C + 2, S, precision);
   acb_mul(jet + JET_BB, C, S + 2, precision);
@@ -84,14 +84,14 @@ static void lone_sine(acb_ptr jet, const acb_t b, slong precision)
   acb_neg(jet + JET_BB, jet + JET_BB);
 }
 
-/* d becomes a d + f. */
+/* Replaces d by a d + f. */
 static void step(acb_t d, const acb_t f, const acb_t a, slong precision)
 {
   acb_mul(d, d, a, precision);
   acb_add(d, d, f, precision);
 }
 
-/* Horner's rule for the law at b, f = c + b f, and for its divided difference, d = f + a d, with their derivatives */
+/* Horner's rule for the law at b, f = c + b f, and for its divided difference, d = f + a d, with their derivatives. */
 static void polynomial(acb_ptr jet, const struct continued_crossing *at, const acb_t a, const acb_t b, slong precision)
 {
   acb_ptr d = jet;

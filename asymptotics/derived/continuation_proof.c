@@ -3,12 +3,12 @@
  *
  *     K(V) = m - C F(m) - C dF/dv_p (v_p - m_p) + (1 - C J(V)) (V - m).
  *
- * If K(V) lies inside V, F has exactly one zero in V for each v_p. 1 - C J(V) is summed from differences to the middle,
- * so that what the entries of J share cancels before it becomes a width. */
+ * If K(V) lies inside V, F has exactly one zero in V for each v_p. 1 - C J(V) is summed from differences to the middle:
+ * common parts of the entries of J then cancel before they widen the result. */
 #include "asymptotics/derived/continuation.h"
 #include "asymptotics/derived/scoped.h"
 
-/* Its matrices, by name and columns, n rows each */
+/* Matrices of the operator, by name and columns, n rows each */
 #define KRAWCZYK_MATRICES(of) \
   of(jacobian, n + 1) of(middle, n + 1)            /* anywhere; at the middle             */ \
       of(others, n) of(inverse, n)                 /* of the middle the columns but p; C */ \
@@ -33,7 +33,7 @@ static void krawczyk_init(struct krawczyk *k, const struct continuation *c, slon
 
 static void krawczyk_clear(struct krawczyk *k) { KRAWCZYK_MATRICES(KRAWCZYK_CLEAR) }
 
-/* The coordinate that column j of the others is of */
+/* Returns the coordinate of column j of the others. */
 static slong other(const struct krawczyk *k, slong j) { return j + (j >= k->p); }
 
 static void drop_column(acb_mat_t others, acb_mat_t dropped, const struct krawczyk *k, const acb_mat_t all)
@@ -45,7 +45,7 @@ static void drop_column(acb_mat_t others, acb_mat_t dropped, const struct krawcz
   }
 }
 
-/* One step of Newton's method; its size. False: not finite */
+/* Makes one step of Newton's method, and computes its size. Returns false if it is not finite. */
 static bool newton_step(struct krawczyk *k, acb_ptr v, mag_t size)
 {
   SCOPED(mag, here);
@@ -67,8 +67,8 @@ static bool newton_step(struct krawczyk *k, acb_ptr v, mag_t size)
   return sound;
 }
 
-/* Newton's method for the middle of v[p], until a step is small beside the ball of v[p] or, the next one being its
- * square, beside rounding */
+/* Iterates Newton's method for the middle of v[p], until a step is small beside the ball of v[p] or its square is small
+ * beside rounding. */
 static bool find_middle(struct krawczyk *k, acb_ptr v)
 {
   enum { STEPS = 20, SMALL = 3 };
@@ -83,7 +83,7 @@ static bool find_middle(struct krawczyk *k, acb_ptr v)
   return close;
 }
 
-/* What of K does not depend on V */
+/* Computes the parts of K that do not depend on V. */
 static void prepare(struct krawczyk *k, acb_srcptr middle, const acb_t whole)
 {
   SCOPED_BALLS(v, k->n + 1);
@@ -101,7 +101,7 @@ static void prepare(struct krawczyk *k, acb_srcptr middle, const acb_t whole)
   acb_mat_mul(k->drive, k->inverse, k->drive, k->precision);
 }
 
-/* next = m - C F(m) - C dF/dv_p (v_p - m_p) */
+/* Computes next = m - C F(m) - C dF/dv_p (v_p - m_p). */
 static void first_guess(acb_ptr next, const struct krawczyk *k, acb_srcptr middle, const acb_t whole)
 {
   SCOPED(acb, way);
@@ -114,7 +114,7 @@ static void first_guess(acb_ptr next, const struct krawczyk *k, acb_srcptr middl
   acb_set(next + k->p, whole);
 }
 
-/* to -= what the change of eps from the middle adds to C (J(V) - J(m)) (V - m): that change times C per_eps */
+/* Subtracts the contribution of eps - eps(middle) to C (J(V) - J(m)) (V - m): the difference times C per_eps. */
 static void subtract_change_of_eps(acb_ptr to, const struct krawczyk *k, acb_srcptr middle, acb_srcptr around,
                                    acb_srcptr way)
 {
@@ -140,7 +140,7 @@ static void subtract_change_of_eps(acb_ptr to, const struct krawczyk *k, acb_src
   }
 }
 
-/* Likewise of the curves: C times the change of each one's derivatives */
+/* Subtracts the contribution of the curves: C times the change of each curve's derivatives. */
 static void subtract_change_of_curves(acb_ptr to, const struct krawczyk *k, acb_srcptr middle, acb_srcptr around,
                                       acb_srcptr way)
 {
@@ -180,7 +180,7 @@ static void map(acb_ptr next, const struct krawczyk *k, acb_srcptr middle, acb_s
   subtract_change_of_curves(next, k, middle, around, way);
 }
 
-/* A box around middle, a little more than what next needs */
+/* Sets a box around middle, slightly larger than next requires. */
 static void widen(acb_ptr around, const struct krawczyk *k, acb_srcptr middle, acb_srcptr next)
 {
   SCOPED(mag, size, least);
@@ -245,7 +245,7 @@ bool continuation_derivatives(acb_ptr first, acb_t second, const struct continua
     acb_set(first + other(&k, j), acb_mat_entry(k.step, j, 0));
   continued_bend(k.residual, c, v, first, precision);
   if (!acb_mat_solve_precond(k.step, k.others, k.residual, precision))
-    return false; /* GCOVR_EXCL_LINE: likewise */
+    return false; /* GCOVR_EXCL_LINE: balls too wide */
   acb_zero(second);
   if (p < c->n)
     acb_set(second, acb_mat_entry(k.step, c->n - 1, 0));

@@ -1,12 +1,11 @@
-/* A disk of complex z covered with boxes, in each of which the branch is proven to be analytic or is divided
- * further. */
+/* A disk of complex z covered with boxes; in each the branch is proven to be analytic, or the box is divided. */
 #include "asymptotics/derived/continuation.h"
 
 #include <math.h>
 
 #include "asymptotics/derived/scoped.h"
 
-/* The box of all r e^(i pi t) */
+/* Computes the box of all r e^(i pi t). */
 static void polar(acb_t z, double r0, double r1, double t0, double t1)
 {
   SCOPED(arf, lo, hi);
@@ -29,8 +28,8 @@ static bool is_within(acb_srcptr around, acb_srcptr v, slong count)
   return true;
 }
 
-/* The equations to use around v: joined where crossings that may be joined are close; elsewhere the others, whose balls
- * stay smaller. */
+/* Returns the equations to use around v: joined if crossings that may be joined are close; otherwise the plain ones,
+ * with smaller balls. */
 static const struct continuation *equations_at(const struct search *s, acb_srcptr v)
 {
   SCOPED(acb, way);
@@ -58,7 +57,7 @@ static void remove_sector(struct search *s, int i)
   s->sector[i] = s->sector[--s->sectors];
 }
 
-/* v at r in the direction t on the branch in the box: from a place near it */
+/* Computes v at r in the direction t on the branch in the box, from a place near it. */
 static bool point_within(acb_ptr v, acb_srcptr near, acb_srcptr box, const struct search *s, double r, double t)
 {
   SCOPED_BALLS(around, s->n + 1);
@@ -67,7 +66,7 @@ static bool point_within(acb_ptr v, acb_srcptr near, acb_srcptr box, const struc
   return continuation_enclose(v, around, equations_at(s, v), s->n, CELL_BITS) && is_within(box, v, s->n);
 }
 
-/* The largest disc around z = 0, of 1/2, 1/4, ... */
+/* Finds the largest disc around z = 0, of 1/2, 1/4, ... */
 static bool find_disc(struct search *s)
 {
   enum { TRIES = 60 };
@@ -86,7 +85,7 @@ static bool find_disc(struct search *s)
   return false;
 }
 
-/* A sector that begins at the disc */
+/* Adds a sector that begins at the disc. */
 static bool start_sector(struct search *s, double from, double to)
 {
   struct sector *sector = add_sector(s, s->disc, s->disc / 4, from, to);
@@ -113,7 +112,7 @@ static bool advance(struct search *s, struct sector *sector)
   return done;
 }
 
-/* Into two halves */
+/* Splits a sector into halves. */
 static bool split(struct search *s, int i)
 {
   if (s->sectors + 2 > MOST_SECTORS)
@@ -140,7 +139,7 @@ static double upper_size(const acb_t z)
   return arf_get_d(end, ARF_RND_CEIL);
 }
 
-/* Not found before; and from now on it is. */
+/* Adds a place, and returns true, unless it was found before. */
 static bool is_new(struct search *s, const acb_t z)
 {
   for (int i = 0; i < s->places; i++)
@@ -152,7 +151,7 @@ static bool is_new(struct search *s, const acb_t z)
   return true;
 }
 
-/* Over pi */
+/* Returns the argument of z over pi. */
 static double direction_of(const acb_t z)
 {
   const double pi = 3.14159265358979323846;
@@ -162,7 +161,7 @@ static double direction_of(const acb_t z)
   return atan2(real ? 0 : im, re) / pi;
 }
 
-/* The branch, continued straight towards the fold, comes into its neighbourhood: a sector without width */
+/* Returns true if the branch, continued straight to the fold, reaches its neighbourhood: a sector of zero width. */
 static bool is_met(struct search *s, const struct fold *f)
 {
   enum { STEPS = 1000 };
@@ -194,7 +193,7 @@ static void look_for_fold(struct search *s, struct sector *sector)
     fold_clear(f);
 }
 
-/* What is left of the sector up to reach is where nothing but the fold is singular. */
+/* Returns true if the rest of the sector, up to reach, has no singularity except the fold. */
 static bool ends_in_fold(const struct search *s, const struct sector *sector)
 {
   SCOPED(acb, way);
@@ -220,7 +219,7 @@ double search_cover(struct search *s)
 {
   enum { SECTORS = 8 };
   const double far = 0x1p40, narrow = 0x1p-36;
-  const slong most_cells = MOST_WORK / (s->n * s->n * s->n); /* 20,000 of four crossings */
+  const slong most_cells = MOST_WORK / (s->n * s->n * s->n); /* 20,000 for four crossings */
   double covered = 0;
   bool sound = find_disc(s);
   for (int i = 0; i < SECTORS && sound; i++)

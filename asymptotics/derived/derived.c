@@ -1,4 +1,4 @@
-/* The expansions of derived.h: a phase or the steady state around T = 0, from the branch that its limit begins. */
+/* The expansions of derived.h: a phase or the steady state around T = 0, from the branch of its limit. */
 #include "asymptotics/derived/derived.h"
 
 #include <stdio.h>
@@ -34,21 +34,20 @@ const struct series *scallop_expansion_of(const struct scallop_expansion *e, enu
   return series_is_unknown(&e->of[quantity]) ? NULL : &e->of[quantity];
 }
 
-/* Writes the modes of a phase, and returns where they end. */
+/* Writes the modes of a phase, and returns the end of the text. */
 static char *put_modes(char *to, const char *end, const struct branch *b, enum scallop_phase_kind kind)
 {
   static const char *const names[2][3] = { { "++", "-+", "--" }, { "++", "+-", "--" } };
-  static const char *const held[2][2] = { { "0+", "-0" }, { "+0", "0-" } };
+  static const char *const stuck[2][2] = { { "0+", "-0" }, { "+0", "0-" } };
   for (int i = 0; i <= b->count; i++) {
     const struct crossing *next = i < b->count ? &b->crossing[i] : NULL;
-    const char *mode = next && next->tangent ? held[kind][next->curve] : names[kind][branch_region(b, i)];
+    const char *mode = next && next->tangent ? stuck[kind][next->curve] : names[kind][branch_region(b, i)];
     to += snprintf(to, (size_t)(end - to), "%s%s", i ? " " : "", mode);
   }
   return to;
 }
 
-/* The integral of |l'| over the time t of a crossing, in balls: of |l'|(t(x)) t'(x), which takes fewer products than a
- * composition. */
+/* Computes in balls the integral of |l'|(t(x)) t'(x): fewer products than a composition takes. */
 static void way_in_balls(struct series *way, const struct scallop_piece *piece, const struct series *t,
                          const struct ring *ring)
 {
@@ -63,7 +62,7 @@ static void way_in_balls(struct series *way, const struct scallop_piece *piece, 
   series_integral(way, way, ring);
 }
 
-/* |way| of the separation from the start of the phase to a crossing at offset 0 of its piece: the integral of |l'| */
+/* Computes the integral of |l'| from the start of the phase to a crossing at offset 0 of its piece. */
 static void way_to(struct series *way, const struct lift *l, int i, const struct branch *b,
                    const struct phase_series *p, const struct ring *ring)
 {
@@ -87,7 +86,7 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
     series_add(way, way, &p->whole, ring);
 }
 
-/* unit (travel - share way): a point at that share goes back while the separation grows by way */
+/* Computes unit (travel - share way): the point recedes by this share of the growth of the separation. */
 static void position(struct series *to, const struct series *travel, const struct series *share,
                      const struct series *way, const struct phase_series *p, const struct ring *ring)
 {
@@ -97,7 +96,7 @@ static void position(struct series *to, const struct series *travel, const struc
   series_mul(to, to, &p->unit, ring);
 }
 
-/* The rear body's, and that of its counterpart in a contraction */
+/* Computes the position of the rear body, and of its counterpart in a contraction. */
 static void rear_position(struct series *to, const struct lift *l, int i, const struct branch *b,
                           const struct phase_series *p, const struct ring *ring)
 {
@@ -149,7 +148,7 @@ bool expand_branch(struct scallop_expansion *e, struct branch *b, const struct p
   return true;
 }
 
-/* kappa x^power: eps in units of the phase or the period, x being T or T^2 */
+/* Sets kappa x^power: eps in units of the phase or the period, x being T or T^2. */
 static void set_eps(struct series *eps, const struct scallop_rational_crawler *crawler, slong power)
 {
   SCOPED(fmpq, kappa);
@@ -170,7 +169,7 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
   const char *none = branch_of_phase(&b, &p, crawler, kind, v0, order, precision);
   if (none)
     return refused_for(SCALLOP_EDOMAIN, none, why);
-  const struct ring ring = { order + 2, precision }; /* formulas may divide by times, which begin with T or T^3 */
+  const struct ring ring = { order + 2, precision }; /* formulas may divide by times, of order T or T^3 */
   phase_series_set(&in_series, &p, crawler->L);
   in_series.pi_squared = pi_squared;
   fmpq_div(start, v0, crawler->L); /* c at the start is v0 T/L */
@@ -183,7 +182,7 @@ enum scallop_status scallop_expand_phase(const struct scallop_rational_crawler *
              : refused_for(SCALLOP_EDOMAIN, branch_without_ends, why);
 }
 
-/* From a series in T^2 and units of `unit` to one in T, times T^power */
+/* Converts a series in T^2 and units of `unit` to a series in T, times T^power. */
 static void in_period(struct series *to, const struct series *from, const fmpq_t unit, slong power,
                       const struct ring *ring)
 {
@@ -193,7 +192,7 @@ static void in_period(struct series *to, const struct series *from, const fmpq_t
   series_shift(to, to, power);
 }
 
-/* What the symmetries say (docs/background/theory.md): balls around 0 become 0. */
+/* Uses the symmetries (docs/background/theory.md): balls around 0 become 0. */
 static void use_symmetries(struct series *travel, struct series *work, const struct limit *l, slong terms)
 {
   for (slong k = 0; k < terms; k++) {
@@ -219,7 +218,7 @@ enum scallop_status scallop_expand_steady(const struct scallop_rational_crawler 
   enum scallop_status status = limit_find(&l, crawler, precision, why);
   if (status != SCALLOP_OK)
     return status;
-  if (!l.at_rest && !steady_lift(&s, &l, NULL, &eps, &ring)) /* GCOVR_EXCL_LINE: if rounding undoes what was shown */
+  if (!l.at_rest && !steady_lift(&s, &l, NULL, &eps, &ring)) /* GCOVR_EXCL_LINE: if rounding spoils the proof */
     return refused_for(SCALLOP_EUNDECIDED, "a crossing is not transversal", why); /* GCOVR_EXCL_LINE */
   forget(e);
   steady_friction_work(&work, &l, &s, &eps, &ring);

@@ -1,4 +1,4 @@
-/* The texts of the formulas as series in T: values for their symbols, and what a formula leaves out. */
+/* The texts of the formulas as series in T: values of their symbols, and their expansion. */
 #include "asymptotics/derived/evaluate.h"
 
 #include "asymptotics/derived/formula_flint.h"
@@ -51,7 +51,7 @@ void scallop_speed_series(struct series *speed, const struct scallop_piece *piec
   }
 }
 
-/* l0, lT, k0, kT: l'' T^2 and l'''' T^4 at the start and the end */
+/* Sets l0, lT, k0, kT: l'' T^2 and l'''' T^4 at the start and the end. */
 static void set_shape(struct series *value, const struct scallop_shape *shape, const fmpq_t L, const fmpq_t pi_squared,
                       const struct ring *ring)
 {
@@ -71,8 +71,7 @@ static void set_shape(struct series *value, const struct scallop_shape *shape, c
   }
 }
 
-/* l_0 l_T / (2 (l_T - l_0)) of an extension, minus that of a contraction; 0 where l0 and lT vanish, and nothing is said
- * of it */
+/* Sets l_0 l_T / (2 (l_T - l_0)) of an extension, minus this of a contraction; unknown if l0 and lT vanish. */
 static void set_kinematic_length(struct series *value, enum scallop_phase_kind kind, const struct ring *ring)
 {
   struct series *L_kin = &value[SCALLOP_SYMBOL_L_kin];
@@ -113,7 +112,7 @@ void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rationa
   scallop_symbols_complete(s, kind, ring);
 }
 
-/* The symbol as the formula means it. exchanged: the bodies, and with them the sign of l */
+/* Sets the value of a symbol in the formula. exchanged: the bodies, and with them the sign of l */
 static void set_meant(struct series *value, const struct scallop_symbols *s, int symbol, bool exchanged)
 {
   int sign = 1;
@@ -137,7 +136,7 @@ const char *scallop_formula_expand(struct series *value, const struct scallop_fo
   return formula_series(value, &formula, meant.value, s->names, ring, message);
 }
 
-/* The balls that a formula takes for its names. exchanged: for the other phase, with the bodies exchanged */
+/* Sets the balls of the names in a formula. exchanged: for the other phase, with the bodies exchanged */
 static void set_names(arb_ptr values, const struct scallop_symbols *symbols, arb_srcptr given, bool exchanged,
                       slong precision)
 {

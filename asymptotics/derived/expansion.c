@@ -1,4 +1,4 @@
-/* The public face of derived.h, by quantity and power, and of formula_flint.h, by crawler. */
+/* The public functions of derived.h, by quantity and power, and of formula_flint.h, by crawler. */
 #include "asymptotics/derived/expansion.h"
 
 #include "asymptotics/derived/derived.h"
@@ -53,7 +53,7 @@ enum scallop_status scallop_series_of_steady(struct scallop_series **series,
   return give(series, made, scallop_expand_steady(crawler, order, precision, &made->expansion, why));
 }
 
-/* NULL: this coefficient is not among those of the motion. */
+/* Returns the series of the quantity; NULL if the motion has no such coefficient. */
 static const struct series *terms_of(const struct scallop_series *s, enum scallop_quantity quantity, slong power)
 {
   const bool known = quantity < SCALLOP_QUANTITIES && power < s->order;

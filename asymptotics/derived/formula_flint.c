@@ -96,13 +96,13 @@ static const char *put_negative(struct series *to, const struct series *a, const
 
 static const char no_series[] = "has no series in T";
 
-/* NULL: see no_series. */
+/* Functions of one operand; NULL: see no_series. */
 static const char *(*const series_of_one[FORMULA_ADD])(struct series *, const struct series *, const struct ring *) = {
   [FORMULA_NEGATE] = put_negative, [FORMULA_SQRT] = series_sqrt, [FORMULA_EXP] = series_exp,
   [FORMULA_LOG] = series_log,      [FORMULA_SIN] = series_sin,   [FORMULA_COS] = series_cos,
 };
 
-/* a becomes a OPERATION b. NULL, or what a series cannot do */
+/* Computes a = a OPERATION b. Returns NULL, or the reason of a refusal. */
 static const char *series_of_two(struct series *a, const struct series *b, enum formula_operation operation,
                                  const struct ring *ring)
 {
@@ -124,7 +124,7 @@ static bool is_short(const fmpz_mpoly_t p, const fmpz_mpoly_ctx_t ring)
          && fmpz_mpoly_total_degree_fits_si(p, ring) && fmpz_mpoly_total_degree_si(p, ring) <= MOST_DEGREE;
 }
 
-/* Whether what names stand in stays within bounds that take a moment */
+/* Returns true if values of names are small enough for a fast result. */
 static bool is_small(const struct series *s, const struct names *names)
 {
   bool small = labs(s->first) <= SERIES_FARTHEST && !names_given_up(names)
@@ -134,7 +134,7 @@ static bool is_small(const struct series *s, const struct names *names)
   return small;
 }
 
-/* Is it a whole number that names can be raised to? */
+/* Returns true if the series is an integer to which names can be raised. */
 static bool is_whole_power(const struct series *s)
 {
   SCOPED(fmpq, power);
@@ -143,8 +143,8 @@ static bool is_whole_power(const struct series *s)
          && fmpz_cmpabs(fmpq_numref(power), (fmpz[]){ SERIES_EXACT_POWER }) <= 0;
 }
 
-/* What the operation would make of names that is no rational function of them; top: behind the last value */
-static const char *no_ratio(enum formula_operation operation, const struct series *top)
+/* Returns the reason why the result of an operation on names is not a rational function; top: after the last value. */
+static const char *why_not_rational(enum formula_operation operation, const struct series *top)
 {
   if (operation == FORMULA_POWER)
     return is_whole_power(top - 1) ? NULL : "is a formula for whole powers from -64 to 64 only";
@@ -152,12 +152,12 @@ static const char *no_ratio(enum formula_operation operation, const struct serie
   return is_function ? "is no rational function" : NULL;
 }
 
-/* Takes the values that a step needs from the stack, and puts its own there. NULL, or what a series cannot do */
+/* Replaces the operands of a step on the stack by its result. Returns NULL, or the reason of a refusal. */
 static const char *take_step(struct series **top, const struct formula_step *s, const struct series *values,
                              struct names *names, const struct ring *ring)
 {
   const enum formula_operation operation = s->operation;
-  const char *wrong = names ? no_ratio(operation, *top) : NULL;
+  const char *wrong = names ? why_not_rational(operation, *top) : NULL;
   if (wrong)
     return wrong;
   if (operation < FORMULA_NEGATE)

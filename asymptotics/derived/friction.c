@@ -1,17 +1,17 @@
-/* The energy that friction takes in a period of the steady state, as a series. By the energy balance, not by the
- * lengths of paths, which numerics/ adds up. */
+/* The energy dissipated by friction in a period of the steady state, as a series. It follows from the energy balance,
+ * unlike the path lengths of numerics/. */
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/scoped.h"
 
-/* The power of friction in a region, over F1 + F2, less what the centre of mass pays for from its energy, is this times
- * |l'|. */
+/* Computes the factor of |l'| in the power of friction in a region, over F1 + F2, without the part that is the loss of
+ * kinetic energy of the centre of mass. */
 static void power_of_region(fmpq_t power, const struct phase_constants *p, int region)
 {
   SCOPED(fmpq, rear, front); /* twice the friction of that body times its curve */
   fmpq_add_si(rear, p->beta[1], 1);
   fmpq_mul(rear, rear, p->curve[0]);
   fmpq_sub_si(front, p->beta[1], 1);
-  fmpq_mul(front, front, p->curve[1]); /* minus that */
+  fmpq_mul(front, front, p->curve[1]); /* minus the same product */
   if (region > 0)
     fmpq_neg(rear, rear);
   if (region > 1)
@@ -20,7 +20,7 @@ static void power_of_region(fmpq_t power, const struct phase_constants *p, int r
   fmpq_div_2exp(power, power, 1);
 }
 
-/* The integral of |l'| from the start of the phase to where the crossing is at the base point */
+/* Computes the integral of |l'| from the start of the phase to the crossing at the base point. */
 static void way_to_base(struct series *way, const struct crossing *at, const struct phase_constants *p, slong precision)
 {
   SCOPED(arb, from, to, part, sum);
@@ -35,9 +35,9 @@ static void way_to_base(struct series *way, const struct crossing *at, const str
   series_set_ball(way, sum);
 }
 
-/* Adds to work what the friction of a phase takes, over (F1 + F2) L, but for the loss of kinetic energy of the centre
- * of mass, which is 0 over the period. c, at the start (overwritten), and eps are those of the phase. |l'| is c/q at a
- * crossing, so that what it covers up to there is the integral of (c/q) dt over the variable of the series. */
+/* Adds the dissipation of a phase to work, over (F1 + F2) L, without the loss of kinetic energy of the centre of mass:
+ * 0 over the period. c, at the start (overwritten), and eps are the phase's. |l'| is c/q at a crossing, therefore its
+ * integral so far is the integral of (c/q) dt over the variable of the series. */
 static void add_friction_work(struct series *work, const struct branch *b, const struct phase_constants *p,
                               const struct lift *lift, struct series *c, const struct series *eps,
                               const struct ring *ring)
@@ -50,7 +50,7 @@ static void add_friction_work(struct series *work, const struct branch *b, const
     series_sub(&term, &lift->when.at[i], &since, ring);
     series_mul(&term, &term, eps, ring);
     series_scale(&term, &term, p->beta[branch_region(b, i)], ring);
-    series_add(c, c, &term, ring); /* now at this crossing */
+    series_add(c, c, &term, ring); /* at this crossing */
     series_set(&since, &lift->when.at[i]);
     series_derivative(&term, &since, ring);
     series_mul(&term, &term, c, ring);
@@ -65,7 +65,7 @@ static void add_friction_work(struct series *work, const struct branch *b, const
     series_add(work, work, &way, ring);
     fmpq_set(power, next);
   }
-  series_set_rational(&term, power); /* up to the end |l'| covers 1 */
+  series_set_rational(&term, power); /* the integral of |l'| up to the end is 1 */
   series_add(work, work, &term, ring);
 }
 

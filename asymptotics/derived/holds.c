@@ -1,4 +1,4 @@
-/* c on each segment of a motion, and the proof that it stays between the curves that bound its region. */
+/* c on each segment of a motion, and the proof that it stays between the curves that bound its region */
 #include "asymptotics/derived/limit.h"
 
 #include <math.h>
@@ -25,9 +25,9 @@ struct segment { /* c = a + b s in one region of one phase                      
 #define SEGMENT(of) of(arb, s->a) of(arb, s->b) of(arb, s->eps) of(edge, &s->from) of(edge, &s->to)
 SCOPED_PARTS(segment, struct segment, SEGMENT)
 
-/* How far c is inside the region from curve j at offset u, and the derivative of that by u */
-static void room(arb_t gap, arb_t slope, const struct segment *g, const struct scallop_piece *piece, int j,
-                 const arb_t u)
+/* Computes the distance of c from curve j, positive in the region, at offset u, and its derivative by u. */
+static void distance_inside(arb_t gap, arb_t slope, const struct segment *g, const struct scallop_piece *piece, int j,
+                            const arb_t u)
 {
   gap_at(gap, slope, piece, g->p->curve[j], g->a, g->b, u, g->precision);
   if (g->region <= j) { /* above it */
@@ -36,29 +36,30 @@ static void room(arb_t gap, arb_t slope, const struct segment *g, const struct s
   }
 }
 
-/* Is it positive at all offsets of a ball? By its value in the middle and its derivative: near a curve that c almost
- * touches, where the derivative is small, its own ball is much too wide. */
-static bool has_room(const struct segment *g, const struct scallop_piece *piece, int j, const arb_t u,
-                     const arb_t slope)
+/* Returns true if the distance is positive at all offsets of a ball, by its value in the middle and its derivative:
+ * near a curve that c almost touches, the derivative is small, and the ball of the distance is much too wide. */
+static bool stays_inside(const struct segment *g, const struct scallop_piece *piece, int j, const arb_t u,
+                         const arb_t slope)
 {
   SCOPED(arb, middle, gap, there, off);
   arb_get_mid_arb(middle, u);
-  room(gap, there, g, piece, j, middle);
+  distance_inside(gap, there, g, piece, j, middle);
   arb_sub(off, u, middle, g->precision);
   arb_addmul(gap, off, slope, g->precision);
   return arb_is_positive(gap);
 }
 
-/* c keeps off curve j between offsets lo and hi; it touches it, transversally, within the end whose flag is set. */
+/* Returns true if c stays off curve j between offsets lo and hi; it meets it transversally within an end with a set
+ * flag. */
 static bool keeps_off(const struct segment *g, const struct scallop_piece *piece, int j, const arf_t lo, const arf_t hi,
                       bool touches_lo, bool touches_hi, int depth)
 {
   SCOPED(arb, u, gap, slope);
   SCOPED(arf, middle);
   arb_set_interval_arf(u, lo, hi, g->precision);
-  room(gap, slope, g, piece, j, u);
+  distance_inside(gap, slope, g, piece, j, u);
   if (arb_is_positive(gap) || (touches_lo && !touches_hi && arb_is_positive(slope))
-      || (touches_hi && !touches_lo && arb_is_negative(slope)) || has_room(g, piece, j, u, slope))
+      || (touches_hi && !touches_lo && arb_is_negative(slope)) || stays_inside(g, piece, j, u, slope))
     return true;
   arf_add(middle, lo, hi, ARF_PREC_EXACT, ARF_RND_DOWN);
   arf_mul_2exp_si(middle, middle, -1);
@@ -66,15 +67,15 @@ static bool keeps_off(const struct segment *g, const struct scallop_piece *piece
          && keeps_off(g, piece, j, middle, hi, false, touches_hi, depth - 1);
 }
 
-/* Whether the piece after that of this index, or with -1 before it, goes on with the same function */
-static bool goes_on(const struct scallop_shape *shape, int piece, int to, bool *turned)
+/* Returns true if the piece after the one of this index, or for -1 before it, continues the same function. */
+static bool continues(const struct scallop_shape *shape, int piece, int to, bool *turned)
 {
   const int first = to > 0 ? piece : piece - 1;
   return first >= 0 && first + 1 < shape->count
-         && scallop_piece_goes_on(&shape->pieces[first], &shape->pieces[first + 1], turned);
+         && scallop_piece_continues(&shape->pieces[first], &shape->pieces[first + 1], turned);
 }
 
-/* Where a crossing is by now: it may have moved on into the next piece, or back, if l' has no corner there. */
+/* Sets the current piece and offset of a crossing: it may have moved to an adjacent piece if l' has no corner there. */
 static void edge_at_crossing(struct edge *e, const struct crossing *at, const struct scallop_shape *shape,
                              slong precision)
 {
@@ -86,7 +87,7 @@ static void edge_at_crossing(struct edge *e, const struct crossing *at, const st
     const struct scallop_piece *piece = &shape->pieces[e->piece];
     const double u = arf_get_d(arb_midref(e->offset), ARF_RND_NEAR), sense = law_sense(piece);
     const int moved = sense * (u - piece->end) > 0 ? 1 : sense * (piece->begin - u) > 0 ? -1 : 0;
-    if (moved == 0 || !goes_on(shape, e->piece, moved, &turned))
+    if (moved == 0 || !continues(shape, e->piece, moved, &turned))
       return;
     e->piece += moved;
     if (turned) { /* measured from the other end */
@@ -96,7 +97,7 @@ static void edge_at_crossing(struct edge *e, const struct crossing *at, const st
   }
 }
 
-/* How far, in time, an edge is before the end of its piece, or behind its beginning */
+/* Computes the time from an edge to the end of its piece, or since its start. */
 static void way_to_border(arb_t way, const struct edge *e, const struct scallop_shape *shape, bool to_end,
                           slong precision)
 {
@@ -107,15 +108,15 @@ static void way_to_border(arb_t way, const struct edge *e, const struct scallop_
     arb_neg(way, way);
 }
 
-/* Whether the ball of a crossing reaches over that border: it may then be in either piece. */
-static bool spills(const struct edge *e, const struct segment *g, bool over_end)
+/* Returns true if the ball of a crossing extends over this border: it may then be in either piece. */
+static bool overlaps_border(const struct edge *e, const struct segment *g, bool over_end)
 {
   SCOPED(arb, way);
   way_to_border(way, e, g->p->shape, over_end, g->precision);
   return e->curve >= 0 && !arb_is_positive(way);
 }
 
-/* The part of piece i that the segment covers, outward where balls end it. False: none of it */
+/* Computes the part of piece i that the segment covers, rounded outward. Returns false if it is empty. */
 static bool part_of_piece(arf_t early, arf_t late, const struct segment *g, int i)
 {
   const struct scallop_piece *piece = &g->p->shape->pieces[i];
@@ -128,12 +129,13 @@ static bool part_of_piece(arf_t early, arf_t late, const struct segment *g, int 
   return forward ? arf_cmp(early, late) <= 0 : arf_cmp(early, late) >= 0;
 }
 
-/* The segment keeps off the curves of its region. */
+/* Returns true if the segment stays off the curves of its region. */
 static bool is_clear(const struct segment *g)
 {
   enum { DEPTH = 30 };
   const struct edge *from = &g->from, *to = &g->to;
-  const int touches_until = from->piece + spills(from, g, true), touches_from = to->piece - spills(to, g, false);
+  const int touches_until = from->piece + overlaps_border(from, g, true),
+            touches_from = to->piece - overlaps_border(to, g, false);
   SCOPED(arf, early, late);
   for (int i = from->piece; i <= to->piece; i++) {
     const struct scallop_piece *piece = &g->p->shape->pieces[i];
@@ -161,11 +163,11 @@ static const char *const starts[2] = { "the velocity at the start of the extensi
 static const char *const leaves[2] = { "a switching time of the extension reaches a corner of l'",
                                        "a switching time of the contraction reaches a corner of l'" };
 
-/* What a crossing of the curve from a region into another may run into: its slope is that of c behind it, or before, so
- * that the curve is followed; or it leaves its piece. Behind the last piece the other phase starts. */
+/* Failures of a crossing from a region into another: its slope equals the slope of c after it, or before it, and c
+ * follows the curve; or it leaves its piece. After the last piece the other phase starts. */
 enum risk { STICKS_BEHIND, REACHES_END, REACHES_BEGIN, STICKS_BEFORE, RISKS };
 
-/* How far it is from that, 0 to 1, and what would happen; NULL: nothing, l' goes on there. */
+/* Computes the distance from this failure, 0 to 1. Returns the event, or NULL if l' continues there. */
 static const char *margin_of(arb_t margin, enum risk risk, const struct edge *e, const struct segment *g, int from,
                              int into)
 {
@@ -174,9 +176,9 @@ static const char *margin_of(arb_t margin, enum risk risk, const struct edge *e,
   bool turned;
   if (risk == REACHES_END || risk == REACHES_BEGIN) {
     way_to_border(margin, e, p->shape, at_end, g->precision);
-    return outermost                                               ? starts[at_end ? 1 - p->kind : p->kind]
-           : goes_on(p->shape, e->piece, at_end ? 1 : -1, &turned) ? NULL
-                                                                   : leaves[p->kind];
+    return outermost                                                 ? starts[at_end ? 1 - p->kind : p->kind]
+           : continues(p->shape, e->piece, at_end ? 1 : -1, &turned) ? NULL
+                                                                     : leaves[p->kind];
   }
   SCOPED(arb, along, size);
   scallop_ball_rate(along, &p->shape->pieces[e->piece], e->offset, g->precision);
@@ -191,7 +193,7 @@ static const char *margin_of(arb_t margin, enum risk risk, const struct edge *e,
   return sticks[p->kind][e->curve];
 }
 
-/* NULL, or what keeps the crossing at the end of the segment from being shown to be one, in its piece */
+/* Returns NULL, or the event that prevents the proof of the crossing at the end of the segment, in its piece. */
 static const char *crossing_holds(const struct segment *g, int into)
 {
   const char *why = NULL;
@@ -204,8 +206,8 @@ static const char *crossing_holds(const struct segment *g, int into)
   return why;
 }
 
-/* Why c is not shown to keep off the curves: a crossing is about to end, or a body begins or ceases to turn */
-static const char *likely_event(const struct branch *b, const struct segment *g)
+/* Returns the likely event if c may touch a curve: a crossing is about to end, or a body starts or stops turning. */
+static const char *likely_change(const struct branch *b, const struct segment *g)
 {
   const char *what = grazes[g->p->kind];
   double near = 0.04;
@@ -225,18 +227,18 @@ static const char *likely_event(const struct branch *b, const struct segment *g)
   return what;
 }
 
-static void enter(struct segment *g, int region)
+static void set_region(struct segment *g, int region)
 {
   g->region = region;
   arb_set_fmpq(g->b, g->p->beta[region], g->precision);
   arb_mul(g->b, g->b, g->eps, g->precision);
 }
 
-/* The line after a crossing goes through it: a = q |l'| - b s there. */
-static void bend(struct segment *g, const struct crossing *at)
+/* Continues after a crossing with the line through it: a = q |l'| - b s there. */
+static void continue_after_crossing(struct segment *g, const struct crossing *at)
 {
   SCOPED(arb, s);
-  enter(g, at->to);
+  set_region(g, at->to);
   series_coefficient(s, &at->offset, 0, g->precision);
   scallop_ball_speed(g->a, at->piece, s, g->precision);
   ball_times(g->a, g->a, g->p->curve[at->curve], g->precision);
@@ -254,7 +256,7 @@ static void edge_at_end(struct edge *e, int piece, double offset)
   arb_set_d(e->offset, offset);
 }
 
-/* NULL, or why the modes of the phase are not shown to be those of the branch. c: at its start. */
+/* Returns NULL, or the reason why the modes of the phase may not be the branch's. c: at its start. */
 static const char *phase_holds(const struct branch *b, const struct phase_constants *p, const arb_t eps, const arb_t c,
                                slong precision)
 {
@@ -264,7 +266,7 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
   g.precision = precision;
   arb_set(g.a, c);
   arb_set(g.eps, eps);
-  enter(&g, b->first_region);
+  set_region(&g, b->first_region);
   if (g.region != 1 && !(g.region == 0 ? arb_is_positive(c) : arb_is_negative(c)))
     return starts[p->kind];
   edge_at_end(&g.from, 0, p->shape->pieces[0].begin);
@@ -275,18 +277,18 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
     if (why)
       return why;
     if (!is_clear(&g))
-      return likely_event(b, &g);
-    bend(&g, at);
+      return likely_change(b, &g);
+    continue_after_crossing(&g, at);
   }
   edge_at_end(&g.to, last, p->shape->pieces[last].end);
-  return is_clear(&g) ? NULL : likely_event(b, &g);
+  return is_clear(&g) ? NULL : likely_change(b, &g);
 }
 
 const char *limit_holds(const struct limit *l, const arb_t w, const arb_t w_mid, const arb_t eps, slong precision)
 {
   const char *why = NULL;
   SCOPED(arb, c, here, fraction);
-  for (int k = 0; !why && k < 2; k++) { /* in the units of the phase */
+  for (int k = 0; !why && k < 2; k++) { /* in units of the phase */
     arb_set_fmpq(fraction, l->phase[k].fraction, precision);
     arb_mul(here, eps, fraction, precision);
     arb_mul(here, here, fraction, precision);

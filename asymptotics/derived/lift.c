@@ -30,14 +30,14 @@ void phase_series_set(struct phase_series *to, const struct phase_constants *fro
   series_set_rational(&to->unit, L);
 }
 
-/* c = a + b s until the next crossing; a_slope is the derivative of a by the unknown. */
+/* A line c = a + b s up to the next crossing; a_slope is the derivative of a with respect to the unknown. */
 struct line {
   struct series a, a_slope, b;
 };
 #define LINE(of) of(series, &s->a) of(series, &s->a_slope) of(series, &s->b)
 SCOPED_PARTS(line, struct line, LINE)
 
-/* q |l'| near a crossing. Exact: its series in the time since the base point, and that of its derivative. */
+/* A curve q |l'| near a crossing. Exact: as series in the time since the base point, with its derivative. */
 struct curve {
   const struct crossing *at;
   const struct series *q;
@@ -66,7 +66,7 @@ static void curve_at(struct curve *curve, const struct branch *b, int i, const s
   }
 }
 
-/* The curve and its derivative at time x after the base point, x a series */
+/* Computes the curve and its derivative at time x after the base point, x a series. */
 static void curve_along(struct series *value, struct series *rate, const struct curve *curve, const struct series *x,
                         const struct ring *ring)
 {
@@ -86,22 +86,22 @@ static void curve_along(struct series *value, struct series *rate, const struct 
   series_mul(rate, rate, curve->q, ring);
 }
 
-struct meeting { /* of a curve and a line within balls                                                 */
+struct intersection { /* intersection of a curve and a line within balls */
   const struct scallop_piece *piece;
   fmpq_t q;
   arb_t a, b;
 };
 #define MEETING(of) of(fmpq, s->q) of(arb, s->a) of(arb, s->b)
-SCOPED_PARTS(meeting, struct meeting, MEETING)
+SCOPED_PARTS(meeting, struct intersection, MEETING)
 
 static bool gap_of(arb_t gap, arb_t slope, const arb_t u, void *meeting, slong precision)
 {
-  const struct meeting *m = meeting;
+  const struct intersection *m = meeting;
   gap_at(gap, slope, m->piece, m->q, m->a, m->b, u, precision);
   return true;
 }
 
-/* The offset, a place near, becomes a ball that holds the crossing for every line within the balls of `line`. */
+/* Encloses a crossing: the offset, a place near, becomes a ball that contains it for every line in `line`. */
 static bool enclose(struct crossing *at, const struct series *curve, const struct line *line, bool same,
                     slong precision)
 {
@@ -119,7 +119,7 @@ static bool enclose(struct crossing *at, const struct series *curve, const struc
   return found;
 }
 
-/* The time of the base point since the start of the phase */
+/* Computes the time of the base point since the start of the phase. */
 static void base_time(struct series *time, const struct crossing *at, const struct ring *ring)
 {
   series_set(time, &at->offset);
@@ -130,7 +130,7 @@ static void base_time(struct series *time, const struct crossing *at, const stru
   }
 }
 
-/* The root x of curve(x) = line(base + x) with x = 0 at the base point. closing: curve'(x) - b there. */
+/* Solves curve(x) = line(base + x) with x = 0 at the base point. closing: curve'(x) - b there. */
 static bool solve_crossing(struct series *x, struct series *closing, const struct curve *curve, const struct line *line,
                            const struct series *base, const struct ring *ring)
 {
@@ -140,14 +140,14 @@ static bool solve_crossing(struct series *x, struct series *closing, const struc
   for (slong length = 2; solved && !last; length *= 2) {
     last = length >= ring->length;
     struct ring part = { last ? ring->length : length, ring->precision };
-    x->known = SERIES_ALL; /* a polynomial that is right up to half of this length */
+    x->known = SERIES_ALL; /* a polynomial that is correct up to half of this length */
     curve_along(&gap, closing, curve, x, &part);
     series_add(&term, base, x, &part);
     series_mul(&term, &term, &line->b, &part);
     series_add(&term, &term, &line->a, &part);
     series_sub(&gap, &gap, &term, &part);
     for (slong k = 0; gap.kind == SERIES_BALLS && k < length / 2;
-         k++) /* x solves the equation so far, whatever its balls */
+         k++) /* x solves the equation up to here, whatever its balls are */
       series_set_zero(&gap, k);
     series_sub(closing, closing, &line->b, &part);
     solved = series_div(&gap, &gap, closing, &part);
@@ -157,7 +157,7 @@ static bool solve_crossing(struct series *x, struct series *closing, const struc
   return solved;
 }
 
-/* curve'(x) = b: there the line leaves the curve. way: the integral of the curve up to x */
+/* Solves curve'(x) = b: there the line leaves the curve. way: the integral of the curve up to x. */
 static bool leave_curve(struct series *x, struct line *line, struct series *way, const struct curve *curve,
                         const struct ring *ring)
 {
@@ -189,7 +189,7 @@ static bool leave_curve(struct series *x, struct line *line, struct series *way,
   return solved;
 }
 
-/* The integral of c from s to t: a (t - s) + b (t^2 - s^2)/2 */
+/* Computes the integral of c from s to t: a (t - s) + b (t^2 - s^2)/2. */
 static void travel_between(struct series *way, const struct line *line, const struct series *s, const struct series *t,
                            const struct ring *ring)
 {
@@ -204,7 +204,7 @@ static void travel_between(struct series *way, const struct line *line, const st
   series_mul(way, &duration, &middle, ring);
 }
 
-/* From region r to region `to` at time s: a and its derivative, and the two balances, take in the change of slope. */
+/* Changes from region r to region `to` at time s: adds the change of slope to a, its derivative and both balances. */
 static void change_region(struct lift *l, struct line *line, const struct phase_series *p, int r, int to,
                           const struct series *eps, const struct series *s, const struct series *s_slope,
                           const struct ring *ring)
@@ -227,7 +227,7 @@ static void set_time(struct lift *l, int i, const struct series *base, const str
   SCOPED(series, one);
   series_set_si(&one, 1);
   series_add(&l->when.at[i], base, x, ring);
-  series_sub(&l->left.at[i], &one, base, ring); /* first, so that an exact 1 - 1 is 0 */
+  series_sub(&l->left.at[i], &one, base, ring); /* first: an exact 1 - 1 is 0 */
   series_sub(&l->left.at[i], &l->left.at[i], x, ring);
 }
 
@@ -246,8 +246,8 @@ static void finish(struct lift *l, const struct line *line, const struct phase_s
 bool lift_phase(struct lift *l, struct branch *b, const struct phase_series *p, const struct series *eps,
                 const struct series *c, const struct series *c_slope, enum crossings crossings, const struct ring *ring)
 {
-  /* times enter c multiplied by eps, and the displacements by c: where both begin later, one term fewer of them does,
-   * and the last one is the largest where it is in names */
+  /* times enter c multiplied by eps, and the displacements by c: if both begin later, one term fewer contributes, and
+   * the last one is the largest in names */
   const struct ring of_times = { ring->length - (p->has_laws && eps->first > 1 && ring->length > 1), ring->precision };
   SCOPED(curve, curve);
   SCOPED(line, line);
@@ -261,7 +261,7 @@ bool lift_phase(struct lift *l, struct branch *b, const struct phase_series *p, 
   series_set_si(&l->travel, 0);
   for (int i = 0; i < b->count; i++) {
     struct crossing *at = &b->crossing[i];
-    const struct ring *of_crossing = at->tangent ? ring : &of_times; /* a tangent is where c itself begins anew */
+    const struct ring *of_crossing = at->tangent ? ring : &of_times; /* at a tangent, c itself changes */
     if (crossings != CROSSINGS_KNOWN
         && !enclose(at, &p->curve[at->curve], &line, crossings == CROSSINGS_THE_SAME, ring->precision))
       return false;

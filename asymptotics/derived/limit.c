@@ -1,4 +1,4 @@
-/* The limit T -> 0 as a root in w, the steady state as a series around it by Newton's method, and in balls. */
+/* The limit T -> 0 as a root in w; the steady state around it, as a series by Newton's method, and in balls */
 #include "asymptotics/derived/limit.h"
 
 #include "asymptotics/derived/scoped.h"
@@ -26,7 +26,7 @@ void limit_set(struct limit *to, const struct limit *from)
   to->even = from->even;
 }
 
-/* Both phases from start velocity s->w; balance and slope of the period, the derivative of the balance by w */
+/* Computes both phases from start velocity s->w; balance of the period, and slope, its derivative by w. */
 static bool lift_period(struct steady_lift *s, struct limit *l, const struct phase_series *const phases[2],
                         const struct series *eps, enum crossings crossings, struct series *balance,
                         struct series *slope, const struct ring *ring)
@@ -72,9 +72,9 @@ bool steady_lift_start(struct steady_lift *s, struct limit *l, const struct phas
     if (!lift_period(s, l, phases, eps, CROSSINGS_KNOWN, &balance, &slope, &part))
       return false; /* GCOVR_EXCL_LINE: balls too wide */
     for (slong k = 0; balance.kind == SERIES_BALLS && k < (length + 1) / 2; k++)
-      series_set_zero(&balance, k); /* w is right so far, whatever its balls */
+      series_set_zero(&balance, k); /* w is correct up to here, whatever its balls are */
     if (!series_div(&balance, &balance, &slope, &part))
-      return false; /* GCOVR_EXCL_LINE: likewise */
+      return false; /* GCOVR_EXCL_LINE: balls too wide */
     series_sub(&s->w, &s->w, &balance, &part);
   }
   return true;
@@ -103,10 +103,10 @@ bool steady_lift(struct steady_lift *s, struct limit *l, const struct phase_seri
   if (!phases)
     set_phases(&own, l);
   return steady_lift_start(s, l, used, eps, ring)
-         && lift_period(s, l, used, eps, CROSSINGS_KNOWN, &balance, &slope, ring); /* for what depends on w */
+         && lift_period(s, l, used, eps, CROSSINGS_KNOWN, &balance, &slope, ring); /* all that depends on w */
 }
 
-/* The balance and its derivative by w, with the crossings enclosed anew */
+/* Computes the balance and its derivative with respect to w, with newly enclosed crossings. */
 static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, const arb_t eps,
                    enum crossings crossings, slong precision)
 {
@@ -125,7 +125,7 @@ static bool follow(struct limit *l, arb_t balance, arb_t slope, const arb_t w, c
   return true;
 }
 
-struct following { /* the branch at eps: at places w, and at all of a ball                             */
+struct following { /* the branch at eps: at places w, and for all w of a ball */
   struct limit middle, around;
   arb_t eps;
 };
@@ -137,7 +137,7 @@ static bool balance_at(arb_t balance, arb_t slope, const arb_t w, void *followin
   struct following *f = following;
   if (arb_is_exact(w))
     return follow(&f->middle, balance, slope, w, f->eps, CROSSINGS_ANEW, precision);
-  limit_set(&f->around, &f->middle); /* the crossings for all of w must be those of its middle */
+  limit_set(&f->around, &f->middle); /* the crossings for all w must be the same as for the middle */
   return follow(&f->around, balance, slope, w, f->eps, CROSSINGS_THE_SAME, precision);
 }
 
@@ -148,11 +148,11 @@ bool limit_follow(struct limit *l, arb_t w, const arb_t eps, slong precision)
   arb_set(f.eps, eps);
   bool found = enclose_root(w, balance_at, &f, NULL, precision);
   if (found)
-    limit_set(l, &f.around); /* for a ball that holds w */
+    limit_set(l, &f.around); /* for a ball that contains w */
   return found;
 }
 
-/* The branches of the level w, and its balance and slope there. */
+/* Computes the branches of the level w, and its balance and slope. */
 static bool balance_of_level(struct limit *l, arb_t balance, arb_t slope, const arb_t w, slong precision)
 {
   SCOPED(arb, c, eps);
@@ -164,7 +164,7 @@ static bool balance_of_level(struct limit *l, arb_t balance, arb_t slope, const 
   return follow(l, balance, slope, w, eps, CROSSINGS_ANEW, precision);
 }
 
-/* A level above every curve on the side of sign: twice the highest */
+/* Computes a level above every curve on the side of sign: twice the highest. */
 static void bracket(arf_t high, const struct limit *l)
 {
   double most = 0;
@@ -175,7 +175,7 @@ static void bracket(arf_t high, const struct limit *l)
   arf_set_d(high, most);
 }
 
-/* Newton's method for |w|, halving the bracket where it leaves it: the balance falls as w grows. */
+/* Finds |w| by Newton's method, and by bisection if a step leaves the bracket: the balance decreases with w. */
 static bool approach_limit(struct limit *l, arb_t w, int sign, slong precision)
 {
   enum { STEPS = 200, CLOSE = 30 };
@@ -199,7 +199,7 @@ static bool approach_limit(struct limit *l, arb_t w, int sign, slong precision)
       close = arf_is_zero(arb_midref(balance))
               || arf_cmpabs_2exp_si(arb_midref(balance), arf_abs_bound_lt_2exp_si(step) - CLOSE) < 0;
       arf_set(arb_midref(w), step);
-    } else { /* not quite the middle, where a second attempt could touch the same curve */
+    } else { /* not quite the middle: a second attempt could touch the same curve there */
       arf_sub(step, hi, lo, precision, ARF_RND_NEAR);
       arf_mul_ui(step, step, found ? 128 : (ulong)(101 + i % 50), precision, ARF_RND_NEAR);
       arf_mul_2exp_si(step, step, -8);
@@ -224,7 +224,7 @@ bool limit_is_linear(const struct limit *l)
   return true;
 }
 
-/* The offset at which q |l'| = w fraction, |l'| being a + b (time) in the piece */
+/* Sets the offset at which q |l'| = w fraction, |l'| being a + b (time) in the piece. */
 static void exact_offset(struct crossing *at, const struct phase_constants *p, const fmpq_t w)
 {
   SCOPED(fmpq, u, a, b);
@@ -249,7 +249,7 @@ static void exact_offsets(struct limit *l, const fmpq_t w)
   series_set_rational(&l->w, w);
 }
 
-/* The balance is a linear function of w here: one Newton step from anywhere on the branch ends on the root. */
+/* Makes w exact: the balance is linear in w here, and one Newton step from any point of the branch ends on the root. */
 static bool make_exact(struct limit *l, const arb_t near)
 {
   const struct ring ring = { 1, 64 };
@@ -266,7 +266,8 @@ static bool make_exact(struct limit *l, const arb_t near)
   return exact;
 }
 
-/* w = 0: from there c is of the order of eps, and at 0 throughout if F1 = F2. NULL, or why there is no series */
+/* Finds the branches for w = 0: c is then of the order of eps, and 0 throughout if F1 = F2. Returns NULL, or the reason
+ * why no series exists. */
 static const char *limit_from_ends(struct limit *l, int sign)
 {
   series_set_si(&l->w, 0);
@@ -277,7 +278,7 @@ static const char *limit_from_ends(struct limit *l, int sign)
   return why ? why : branch_from_ends(&l->branch[1], &l->phase[1], sign, -sign);
 }
 
-/* The level w of this sign at which the balance is 0, and that it crosses the curves as its branches say */
+/* Finds the level w of this sign with zero balance. Returns false unless it crosses the curves as in its branches. */
 static bool limit_from_level(struct limit *l, const struct scallop_gait *gait, int sign, slong precision)
 {
   SCOPED(arb, w, eps);
@@ -285,11 +286,11 @@ static bool limit_from_level(struct limit *l, const struct scallop_gait *gait, i
     return false;
   if (scallop_gait_is_rational(gait) && limit_is_linear(l)) {
     if (!make_exact(l, w))
-      return false; /* GCOVR_EXCL_LINE: likewise */
+      return false; /* GCOVR_EXCL_LINE: balls too wide */
   } else if (limit_follow(l, w, eps, precision))
     series_set_ball(&l->w, w);
   else
-    return false; /* GCOVR_EXCL_LINE: likewise */
+    return false; /* GCOVR_EXCL_LINE: balls too wide */
   series_coefficient(w, &l->w, 0, precision);
   return !limit_holds(l, w, w, eps, precision);
 }
@@ -300,7 +301,7 @@ static void set_constants(struct limit *l, const struct scallop_rational_crawler
     phase_constants_set(&l->phase[k], crawler, (enum scallop_phase_kind)k);
   l->at_rest = fmpq_is_zero(l->phase[0].beta[1]);
   const bool halves = fmpq_cmp(l->phase[0].fraction, l->phase[1].fraction) == 0;
-  /* with halves w is of the order of eps, and the branches for -eps are others */
+  /* for halves w is of the order of eps, and the branches for -eps differ */
   l->even = !halves && scallop_gait_is_reversible(crawler->gait);
   l->returns = l->at_rest || (halves && scallop_gait_mirrors(crawler->gait));
 }
@@ -317,7 +318,6 @@ enum scallop_status limit_find(struct limit *l, const struct scallop_rational_cr
   if (sign == 0)
     none = limit_from_ends(l, difference);
   else if (!limit_from_level(l, crawler->gait, sign > 0 ? 1 : -1, precision))
-    return refused_for(SCALLOP_EUNDECIDED,
-                       "in the limit T -> 0 a body touches v = 0 without turning, or too nearly to tell", why);
+    return refused_for(SCALLOP_EUNDECIDED, "in the limit T -> 0 a body touches v = 0 without turning, or almost", why);
   return none ? refused_for(SCALLOP_EDOMAIN, none, why) : SCALLOP_OK;
 }

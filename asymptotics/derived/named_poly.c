@@ -7,7 +7,7 @@ void named_poly_init(struct named_poly *p) { *p = (struct named_poly){ .names = 
 
 void named_poly_clear(struct named_poly *p)
 {
-  for (slong k = 0; k < p->room; k++)
+  for (slong k = 0; k < p->allocated; k++)
     ratio_clear(&p->coeffs[k]);
   flint_free(p->coeffs);
 }
@@ -19,23 +19,23 @@ static void swap(struct named_poly *a, struct named_poly *b)
   *b = kept;
 }
 
-static void make_room(struct named_poly *p, slong length)
+static void allocate(struct named_poly *p, slong length)
 {
-  if (length <= p->room)
+  if (length <= p->allocated)
     return;
   p->coeffs = flint_realloc(p->coeffs, (size_t)length * sizeof *p->coeffs);
-  for (; p->room < length; p->room++)
-    ratio_init(&p->coeffs[p->room], p->names);
+  for (; p->allocated < length; p->allocated++)
+    ratio_init(&p->coeffs[p->allocated], p->names);
 }
 
-/* Of a result, which the caller ends */
+/* Initializes a result; the caller clears it. */
 static void begin(struct named_poly *p, struct names *names, slong length)
 {
   *p = (struct named_poly){ .names = names };
-  make_room(p, length);
+  allocate(p, length);
 }
 
-/* length becomes that up to the last coefficient that is not 0. */
+/* Sets length by the last coefficient that is not 0. */
 static void set_length(struct named_poly *p, slong length)
 {
   for (slong k = length; k < p->length; k++)
@@ -57,7 +57,7 @@ void named_poly_zero_coeff(struct named_poly *p, slong k)
   set_length(p, p->length);
 }
 
-/* The coefficients from x^from on, times x^by, one in `spread` places */
+/* Copies the coefficients from x^from on, times x^by, to every `spread`-th place. */
 static void place(struct named_poly *to, const struct named_poly *a, slong from, slong by, slong spread)
 {
   slong length = a->length > from ? (a->length - from - 1) * spread + 1 + by : 0;
@@ -87,11 +87,11 @@ void named_poly_set_fmpq_poly(struct named_poly *to, const fmpq_poly_t poly, str
   ENDED_BY(named_poly_clear) struct named_poly made;
   SCOPED(fmpq, c);
   begin(&made, names, fmpq_poly_length(poly));
-  for (slong k = 0; k < made.room; k++) {
+  for (slong k = 0; k < made.allocated; k++) {
     fmpq_poly_get_coeff_fmpq(c, poly, k);
     ratio_set_fmpq(&made.coeffs[k], c);
   }
-  made.length = made.room;
+  made.length = made.allocated;
   swap(to, &made);
 }
 
@@ -215,9 +215,9 @@ void named_poly_compose_series(struct named_poly *to, const struct named_poly *o
 {
   ENDED_BY(named_poly_clear) struct named_poly value;
   begin(&value, outer->names, 1);
-  for (slong k = FLINT_MIN(outer->length, length) - 1; k >= 0; k--) { /* Horner */
+  for (slong k = FLINT_MIN(outer->length, length) - 1; k >= 0; k--) { /* Horner's rule */
     named_poly_mullow(&value, &value, inner, length - k);
-    make_room(&value, 1);
+    allocate(&value, 1);
     ratio_add(&value.coeffs[0], &value.coeffs[0], &outer->coeffs[k]);
     set_length(&value, value.length > 0 ? value.length : 1);
   }

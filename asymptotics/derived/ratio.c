@@ -85,7 +85,7 @@ bool ratio_get_fmpq(fmpq_t value, const struct ratio *r)
   return constant;
 }
 
-/* Neither over nor under vanishes at pi, so that more bits tell them from 0. */
+/* Neither over nor under vanishes at pi: more bits separate them from 0. */
 void ratio_get_ball(arb_t value, const struct ratio *r, slong precision)
 {
   enum { SPARE = 16 };
@@ -113,8 +113,7 @@ void ratio_neg(struct ratio *to, const struct ratio *a)
   fmpz_mpoly_neg(to->over, to->over, to->names->ring);
 }
 
-/* Takes the greatest common divisor out of a and b. FLINT finds one unless exponents overflow; without it the value is
- * the same. */
+/* Divides a and b by their greatest common divisor. If exponents overflow, FLINT finds none; the value is the same. */
 static void cancel(fmpz_mpoly_t a, fmpz_mpoly_t b, const struct names *names)
 {
   SCOPED_POLYNOMIAL(common, names);
@@ -124,8 +123,8 @@ static void cancel(fmpz_mpoly_t a, fmpz_mpoly_t b, const struct names *names)
   }
 }
 
-/* Whether there is still something to do: counts the terms of what was made, or makes it 1. */
-static bool gives_up(struct ratio *to)
+/* Returns true if work has stopped; the result is then 1. */
+static bool has_stopped(struct ratio *to)
 {
   const bool given_up = names_given_up(to->names);
   if (given_up) {
@@ -144,8 +143,7 @@ static void count_terms(const struct ratio *made)
 
 typedef void combine_polynomials(fmpz_mpoly_t, const fmpz_mpoly_t, const fmpz_mpoly_t, const fmpz_mpoly_ctx_t);
 
-/* a + b or a - b: with under_a = g p and under_b = g q, (over_a q +- over_b p)/(g p q), where only g can have more to
- * cancel */
+/* Computes a + b or a - b: with under_a = g p and under_b = g q, (over_a q +- over_b p)/(g p q); only g can cancel. */
 static void sum(struct ratio *to, const struct ratio *a, const struct ratio *b, combine_polynomials *combine)
 {
   const fmpz_mpoly_ctx_struct *ring = to->names->ring;
@@ -153,7 +151,7 @@ static void sum(struct ratio *to, const struct ratio *a, const struct ratio *b, 
   SCOPED_POLYNOMIAL(p, to->names);
   SCOPED_POLYNOMIAL(q, to->names);
   SCOPED_POLYNOMIAL(term, to->names);
-  if (gives_up(to))
+  if (has_stopped(to))
     return;
   if (!fmpz_mpoly_gcd(g, a->under, b->under, ring))
     fmpz_mpoly_one(g, ring); /* GCOVR_EXCL_LINE: only if exponents overflow */
@@ -171,14 +169,14 @@ static void sum(struct ratio *to, const struct ratio *a, const struct ratio *b, 
 void ratio_add(struct ratio *to, const struct ratio *a, const struct ratio *b) { sum(to, a, b, fmpz_mpoly_add); }
 void ratio_sub(struct ratio *to, const struct ratio *a, const struct ratio *b) { sum(to, a, b, fmpz_mpoly_sub); }
 
-/* to = (a/b) (over/under) */
+/* Computes to = (a/b) (over/under). */
 static void product(struct ratio *to, const fmpz_mpoly_t a, const fmpz_mpoly_t b, const struct ratio *other,
                     bool inverse)
 {
   const fmpz_mpoly_ctx_struct *ring = to->names->ring;
   SCOPED_POLYNOMIAL(over, to->names);
   SCOPED_POLYNOMIAL(under, to->names);
-  if (gives_up(to))
+  if (has_stopped(to))
     return;
   fmpz_mpoly_set(over, inverse ? other->under : other->over, ring);
   fmpz_mpoly_set(under, inverse ? other->over : other->under, ring);

@@ -1,15 +1,15 @@
-/* Arithmetic of truncated Laurent series; each result knows the power from which on it is unknown. */
+/* Arithmetic of truncated Laurent series; each result knows the power from which on it is unknown */
 #include <stdlib.h>
 
 #include "asymptotics/derived/scoped.h"
 
 #include <flint/fmpz_vec.h>
 
-/* The call for this kind of coefficients */
+/* Selects the call for this kind of coefficients. */
 #define BY_KIND(kind, fractions, named, balls) \
   ((kind) == SERIES_FRACTIONS ? (fractions) : (kind) == SERIES_NAMED ? (named) : (balls))
 
-/* known, when the series is multiplied by x^power: what is known to all orders stays so. */
+/* Returns known after multiplication by x^power; a series known to all orders remains so. */
 static slong moved(slong known, slong power) { return known >= SERIES_ALL ? SERIES_ALL : known + power; }
 
 void series_init(struct series *s)
@@ -170,14 +170,14 @@ void series_truncate(struct series *s, slong known)
 
 static enum series_kind later(enum series_kind a, enum series_kind b) { return a > b ? a : b; }
 
-/* What coefficients are converted to */
+/* The target of a conversion of coefficients */
 struct form {
   enum series_kind kind;
   struct names *names; /* if they have names                                                  */
   slong precision;     /* if they are balls                                                   */
 };
 
-/* In which two series are combined */
+/* Returns the form in which two series are combined. */
 static struct form common(const struct series *a, const struct series *b, const struct ring *ring)
 {
   enum series_kind kind = later(a->kind, b->kind);
@@ -187,8 +187,7 @@ static struct form common(const struct series *a, const struct series *b, const 
   return (struct form){ large ? SERIES_BALLS : kind, names, ring->precision };
 }
 
-/* s with coefficients of a form that its own can have: itself, or converted into spare, which the caller has
- * initialised. */
+/* Returns s with coefficients of a more general form: itself, or converted into spare, initialised by the caller. */
 static const struct series *in_form(struct series *spare, const struct series *s, struct form form)
 {
   if (s->kind == form.kind)
@@ -203,7 +202,7 @@ static const struct series *in_form(struct series *spare, const struct series *s
   return spare;
 }
 
-/* The same, as a copy whose coefficients begin with that of x^first, which is not after its own */
+/* Sets a copy in this form with coefficients from x^first on; x^first is not after the first of s. */
 static void set_from(struct series *to, const struct series *s, slong first, struct form form)
 {
   series_set(to, in_form(to, s, form));
@@ -211,8 +210,8 @@ static void set_from(struct series *to, const struct series *s, slong first, str
   to->first = first;
 }
 
-/* s, or, where it begins beyond the terms that a ring keeps of a sum with the other one, nothing: balls that do not
- * count would make balls of all. */
+/* Returns s, or `nothing` if s begins beyond the terms that a ring keeps of a sum with the other: balls without effect
+ * would turn all coefficients into balls. */
 static const struct series *within(struct series *nothing, const struct series *s, const struct series *other,
                                    const struct ring *ring)
 {
@@ -249,7 +248,7 @@ void series_sub(struct series *difference, const struct series *a, const struct 
   add_or_sub(difference, a, b, true, ring);
 }
 
-/* Of a product or quotient: what is beyond its last known power need not be made. */
+/* Returns the count of terms of a product or quotient up to its last known power. */
 static slong terms_that_count(slong first, slong known, const struct ring *ring)
 {
   return known > first ? FLINT_MIN(ring->length, known - first) : 1;
@@ -305,7 +304,7 @@ bool series_div(struct series *quotient, const struct series *a, const struct se
   const struct series *q = in_form(&spare_b, &divisor, form);
   slong known = FLINT_MIN(moved(a->known, -divisor.first), moved(divisor.known, a->first - 2 * divisor.first));
   const slong length = terms_that_count(first, known, ring);
-  if (series_terms(&divisor) > 1 || series_terms(a) > length) /* before a may be overwritten */
+  if (series_terms(&divisor) > 1 || series_terms(a) > length) /* before a is overwritten */
     known = FLINT_MIN(known, first + length);
   BY_KIND(form.kind, fmpq_poly_div_series(quotient->rational, p->rational, q->rational, length),
           named_poly_div_series(&quotient->named, &p->named, &q->named, length),
@@ -343,7 +342,7 @@ void series_compose(struct series *to, const struct series *outer, const struct 
   SCOPED(series, f, g);
   set_from(&f, outer, 0, form);
   set_from(&g, inner, 0, form);
-  slong bends = 1; /* outer is c + d x^bends + ...: what is not known of inner comes in times inner^(bends - 1) */
+  slong bends = 1; /* outer is c + d x^bends + ...: unknown terms of inner enter times inner^(bends - 1) */
   while (bends < series_terms(&f) && series_coefficient_is_zero(&f, bends))
     bends++;
   slong known = FLINT_MIN(FLINT_MIN(f.known, moved(g.known, (bends - 1) * inner->first)), ring->length);

@@ -7,13 +7,13 @@
 static const char MAY_VANISH[] = "of what may be 0", IS_NEGATIVE[] = "of what is negative", IS_LARGE[] = "is too large",
                   IS_FAR[] = "gives a power of T beyond 4096";
 
-/* Tidy series only, here and below */
+/* Returns true if a tidy series is constant; only tidy series here and below. */
 static bool is_constant(const struct series *a)
 {
   return a->known >= SERIES_ALL && (series_terms(a) == 0 || (series_terms(a) == 1 && a->first == 0));
 }
 
-/* The sign for small x: what is wrong with it, or NULL where it is proven to be positive */
+/* Returns the reason why a series is not proven to be positive for small x, or NULL. */
 static const char *not_positive(const struct series *a, slong precision)
 {
   const char *wrong = MAY_VANISH;
@@ -40,9 +40,9 @@ static const char *not_for_log(const struct series *a, slong precision)
 }
 
 struct function {
-  const char *(*refused)(const struct series *a, slong precision); /* a tidy one                                   */
+  const char *(*refused)(const struct series *a, slong precision); /* of a tidy series */
   void (*exact)(fmpq_poly_t, const fmpq_poly_t, slong terms);
-  slong exact_at; /* the constant term with which fractions stay fractions   */
+  slong exact_at; /* constant term with which fractions remain fractions */
   void (*balls)(arb_poly_t, const arb_poly_t, slong terms, slong precision);
   bool is_odd; /* f(a) = a + O(a^3) for small a                           */
 };
@@ -52,7 +52,7 @@ static const struct function LOG = { not_for_log, fmpq_poly_log_series, 1, arb_p
 static const struct function SIN = { not_entire, fmpq_poly_sin_series, 0, arb_poly_sin_series, true };
 static const struct function COS = { not_entire, fmpq_poly_cos_series, 0, arb_poly_cos_series, false };
 
-/* to becomes the polynomial, known below x^known, unless it is not finite. */
+/* Sets `to` to the polynomial, known below x^known, unless it is not finite. */
 static const char *set_finite(struct series *to, const arb_poly_t poly, slong known)
 {
   for (slong k = 0; k < arb_poly_length(poly); k++)
@@ -62,7 +62,7 @@ static const char *set_finite(struct series *to, const arb_poly_t poly, slong kn
   return NULL;
 }
 
-/* The terms from x^0 on and below x^terms, where a has none before */
+/* Computes the terms from x^0 on and below x^terms; a has no negative powers. */
 static const char *set_terms(struct series *to, const struct series *a, const struct function *f, slong terms,
                              const struct ring *ring)
 {
@@ -124,7 +124,7 @@ const char *series_cos(struct series *to, const struct series *a, const struct r
 {
   return apply(to, a, &COS, ring);
 }
-/* Below, a power of x is taken off a series, whose constant term is then positive. */
+/* Returns true if |n| <= size. Below, a power of x is divided out of a series; the constant term is then positive. */
 
 static bool is_within(const fmpz_t n, slong size) { return fmpz_cmp_si(n, size) <= 0 && fmpz_cmp_si(n, -size) >= 0; }
 
@@ -133,14 +133,14 @@ static bool is_small(const fmpq_t power)
   return is_within(fmpq_numref(power), SERIES_EXACT_POWER) && is_within(fmpq_denref(power), SERIES_EXACT_POWER);
 }
 
-/* root^q = value, exactly, for 0 < q <= SERIES_EXACT_POWER and value > 0 */
+/* Solves root^q = value, 0 < q <= SERIES_EXACT_POWER, value > 0. Returns false if the root is irrational. */
 static bool get_root(fmpq_t root, const fmpq_t value, const fmpz_t q)
 {
   return fmpz_root(fmpq_numref(root), fmpq_numref(value), fmpz_get_si(q))
          && fmpz_root(fmpq_denref(root), fmpq_denref(value), fmpz_get_si(q));
 }
 
-/* a^(p/q) = (a0^(1/q))^p exp((p/q) log(a/a0)). False: not all of that is in fractions. */
+/* Computes a^(p/q) = (a0^(1/q))^p exp((p/q) log(a/a0)). Returns false if any of these is not in fractions. */
 static bool set_exact_power(struct series *to, const struct series *a, const fmpq_t power, slong known, slong terms)
 {
   SCOPED(fmpq, constant, root);
@@ -160,7 +160,7 @@ static bool set_exact_power(struct series *to, const struct series *a, const fmp
   return true;
 }
 
-/* to becomes a^power for a > 0 at x = 0. */
+/* Computes a^power for a > 0 at x = 0. */
 static const char *set_real_power(struct series *to, const struct series *a, const fmpq_t power,
                                   const struct ring *ring)
 {
@@ -175,7 +175,7 @@ static const char *set_real_power(struct series *to, const struct series *a, con
   return set_finite(to, poly, known);
 }
 
-/* The power of x that (x^first)^power is */
+/* Computes the power of x in (x^first)^power. */
 static const char *get_first(slong *to, slong first, const fmpq_t power)
 {
   SCOPED(fmpq, product);
@@ -185,7 +185,7 @@ static const char *get_first(slong *to, slong first, const fmpq_t power)
   return !whole ? "gives a power of T that is not whole" : near ? NULL : IS_FAR;
 }
 
-/* base^power of a tidy base: (c x^k (1 + u))^y = (c (1 + u))^y x^(k y) */
+/* Computes base^power of a tidy base: (c x^k (1 + u))^y = (c (1 + u))^y x^(k y). */
 static const char *set_any_power(struct series *to, struct series *base, const fmpq_t power, const struct ring *ring)
 {
   const char *wrong = not_positive(base, ring->precision);
@@ -211,7 +211,7 @@ static const char *set_any_power(struct series *to, struct series *base, const f
   return NULL;
 }
 
-/* By products: of a base of any sign, or 0; finitely many terms stay so. */
+/* Computes a power by products: a base of any sign, or 0; finite sums stay finite. */
 static const char *set_small_power(struct series *to, const struct series *base, slong power, const struct ring *ring)
 {
   if (!is_constant(base) && labs(base->first * power) > SERIES_FARTHEST)

@@ -18,8 +18,7 @@ void scallop_singularity_clear(struct scallop_singularity *s)
   acb_clear(s->place);
 }
 
-/* Which values have a branch point at a fold. Of an even one at its mirror image: v_mid there is v_start here, and the
- * other way round. */
+/* Adds the values with a branch point at a fold. The mirror image of an even fold exchanges v_mid and v_start. */
 static void add_shown(struct scallop_singularity *to, const struct search *s, const struct fold *f)
 {
   SCOPED(acb, gain);
@@ -31,7 +30,7 @@ static void add_shown(struct scallop_singularity *to, const struct search *s, co
     to->shows[AT_START] = to->shows[AFTER_FIRST_PHASE] = to->shows[AT_START] || to->shows[AFTER_FIRST_PHASE];
 }
 
-/* The folds of which none is shown to be nearer than another */
+/* Sets the nearest place, and adds the values of all folds that may be nearest. */
 static void set_place(struct scallop_singularity *to, const struct search *s)
 {
   SCOPED(arb, size);
@@ -50,7 +49,7 @@ static void set_place(struct scallop_singularity *to, const struct search *s)
   }
 }
 
-/* From z to T */
+/* Converts from z to T. */
 static void unscale(struct scallop_singularity *to, const struct continuation *c, slong precision)
 {
   arb_ptr sizes[2] = { to->low, to->T };
@@ -72,7 +71,7 @@ static void nothing_found(struct scallop_singularity *to, slong power, bool even
   arb_pos_inf(to->T);
 }
 
-/* both: without and with joined crossings */
+/* Finds the singularity; both: the equations without and with joined crossings. */
 static void find(struct scallop_singularity *to, const struct continuation both[2], bool even, slong precision)
 {
   struct search *s = search_new(both, even ? 0.5 : 1, precision);

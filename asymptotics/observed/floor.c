@@ -1,33 +1,33 @@
-/* Floors are where errors that fell no longer fall. A rough one is roundoff, or the tolerance of a solver: the points
- * on it and near it are left out. A smooth one far above roundoff is a plateau: the table converges to something else,
- * and that is its verdict. */
+/* Floors: rows at the fine end in which falling errors no longer fall. A rough floor is roundoff, or the tolerance of a
+ * solver: the points on it and near it are left out. A smooth floor far above roundoff is a plateau: the table
+ * converges to another value, and plateau is its verdict. */
 #include <math.h>
 
 #include "asymptotics/observed/judged.h"
 
-/* A tail is a floor if its overall order is below this, or below this share of the steeper orders before it: the
- * second one of the middle one of the last FEW orders, where the rows are so far apart that noise makes none. */
+/* A tail is a floor if its overall order is below FLAT, or below FLATTER times the median of the last FEW orders before
+ * it, if h falls by a factor APART from row to row: the orders of closer rows are noise. */
 static const double FLAT = 0.5, FLATTER = 0.35, APART = 1.2;
-/* Without an order of at least this anywhere there is no floor to look for. */
+/* A floor requires an order of at least this somewhere in the table. */
 static const double STEEP = 0.1;
-/* Errors as small as this are near the roundoff of a quantity of order 1: a floor there is none of the method's, and
- * where five errors are larger the order is theirs. */
+/* Errors this small are near the roundoff of a quantity of order 1: a floor is then not the method's, and if five
+ * errors are larger, they determine the order. */
 static const double ROUNDOFF = 1e-11, NEAR_ROUNDOFF = 1e-12;
-/* As a part of the largest error. A rough floor may be this high, too: tolerances of solvers, single precision. */
+/* Fraction of the largest error. A rough floor may be this high: tolerances of solvers, single precision. */
 static const double ROUGH = 1e-6;
-/* A plateau: C h^p + D fits to this, relatively (C h^p + D h^q to this: no floor); the three finest errors differ by
- * this factor; or, of few rows, those at the floor, by the second one where it is low: roundoff jumps. */
+/* A plateau: C h^p + D fits with misfit FITS (C h^p + D h^q with FITS_WELL: no floor); or the three finest errors have
+ * a ratio of at most LEVEL; or, of few rows, the floor's at most SMOOTH, VERY_SMOOTH if it is low: roundoff jumps. */
 static const double FITS = 0.1, FITS_WELL = 0.05, LEVEL = 1.03, SMOOTH = 1.5, VERY_SMOOTH = 1.2;
-/* A floor is believed if the finest error is this many times what the orders before it would have made of it. */
+/* A floor is accepted if the finest error is this many times its extrapolation from the orders before. */
 static const double HELD_UP = 1.5;
-/* An error this many times above a floor is off by less than a trend can show; by a few percent; by more, and where
- * no others are left it counts with less weight. */
+/* Ratios of an error to a floor: above FAR_ABOVE no trend shows the floor; above ABOVE_FLOOR it is a few percent;
+ * errors above NEAR_FLOOR are used, with lower weights, if too few others exist. */
 static const double FAR_ABOVE = 1000, ABOVE_FLOOR = 30, NEAR_FLOOR = 3;
 static const double LEAST_POWER = 0.5, MOST_POWER = 12, MOST_LOWER = 4, NEXT_POWER = 1.02;
-/* BEGINS are the begin of a floor; BEFORE it so many are fitted; ENOUGH of them are far above it. */
+/* Rows at the start of a floor; rows before it in the fit; sufficient rows far above it */
 enum { BEGINS = 3, BEFORE = 4, ENOUGH = 5, FEW = 5 };
 
-/* Of the slopes from points[first] on the one with so many below it */
+/* Returns the slope of this rank among the slopes from points[first] on. */
 static double slope_ranked(const struct scallop_order_point *points, int first, int count, int rank)
 {
   double slopes[MOST_SORTED];
@@ -36,14 +36,14 @@ static double slope_ranked(const struct scallop_order_point *points, int first, 
   return points_ranked(slopes, count, rank);
 }
 
-/* The upper quartile of the slopes */
+/* Returns the upper quartile of the slopes. */
 static double steepness(const struct scallop_order_point *points, int count)
 {
   int slopes = count > MOST_SORTED ? MOST_SORTED : count - 1;
   return slopes > 0 ? slope_ranked(points, 0, slopes, 3 * slopes / 4) : 0;
 }
 
-/* The middle one of the last FEW slopes before point i, 0 for fewer or where rows are close */
+/* Returns the median of the last FEW slopes before point i, 0 for fewer slopes or if rows are close. */
 static double middle_before(const struct scallop_order_point *points, int i)
 {
   for (int k = i - FEW; k < i; k++)
@@ -52,8 +52,8 @@ static double middle_before(const struct scallop_order_point *points, int i)
   return slope_ranked(points, i - FEW, FEW, FEW / 2);
 }
 
-/* From onset on the errors no longer fall, though they did before, and by more than a pair of neighbours that noise
- * brought together. -1: they fall. */
+/* Returns the first point from which the errors no longer fall, though they fell before, by more than noise in two
+ * neighbours explains; -1: they fall. */
 static int onset_before(const struct scallop_order_point *points, int count)
 {
   const struct scallop_order_point *last = &points[count - 1];
@@ -67,8 +67,8 @@ static int onset_before(const struct scallop_order_point *points, int count)
   return -1;
 }
 
-/* Where a floor begins, or -1. A rough one may have its finest point far down by chance: it is not looked at, then,
- * unless one that is 0 already is not. */
+/* Returns the first point of a floor, or -1. The finest point of a rough floor may be low by chance: it is then
+ * ignored, unless a finer point is already ignored because its error is 0. */
 static int find_floor(const struct judged *j)
 {
   bool spare = j->used > 1 && j->count > LEAST_TREND + 1;
@@ -78,8 +78,8 @@ static int find_floor(const struct judged *j)
   return onset < 0 && spare ? onset_before(j->p, j->used - 1) : onset;
 }
 
-/* What C h^p + D h^q with C, D > 0 and the best p > q leaves of the relative errors (root mean square), from a few
- * rows before onset on. NAN: too few rows to tell; INFINITY: D h^q is less than half of the finest error. */
+/* Returns the misfit of C h^p + D h^q with C, D > 0 and the best p > q, the root mean square of the relative residuals,
+ * from a few rows before onset on. NAN: too few rows; INFINITY: D h^q is less than half of the finest error. */
 static double misfit_of(const struct judged *j, int onset, double q)
 {
   const struct scallop_order_point *finest = &j->p[j->used - 1];
@@ -104,7 +104,7 @@ static double misfit_of(const struct judged *j, int onset, double q)
   return best;
 }
 
-/* The sizes of the errors of p[first..end) */
+/* Sizes of the errors of p[first..end) */
 struct range {
   double least, most;
 };
@@ -119,12 +119,12 @@ static struct range sizes(const struct judged *j, int first, int end)
   return r;
 }
 
-/* A floor and its rows, which are p[onset..used) */
+/* A floor: the rows p[onset..used) */
 struct floor {
   int onset, rows;
-  double least, level; /* the smallest error, and the largest where it begins: roundoff may grow from there */
+  double least, level; /* smallest error; largest error at the start: roundoff may grow from there */
   bool rough;          /* an error is larger than one of a larger h                                         */
-  bool dense;          /* the rows of the table are close, on the average                                   */
+  bool dense;          /* the rows of the table are close on average */
   bool high, near_roundoff;
 };
 
@@ -145,7 +145,7 @@ static struct floor floor_at(const struct judged *j, int onset)
   return found;
 }
 
-/* The largest of the used errors from first on over the smallest */
+/* Returns the largest of the used errors from first on over the smallest. */
 static double spread(const struct judged *j, int first)
 {
   struct range r = sizes(j, first, j->used);
@@ -161,7 +161,7 @@ static bool is_plateau(const struct judged *j, const struct floor *f)
                          : f->rows > 2 && spread(j, f->onset) <= VERY_SMOOTH));
 }
 
-/* A term of lower order that takes over is no floor. */
+/* Returns true if the floor is a term of lower order that dominates. */
 static bool is_lower_term(const struct judged *j, const struct floor *f)
 {
   if (!f->rough && !f->near_roundoff)
@@ -171,7 +171,7 @@ static bool is_lower_term(const struct judged *j, const struct floor *f)
   return false;
 }
 
-/* The rows of the floor, and those too near it */
+/* Leaves out the rows of the floor, and rows too near it. */
 static void leave_out_floor(struct judged *j, const struct floor *f, bool smooth)
 {
   int far = 0;
@@ -202,14 +202,14 @@ bool floor_judge(struct judged *j, bool announced)
     return true;
   j->result->verdict = smooth ? SCALLOP_ORDER_PLATEAU : SCALLOP_ORDER_FLOOR_LIMITED;
   reason_add(j, "err stops falling near %.2g", f.least);
-  reason_add_rows(j, onset + reason_count(j, 0, SCALLOP_ORDER_ZERO), SCALLOP_ORDER_FLOOR); /* and not those near it */
+  reason_add_rows(j, onset + reason_count(j, 0, SCALLOP_ORDER_ZERO), SCALLOP_ORDER_FLOOR); /* not the rows near it */
   reason_add(j, smooth    ? ": a plateau far above roundoff"
                 : f.rough ? ": a rough floor, with too few rows above"
                           : ": a floor, with too few rows above");
   return false;
 }
 
-static bool may_count(const struct scallop_order_point *p)
+static bool is_candidate(const struct scallop_order_point *p)
 {
   return p->use != SCALLOP_ORDER_FLOOR && p->use != SCALLOP_ORDER_ZERO;
 }
@@ -218,14 +218,14 @@ bool floor_leave_out_near(struct judged *j)
 {
   int candidates = 0, above = 0;
   for (int i = 0; i < j->count; i++)
-    if (may_count(&j->p[i])) {
+    if (is_candidate(&j->p[i])) {
       candidates++;
       above += fabs(j->p[i].err) >= j->near_floor;
     }
   if (above < LEAST_TREND || above == candidates)
     return false;
   for (int i = 0; i < j->count; i++)
-    if (may_count(&j->p[i]))
+    if (is_candidate(&j->p[i]))
       j->p[i].use = fabs(j->p[i].err) >= j->near_floor ? SCALLOP_ORDER_USED : SCALLOP_ORDER_FLOOR;
   points_sort_by_use(j);
   *j->result->reason = '\0';

@@ -1,4 +1,4 @@
-/* The points of a table: their order, which of them are used, and what a reason says of them. */
+/* The points of a table: their order, their use, and their description in a reason. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -15,7 +15,7 @@ const char *scallop_order_use_text(enum scallop_order_use use)
   return text[use];
 }
 
-/* nan comes last. */
+/* Compares by h; nan comes last. */
 static int by_falling_h(const void *a, const void *b)
 {
   double x = ((const struct scallop_order_point *)a)->h, y = ((const struct scallop_order_point *)b)->h;
@@ -93,7 +93,7 @@ int reason_count(const struct judged *j, int first, int what)
   return picked;
 }
 
-/* The last of the points from i on that are picked and whose rows follow each other in one direction */
+/* Returns the last of the selected points from i on with consecutive rows in one direction. */
 static int end_of_range(const struct judged *j, int i, int what)
 {
   long step = i + 1 < j->count ? j->p[i + 1].row - j->p[i].row : 0;
@@ -126,7 +126,7 @@ void reason_add_rows(const struct judged *j, int first, int what)
 bool reason_add_all(const struct judged *j, bool faults, const char *before, const char *between)
 {
   static const char *const words[] = {
-    /* by use, and then by fault */
+    /* by use, then by fault */
     "used", "err is 0",           "roundoff", "not yet in the trend", "before a change of sign",
     "NaN",  "an infinite number", "h <= 0",   "noise < 0 or NaN"
   };

@@ -2,8 +2,8 @@
 
 #include "asymptotics/observed/judged.h"
 
-/* P(|T| <= t): the finite sum in theta = atan(t/sqrt(dof)) that holds for whole dof (Abramowitz & Stegun 26.7.3 and
- * 26.7.4), or, of many terms, by the normal deviate of the same probability (Hill, Comm. ACM 13, 1970, 617). */
+/* Returns P(|T| <= t): the finite sum in theta = atan(t/sqrt(dof)) for integer dof (Abramowitz & Stegun 26.7.3 and
+ * 26.7.4), or, for many terms, the probability of the equivalent normal deviate (Hill, Comm. ACM 13, 1970, 617). */
 static double within(double t, long dof)
 {
   static const double pi = 3.14159265358979323846;

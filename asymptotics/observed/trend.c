@@ -5,51 +5,50 @@
 
 #include "asymptotics/observed/judged.h"
 
-/* A change of the local order over the run that is smaller decides nothing. */
+/* Changes of the local order over the run below this are ignored. */
 static const double SEEN = 0.005;
-/* Sums of squares are compared. A term that dies away is as good as another if it leaves at most so many times as
- * much; one that does not has to be so many times better than those. */
+/* Factors between sums of squares. A term that vanishes as h -> 0 is as good as another if its sum is at most AS_GOOD
+ * times as large; any other term must be BETTER times better than those. */
 static const double AS_GOOD = 4, BETTER[] = { 0, 0, 8, 25 }; /* by enum trend_kind */
 static const double SURE = 0.995;
-/* Nor does it count if a line leaves at most so many times less of the points without the finest. */
+/* Ratio of the sum of squares of a bend to a line without the finest point, above which the bend is ignored */
 static const double FINEST = 4;
-/* A floor of noise that is so much of an error halves its weight. */
+/* Ratio of a noise floor to an error at which the weight of the error is one half */
 static const double WEIGHED = 0.03;
-/* Tables that people print; the bound on what rounding explains takes the square of their length. */
+/* Limits of printed tables: the bound of the effect of rounding takes the square of their length. */
 enum { MOST_PRINTED = 64, MOST_DIGITS = 6, MOST_STEPS = 30 };
-/* In h^p |log h|^r an r smaller than this is taken for a coincidence. */
+/* In h^p |log h|^r a smaller |r| counts as a coincidence. */
 static const double LEAST_SECOND = 0.4, LOG_09 = -0.105;
-/* Of two terms with opposite signs the smaller one is at most so much of the larger. */
+/* Largest ratio of two terms with opposite signs */
 static const double CANCELLED = 0.9975;
-/* Of log(1 + c): the step of the grid, what is a step no longer, and the end of the grid where h spans hundreds of
- * decades. */
+/* For log(1 + c): the step of the grid, the smallest step, and the end of the grid if h spans hundreds of decades */
 static const double STEP = 1.5, SMALL_STEP = 1e-12, MOST_GROWTH = 60;
 
-/* What bends the line. Two terms: log(1 + c u), u = (h/h0)^power, h0 the coarsest h where power > 0 and the finest
- * otherwise. Of a creeping one (power 0 or nan) a multiple: x^2 for 0, log|log h| for nan. */
+/* A bend of the line. Two terms: log(1 + c u), u = (h/h0)^power, h0 the coarsest h for power > 0, else the finest.
+ * Creeping (power 0 or nan): a multiple of x^2 for 0, of log|log h| for nan. */
 struct shape {
   enum trend_kind kind;
   double power;
 };
-/* Of those that die away the first ones are taken where they are as good. */
+/* Among equally good terms that vanish as h -> 0 the first is taken. */
 static const struct shape shapes[] = {
   { TREND_SETTLING, 1 }, { TREND_SETTLING, 2 }, { TREND_SETTLING, 3 },   { TREND_SETTLING, 4 }, { TREND_SETTLING, 0.5 },
   { TREND_LEAVING, -1 }, { TREND_LEAVING, -2 }, { TREND_LEAVING, -0.5 }, { TREND_CREEPING, 0 }, { TREND_CREEPING, NAN },
 };
 enum { SHAPES = sizeof shapes / sizeof *shapes };
 
-/* Logarithms of h and |err|, the weight, and how far rounding and known noise may have moved y. Of long tables, means
- * over as many points each. */
+/* Logarithms of h and |err|, the weight, and bounds of the effect of rounding and known noise on y. In long tables,
+ * means of equally many points. */
 struct entry {
   double x, y, weight, moved;
 };
 enum { MOST_ENTRIES = 512 };
 
 struct run {
-  const struct entry *entry; /* from the coarsest h */
+  const struct entry *entry; /* from the coarsest h on */
   int count;
-  double weight, x, y, xx, xy; /* their sum, means, and sums of products of x and y without them      */
-  double coarsest, finest;     /* x */
+  double weight, x, y, xx, xy; /* their sum, means, and sums of products of x and y without the means */
+  double coarsest, finest;     /* values of x */
 };
 
 static double x_of(const struct run *r, int i) { return r->entry[i].x - r->x; }
@@ -72,27 +71,27 @@ static struct run run_of(const struct entry *entry, int count)
   return r;
 }
 
-/* A line and what bends it: err = e^a h^slope (1 + c u), or e^a h^slope e^(factor term) for what creeps. */
+/* A line with a bend: err = e^a h^slope (1 + c u), or e^a h^slope e^(factor term) if it creeps. */
 struct bend {
   const struct shape *shape; /* NULL: the line alone                                      */
   double c;
-  double slope, factor; /* of the line, of the term                                  */
-  double left;          /* the sum of squares                                        */
-  double variance;      /* of the slope, in units of that of a point                 */
-  double others;        /* how far the slopes of bends that are as good are from it  */
+  double slope, factor; /* of the line, of the term */
+  double left;          /* sum of squares of the residuals */
+  double variance;      /* of the slope, in units of the variance of a point */
+  double others;        /* largest distance from slopes of equally good bends */
 };
 
 static bool creeps(const struct bend *b) { return b->shape && b->shape->kind == TREND_CREEPING; }
 
-/* At one h: what bends the line by a known amount, what least squares finds the factor of, and how much each adds to
- * the local order. Of two terms log(1 + c u), and its derivative to log(1 + c). */
-struct bent {
+/* The bend at one h: the known part, the term multiplied by the factor of the fit, and the contribution of each to the
+ * local order. For two terms log(1 + c u), and its derivative with respect to log(1 + c). */
+struct bend_terms {
   double known, term, known_order, term_order;
 };
 
-static struct bent bent_at(const struct run *r, const struct bend *b, double x)
+static struct bend_terms bend_terms_at(const struct run *r, const struct bend *b, double x)
 {
-  struct bent at = { 0, 0, 0, 0 };
+  struct bend_terms at = { 0, 0, 0, 0 };
   if (!b->shape)
     return at;
   double power = b->shape->power, above = x - r->finest;
@@ -108,21 +107,21 @@ static struct bent bent_at(const struct run *r, const struct bend *b, double x)
   return at;
 }
 
-/* The local order at log h = x */
+/* Returns the local order at log h = x. */
 static double order_at(const struct run *r, const struct bend *b, double x)
 {
-  struct bent at = bent_at(r, b, x);
+  struct bend_terms at = bend_terms_at(r, b, x);
   return b->slope + at.known_order + b->factor * at.term_order;
 }
 
-/* Least squares of what the known leaves of y, over x and the term. */
+/* Fits y minus the known part by least squares, over x and the term. */
 static void fit(const struct run *r, struct bend *b)
 {
-  struct bent at[MOST_ENTRIES] = { { 0, 0, 0, 0 } };
+  struct bend_terms at[MOST_ENTRIES] = { { 0, 0, 0, 0 } };
   double known = 0, term = 0, yx = r->xy, tx = 0, tt = 0, ty = 0;
   for (int i = 0; i < r->count; i++) {
     double w = r->entry[i].weight;
-    at[i] = bent_at(r, b, r->entry[i].x);
+    at[i] = bend_terms_at(r, b, r->entry[i].x);
     known += w * at[i].known / r->weight;
     term += w * at[i].term / r->weight;
     yx -= w * at[i].known * x_of(r, i);
@@ -151,8 +150,8 @@ static struct bend bend_at(const struct run *r, const struct shape *shape, doubl
   return b;
 }
 
-/* From b to the best c near it, with low <= log(1 + c) <= high: Newton's method on the residuals made linear, in
- * shorter steps where that fails */
+/* Refines c of the best bend, with low <= log(1 + c) <= high: Newton's method on the linearized residuals, with shorter
+ * steps if it fails. */
 static struct bend refine(const struct run *r, struct bend best, double low, double high)
 {
   double step = best.factor;
@@ -165,8 +164,8 @@ static struct bend refine(const struct run *r, struct bend best, double low, dou
   return best;
 }
 
-/* The best c, between those where the second term is all but the first, with the other sign, and where it is as large
- * at the far end: from the best of a grid, or from 0. */
+/* Returns the bend with the best c, between an almost complete cancellation by the second term and equal size of both
+ * terms at the far end; starts from the best of a grid, or from 0. */
 static struct bend best_of(const struct run *r, const struct shape *shape)
 {
   struct bend none = bend_at(r, shape, 0);
@@ -189,8 +188,8 @@ static double half_width(const struct bend *b, int dof)
   return student_quantile(0.95, dof) * sqrt(b->left / dof * b->variance);
 }
 
-/* Four points leave one degree of freedom, which terms that take over fit by chance.
- * The first of those that die away that is about as good as the best of them, unless another is much better */
+/* Returns the first term that vanishes as h -> 0 and is about as good as the best of these, unless another is much
+ * better. Four points leave one degree of freedom, with which dominating terms fit by chance. */
 static struct bend best_bend(const struct run *r, struct trend *t)
 {
   struct bend bends[SHAPES], other;
@@ -225,8 +224,9 @@ static struct bend best_bend(const struct run *r, struct trend *t)
   return bends[first];
 }
 
-/* Where errors are C h^p but for rounding and noise of at most e_k, in logarithms, least squares leaves at most the
- * sum over k of |1_ik - H_ik| e_k, H_ik = 1/n + x_i x_k/sum x^2. */
+/* Returns true if rounding and noise of at most e_k explain the residuals: if the errors are C h^p up to these, in
+ * logarithms, the residuals of least squares are at most the sum over k of |1_ik - H_ik| e_k, H_ik = 1/n + x_i x_k/sum
+ * x^2. */
 static bool explained_by_rounding(const struct run *r, const struct bend *line)
 {
   bool explained = r->count > 0 && r->entry[0].moved > 0;
@@ -240,14 +240,14 @@ static bool explained_by_rounding(const struct run *r, const struct bend *line)
   return explained;
 }
 
-/* Would a line through all but the finest point do as well as a bend that does not die away? */
+/* Returns true if a line through all but the finest point is better than the bend by a factor FINEST. */
 static bool finest_is_off(const struct run *r, const struct bend *bend)
 {
   struct run without = run_of(r->entry, r->count - 1);
   return bend_at(&without, NULL, 0).left * FINEST < bend->left;
 }
 
-/* Digits of the shortest decimal that reads back as x, or more than MOST_DIGITS */
+/* Returns the digits of the shortest decimal that reads back as x, or more than MOST_DIGITS. */
 static int digits_of(double x)
 {
   char text[40];
@@ -261,8 +261,8 @@ static int digits_of(double x)
 
 static double last_place(double x, int digits) { return pow(10, floor(log10(fabs(x))) - digits + 1); }
 
-/* What rounding and known noise may have moved the logarithms of printed errors by. They were rounded to as many digits
- * as the longest of them has, or to as many decimals, whichever is more; doubles were not. */
+/* Sets bounds of the effect of rounding and known noise on the logarithms of printed errors. They were rounded to as
+ * many digits as the longest of them has, or to as many decimals, whichever is more; doubles were not. */
 static void note_rounding(struct entry *entry, const struct scallop_order_point *points, int count, double level)
 {
   int digits = 0;
@@ -278,7 +278,7 @@ static void note_rounding(struct entry *entry, const struct scallop_order_point 
   }
 }
 
-/* An error with noise of this level counts less. */
+/* Returns a run with lower weights for errors near noise of this level. */
 static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int count,
                                 double level)
 {
@@ -313,7 +313,7 @@ struct trend trend_from(const struct judged *j, int first)
   double from = order_at(&r, &bend, r.coarsest), to = order_at(&r, &bend, r.finest);
   if (!(line.left - bend.left > sure * sure * bend.left / dof))
     return t;
-  if (!(fabs(from - to) > SEEN)) { /* no more than a wider interval, and scatter is not all there is */
+  if (!(fabs(from - to) > SEEN)) { /* a wider interval suffices if scatter is not the only cause */
     t.low = -INFINITY;
     t.half_width = fmax(t.half_width, fabs((bend.shape->kind == TREND_SETTLING ? bend.slope : to) - t.slope));
     return t;

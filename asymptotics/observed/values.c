@@ -1,17 +1,17 @@
-/* Values instead of errors, of which three refinements give one order. */
+/* Errors from values: three refinements yield one order. */
 #include <float.h>
 #include <math.h>
 
 #include "asymptotics/observed/judged.h"
 
-/* (h1^p - h2^p)/(h2^p - h3^p) with h1 > h2 > h3: rises with p from log(h1/h2)/log(h2/h3) at p = 0. */
+/* Returns (h1^p - h2^p)/(h2^p - h3^p) with h1 > h2 > h3: increases with p, and is log(h1/h2)/log(h2/h3) at p = 0. */
 static double difference_ratio(double p, double h1, double h2, double h3)
 {
   double a = log(h1 / h2), b = log(h2 / h3);
   return p == 0 ? a / b : exp(p * a) * -expm1(-p * a) / -expm1(-p * b);
 }
 
-/* The order that three values give, or nan */
+/* Returns the order from three values, or nan. */
 static double order_of_three(const struct scallop_order_point *p)
 {
   double ratio = (p[0].err - p[1].err) / (p[1].err - p[2].err);
@@ -23,8 +23,8 @@ static double order_of_three(const struct scallop_order_point *p)
   return low;
 }
 
-/* What the differences of values that are doubles are wrong by, and where a difference is 0 what the values are
- * resolved to: no difference other than 0 is smaller than that. */
+/* Sets the noise: the rounding of differences of doubles. If a difference is 0, the noise is the resolution of the
+ * values: the smallest difference other than 0. */
 static void note_noise(struct scallop_order_point *values, int count)
 {
   double least = INFINITY;
@@ -44,7 +44,7 @@ static bool is_above_noise(const struct scallop_order_point *values)
   return fabs(values[0].err - values[1].err) > POINTS_ABOVE_NOISE * (values[0].noise + values[1].noise);
 }
 
-/* The middle one of the orders that three values each give, or 1 */
+/* Returns the median of the orders of three values each, or 1. */
 static double middle_order(const struct scallop_order_point *values, int count)
 {
   double orders[MOST_SORTED];
@@ -57,7 +57,7 @@ static double middle_order(const struct scallop_order_point *values, int count)
   return n == 0 ? 1 : points_ranked(orders, n, n / 2);
 }
 
-/* The index between two values, the second on the finer grid */
+/* Returns the grid convergence index between two values, the second on the finer grid. */
 static double grid_index(const struct scallop_order_point *v, double p)
 {
   static const double safety = 1.25;

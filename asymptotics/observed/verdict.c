@@ -1,21 +1,21 @@
-/* The rules of docs/reference/order.md, one after the other. */
+/* The rules of docs/reference/order.md, in their order. */
 #include <math.h>
 #include <stddef.h>
 
 #include "asymptotics/observed/judged.h"
 
-/* The tail of a table that has just settled: the finest three or more points, over this many times in h. */
+/* Smallest ratio of h in the tail of a table that has just settled: the finest three or more points */
 static const double TAIL = 3.9;
-/* Where the tail decides, the slope over all points may be this many tolerances off. */
+/* Largest distance of the overall slope from the expected order, in tolerances, if the tail decides */
 static const double ON_THE_WAY = 2.5;
-/* A run with an interval so many times narrower counts instead of a longer one. */
+/* Ratio of the intervals at which a shorter run replaces a longer one */
 static const double FAR_BETTER = 10;
-/* Three points of a longer table count if they are on a line so well. */
+/* Largest half-width of a slope through three points of a longer table */
 static const double ALIGNED = 0.05;
-/* Rules on pairwise orders are for few pairs. Of so many points, the coarsest are left out several at a time. */
+/* Pairs for rules on pairwise orders; count of points from which several are left out at a time */
 enum { LEAST_PAIRS = 3, MOST_PAIRS = 6, MANY = 32 };
 
-/* The pairwise order of the two finest used points */
+/* Returns the pairwise order of the two finest used points. */
 static double finest_order(const struct judged *j) { return points_slope(&j->p[j->used - 2], &j->p[j->used - 1]); }
 
 static void set_order(struct judged *j, enum scallop_order_interval interval, double order, double low, double high)
@@ -28,7 +28,7 @@ static void set_order(struct judged *j, enum scallop_order_interval interval, do
   r->used = j->used;
 }
 
-/* The pairwise orders of the used points from first on */
+/* Sets the interval to the pairwise orders of the used points from first on. */
 static void set_pairwise_order(struct judged *j, int first, double order)
 {
   double low = order, high = order;
@@ -40,7 +40,7 @@ static void set_pairwise_order(struct judged *j, int first, double order)
   set_order(j, SCALLOP_ORDER_PAIRWISE, order, low, high);
 }
 
-/* Fewer than three points have no order, unless all are exact. */
+/* Judges fewer than three points: they have no order, unless all are exact. */
 static void judge_few(struct judged *j)
 {
   int zero = reason_count(j, 0, SCALLOP_ORDER_ZERO), floor = reason_count(j, 0, SCALLOP_ORDER_FLOOR);
@@ -66,8 +66,8 @@ static bool meets(const struct scallop_order_wanted *w, double order)
   return order >= w->order - w->tolerance && (w->at_least || order <= w->order + w->tolerance);
 }
 
-/* How far the pairwise orders of few points are off the expected one. Returns how many, 0 of too few or many. */
-static int offs_of(const struct judged *j, double off[MOST_PAIRS])
+/* Computes the distances of few pairwise orders from the expected one. Returns their count, 0 for other counts. */
+static int deviations_of(const struct judged *j, double off[MOST_PAIRS])
 {
   const int pairs = j->used - 1;
   if (pairs < LEAST_PAIRS || pairs > MOST_PAIRS)
@@ -77,11 +77,11 @@ static int offs_of(const struct judged *j, double off[MOST_PAIRS])
   return pairs;
 }
 
-/* They move away from it, faster and faster. */
-static bool moves_away(const struct judged *j)
+/* Returns true if the pairwise orders move away from the expected order at an increasing rate. */
+static bool departs_from_expected(const struct judged *j)
 {
   double off[MOST_PAIRS], before = 0;
-  const int pairs = offs_of(j, off);
+  const int pairs = deviations_of(j, off);
   if (pairs == 0 || (j->wanted->at_least && off[pairs - 1] > 0))
     return false;
   double side = off[pairs - 1] < 0 ? -1 : 1;
@@ -94,12 +94,12 @@ static bool moves_away(const struct judged *j)
   return away;
 }
 
-/* They come closer to it step by step, from one side, and the last one is there; in steps that shrink, where that is
- * asked for. */
-static bool comes_closer(const struct judged *j, bool in_shorter_steps)
+/* Returns true if they approach it step by step, from one side, and the last one is within the tolerance; with
+ * in_shorter_steps, only if the steps decrease. */
+static bool approaches_expected(const struct judged *j, bool in_shorter_steps)
 {
   double off[MOST_PAIRS], before = INFINITY;
-  const int pairs = offs_of(j, off);
+  const int pairs = deviations_of(j, off);
   bool closer = pairs > 0 && fabs(off[pairs - 1]) <= j->wanted->tolerance;
   for (int k = 1; k < pairs && closer; k++) {
     double step = fabs(off[k] - off[k - 1]);
@@ -109,8 +109,8 @@ static bool comes_closer(const struct judged *j, bool in_shorter_steps)
   return closer;
 }
 
-/* Do the finest three or more points, over a factor TAIL, have the order, and the pair of the finest two, and are
- * those before farther from it? Then that is set. */
+/* Sets the order and returns true if the finest points, three or more over a factor TAIL, and the two finest have the
+ * expected order, and the points before are farther from it. */
 static bool tail_arrives(struct judged *j)
 {
   const struct scallop_order_wanted *w = j->wanted;
@@ -126,20 +126,20 @@ static bool tail_arrives(struct judged *j)
   return true;
 }
 
-/* A table that reaches the order at its fine end, and comes closer to it all the way: sets the order, and returns
- * whether it is so. slope: over all points. */
+/* Sets the order and returns true if a table reaches the expected order at its fine end, and approaches it all the way.
+ * slope: over all points. */
 static bool has_arrived(struct judged *j, double slope)
 {
   bool on_the_way = fabs(slope - j->wanted->order) <= ON_THE_WAY * j->wanted->tolerance;
   if (on_the_way && tail_arrives(j))
     return true;
-  if (!comes_closer(j, !on_the_way))
+  if (!approaches_expected(j, !on_the_way))
     return false;
   set_pairwise_order(j, 0, finest_order(j));
   return true;
 }
 
-static void say_drift(struct judged *j, const char *how)
+static void report_drift(struct judged *j, const char *how)
 {
   j->result->verdict = SCALLOP_ORDER_DRIFTING;
   reason_add(j, "%s: pairwise orders ", how);
@@ -147,14 +147,14 @@ static void say_drift(struct judged *j, const char *how)
   reason_add_rows(j, 0, SCALLOP_ORDER_USED);
 }
 
-/* The order is known: is it the one that is expected? */
+/* Compares a known order with the expected order. */
 static void compare(struct judged *j, const struct trend *whole)
 {
   const struct scallop_order_wanted *w = j->wanted;
   struct scallop_order_result *r = j->result;
   bool measured = isnan(w->order), pass = measured || meets(w, r->order);
-  if (pass && !whole->rounded && moves_away(j)) {
-    say_drift(j, "the orders move away from the expected one");
+  if (pass && !whole->rounded && departs_from_expected(j)) {
+    report_drift(j, "the orders move away from the expected one");
     return;
   }
   pass = pass || (r->interval != SCALLOP_ORDER_LIMIT && has_arrived(j, whole->slope));
@@ -169,23 +169,23 @@ static void compare(struct judged *j, const struct trend *whole)
   reason_add_rows(j, 0, SCALLOP_ORDER_USED);
 }
 
-/* What a run of points says, from first on: the order, give or take off. known: to the tolerance */
-struct answer {
+/* Result of a run of points: the order, its uncertainty `off`, and whether that is within the tolerance (known) */
+struct estimate {
   enum scallop_order_interval interval;
   double order, off, low, high;
   int first;
   bool known, drifts;
 };
 
-/* finer: the trend of the run without its coarsest points */
-static struct answer answer_of(const struct judged *j, int first, const struct trend *t, const struct trend *finer)
+/* Returns the result of the run from first on; finer: the trend of the run without its coarsest points. */
+static struct estimate estimate_of(const struct judged *j, int first, const struct trend *t, const struct trend *finer)
 {
   const double tolerance = j->wanted->tolerance;
   bool settles = t->kind == TREND_SETTLING;
   double off = fmax(t->half_width, fabs(t->slope - t->finest_order));
   double limit_off = fmax(t->limit_half_width, finer->points >= LEAST_TREND ? fabs(finer->limit - t->limit) : 0);
-  struct answer a = { SCALLOP_ORDER_SLOPE, t->slope, 0, 0, 0, first, false, false };
-  a.off = settles ? fmax(off, fabs(t->slope - t->limit)) : off; /* a slope that bends towards another order is none */
+  struct estimate a = { SCALLOP_ORDER_SLOPE, t->slope, 0, 0, 0, first, false, false };
+  a.off = settles ? fmax(off, fabs(t->slope - t->limit)) : off; /* a bend makes the slope uncertain */
   if (settles && limit_off <= tolerance) {
     a.interval = SCALLOP_ORDER_LIMIT;
     a.order = t->limit;
@@ -203,15 +203,15 @@ static struct answer answer_of(const struct judged *j, int first, const struct t
   return a;
 }
 
-static void set_answer(struct judged *j, const struct answer *a)
+static void set_estimate(struct judged *j, const struct estimate *a)
 {
   set_order(j, a->interval, a->order, a->low, a->high);
   if (j->used == 3)
     set_pairwise_order(j, 0, a->order);
 }
 
-/* A term takes over, or the order changes like a logarithm: no pass, unless the order is at least the one that is
- * expected and creeps */
+/* Judges a dominating term, or an order that changes like a logarithm: not passed, unless the order is at least the
+ * expected one and creeps. */
 static void judge_drift(struct judged *j, const struct trend *t)
 {
   const struct scallop_order_wanted *w = j->wanted;
@@ -223,21 +223,21 @@ static void judge_drift(struct judged *j, const struct trend *t)
     reason_add_rows(j, 0, SCALLOP_ORDER_USED);
     return;
   }
-  say_drift(j, creeps  ? "the orders change as slowly as a logarithm"
-               : rises ? "the orders rise faster and faster: a term of lower order has the other sign"
-                       : "the orders fall faster and faster: a term of lower order takes over");
+  report_drift(j, creeps  ? "the orders change as slowly as a logarithm"
+                  : rises ? "the orders rise faster and faster: a term of lower order has the other sign"
+                          : "the orders fall faster and faster: a term of lower order takes over");
 }
 
-/* What the longest run says that knows the order, each without the coarsest points of the one before; where that is a
- * limit, what a shorter one says that knows it far better. If none knows it, what all points say. drifts: a run does,
- * before any knows the order; *whole becomes its trend. */
-static struct answer best_answer(const struct judged *j, struct trend *whole)
+/* Returns the result of the longest run that determines the order, or, if it is a limit, of a shorter run that is far
+ * more accurate; else of all points. Each run omits the coarsest points of its predecessor. If a run drifts first,
+ * drifts is set, and *whole becomes its trend. */
+static struct estimate best_estimate(const struct judged *j, struct trend *whole)
 {
   const int half = (whole->points + 1) / 2, fewest = half > LEAST_TREND ? half : LEAST_TREND;
   const int least = whole->points < fewest ? whole->points : fewest;
-  const struct answer none = { SCALLOP_ORDER_NO_INTERVAL, 0, 0, 0, 0, 0, false, false };
+  const struct estimate none = { SCALLOP_ORDER_NO_INTERVAL, 0, 0, 0, 0, 0, false, false };
   const struct trend no_trend = { TREND_STRAIGHT, false, false, 0, 0, 0, 0, 0, 0, 0, 0, 0 };
-  struct answer best = none;
+  struct estimate best = none;
   struct trend t = *whole, finer;
   for (int first = 0, next; t.points >= least || (t.points == 3 && t.half_width < ALIGNED); first = next, t = finer) {
     bool drifts = t.kind == TREND_LEAVING || t.kind == TREND_CREEPING;
@@ -253,14 +253,14 @@ static struct answer best_answer(const struct judged *j, struct trend *whole)
     }
     next = first + 1 + t.points / MANY;
     finer = t.points >= LEAST_TREND ? trend_from(j, next) : no_trend;
-    struct answer a = answer_of(j, first, &t, &finer);
+    struct estimate a = estimate_of(j, first, &t, &finer);
     if (first == 0 || (best.known ? a.off < best.off / FAR_BETTER : a.known))
       best = a;
   }
   return best;
 }
 
-/* Nothing knows the order to the tolerance. */
+/* Judges a table without a run that determines the order to the tolerance. */
 static void judge_unknown(struct judged *j, const struct trend *whole)
 {
   struct scallop_order_result *r = j->result;
@@ -269,7 +269,7 @@ static void judge_unknown(struct judged *j, const struct trend *whole)
     reason_add(j, "the orders have come to %.3g: ", r->order);
   } else if (whole->kind == TREND_SETTLING) {
     set_pairwise_order(j, 0, finest_order(j));
-    say_drift(j, "the orders have not settled");
+    report_drift(j, "the orders have not settled");
     return;
   } else {
     r->verdict = SCALLOP_ORDER_SCATTERED;
@@ -287,12 +287,12 @@ static void judge_trend(struct judged *j)
     whole = trend_from(j, 0);
   }
   struct trend t = whole;
-  struct answer best = best_answer(j, &t);
+  struct estimate best = best_estimate(j, &t);
   const bool of_three = j->used == 3;
   if (best.known || best.drifts)
     points_leave_out(j, best.first, SCALLOP_ORDER_COARSE);
-  set_answer(j, &best);
-  if (of_three) /* their pairwise orders tell more than a line with one degree of freedom */
+  set_estimate(j, &best);
+  if (of_three) /* pairwise orders are more informative than a line with one degree of freedom */
     best.known = j->result->high - j->result->low <= j->wanted->tolerance;
   if (best.drifts)
     judge_drift(j, &t);
@@ -309,7 +309,7 @@ static void leave_out_before_sign_change(struct judged *j)
   points_leave_out(j, change, SCALLOP_ORDER_BEFORE_SIGN_CHANGE);
 }
 
-/* Judges the points that are used, and returns whether they decide. */
+/* Judges the used points. Returns true if they decide. */
 static bool judge_used(struct judged *j)
 {
   leave_out_before_sign_change(j);
@@ -317,7 +317,7 @@ static bool judge_used(struct judged *j)
   return j->result->verdict <= SCALLOP_ORDER_MEASURED;
 }
 
-/* Zeros, and errors too near their known noise. Once an error has met its noise, so have all finer ones. */
+/* Leaves out zeros, the first error that is near its known noise, and all finer errors. */
 static void leave_out_noise(struct judged *j)
 {
   bool met = false;
@@ -329,7 +329,7 @@ static void leave_out_noise(struct judged *j)
   points_sort_by_use(j);
 }
 
-/* Sorts by h. Faults and the first h that is repeated become the reason. */
+/* Sorts by h. Writes faults and the first repeated h to the reason; returns false if it finds any. */
 static bool is_valid(struct judged *j)
 {
   bool valid = !reason_add_all(j, true, "", "; ");

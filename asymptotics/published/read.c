@@ -1,5 +1,5 @@
-/* The texts of formulas and conditions: read, and evaluated in double; and formulas that were read and own what they
- * need, for the public. */
+/* Formulas and conditions: read from text, evaluated in double; and the public type of a formula, with copies of its
+ * texts. */
 #include "asymptotics/published/read.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ const struct scallop_formula *scallop_formula_named(const char *name)
   return NULL;
 }
 
-struct asked {
+struct formula_request {
   const struct scallop_formula *formula;
   nearest_name *nearest;
 };
@@ -33,8 +33,8 @@ static int place_of(void *context, const char *name)
 
 static const char *part_of(void *context, const char *name)
 {
-  const struct asked *asked = context;
-  for (const struct scallop_part *p = asked->formula->parts; p && p->name; p++)
+  const struct formula_request *request = context;
+  for (const struct scallop_part *p = request->formula->parts; p && p->name; p++)
     if (strcmp(p->name, name) == 0)
       return p->text;
   return NULL;
@@ -43,19 +43,19 @@ static const char *part_of(void *context, const char *name)
 static const char *nearest_to(void *context, const char *name, const char *const *functions)
 {
   enum { MOST_PARTS = 32 };
-  const struct asked *asked = context;
+  const struct formula_request *request = context;
   const char *names[SCALLOP_SYMBOLS + MOST_PARTS + 1] = { NULL };
   memcpy(names, scallop_symbol_names, sizeof scallop_symbol_names);
-  for (int i = 0; asked->formula->parts && asked->formula->parts[i].name && i < MOST_PARTS; i++)
-    names[SCALLOP_SYMBOLS + i] = asked->formula->parts[i].name;
-  return asked->nearest ? asked->nearest(name, functions ? functions : names) : NULL;
+  for (int i = 0; request->formula->parts && request->formula->parts[i].name && i < MOST_PARTS; i++)
+    names[SCALLOP_SYMBOLS + i] = request->formula->parts[i].name;
+  return request->nearest ? request->nearest(name, functions ? functions : names) : NULL;
 }
 
 static const char *read_text(struct formula *read, const char *text, const struct scallop_formula *formula,
                              nearest_name *nearest, char message[FORMULA_MESSAGE])
 {
-  struct asked asked = { formula, nearest };
-  const struct formula_names names = { place_of, nearest_to, part_of, &asked };
+  struct formula_request request = { formula, nearest };
+  const struct formula_names names = { place_of, nearest_to, part_of, &request };
   return formula_read(read, text, &names, message);
 }
 
@@ -120,7 +120,7 @@ bool scallop_condition_is_equal_forces(const char *condition)
              || (strcmp(left, "F2") == 0 && strcmp(right, "F1") == 0));
 }
 
-/* nan: it cannot be read */
+/* Returns the value of a side, nan if it cannot be read. */
 static double side_in_double(const char *text, const struct scallop_formula *formula,
                              const struct scallop_values *values)
 {
@@ -145,7 +145,7 @@ bool scallop_formula_is_claimed(const struct scallop_formula *formula, const str
 _Static_assert((int)SCALLOP_FORMULA_MESSAGE == (int)FORMULA_MESSAGE,
                "a message of the public face is one of formula.h");
 
-/* Appends a copy of the text, which the operations then refer to. */
+/* Appends a copy of the text, and makes the operations refer to it. */
 static void keep_text(struct formula *operations, char **end, const char *text)
 {
   size_t size = strlen(text) + 1;

@@ -1,4 +1,4 @@
-/* What the names in formulas stand for, in double. */
+/* Values of the names in formulas, in double. */
 #include "asymptotics/asymptotics.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@ const char *const scallop_symbol_names[SCALLOP_SYMBOLS] = { SCALLOP_SYMBOL_LIST(
 #define QUANTITY_WORD(word, name) #word,
 const char *const scallop_quantity_words[SCALLOP_QUANTITIES] = { SCALLOP_QUANTITY_LIST(QUANTITY_WORD) };
 
-/* l'' and l'''' at the ends, and L_kin */
+/* Sets l'' and l'''' at the ends, and L_kin. */
 static void set_shape(double *of, const struct scallop_crawler *c, enum scallop_phase_kind kind)
 {
   const struct scallop_shape *shape = &c->gait->phase[kind];

@@ -1,4 +1,4 @@
-/* Values in factored form, in three languages. */
+/* Values in factored form, written in three languages */
 #include "asymptotics/symbolic/language.h"
 
 #include <stdio.h>
@@ -26,7 +26,7 @@ struct writer {
   FILE *out;
   struct symbols *symbols;
   const struct language *language;
-  slong T; /* its place in the list, -1: it has none                                             */
+  slong T; /* index of T in the list, -1 if absent */
 };
 
 static void put(struct writer *w, const char *text) { fputs(text, w->out); }
@@ -54,7 +54,7 @@ static void put_number(struct writer *w, const fmpz_t number)
   flint_free(text);
 }
 
-/* Behind what is raised to a power, if that is not 1 */
+/* Writes an exponent after its base, unless it is 1. */
 static void put_power(struct writer *w, slong power)
 {
   if (power != 1)
@@ -80,7 +80,7 @@ static void put_sign(struct writer *w, bool negative, bool first)
   put(w, first ? negative ? "-" : "" : negative ? " - " : " + ");
 }
 
-/* A polynomial as the sum of its terms */
+/* Writes a polynomial as the sum of its terms. */
 static void put_terms(struct writer *w, const fmpz_mpoly_t polynomial)
 {
   const fmpz_mpoly_ctx_struct *ring = w->symbols->names.ring;
@@ -111,7 +111,7 @@ static slong power_of_T(const struct writer *w, const fmpz_mpoly_t polynomial)
 
 static void put_product(struct writer *w, const fmpz_mpoly_t polynomial, slong power);
 
-/* A polynomial by powers of T, with factored coefficients */
+/* Writes a polynomial by powers of T, with factored coefficients. */
 static void put_by_powers(struct writer *w, const fmpz_mpoly_t polynomial)
 {
   const fmpz_mpoly_ctx_struct *ring = w->symbols->names.ring;
@@ -132,8 +132,7 @@ static void put_by_powers(struct writer *w, const fmpz_mpoly_t polynomial)
   fmpz_mpoly_clear(coefficient, ring);
 }
 
-/* Factors of a polynomial in which beta is written as 1 - alpha, where they have no other symbols than alpha and beta.
- * Those that become 1 are left out. */
+/* Replaces beta by 1 - alpha in factors without symbols except alpha and beta; removes factors that become 1. */
 static void write_in_alpha(fmpz_mpoly_factor_t factors, const struct symbols *s)
 {
   const fmpz_mpoly_ctx_struct *ring = s->names.ring;
@@ -164,7 +163,7 @@ static void write_in_alpha(fmpz_mpoly_factor_t factors, const struct symbols *s)
     fmpz_mpoly_clear(&instead[i], ring);
 }
 
-/* How many factors there are to write, the number 1 not among them */
+/* Returns the count of written factors, without the number 1. */
 static slong count_factors(const fmpz_mpoly_factor_t factors, slong power)
 {
   slong count = (power != 0) + !fmpz_is_one(factors->constant);
@@ -173,9 +172,9 @@ static slong count_factors(const fmpz_mpoly_factor_t factors, slong power)
   return count;
 }
 
-/* The number, then the symbols in the order of the list, T^power, and the sums. held: nothing stands beside it that
- * brackets keep off. */
-static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slong power, bool held)
+/* Writes the number, the symbols in the order of the list, T^power, and the sums. alone: no neighbour needs
+ * brackets. */
+static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slong power, bool alone)
 {
   const struct symbols *s = w->symbols;
   slong count = count_factors(factors, power);
@@ -195,7 +194,7 @@ static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slo
     slong exponent = fmpz_get_si(factors->exp + i);
     if (exponent == 0 || fmpz_mpoly_is_gen(sum, -1, s->names.ring))
       continue;
-    bool bare = held && count == 1 && exponent == 1;
+    bool bare = alone && count == 1 && exponent == 1;
     put_times(w, &any);
     put(w, bare ? "" : "(");
     (power_of_T(w, sum) > 0 ? put_by_powers : put_terms)(w, sum);
@@ -204,14 +203,14 @@ static void put_factors(struct writer *w, const fmpz_mpoly_factor_t factors, slo
   }
 }
 
-/* The factors of a polynomial, see write_in_alpha */
+/* Factors a polynomial, see write_in_alpha. */
 static void factor(fmpz_mpoly_factor_t factors, const fmpz_mpoly_t polynomial, const struct symbols *s)
 {
   if (!fmpz_mpoly_factor(factors, polynomial, s->names.ring)) {         /* only if exponents overflow */
-    fmpz_mpoly_factor_one(factors, s->names.ring);                      /* GCOVR_EXCL_LINE: likewise  */
-    fmpz_mpoly_factor_append_ui(factors, polynomial, 1, s->names.ring); /* GCOVR_EXCL_LINE: likewise  */
+    fmpz_mpoly_factor_one(factors, s->names.ring);                      /* GCOVR_EXCL_LINE */
+    fmpz_mpoly_factor_append_ui(factors, polynomial, 1, s->names.ring); /* GCOVR_EXCL_LINE */
   }
-  fmpz_mpoly_factor_sort(factors, s->names.ring); /* the same order whatever FLINT finds first */
+  fmpz_mpoly_factor_sort(factors, s->names.ring); /* the same order for any order of FLINT's factors */
   write_in_alpha(factors, s);
 }
 

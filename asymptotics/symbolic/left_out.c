@@ -1,4 +1,4 @@
-/* The derived expansion of a motion minus that of a formula, term by term. */
+/* The derived expansion of a motion minus the expansion of a formula, term by term */
 #include "asymptotics/symbolic/left_out.h"
 
 #include <stdio.h>
@@ -11,12 +11,12 @@
 #include "asymptotics/symbolic/language.h"
 #include "asymptotics/symbolic/reduced.h"
 
-/* The motion that a formula is about, as formulas */
+/* The motion of a formula, expanded in symbols */
 struct motion {
   const struct scallop_rational_crawler *crawler;
   enum scallop_phase_kind kind;
   bool is_steady, from_rest;
-  bool equal_forces; /* of all crawlers that the formula is about                                */
+  bool equal_forces; /* for all crawlers of the formula */
   struct symbols symbols;
   struct scallop_expansion phase;
   struct symbolic_steady steady;
@@ -28,7 +28,7 @@ static void motion_end(struct motion *m)
   symbols_end(&m->symbols);
 }
 
-/* The symbols that are a derivative of l at an end of the phase */
+/* The symbols of derivatives of l at one end of the phase */
 struct derivative {
   enum scallop_symbol symbol;
   enum symbol_meaning meaning;
@@ -40,7 +40,7 @@ static const struct derivative derivatives[] = { { SCALLOP_SYMBOL_l0, NAMED_AT_S
                                                  { SCALLOP_SYMBOL_kT, NAMED_AT_END, 4 } };
 enum { DERIVATIVES = sizeof derivatives / sizeof *derivatives };
 
-/* Of a gait that is not rational pi is 1 in it. */
+/* Computes a derivative as a number of amplitudes; pi is 1 in it unless the gait is rational. */
 static void in_amplitudes(fmpq_t value, const struct symbol *symbol, const struct scallop_rational_crawler *crawler)
 {
   SCOPED(fmpq, one);
@@ -60,7 +60,7 @@ static symbolic derivative_value(struct motion *m, const struct derivative *d)
                     : symbolic_mul(s, symbolic_fraction(s, value), symbolic_named(s, NAMED_L));
 }
 
-/* Is pi in the formula, or in the law of the gait? */
+/* Returns true if the formula or the law of the gait contains pi. */
 static bool needs_pi(const struct motion *m, const struct formula *formula)
 {
   bool needs = !scallop_gait_is_rational(m->crawler->gait);
@@ -69,7 +69,7 @@ static bool needs_pi(const struct motion *m, const struct formula *formula)
   return needs;
 }
 
-/* The symbols of a phase in their usual order, and those of the formula that the phase does without */
+/* Lists the symbols of a phase in their usual order, and those of the formula that the phase does not have. */
 static void list_symbols(struct motion *m, const struct formula *formula)
 {
   static const enum symbol_meaning first[] = { NAMED_m1, NAMED_m2, NAMED_M, NAMED_F1, NAMED_F2, NAMED_L, NAMED_v0 };
@@ -90,7 +90,7 @@ static void list_symbols(struct motion *m, const struct formula *formula)
   }
 }
 
-/* How many terms of a phase are needed: formulas divide what is given by powers of T. */
+/* Returns the count of terms of a phase that is required: formulas divide given values by powers of T. */
 static slong terms_for(const struct formula *formula, slong power)
 {
   enum { MORE = 4 };
@@ -118,7 +118,7 @@ static const char *expand(struct motion *m, const struct formula *formula, const
   return status == SCALLOP_OK ? NULL : why ? why : scallop_status_text(status);
 }
 
-/* What the formula gives, as the motion has it; false: it has no formula. */
+/* Derives the quantity of the formula for the motion; returns false if it has no formula. */
 static bool derive(struct series *derived, struct motion *m, enum scallop_quantity quantity, const struct ring *ring)
 {
   const struct series *expanded = scallop_expansion_of(&m->phase, quantity);
@@ -137,7 +137,7 @@ static bool derive(struct series *derived, struct motion *m, enum scallop_quanti
   return closed || expanded;
 }
 
-/* What the names in the formula stand for */
+/* Sets the values of the names in the formula. */
 static void set_names(struct scallop_symbols *names, struct motion *m, const struct ring *ring)
 {
   static const struct {
@@ -166,7 +166,7 @@ static void set_names(struct scallop_symbols *names, struct motion *m, const str
   }
 }
 
-/* F2 is F1 where the forces of all these crawlers are equal. of_gait: a derivative of l is as this gait has it, a
+/* Sets F2 to F1 if the forces of all these crawlers are equal. of_gait: sets derivatives of l to those of this gait, a
  * number of amplitudes, times a power of pi. */
 static void set_replacements(struct replacements *r, const struct motion *m, bool of_gait)
 {
@@ -186,8 +186,7 @@ static slong length_of(symbolic a, const struct symbols *s)
   return fmpz_mpoly_length(a->over, s->names.ring) + fmpz_mpoly_length(a->under, s->names.ring);
 }
 
-/* The coefficient of T^power, NULL: it is not known. of_gait: as this gait has the derivatives of l. With M and beta as
- * they stand, if that is shorter */
+/* Returns the coefficient of T^power, NULL if unknown; with M and beta if shorter. of_gait: see set_replacements */
 static symbolic coefficient_of(struct motion *m, const struct series *difference, slong power, bool of_gait)
 {
   struct symbols *s = &m->symbols;
@@ -201,7 +200,7 @@ static symbolic coefficient_of(struct motion *m, const struct series *difference
   return reduced && other && !ratio_is_zero(reduced) && length_of(other, s) < length_of(reduced, s) ? other : reduced;
 }
 
-/* The first power up to T^most whose coefficient is not 0, or most + 1. False: one is not known. */
+/* Finds the first power up to T^most with a nonzero coefficient, or most + 1. Returns false if one is unknown. */
 static bool first_power(slong *power, struct motion *m, const struct series *difference, slong most, bool of_gait)
 {
   symbolic found = NULL;
@@ -280,7 +279,7 @@ const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *
   struct formula formula;
   symbols_init(&m.symbols);
   scallop_expansion_init(&m.phase);
-  /* from rest no body turns where F1 = F2: these modes say so */
+  /* from rest no body turns if F1 = F2: these modes imply it */
   m.equal_forces = m.from_rest;
   for (const char *const *when = f->when; when && *when; when++)
     m.equal_forces = m.equal_forces || scallop_condition_is_equal_forces(*when);

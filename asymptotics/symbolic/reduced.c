@@ -1,4 +1,4 @@
-/* Values in independent symbols, and back in the paper's. */
+/* Conversion of values to independent symbols, and back to the paper's symbols */
 #include "asymptotics/symbolic/reduced.h"
 
 #include <flint/fmpq_mpoly.h>
@@ -25,7 +25,7 @@ static int place_of(const struct symbols *s, enum symbol_meaning meaning)
   return symbols_place(s, meaning, 0, SCALLOP_EXTENSION);
 }
 
-/* What stands for the symbol at a place: a polynomial with the integer coefficients of `terms`, times `times` */
+/* Computes the replacement of a symbol: a polynomial with the integer coefficients of `terms`, times `times`. */
 static void set_image(fmpz_mpoly_t terms, fmpq_t times, const struct symbols *s, int place,
                       const struct replacement *replaced, bool independent)
 {
@@ -52,7 +52,7 @@ static void set_image(fmpz_mpoly_t terms, fmpq_t times, const struct symbols *s,
   }
 }
 
-/* value = polynomial with the images in the place of its symbols */
+/* Computes the value of a polynomial with its symbols replaced. */
 static void compose(fmpq_mpoly_t value, const fmpz_mpoly_t polynomial, const struct symbols *s,
                     const struct replacements *replacements, bool independent, const fmpq_mpoly_ctx_t ring)
 {
@@ -74,7 +74,7 @@ static void compose(fmpq_mpoly_t value, const fmpz_mpoly_t polynomial, const str
     fmpq_mpoly_clear(list[i], ring);
 }
 
-/* Takes m1 + m2 out as often as it divides the polynomial. Returns how often. */
+/* Divides the polynomial by m1 + m2 as often as possible. Returns the count of divisions. */
 static slong take_out_M(fmpz_mpoly_t polynomial, const struct symbols *s)
 {
   const fmpz_mpoly_ctx_struct *ring = s->names.ring;
@@ -89,7 +89,7 @@ static slong take_out_M(fmpz_mpoly_t polynomial, const struct symbols *s)
   return times;
 }
 
-/* The sum of c_k alpha^k, of degree d, becomes that of c_k alpha^k (alpha + beta)^(d - k). */
+/* Replaces the sum of c_k alpha^k, of degree d, by the sum of c_k alpha^k (alpha + beta)^(d - k). */
 static void make_homogeneous(fmpz_mpoly_t polynomial, const struct symbols *s)
 {
   const fmpz_mpoly_ctx_struct *ring = s->names.ring;

@@ -1,4 +1,4 @@
-/* Rational functions of named symbols. */
+/* Rational functions of named symbols */
 #include "asymptotics/symbolic/symbolic.h"
 
 #include <stdio.h>
@@ -10,7 +10,7 @@ void symbols_init(struct symbols *s)
 {
   s->count = 0;
   s->made = NULL;
-  s->made_count = s->made_room = 0;
+  s->made_count = s->made_allocated = 0;
   s->most_terms = 0;
   names_init(&s->names, 0);
 }
@@ -65,7 +65,7 @@ void symbols_end(struct symbols *s)
   names_clear(&s->names);
 }
 
-/* sigma L times n! times the coefficient of |l'| in time, sigma = -1 in a contraction */
+/* Computes sigma L times n! times the coefficient of |l'| in time, sigma = -1 in a contraction. */
 static void derivative_value(fmpq_t value, const struct symbol *symbol, const struct scallop_rational_crawler *crawler,
                              const fmpq_t pi_squared)
 {
@@ -97,7 +97,7 @@ void symbol_value(fmpq_t value, const struct symbol *symbol, const struct scallo
   case NAMED_alpha: fmpq_set(value, crawler->alpha); break;
   case NAMED_beta: scallop_rational_fraction(value, crawler, SCALLOP_CONTRACTION); break;
   case NAMED_T: fmpq_set(value, crawler->T); break;
-  case NAMED_pi: fmpq_one(value); break; /* what depends on it has no value here */
+  case NAMED_pi: fmpq_one(value); break; /* values that depend on pi do not exist here */
   case NAMED_AT_START:
   case NAMED_AT_END: derivative_value(value, symbol, crawler, pi_squared); break;
   }
@@ -112,9 +112,9 @@ void symbols_values(fmpq *values, const struct symbols *s, const struct scallop_
 
 static struct ratio *new_value(struct symbols *s)
 {
-  if (s->made_count == s->made_room) {
-    s->made_room = 2 * s->made_room + 64;
-    s->made = flint_realloc(s->made, s->made_room * sizeof *s->made);
+  if (s->made_count == s->made_allocated) {
+    s->made_allocated = 2 * s->made_allocated + 64;
+    s->made = flint_realloc(s->made, s->made_allocated * sizeof *s->made);
   }
   struct ratio *value = flint_malloc(sizeof *value);
   s->made[s->made_count++] = value;
@@ -185,7 +185,7 @@ symbolic symbolic_coefficient(struct symbols *s, const struct series *series, sl
   return value;
 }
 
-/* A polynomial by its powers of T */
+/* Sets a series from the powers of T in a polynomial. */
 static void set_by_powers(struct series *series, struct symbols *s, const fmpz_mpoly_t polynomial)
 {
   const slong T = place_of(s, NAMED_T), degree = fmpz_mpoly_degree_si(polynomial, T, s->names.ring);
@@ -210,7 +210,7 @@ void symbolic_in_T(struct series *series, struct symbols *s, symbolic value, slo
   series_div(series, series, &under, &ring);
 }
 
-/* The sum of a polynomial's terms */
+/* Computes the sum of a polynomial's terms. */
 static void value_of(fmpq_t value, const fmpz_mpoly_t polynomial, const struct symbols *s, const fmpq *values)
 {
   ulong powers[MOST_SYMBOLS];

@@ -1,4 +1,4 @@
-/* The limit T -> 0 of the steady state, where it is small: as a series in what makes it small. */
+/* The limit T -> 0 of the steady state as a series in a small parameter */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,10 +6,10 @@
 #include "asymptotics/derived/scoped.h"
 #include "asymptotics/symbolic/symbolic.h"
 
-/* Of all sums and products, each of some hundred bytes while it is made: half a minute, and half a gigabyte */
+/* Limit of the terms of all sums and products, some hundred bytes each: half a minute, half a gigabyte */
 #define MOST_TERMS 30000000
 
-/* 1/2 + x/2 or 1/2 - x/2 */
+/* Sets 1/2 + x/2 or 1/2 - x/2. */
 static void set_half(struct series *to, int sign)
 {
   SCOPED(fmpq_poly, half);
@@ -35,8 +35,8 @@ static symbolic parameter_of(struct symbols *s, enum limit_parameter in)
                                    : symbolic_mul(s, time_difference(s), friction_difference(s));
 }
 
-/* A phase with series in the small parameter x. In the product both differences are fixed, and what drives the
- * crawler, their product, is x all the same: the forces of the extension are moved by what that takes. */
+/* Sets a phase with series in the small parameter x. For LIMIT_IN_PRODUCT both differences are fixed, and their
+ * product, which drives the crawler, is x: the forces of the extension are changed by the required amount. */
 static void set_phase(struct phase_series *to, struct symbols *s, enum scallop_phase_kind kind, enum limit_parameter in,
                       const struct ring *ring)
 {
@@ -64,8 +64,8 @@ static void set_phase(struct phase_series *to, struct symbols *s, enum scallop_p
   }
 }
 
-/* The laws at the crossings near both ends; of gaits that mirror each other by the names of the extension, of
- * reversible ones by those of the start: |l'| at the end is the same in time before it. */
+/* Sets the laws at the crossings near both ends: of gaits with mirrored phases by the names of the extension, of
+ * reversible gaits by the names of the start: |l'| at the end is the same function of the time before it. */
 static void set_laws(struct phase_series *to, struct symbols *s, const struct branch *b, enum scallop_phase_kind kind,
                      bool reversible)
 {
@@ -79,7 +79,7 @@ static void set_laws(struct phase_series *to, struct symbols *s, const struct br
     series_compose(&to->law.at[1], &to->law.at[1], &before, &all);
 }
 
-/* U by Newton's method, from 0 */
+/* Solves for U by Newton's method, from 0. */
 static void solve(struct series *U, struct symbols *s, const struct scallop_rational_crawler *crawler,
                   enum limit_parameter in, const struct symbolic_limit *limit, slong terms)
 {
@@ -127,7 +127,7 @@ static bool is_sine(const struct scallop_gait *gait)
   return sine;
 }
 
-/* Of (F1 - F2)(2 alpha - 1) */
+/* Returns the sign of (F1 - F2)(2 alpha - 1). */
 static int sign_of(const struct scallop_rational_crawler *crawler)
 {
   SCOPED(fmpq, half);
@@ -157,7 +157,7 @@ const char *symbolic_limit_equation(const struct scallop_rational_crawler *crawl
   return (is_sine(crawler->gait) ? of_sine : of_any)[sign_of(crawler) + 1];
 }
 
-/* NULL, or why there is no series: |l'| must rise from 0 at both ends of both phases, and at once. */
+/* Returns NULL, or the reason why no series exists: |l'| must increase linearly from 0 at both ends of both phases. */
 static const char *obstacle(const struct scallop_rational_crawler *crawler, slong order)
 {
   const char *none = order < 1 || order > SYMBOLIC_LIMIT_ORDERS ? "the order of a limit is outside of 1 to 10"

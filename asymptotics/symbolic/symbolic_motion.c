@@ -1,8 +1,8 @@
-/* One phase at fixed v0 as a series in its duration T, and the steady state in closed form, with names for numbers.
+/* One phase at fixed v0 as a series in its duration T, and the steady state in closed form, with names for numbers
  *
- * Momentum is in the place of velocity, as it has fewer denominators: with s for the time in units of the phase, T its
+ * Momentum replaces velocity, because it has fewer denominators: with s for the time in units of the phase, T its
  * duration and l(t) = f(t/T), Pi = M c T is a straight line of slope eps beta between its crossings, eps = T^2 and beta
- * the sum of the forces, and meets at a crossing the curve q |f'(s)|, q = m_front or -m_rear. */
+ * the sum of the forces; at a crossing it meets the curve q |f'(s)|, q = m_front or -m_rear. */
 #include "asymptotics/symbolic/symbolic.h"
 
 #include <string.h>
@@ -99,7 +99,7 @@ enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallo
   if (b.count > 0 && b.crossing[0].tangent)
     return refused_for(
         SCALLOP_EDOMAIN,
-        "l'' = 0 at the start of the phase, where a body is held first: its motion is not derived as a formula", why);
+        "l'' = 0 at the start of the phase, where a body is stuck first: its motion is not derived as a formula", why);
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     symbols_add(s, names[i], 0, kind);
   for (int i = 0; i < b.count; i++)
@@ -110,7 +110,7 @@ enum scallop_status symbolic_expand_phase(struct symbols *s, const struct scallo
   return SCALLOP_OK;
 }
 
-/* The crossings of a phase of the steady state are found from the anchors of their pieces, |l'| being linear there. */
+/* Finds the crossings of a phase of the steady state from the anchors of their pieces, where |l'| is linear. */
 static void set_steady_phase(struct phase_series *to, struct branch *b, struct symbols *s, enum scallop_phase_kind kind)
 {
   const struct ring linear = { 2, 2 };
@@ -126,8 +126,8 @@ static void set_steady_phase(struct phase_series *to, struct branch *b, struct s
   }
 }
 
-/* Where l' is linear at every crossing, times and velocities are linear in the velocity at the start, so that one step
- * of Newton's method from anywhere ends on them, with T as one more name. */
+/* Solves in one step of Newton's method, with T as a name: l' is linear at every crossing, therefore times and
+ * velocities are linear in the velocity at the start. */
 static void solve(struct symbolic_steady *steady, struct symbols *s, struct limit *limit)
 {
   const struct ring constants = { 1, 2 };
@@ -164,9 +164,9 @@ enum scallop_status symbolic_solve_steady(struct symbols *s, const struct scallo
         "alpha, F1 and F2 near these",
         why);
   if (!limit_is_linear(&limit))
-    return refused_for(
-        SCALLOP_EDOMAIN,
-        "l' is not linear where bodies turn, so that the steady state has no closed form: see --source limit", why);
+    return refused_for(SCALLOP_EDOMAIN,
+                       "l' is not linear where bodies turn: the steady state has no closed form; see --source limit",
+                       why);
   for (size_t i = 0; i < sizeof names / sizeof *names; i++)
     symbols_add(s, names[i], 0, SCALLOP_EXTENSION);
   symbols_begin(s);

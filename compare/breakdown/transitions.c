@@ -38,7 +38,7 @@ static int part_of(const struct scallop_shape *shape, const struct scallop_piece
   int part = 1;
   bool turned;
   for (const struct scallop_piece *p = shape->pieces + 1; p <= piece; p++)
-    part += p->direction != p[-1].direction || !scallop_piece_goes_on(p - 1, p, &turned);
+    part += p->direction != p[-1].direction || !scallop_piece_continues(p - 1, p, &turned);
   return part;
 }
 

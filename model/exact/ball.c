@@ -87,8 +87,8 @@ static void scale_by_power(fmpq_t x, const fmpz_t digits, ulong base, slong expo
     fmpq_div_fmpz(x, x, power);
 }
 
-/* Digits with at most one point among them, all in the given base. Returns their end, or NULL; *places: how many after
- * the point. */
+/* Reads digits with at most one point among them, in the given base. Returns their end, or NULL; *places: count of
+ * digits after the point. */
 static const char *read_digits(const char *text, int base, char *digits, slong *places)
 {
   bool point = false, some = false;
@@ -147,7 +147,7 @@ bool scallop_gait_is_rational(const struct scallop_gait *gait)
   return scallop_gait_is_exact(gait);
 }
 
-/* |l'| of a piece that is not a sine: its own fractions, or what its doubles are, in *made */
+/* Returns |l'| of a piece that is not a sine: its own fractions, or the exact values of its doubles, in *made. */
 static const struct scallop_fractions *fractions_for(const struct scallop_piece *p, struct scallop_fractions *made)
 {
   if (!p->exact)
@@ -155,7 +155,7 @@ static const struct scallop_fractions *fractions_for(const struct scallop_piece 
   return p->exact ? p->exact : made;
 }
 
-/* The same as a polynomial in sign time + start: exact, of an exact start */
+/* Computes |l'| as a polynomial in sign time + start: exact for an exact start. */
 static void polynomial_of_time(fmpq_poly_t law, const struct scallop_piece *p, int sign, const fmpq_t start)
 {
   SCOPED(fmpq, offset);
@@ -168,7 +168,7 @@ static void polynomial_of_time(fmpq_poly_t law, const struct scallop_piece *p, i
   fmpq_poly_compose(law, f->speed, shifted);
 }
 
-/* x = u - origin */
+/* Sets x = u - origin. */
 static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
 {
   SCOPED(arb, o);
@@ -176,8 +176,8 @@ static void shift(arb_t x, const arb_t u, const fmpq_t origin, slong precision)
   arb_sub(x, u, o, precision);
 }
 
-/* A derivative of |l'| with respect to u, or for order -1 its integral from the origin on, of a piece that is not a
- * sine; Horner's rule. */
+/* Computes a derivative of |l'| with respect to u, or for order -1 its integral from the origin, of a piece that is not
+ * a sine; Horner's rule. */
 static void evaluate(arb_t value, const struct scallop_piece *p, int order, const arb_t u, slong precision)
 {
   SCOPED(fractions, made);
@@ -291,7 +291,7 @@ void scallop_ball_speed_series(arb_poly_t series, const struct scallop_piece *p,
   }
 }
 
-/* A polynomial of a series, by Horner's rule */
+/* Evaluates a polynomial of a series, by Horner's rule. */
 static void evaluate_along(arb_poly_t value, const fmpq_poly_t law, const arb_poly_t x, slong length, slong precision)
 {
   SCOPED(fmpq, c);
@@ -339,7 +339,7 @@ void scallop_ball_speed_along(arb_poly_t speed, arb_poly_t rate, const struct sc
     arb_poly_neg(rate, rate);
 }
 
-bool scallop_piece_goes_on(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
+bool scallop_piece_continues(const struct scallop_piece *p, const struct scallop_piece *next, bool *turned)
 {
   *turned = p->anchor != next->anchor;
   if (law_is_sine(p) || law_is_sine(next))

@@ -1,5 +1,4 @@
-/* The gaits of families.h in fractions, and splines: the pieces that the doubles make, each with what the fractions
- * make of it. */
+/* The gaits of families.h in fractions, and splines: the pieces made in doubles, each with its fractions. */
 #include <stdlib.h>
 
 #include "model/exact/fractions.h"
@@ -16,7 +15,7 @@ static struct scallop_fractions *fractions_of(struct scallop_exact_gait *e, int 
 
 static bool is_from_start(const struct scallop_piece *p) { return p->anchor == SCALLOP_FROM_START; }
 
-/* 1 - x */
+/* Sets rest = 1 - x. */
 static void rest_of(fmpq_t rest, const fmpq_t x)
 {
   fmpq_sub_si(rest, x, 1);
@@ -29,8 +28,8 @@ static bool are_same(const struct scallop_fractions *a, const struct scallop_fra
          && fmpq_poly_equal(a->speed, b->speed);
 }
 
-/* Pieces that are mirror images of each other within a phase, or from one phase to the other, share their fractions: by
- * that they are known to be (scallop_gait_mirrors, scallop_gait_is_reversible). */
+/* Shares the fractions of pieces that are mirror images of each other, within a phase or from one phase to the other:
+ * scallop_gait_mirrors and scallop_gait_is_reversible compare them by address. */
 static void share(struct scallop_exact_gait *e)
 {
   const struct scallop_shape *phase = e->gait.phase;
@@ -47,7 +46,7 @@ static void share(struct scallop_exact_gait *e)
     }
 }
 
-/* Pieces that last no time, where fractions add up to what doubles only nearly do */
+/* Removes pieces of zero duration; rounding makes their duration in doubles positive. */
 static void leave_out_empty(struct scallop_exact_gait *e)
 {
   struct scallop_piece *from[2] = { piece_of(e, 0, 0), piece_of(e, 1, 0) };
@@ -71,7 +70,7 @@ static void set_form(fmpq_t x, const struct scallop_straight_form *form, const f
   fmpq_addmul(x, c, down);
 }
 
-/* A piece from how its doubles were made */
+/* Computes a piece from the inputs of its doubles. */
 static void set_straight(struct scallop_fractions *f, const struct scallop_straight_line *line, bool from_start,
                          const fmpq_t up, const fmpq_t down)
 {
@@ -90,8 +89,8 @@ static void set_straight(struct scallop_fractions *f, const struct scallop_strai
   fmpq_poly_scalar_div_fmpq(f->speed, f->speed, divisor);
 }
 
-/* up: of each phase; down: likewise, `apart` numbers from one phase to the next. What falls takes the rest where up and
- * down add up to more than 1, which as doubles they do not. */
+/* Computes the pieces; up: of each phase; down: of each phase, `apart` numbers from one phase to the next. The falling
+ * part takes the rest if up and down add up to more than 1, unlike the doubles. */
 static void set_straights(struct scallop_exact_gait *e, const struct scallop_straight *made, const fmpq *up,
                           const fmpq *down, int apart)
 {
@@ -106,8 +105,8 @@ static void set_straights(struct scallop_exact_gait *e, const struct scallop_str
   leave_out_empty(e);
 }
 
-/* What families.h calls the law of a family: what the numbers x, of both phases, make of what the doubles of the gait
- * say, which *e is. False: it is left as it is. */
+/* The law of a family (families.h): changes *e, the exact values of the gait's doubles, to the gait of the numbers x of
+ * both phases. Returns false if *e is unchanged. */
 typedef bool exact_law(struct scallop_exact_gait *e, const union scallop_made_gait *made, const fmpq *x, int count);
 
 static bool exact_trapezoidal(struct scallop_exact_gait *e, const union scallop_made_gait *made, const fmpq *x,
@@ -117,8 +116,8 @@ static bool exact_trapezoidal(struct scallop_exact_gait *e, const union scallop_
   return true;
 }
 
-/* A number of each phase: |l'| rises for that, stays, and falls for as much; or, where it does not stay, for the
- * rest */
+/* One number per phase: |l'| rises during this fraction, is constant, and falls during the same fraction; without a
+ * constant part it falls during the rest. */
 static bool exact_one_ramp(struct scallop_exact_gait *e, const union scallop_made_gait *made, const fmpq *x, int count)
 {
   set_straights(e, &made->straight, x, x, count / 2);
@@ -134,7 +133,7 @@ static bool never_turns(const struct scallop_gait *gait)
   return true;
 }
 
-/* l' from the start, and as seen from the end; false: it is not 0 at both ends. */
+/* Computes l' from the start, and as seen from the end. Returns false if it is not 0 at both ends. */
 static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int degree)
 {
   SCOPED(fmpq, sum, at_end);
@@ -156,8 +155,8 @@ static bool set_speeds(fmpq_poly_t forward, fmpq_poly_t back, const fmpq *c, int
   return right;
 }
 
-/* c: of s, s^2, ... False where l' is not exactly 0 at both ends, and where it changes its sign within a phase: its
- * zeros are no fractions. */
+/* c: coefficients of s, s^2, ... Returns false if l' is not exactly 0 at both ends, or changes its sign within a phase:
+ * its zeros are then not rational. */
 static bool exact_polynomial(struct scallop_exact_gait *e, const union scallop_made_gait *made, const fmpq *c,
                              int degree)
 {

@@ -1,4 +1,4 @@
-/* FLINT and its ball arithmetic Arb: a library of its own beside FLINT 2, a part of FLINT 3. */
+/* The headers of FLINT and of its ball arithmetic Arb: a separate library with FLINT 2, a part of FLINT 3. */
 #ifndef SCALLOP_MODEL_EXACT_FLINT_H
 #define SCALLOP_MODEL_EXACT_FLINT_H
 

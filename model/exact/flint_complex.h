@@ -1,4 +1,4 @@
-/* FLINT's complex balls, see flint.h and scoped.h. */
+/* The headers of FLINT's complex balls, see flint.h and scoped.h. */
 #ifndef SCALLOP_MODEL_EXACT_FLINT_COMPLEX_H
 #define SCALLOP_MODEL_EXACT_FLINT_COMPLEX_H
 

@@ -23,7 +23,7 @@ static void divide_by_sum(fmpq_poly_t law, const double *values, int count)
   fmpq_poly_scalar_div_fmpq(law, law, sum);
 }
 
-/* The coefficients b[j] of a Bernstein law, from near to far, whose distance is range */
+/* Computes the coefficients b[j] of a Bernstein law; range is the distance from near to far. */
 static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const fmpq_t range)
 {
   const struct scallop_bernstein_law *given = &law->bernstein;
@@ -43,8 +43,8 @@ static void bernstein_coefficients(fmpq *b, const struct scallop_law *law, const
   fmpq_sub(b + implied, b + implied, others);
 }
 
-/* In powers of u - near: of ((u - near)/range)^k stands binomial(n, k) times the k-th forward difference of b at its
- * beginning. */
+/* Computes the powers of u - near: ((u - near)/range)^k has the coefficient binomial(n, k) times the k-th forward
+ * difference of b at its start. */
 static void bernstein(fmpq_poly_t polynomial, fmpq_t origin, const struct scallop_law *law)
 {
   int n = law->degree;
@@ -105,7 +105,7 @@ void scallop_exact_clear(struct scallop_exact_gait *e)
   scallop_exact_init(e);
 }
 
-/* The pieces of the gait, in both phases, with room for fractions */
+/* Copies the pieces of both phases, and allocates fractions. */
 static void copy_pieces(struct scallop_exact_gait *e, const struct scallop_gait *gait)
 {
   scallop_exact_clear(e);

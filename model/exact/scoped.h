@@ -1,6 +1,6 @@
-/* Numbers of FLINT, and what is made of them, that begin where they are declared and end with their block:
- *   SCOPED(arb, x, y);   for   arb_t x, y; arb_init(x); arb_init(y); ... arb_clear(x); arb_clear(y);
- * SCOPED_KIND makes that possible for a struct, by its _init and _clear. Header-only; needs FLINT. */
+/* FLINT's numbers, and structs of them, initialized by their declaration and cleared at the end of their block:
+ * SCOPED(arb, x, y); is arb_t x, y; arb_init(x); arb_init(y); ... arb_clear(x); arb_clear(y); SCOPED_KIND does the
+ * same for a struct with _init and _clear. Header-only; needs FLINT. */
 #ifndef SCALLOP_MODEL_EXACT_SCOPED_H
 #define SCALLOP_MODEL_EXACT_SCOPED_H
 
@@ -30,7 +30,7 @@
   SCOPED_1(kind, name); \
   SCOPED_5(kind, __VA_ARGS__)
 
-/* ENDED_BY(f) struct thing a, b;   f(&a), f(&b) end them with their block, whatever began them. */
+/* ENDED_BY(f) struct thing a, b; calls f(&a), f(&b) at the end of the block. */
 #define ENDED_BY(end) __attribute__((cleanup(end)))
 
 #define SCOPED_BY(kind, type, begin, end) \
@@ -40,8 +40,8 @@
 #define SCOPED_KIND(kind, type) SCOPED_BY(kind, type, kind##_init(x), kind##_clear(x))
 #define SCOPED_FLINT(kind) SCOPED_BY(kind, kind##_t, kind##_init(*x), kind##_clear(*x))
 
-/* A struct of such parts: PARTS(of) names each, of(kind, pointer) with s for the struct, and the struct begins and ends
- * with them; what else is in it begins with 0. */
+/* Defines kind_init and kind_clear of a struct of such parts. PARTS(of) lists them as of(kind, pointer), with s for
+ * the struct; all other members are set to 0. */
 #define SCOPED_INIT(kind, part) kind##_init(part);
 #define SCOPED_CLEAR(kind, part) kind##_clear(part);
 #define SCOPED_PARTS(kind, type, PARTS) \

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Where the slope of the cubic between two knots is 0 inside: at most two places, as parts of the way from a to b */
+/* Computes the turns of the cubic between two knots, as fractions of the interval. Returns their count, at most 2. */
 static int turns_between(const struct scallop_knot *a, const struct scallop_knot *b, double x[2])
 {
   double duration = b->time - a->time, mean = (b->length - a->length) / duration;
@@ -11,7 +11,7 @@ static int turns_between(const struct scallop_knot *a, const struct scallop_knot
   double bend = p - 2 * q + r, half = q - p, square = half * half - bend * p;
   if (!(square > 0))
     return 0;
-  double root = half > 0 ? -half - sqrt(square) : sqrt(square) - half; /* of bend x^2 + 2 half x + p */
+  double root = half > 0 ? -half - sqrt(square) : sqrt(square) - half; /* roots of bend x^2 + 2 half x + p */
   const double both[2] = { root / bend, p / root };
   int count = 0;
   for (int i = 0; i < 2; i++)
@@ -31,10 +31,10 @@ static struct scallop_knot later(struct scallop_knot knot, double period)
   return knot;
 }
 
-/* The knots, and one wherever l turns between them. The circle is closed: the first one comes again at the end. */
+/* Copies the knots, inserts one at each turn of l, and repeats the first at the end. */
 static int add_turns(struct scallop_knot *all, const struct curve *c)
 {
-  const double near = 1e-7; /* of the way from knot to knot: a turn so near to a knot is put there */
+  const double near = 1e-7; /* of the interval between two knots: a turn so near to a knot is moved to it */
   int count = 0;
   for (int i = 0; i < c->count; i++)
     all[count++] = c->knots[i];
@@ -62,7 +62,7 @@ static int extreme(const struct scallop_knot *k, int count, int sense)
   return at;
 }
 
-/* What rounding left of slopes with the wrong sign, or too steep for their piece, goes: by some 1e-16 of the slope. */
+/* Corrects slopes with a wrong sign or too steep for their piece, by rounding. Returns true if it changed them. */
 static bool make_monotone(struct scallop_knot *a, struct scallop_knot *b)
 {
   if (scallop_knots_are_monotone(a, b))
@@ -75,7 +75,7 @@ static bool make_monotone(struct scallop_knot *a, struct scallop_knot *b)
   return true;
 }
 
-/* Knots first to last, past the end of the circle, as those of a phase. How many */
+/* Writes knots first to last, past the end of the circle, as knots of a phase. Returns their count. */
 static int set_phase(struct scallop_knot *phase, const struct scallop_knot *all, int count, int first, int last,
                      double period, const struct curve_gait *g, double low)
 {

@@ -5,7 +5,7 @@
 
 #include "model/measured/spline_fit.h"
 
-/* The sample i of a circle, from -count on to twice the count */
+/* Returns sample i of a circle, -count <= i < 2 count. */
 static struct sample around(const struct samples *s, int i)
 {
   int turn = i < 0 ? -1 : i >= s->count ? 1 : 0;
@@ -33,7 +33,7 @@ struct cyclic_row {
   double before, after, right, corner;
 };
 
-/* Solves it: x is in right. The two corners are a change of rank one (Sherman & Morrison), whose column is corner. */
+/* Solves for x, in right. The two corners are a change of rank one, with column `corner` (Sherman & Morrison). */
 static void solve_cyclic(struct cyclic_row *row, int n)
 {
   double low = row[0].before, high = row[n - 1].after, last = 1 + 2 * low * high;
@@ -54,7 +54,7 @@ static void solve_cyclic(struct cyclic_row *row, int n)
     row[i].right -= factor * row[i].corner;
 }
 
-/* The slopes with which l'' is continuous on the whole circle */
+/* Sets the slopes that make l'' continuous on the whole circle. */
 static bool set_cubic_slopes(struct scallop_knot *k, const struct samples *s)
 {
   struct cyclic_row *row = s->count > 1 ? calloc((size_t)s->count, sizeof *row) : NULL;
@@ -102,8 +102,8 @@ double curve_residual(const struct curve *curve, const struct samples *s)
   return sqrt(squares / s->count);
 }
 
-/* What the cubic through every other sample leaves of the ones between; of noise, more than the noise */
-static double cubic_leaves(const struct samples *s)
+/* Returns the residual at every other sample of the cubic through the others; with noise it exceeds the noise. */
+static double cubic_residual(const struct samples *s)
 {
   struct samples half = samples_every_other(s, 0), others = samples_every_other(s, 1);
   struct fit fit = { .kind = SCALLOP_FIT_CUBIC };
@@ -115,14 +115,14 @@ static double cubic_leaves(const struct samples *s)
   return left;
 }
 
-/* The kind that tells samples best which it has not seen */
+/* Chooses the kind with the smallest estimated error at samples that are left out. */
 static void choose_kind(struct curve *curve, struct fit *fit, const struct samples *s)
 {
   struct fit smooth = *fit, phases = *fit;
   smooth.kind = SCALLOP_FIT_SMOOTH;
   phases.kind = SCALLOP_FIT_PHASES;
   fit->kind = SCALLOP_FIT_CUBIC;
-  fit->score = cubic_leaves(s);
+  fit->score = cubic_residual(s);
   if (s->count < FIT_LEAST || spline_fit(curve->knots, &smooth, s) == 0 || spline_fit(curve->knots, &phases, s) == 0)
     return;
   const struct fit *better = phases.score < smooth.score ? &phases : &smooth;
@@ -151,7 +151,7 @@ double cubic_length(const struct scallop_knot *a, const struct scallop_knot *b, 
          + duration * x * y * (y * a->slope - x * b->slope);
 }
 
-/* Between two knots, or after the last one */
+/* Returns l between two knots, or after the last one. */
 double curve_at(const struct curve *c, double t)
 {
   int low = 0, high = c->count;

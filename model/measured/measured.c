@@ -21,8 +21,8 @@ struct scallop_measured {
 
 const char *const scallop_fit_names[] = { "chosen", "monotone", "cubic", "smooth", "phases", NULL };
 
-static const char *lay(struct curve_gait *made, struct curve *curve, struct fit *fit, const struct samples *s,
-                       const char *name)
+static const char *make_curve(struct curve_gait *made, struct curve *curve, struct fit *fit, const struct samples *s,
+                              const char *name)
 {
   return curve_through(curve, fit, s) ? gait_of_curve(made, curve, name) : "out of memory";
 }
@@ -41,7 +41,7 @@ struct scallop_measured *scallop_measured_new(const double *t, const double *l, 
   if (!*why && options)
     m->fit.sigma = options->sigma / m->recording.range;
   if (!*why)
-    *why = lay(&m->best, &m->curve, &m->fit, &m->recording.samples, name);
+    *why = make_curve(&m->best, &m->curve, &m->fit, &m->recording.samples, name);
   if (!*why)
     return m;
   scallop_measured_free(m);
@@ -90,16 +90,16 @@ void scallop_measured_text(const struct scallop_measured *m, char *text, size_t 
     snprintf(text + used, size - (size_t)used, ", noise %.2g of L", m->fit.noise / m->best.L);
 }
 
-/* Another curve, if there is one and its estimated error at a sample that is left out is at most that */
+/* Makes another curve, if it exists and its estimated error at a sample that is left out is at most `error`. */
 static void add_other(struct curve_gait *other, struct fit fit, const struct samples *s, double error, const char *name)
 {
   struct curve curve = { .knots = NULL };
-  if (!s->at || lay(other, &curve, &fit, s, name) || fit.score > error)
+  if (!s->at || make_curve(other, &curve, &fit, s, name) || fit.score > error)
     curve_gait_free(other);
   free(curve.knots);
 }
 
-/* Random numbers of the normal distribution, always the same ones (Marsaglia's xorshift, Box & Muller) */
+/* Returns normally distributed numbers, always in the same sequence (Marsaglia's xorshift, Box & Muller). */
 static double normal(uint64_t *state)
 {
   double uniform[2];
@@ -112,8 +112,8 @@ static double normal(uint64_t *state)
   return sqrt(-2 * log(uniform[0])) * cos(6.283185307179586 * uniform[1]);
 }
 
-/* The other kinds, where they foretell samples about as well; through rows with noise no cubic. The same kind through
- * every other sample. */
+/* Adds the other kinds, if their estimated errors are similar, without CUBIC if the rows have noise; then the same kind
+ * through every other sample. */
 static void add_models(struct scallop_measured *m)
 {
   const struct samples *s = &m->recording.samples;

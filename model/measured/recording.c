@@ -6,16 +6,16 @@
 
 #include "model/golden.h"
 
-enum { LEAST_ROWS = 4, LAGS = 600 }; /* lags that are tried for the period */
-static const double closes = 1e-9;   /* of the range of l, and of the period: what is nearer than this is the same */
+enum { LEAST_ROWS = 4, LAGS = 600 }; /* count of lags that are tried as the period */
+static const double closes = 1e-9;   /* largest relative difference of equal times, or of equal lengths */
 
-struct recorded {
+struct rows {
   struct sample *at;
   int count;
-  double low, high; /* of l */
+  double low, high; /* range of l */
 };
 
-/* Sorts by t, and puts the mean in the place of samples at one time. */
+/* Sorts by t, and replaces samples at the same time by their mean. */
 static void tidy(struct sample *at, int *count, double least_step)
 {
   int used = 0;
@@ -31,7 +31,7 @@ static void tidy(struct sample *at, int *count, double least_step)
   *count = used;
 }
 
-static double linear_at(const struct recorded *r, double t)
+static double linear_at(const struct rows *r, double t)
 {
   int low = 0, high = r->count - 1;
   while (high - low > 1) {
@@ -42,9 +42,9 @@ static double linear_at(const struct recorded *r, double t)
   return a->l + (b->l - a->l) * (t - a->t) / (b->t - a->t);
 }
 
-/* The mean square of l(t) - l(t - lag), over the variance of l, by some 2000 rows at most; infinite where a fifth of
- * them or less have a t - lag */
-static double unlike(const struct recorded *r, double lag)
+/* Returns the mean square of l(t) - l(t - lag), over the variance of l, from at most about 2000 rows; infinite if no
+ * more than a fifth of them have a t - lag. */
+static double dissimilarity(const struct rows *r, double lag)
 {
   enum { MOST = 2000 };
   const int step = 1 + r->count / MOST;
@@ -63,15 +63,15 @@ static double unlike(const struct recorded *r, double lag)
   return count * 5 > all ? squares / count / (sum_of_squares / all - (sum / all) * (sum / all)) : INFINITY;
 }
 
-/* The shortest lag after which the recording repeats itself, or 0: the first low valley of unlike(). */
-static double repeats_after(const struct recorded *r)
+/* Returns the shortest lag after which the recording repeats: the first low valley of dissimilarity(); else 0. */
+static double repeats_after(const struct rows *r)
 {
   const double like = 0.06;
   double span = r->at[r->count - 1].t - r->at[0].t, step = span / LAGS, lags[3] = { 0 }, values[3] = { 0 };
   bool rose = false;
   for (int i = 1; i < LAGS; i++) {
     lags[2] = i * step;
-    values[2] = unlike(r, lags[2]);
+    values[2] = dissimilarity(r, lags[2]);
     rose = rose || values[2] > 0.5;
     if (rose && values[1] < like && values[1] <= values[0] && values[1] <= values[2])
       return lags[1];
@@ -83,8 +83,8 @@ static double repeats_after(const struct recorded *r)
   return 0;
 }
 
-/* In units of the period, and of the range of l */
-static struct samples folded(const struct recorded *r, double period)
+/* Returns the samples in units of the period, and of the range of l. */
+static struct samples folded(const struct rows *r, double period)
 {
   struct samples s = { .at = malloc((size_t)r->count * sizeof *s.at), .count = r->count, .period = 1 };
   for (int i = 0; s.at && i < r->count; i++)
@@ -95,15 +95,15 @@ static struct samples folded(const struct recorded *r, double period)
   return s;
 }
 
-struct folding {
-  const struct recorded *recorded;
+struct period_search {
+  const struct rows *recorded;
   struct fit fit;
 };
 
-/* What a smooth curve leaves of the recording, folded with that period */
-static double leaves_of_period(void *folding, double period)
+/* Returns the residual of a smooth curve through the recording, folded with this period. */
+static double residual_of_period(void *folding, double period)
 {
-  struct folding *f = folding;
+  struct period_search *f = folding;
   struct samples s = folded(f->recorded, period);
   struct curve curve = { .knots = NULL };
   double left = s.at && curve_through(&curve, &f->fit, &s) ? curve_residual(&curve, &s) : INFINITY;
@@ -112,18 +112,18 @@ static double leaves_of_period(void *folding, double period)
   return left;
 }
 
-/* The period near a first guess that fits the recording best */
-static double refined(const struct recorded *r, double period)
+/* Returns the period near a first guess that fits the recording best. */
+static double refined(const struct rows *r, double period)
 {
-  struct folding folding = { r, { .kind = SCALLOP_FIT_SMOOTH } };
+  struct period_search folding = { r, { .kind = SCALLOP_FIT_SMOOTH } };
   double step = (r->at[r->count - 1].t - r->at[0].t) / LAGS;
-  leaves_of_period(&folding, period); /* chooses the smoothness */
-  return golden_least(leaves_of_period, &folding, period - step, period + step, 1e-5 * step);
+  residual_of_period(&folding, period); /* chooses the smoothness */
+  return golden_least(residual_of_period, &folding, period - step, period + step, 1e-5 * step);
 }
 
-/* One period that is not repeated: how long it is, where the last row is not the first one again but one step before.
- * False: a step would not bring l back. */
-static bool close_gap(struct recorded *r, double *period, bool *gap)
+/* Computes the length of a single period. Its last row repeats the first, and is removed, or (*gap) is one step before.
+ * Returns false if a step would not bring l back. */
+static bool close_gap(struct rows *r, double *period, bool *gap)
 {
   struct sample first = r->at[0], last = r->at[r->count - 1];
   double span = last.t - first.t, steepest = 0, step = span / (r->count - 1);
@@ -135,8 +135,8 @@ static bool close_gap(struct recorded *r, double *period, bool *gap)
   return !*gap || fabs(first.l - last.l) / step <= 1.5 * steepest;
 }
 
-/* NULL, or what is wrong */
-static const char *check(struct recorded *r)
+/* Returns NULL, or the reason of the failure. */
+static const char *check(struct rows *r)
 {
   if (r->count < LEAST_ROWS)
     return "fewer than four rows with numbers at different times: through so few every curve would be the same";
@@ -150,7 +150,7 @@ static const char *check(struct recorded *r)
   return r->high > r->low ? NULL : "l is the same throughout: there is no gait in that";
 }
 
-static void tell(struct recording *g, int rows, double span, bool gap)
+static void describe(struct recording *g, int rows, double span, bool gap)
 {
   int used = snprintf(g->understood, sizeof g->understood, "%d rows", rows);
   char *end = g->understood + used;
@@ -163,7 +163,7 @@ static void tell(struct recording *g, int rows, double span, bool gap)
     snprintf(end, left, ", one period of %.10g", g->period);
 }
 
-static const char *find_period(struct recording *g, struct recorded *r, double period)
+static const char *find_period(struct recording *g, struct rows *r, double period)
 {
   bool gap = false;
   int rows = r->count;
@@ -178,13 +178,13 @@ static const char *find_period(struct recording *g, struct recorded *r, double p
   g->period = period;
   g->folded = span > period * (1 + closes);
   g->samples = folded(r, period);
-  tell(g, rows, span, gap);
+  describe(g, rows, span, gap);
   return g->samples.at ? NULL : "out of memory";
 }
 
 const char *recording_of(struct recording *g, const double *t, const double *l, int count, double period)
 {
-  struct recorded r = { .at = malloc(((size_t)count + 1) * sizeof *r.at), .count = count };
+  struct rows r = { .at = malloc(((size_t)count + 1) * sizeof *r.at), .count = count };
   *g = (struct recording){ .folded = false };
   if (!r.at)
     return "out of memory"; /* GCOVR_EXCL_LINE */

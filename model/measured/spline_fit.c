@@ -6,15 +6,15 @@
 
 #include "model/golden.h"
 
-/* A spline on one or two arcs of uniform segments. Its B-spline coefficients are those of one circle, or, of two arcs
- * that meet where l' = 0, follow from their own and from the two values there. */
+/* A spline on one or two arcs of uniform segments. One circle has its own B-spline coefficients; of two arcs, which
+ * meet at l' = 0, some follow from the others and from the two values at the ends. */
 struct arc {
-  double begin, width; /* of a segment */
-  int segments, first; /* unknown */
+  double begin, width; /* width of a segment */
+  int segments, first; /* count of segments, index of the first unknown */
 };
 struct basis {
   struct arc arcs[2];
-  int count, unknowns; /* arcs; the unknowns, with two arcs the values at their ends first */
+  int count, unknowns; /* of arcs, of unknowns; with two arcs the values at their ends are the first unknowns */
   double period;
 };
 struct part { /* a coefficient as a sum over unknowns */
@@ -27,7 +27,7 @@ static struct part part_of(const struct basis *b, int arc, int i)
   const struct arc *a = &b->arcs[arc];
   if (b->count == 1)
     return (struct part){ { (i + a->segments) % a->segments, 0 }, { 1, 0 } };
-  int end = a->segments; /* coefficients -1, ..., end + 1; those of its own are 1 to end - 1 */
+  int end = a->segments; /* coefficients -1, ..., end + 1; the arc's own are 1 to end - 1 */
   if (i <= 0 || i >= end) {
     bool late = i >= end;
     int own = a->first + (late ? end - 2 : 0), value = late ? 1 - arc : arc;
@@ -80,7 +80,7 @@ static void set_weights(double w[4], double f)
   w[3] = f * f * f / 6;
 }
 
-/* Where t lies: the arc, the segment, the part of it that has passed */
+/* Returns the arc of t, and writes its segment and the elapsed fraction of the segment. */
 static int place_of(const struct basis *b, double t, int *segment, double *part)
 {
   int arc = 0;
@@ -120,7 +120,7 @@ static void set_normal(struct system *y)
   }
 }
 
-/* normal + stiffness penalty = factor factor^T. False: it is not positive definite. */
+/* Factors normal + stiffness penalty = factor factor^T. Returns false if it is not positive definite. */
 static bool factor_system(struct system *y, double stiffness)
 {
   int n = y->basis.unknowns;
@@ -154,7 +154,7 @@ static void solve_factored(const struct system *y, const double *right, double *
   }
 }
 
-/* The sum of the squares of what the curve leaves of the samples */
+/* Returns the sum of the squares of the residuals. */
 static double residual(const struct system *y)
 {
   const struct basis *b = &y->basis;
@@ -171,8 +171,7 @@ static double residual(const struct system *y)
   return squares;
 }
 
-/* The trace of the matrix that makes the values of the curve at the samples of the samples: how many samples' worth of
- * freedom it has */
+/* Returns the effective degrees of freedom: the trace of the map from the samples to the curve's values at them. */
 static double freedom(const struct system *y)
 {
   int n = y->basis.unknowns;
@@ -192,7 +191,7 @@ static bool solve_at(struct system *y, double stiffness)
   return solved;
 }
 
-/* The estimated error at a sample that is left out */
+/* Returns the estimated error at a sample that is left out. */
 static double score_of(void *system, double power)
 {
   struct system *y = system;
@@ -201,7 +200,7 @@ static double score_of(void *system, double power)
   return left > 0 ? sqrt(count * residual(y)) / left : INFINITY;
 }
 
-/* Generalized cross-validation can have more than one valley. */
+/* Chooses the stiffness by generalized cross-validation. Its score can have more than one valley. */
 static double choose_by_validation(struct system *y)
 {
   enum { FROM = -12, TO = 6 };
@@ -216,7 +215,7 @@ static double choose_by_validation(struct system *y)
   return pow(10, golden_least(score_of, y, best - 1, best + 1, 0.05));
 }
 
-/* The stiffness with which the residuals are sigma: they grow with it. */
+/* Chooses the stiffness that gives the residuals the root mean square sigma; they increase with it. */
 static double choose_by_noise(struct system *y, double sigma)
 {
   double from = -12, to = 8;
@@ -236,7 +235,7 @@ static void choose_stiffness(struct system *y, struct fit *fit)
 
 static int within(int low, int x, int high) { return x < low ? low : x > high ? high : x; }
 
-/* Segments for 7 of 10 samples: where they are exact, the score then still tells how well the curve foretells them. */
+/* Sets 7 segments for 10 samples: the score is then an estimate of the error for exact samples, too. */
 static void set_basis(struct system *y, const struct fit *fit)
 {
   const struct samples *s = y->samples;
@@ -278,7 +277,7 @@ struct turn_search {
   int which;
 };
 
-/* What least squares minimize, with one turn at t */
+/* Returns the least-squares cost with one turn at t. */
 static double cost_with_turn(void *context, double t)
 {
   struct turn_search *s = context;
@@ -286,7 +285,7 @@ static double cost_with_turn(void *context, double t)
   s->fit->turns[s->which] = t;
   set_basis(y, s->fit);
   if (!solve_at(y, s->fit->stiffness))
-    return INFINITY; /* GCOVR_EXCL_LINE: likewise */
+    return INFINITY; /* GCOVR_EXCL_LINE: only by rounding */
   int n = y->basis.unknowns;
   double cost = residual(y);
   for (int i = 0; i < n; i++)
@@ -295,7 +294,7 @@ static double cost_with_turn(void *context, double t)
   return cost;
 }
 
-/* Both turns within a step of where they are: l'' may jump there, and that tells where it does. */
+/* Moves both turns by at most a step: l'' may jump there, therefore the cost depends on their position. */
 static void move_turns(struct system *y, struct fit *fit, double step)
 {
   for (int which = 0; which < 2; which++) {
@@ -316,7 +315,7 @@ static void turns_of(const struct scallop_knot *k, int count, double turns[2])
   turns[1] = k[most].time;
 }
 
-/* From the turns of the smooth curve */
+/* Chooses the turns, starting from the turns of the smooth curve. */
 static void choose_turns(struct system *y, struct fit *fit, struct scallop_knot *knots)
 {
   struct fit smooth = { .kind = SCALLOP_FIT_SMOOTH, .sigma = fit->sigma };
@@ -349,7 +348,7 @@ int spline_fit(struct scallop_knot *knots, struct fit *fit, const struct samples
 {
   struct system y;
   if (!begin_system(&y, s))
-    return 0; /* GCOVR_EXCL_LINE: likewise */
+    return 0; /* GCOVR_EXCL_LINE: no memory */
   bool known = fit->stiffness > 0;
   if (fit->moves && fit->kind == SCALLOP_FIT_PHASES)
     move_turns(&y, fit, 0.5 * s->period / within(8, s->count, FIT_SEGMENTS));

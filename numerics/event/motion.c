@@ -4,7 +4,6 @@
 #include <stddef.h>
 
 #include "model/root.h"
-#include "numerics/event/short_cut.h"
 
 static inline real walk_velocity(const struct scallop_piece *p) { return p->velocity; }
 static inline real walk_acceleration(const struct scallop_piece *p) { return p->acceleration; }
@@ -48,7 +47,20 @@ static real walk_rise(const struct scallop_piece *p, real from, real to)
   return forward * short_sum(p, p->curve->acceleration, from, to);
 }
 
+static inline real walk_pi(void) { return 3.14159265358979323846; }
+static inline real walk_peak(const struct scallop_shape *shape) { return shape->peak; }
+static inline real walk_steepest(const struct scallop_shape *shape, bool at_end)
+{
+  return at_end ? -shape->pieces[shape->count - 1].direction * shape->lT : shape->pieces[0].direction * shape->l0;
+}
+#define walk_near(piece, start, a, b, q) (start)
+
 #include "numerics/event/solve.h"
+
+bool short_cut(const struct phase_input *input, double c_0, struct motion *motion)
+{
+  return concave_phase(input, c_0, motion);
+}
 
 struct walker walker_of(const struct scallop_scaled *s)
 {
@@ -77,4 +89,29 @@ void period_result(const struct walker *walker, const struct period *p, struct s
                                             .balance = p->forgets ? (p->c_end - p->c_start) / walker->eps : p->balance,
                                             .regime = period_regime(p),
                                             .modes = { p->phase[0].modes, p->phase[1].modes } };
+}
+
+void course_modes(enum scallop_phase_kind kind, double course, struct scallop_modes *modes)
+{
+  const int code = (int)course;
+  const signed char starts = (signed char)((code & COURSE_STARTS) - 1), ends = code & COURSE_ENDS ? 1 : -1;
+  const signed char apart = kind == SCALLOP_EXTENSION ? -1 : 1;   /* the direction of body 1 where they are opposite */
+  const bool stuck = code & COURSE_STUCK, second = apart == ends; /* the body whose direction changes last */
+  int count = 0;
+  modes->kept[count] = (struct scallop_mode){ starts, starts };
+  count += starts != 0;
+  modes->kept[count] = (struct scallop_mode){ apart, (signed char)-apart };
+  count += course_turns(course);
+  modes->kept[count++] = (struct scallop_mode){ stuck && !second ? 0 : ends, stuck && second ? 0 : ends };
+  modes->kept[count] = (struct scallop_mode){ ends, ends };
+  count += (code & COURSE_RELEASED) != 0;
+  modes->count = count;
+}
+
+/* One body is stuck throughout: the same in both phases, which is at the rear in one and in front in the other. */
+enum scallop_regime course_regime(const double course[2])
+{
+  const double down = course_of(0, -1, 0, true), up = course_of(0, 1, 0, true);
+  bool never_moves = (course[0] == down && course[1] == up) || (course[0] == up && course[1] == down);
+  return never_moves ? SCALLOP_AT_REST : SCALLOP_STICK_SLIP;
 }

@@ -9,12 +9,14 @@
 
 typedef double real;
 #define ROUNDING (DBL_EPSILON / 2)
+#define SMALL_STEP 1e-9
+#define SMALL_THIRD_STEP 2e-6
 #define SOLVE
 #include "numerics/event/period.h"
 
-/* Where double does not do; numerics.c mends that by wider arithmetic. */
+/* Numbers for which double is not enough; numerics.c computes them again in wider arithmetic. */
 struct doubt {
-  /* < 1: so much of the parts of a displacement is left after cancellation that wider arithmetic is needed; else 1 */
+  /* the fraction of the parts of a displacement that is left, if it needs wider arithmetic; else 1 */
   double left;
   /* a change of the start velocity by less than an ulp changes the multiplier */
   bool delicate;
@@ -59,21 +61,6 @@ static inline void piece_rates(const struct scallop_piece *p, double u, double *
   }
 }
 
-/* Newton's method for the crossings of a line with a curve ends by these two. How far two slopes that meet are from
- * being the same, in parts of their size */
-static inline double step_margin(double steep, double slope)
-{
-  return fabs(steep - slope) / (fabs(steep) + fabs(slope));
-}
-
-/* A step so small beside the root x, at least one inflection or end of x away, that the next would show only rounding:
- * the error is then about step^2/(margin x), and rounding that of x over margin. */
-static inline bool step_is_last(double step, double x, double margin)
-{
-  double small = 1e-9 * margin, rounding = 8 * DBL_EPSILON / margin;
-  return fabs(step) <= (small > rounding ? small : rounding) * x;
-}
-
 /* The mean of sgn l' over the period: 2 alpha - 1 for the usual gaits, correctly rounded */
 SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alpha)
 {
@@ -81,7 +68,8 @@ SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alph
   return alpha * (e - c) + c;
 }
 
-/* Nearly equal phases that are mirror images undo each other's displacement but for about 2 alpha - 1 of it. */
+/* Returns whether the phases are nearly mirror images, so that all but about 2 alpha - 1 of their displacement cancels.
+ * */
 SCALLOP_INLINE int period_undoes(double driven) { return (driven < 0 ? -driven : driven) < 0x1p-10; }
 
 /* fraction: of the period */
@@ -92,8 +80,11 @@ SCALLOP_INLINE struct phase_input phase_input_of(const struct scallop_scaled *s,
 }
 struct walker walker_of(const struct scallop_scaled *scaled);
 
-/* What friction has left of the velocity at the end, as a fraction, if that is so little that rounding of what is gone
- * shows in it; else 1, as for two ramps, whose short cut does not set furthest. */
+/* Solves a phase without a walk (concave_phase). Returns false if it is of another kind. */
+bool short_cut(const struct phase_input *input, double c_0, struct motion *motion);
+
+/* Returns the fraction of the velocity that friction has left at the end, if it is so small that rounding of the rest
+ * shows; else 1, also for two straight pieces. */
 double motion_left(const struct scallop_shape *shape, const struct motion *motion);
 
 /* Velocities in L/T, the displacement in L */

@@ -72,7 +72,7 @@ enum scallop_status solve_period(const struct scallop_crawler *crawler, double v
   if (status != SCALLOP_OK)
     return status;
   const struct walker walker = walker_of(&scaled);
-  period.goes_on = false;
+  period.continues = false;
   period_solve(&walker, c_start, &period);
   period_sum_up(&walker, &period);
   double v_mid = period.c_mid * scaled.velocity, v_end = period.c_end * scaled.velocity;

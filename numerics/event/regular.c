@@ -19,85 +19,96 @@ static double first_guess(const struct scallop_scaled *s)
 }
 
 /* The tangent of |l'| at offset x of a piece, in the direction of growing x. */
-static struct tangent tangent_at(const struct scallop_piece *p, double x)
+SCALLOP_INLINE struct tangent tangent_at(const struct scallop_piece *p, bool sine, double x)
 {
   double velocity, acceleration;
+  if (sine)
+    return regular_sine(x);
   piece_rates(p, x, &velocity, &acceleration);
   double slope = law_sense(p) * p->direction * acceleration;
   return (struct tangent){ slope, p->direction * velocity - slope * x };
 }
 
-struct aim { /* of one phase                                                                        */
-  double q, between,
-      outside; /* of the body that turns: its curve; c' between the crossings, minus c' before and after */
-  double t, u; /* the crossings                                                                    */
-};
-
-/* The tangents at the crossings just found; true: so small a step away from those before that the tangents touch at the
- * crossings, to all digits, and have the slopes there, which the multiplier needs. */
-static bool touch(const struct scallop_shape *shape, double t, double u, struct aim *aim, struct tangents *tangents)
+/* Puts the tangents at the crossings just found. Returns whether they are the last. */
+SCALLOP_INLINE bool touch(const struct scallop_shape *shape, bool sine, const struct regular_phase *p, double at[2],
+                          struct tangents *tangents)
 {
-  *tangents = (struct tangents){ tangent_at(&shape->pieces[0], t), tangent_at(&shape->pieces[shape->count - 1], u) };
-  double up = aim->q * tangents->first.slope, down = aim->q * tangents->last.slope;
-  double margin = fmin(step_margin(down, -aim->between), step_margin(down, aim->outside));
-  bool last = step_is_last(t - aim->t, t, step_margin(up, aim->between)) && step_is_last(u - aim->u, u, margin);
-  aim->t = t;
-  aim->u = u;
+  bool last = regular_is_near(p->t, at[0]) && regular_is_near(p->u, at[1]) && regular_settles(p, at[0], at[1]);
+  tangents->first = tangent_at(&shape->pieces[0], sine, p->t);
+  tangents->last = tangent_at(&shape->pieces[shape->count - 1], sine, p->u);
+  at[0] = p->t;
+  at[1] = p->u;
   return last;
 }
 
-static bool crosses_delicately(const struct scallop_shape *shape, const struct aim *aim, const struct tangents *at)
+static bool is_sine(const struct scallop_shape *shape)
 {
-  return is_delicate(aim->q * at->first.slope, -aim->outside, aim->between, aim->q * shape->l0)
-         || is_delicate(-aim->q * at->last.slope, aim->between, -aim->outside, aim->q * shape->lT);
+  return law_is_sine(&shape->pieces[0]) && law_is_sine(&shape->pieces[shape->count - 1]);
 }
 
-void regular_modes(bool forward, struct scallop_modes modes[2])
+void regular_modes(bool forward, double side, struct scallop_modes modes[2])
 {
-  for (int phase = 0; phase < 2; phase++) {
-    struct scallop_mode *kept = modes[phase].kept;
-    modes[phase].count = 3;
-    kept[0] = kept[2] = forward ? (struct scallop_mode){ 1, 1 } : (struct scallop_mode){ -1, -1 };
-    kept[1] = phase == SCALLOP_EXTENSION ? (struct scallop_mode){ -1, 1 } : (struct scallop_mode){ 1, -1 };
-  }
+  const struct scallop_mode to[2] = { { -1, -1 }, { 1, 1 } }, apart[2] = { { -1, 1 }, { 1, -1 } };
+  const bool middle = forward == (side > 0); /* the direction between the phases */
+  modes[0].count = modes[1].count = 3;
+  modes[0].kept[0] = modes[1].kept[2] = to[forward];
+  modes[0].kept[1] = apart[0];
+  modes[1].kept[1] = apart[1];
+  modes[0].kept[2] = modes[1].kept[0] = to[middle];
 }
 
-enum regular_outcome regular_solve(const struct scallop_scaled *s, struct regular *r, struct scallop_work *work)
+SCALLOP_INLINE bool solve(const struct scallop_scaled *s, double side, bool sine, struct regular *r,
+                          struct scallop_work *work)
 {
   const struct scallop_shape *phase = s->gait->phase;
-  double alpha = s->fraction[SCALLOP_EXTENSION], driven = period_driven(s->gait, alpha);
-  if (!phase[0].concave || !phase[1].concave) {
-    r->c_start = first_guess(s);
-    return REGULAR_NOT;
-  }
   struct tangents tangents[2] = { regular_ends(&phase[0]), regular_ends(&phase[1]) };
-  double b = s->fraction[SCALLOP_CONTRACTION], eps_e = s->eps * (alpha * alpha), eps_c = s->eps * (b * b);
-  r->c_start = 0;
-  if (!regular_may_be(s, SCALLOP_CONTRACTION, driven, tangents[1].last.slope, eps_c))
-    return CONTRACTION_HOLDS;
-  if (!regular_may_be(s, SCALLOP_EXTENSION, driven, tangents[0].last.slope, eps_e))
-    return EXTENSION_HOLDS;
-  bool forward = s->delta * driven > 0;
-  double beta = forward ? s->delta : -s->delta;
-  struct aim aim[2] = { { .q = forward ? s->mu2 : s->mu1, .between = beta * eps_e, .outside = eps_e },
-                        { .q = forward ? s->mu1 : s->mu2, .between = -beta * eps_c, .outside = eps_c } };
+  const struct tangents ends[2] = { tangents[0], tangents[1] };
+  double at[2][2] = { { 0, 0 }, { 0, 0 } };
+  struct regular_system system;
   bool ramps = phase[0].ramps && phase[1].ramps, last = ramps;
+  regular_system_of(s, period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]), side, &system);
   work->periods = 1;
+  r->c_start = NAN;
   for (int i = 0; i < STEPS; i++) {
-    bool valid = regular_steady(s, driven, &tangents[0], &tangents[1], r);
-    if (!valid || !regular_is_inside(&phase[0], r->t[0], r->u[0]) || !regular_is_inside(&phase[1], r->t[1], r->u[1]))
-      return REGULAR_NOT;
+    const struct regular_phase *e = &system.e, *c = &system.c;
+    if (!regular_times(&system, &tangents[0], &tangents[1]) || !regular_is_inside(&phase[0], e->t, e->u)
+        || !regular_is_inside(&phase[1], c->t, c->u))
+      break;
     work->events = 4;
     if (last) {
       r->delicate = !ramps
-                    && (crosses_delicately(&phase[0], &aim[0], &tangents[0])
-                        || crosses_delicately(&phase[1], &aim[1], &tangents[1]));
-      return REGULAR_FOUND;
+                    && (regular_delicate_margin(e, ends[0].first.slope, ends[0].last.slope) < 0
+                        || regular_delicate_margin(c, ends[1].first.slope, ends[1].last.slope) < 0);
+      return regular_result(&system, r);
     }
-    last = touch(&phase[0], r->t[0], r->u[0], &aim[0], &tangents[0]);
-    last &= touch(&phase[1], r->t[1], r->u[1], &aim[1], &tangents[1]);
+    last = touch(&phase[0], sine, e, at[0], &tangents[0]);
+    last &= touch(&phase[1], sine, c, at[1], &tangents[1]);
     work->gait_evaluations += 4;
     work->root_iterations++;
   }
-  return REGULAR_NOT;
+  regular_result(&system, r);
+  return false;
+}
+
+bool regular_solve(const struct scallop_scaled *s, double side, struct regular *r, struct scallop_work *work)
+{
+  if (is_sine(&s->gait->phase[0]) && is_sine(&s->gait->phase[1]))
+    return side > 0 ? solve(s, 1, true, r, work) : solve(s, -1, true, r, work);
+  return side > 0 ? solve(s, 1, false, r, work) : solve(s, -1, false, r, work);
+}
+
+enum regular_outcome regular_begin(const struct scallop_scaled *s, double *guess)
+{
+  const struct scallop_shape *phase = s->gait->phase;
+  const double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
+  const double driven = period_driven(s->gait, a);
+  *guess = 0;
+  if (!phase[0].concave || !phase[1].concave) {
+    *guess = first_guess(s);
+    return REGULAR_NOT;
+  }
+  const double e = -phase[0].pieces[0].direction * phase[0].lT, c = -phase[1].pieces[0].direction * phase[1].lT;
+  if (!regular_may_be(s, SCALLOP_CONTRACTION, driven, c, s->eps * (b * b)))
+    return CONTRACTION_STICKS;
+  return regular_may_be(s, SCALLOP_EXTENSION, driven, e, s->eps * (a * a)) ? REGULAR_MAY_BE : EXTENSION_STICKS;
 }

@@ -1,9 +1,8 @@
-/* What period.h declares, once for every floating type. No header in the usual sense, and not public. Before including
- * it define what that and walk.h want, and
- *
- *     short_cut(input, c_0, motion)     solves a phase without a walk; false: it cannot
- */
+/* Definitions for period.h, one text for every floating type. Not public. Before including it define what period.h,
+ * walk.h and concave.h need. */
 #include "numerics/event/walk.h"
+
+#include "numerics/event/concave.h"
 
 SOLVE void motion_bodies(const struct phase_input *in, enum scallop_phase_kind kind, real mu_difference,
                          const struct motion *m, real way[3], real size[3])
@@ -31,7 +30,7 @@ SOLVE enum scallop_regime motion_regime(const struct motion *m)
 SOLVE real period_phase(const struct walker *s, enum scallop_phase_kind kind, real c, struct motion *motion)
 {
   const struct phase_input *in = &s->phase[kind];
-  if (in->base != 0 || !short_cut(in, c * s->fraction[kind], motion))
+  if (s->walks || in->base != 0 || !concave_phase(in, c * s->fraction[kind], motion))
     motion_walk(in, c * s->fraction[kind], NULL, NULL, motion);
   return motion->c_end / s->fraction[kind];
 }
@@ -53,13 +52,13 @@ SOLVE void period_conclude(const struct walker *s, struct period *p)
 SOLVE void period_solve(const struct walker *s, real c_start, struct period *p)
 {
   /* cppcheck-suppress ctuuninitvar ; it is set before the first solve */
-  bool solved = p->goes_on;
+  bool solved = p->continues;
   real from = solved ? p->c_mid : 0;
   p->c_start = c_start;
   p->c_mid = period_phase(s, SCALLOP_EXTENSION, c_start, &p->phase[SCALLOP_EXTENSION]);
-  if (!solved || p->c_mid != from) /* once a body has been held, it is often the very same */
+  if (!solved || p->c_mid != from) /* once a body has stuck, c_mid often repeats */
     p->c_end = period_phase(s, SCALLOP_CONTRACTION, p->c_mid, &p->phase[SCALLOP_CONTRACTION]);
-  p->goes_on = true;
+  p->continues = true;
   period_conclude(s, p);
 }
 
@@ -70,15 +69,20 @@ SOLVE void period_sum_up(const struct walker *s, struct period *p)
   if (!period_cancels(p->travel, p->size, false))
     return;
   const real c[2] = { p->c_start, p->c_mid };
-  for (int kind = 0; kind < 2; kind++)
-    if (p->phase[kind].short_cut) {
-      struct motion walked;
-      motion_walk(&s->phase[kind], c[kind] * s->fraction[kind], NULL, NULL, &walked);
-      for (int i = 1; i < 3; i++) {
-        p->phase[kind].way[i] = walked.way[i];
-        p->phase[kind].size[i] = walked.size[i];
-      }
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = s->phase[kind].shape;
+    struct motion walked, *m = &p->phase[kind];
+    if (!m->short_cut)
+      continue;
+    /* straight pieces are added up with fewer roundings by the walk */
+    if (concave_is_plain(shape) && (!shape->ramps || sizeof(real) > sizeof(double))) {
+      concave_bodies(&s->phase[kind], m);
+      continue;
     }
+    motion_walk(&s->phase[kind], c[kind] * s->fraction[kind], NULL, NULL, &walked);
+    memcpy(m->way + 1, walked.way + 1, 2 * sizeof *m->way);
+    memcpy(m->size + 1, walked.size + 1, 2 * sizeof *m->size);
+  }
   for (int i = 1; i < 3; i++)
     if (p->phase[0].size[i] + p->phase[1].size[i] < p->size) {
       p->travel = p->phase[0].way[i] + p->phase[1].way[i];
@@ -104,6 +108,14 @@ SOLVE enum scallop_regime period_regime(const struct period *p)
 SOLVE real steady_bound(const struct walker *s)
 {
   return 2 * (s->phase[0].shape->peak / s->fraction[0] + s->phase[1].shape->peak / s->fraction[1] + s->eps);
+}
+
+SOLVE real steady_from_rest(const struct walker *s, struct period *p)
+{
+  p->c_mid = 0;
+  p->c_end = period_phase(s, SCALLOP_CONTRACTION, 0, &p->phase[SCALLOP_CONTRACTION]);
+  p->continues = true;
+  return p->c_end;
 }
 
 static void add_work(struct scallop_work *work, const struct period *p)
@@ -180,7 +192,7 @@ SOLVE bool steady_find_from_level(const struct walker *s, struct period *p, stru
     real base = level / a, there = base * b;
     real same = walk_level(&s->phase[1 - kind], there, rounding * magnitude(there)); /* both have a plateau there */
     struct walker from_level = *s;
-    struct period q = { .goes_on = false };
+    struct period q = { .continues = false };
     from_level.phase[kind].base = level;
     from_level.phase[1 - kind].base = same != 0 ? same : there;
     steady_find(&from_level, 0, reach, &q, work);

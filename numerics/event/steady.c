@@ -2,7 +2,7 @@
 #include <stddef.h>
 
 #include "numerics/event/regular.h"
-#include "numerics/event/short_cut.h"
+#include "numerics/event/stuck.h"
 
 struct bracket {
   double lo, hi;
@@ -13,7 +13,7 @@ struct bracket {
 static bool flat(const struct walker *s, double c)
 {
   struct period p;
-  p.goes_on = false;
+  p.continues = false;
   period_solve(s, c, &p);
   bool gives = p.phase[0].extra_impulse != 0 || p.phase[1].extra_impulse != 0;
   return !p.forgets && p.slope == 0 && fabs(p.balance) <= p.noise + (gives ? DBL_EPSILON : 0);
@@ -28,7 +28,7 @@ static bool has_jump(const struct walker *s)
   return false;
 }
 
-/* The end, on the side of outside, of the flat stretch that holds inside. */
+/* Returns the end, towards outside, of the flat interval that contains inside. */
 static double flat_end(const struct walker *s, double inside, double outside)
 {
   for (double mid; (mid = inside + (outside - inside) / 2) != inside && mid != outside;)
@@ -36,7 +36,7 @@ static double flat_end(const struct walker *s, double inside, double outside)
   return inside;
 }
 
-/* A distance over which a flat stretch is looked for beside a root: some thousand ulp */
+/* Returns the distance over which a flat interval is looked for beside a root: some thousand ulp. */
 static double beside(const struct walker *s) { return 0x1p-40 * steady_bound(s); }
 
 /* The steady states around the root c: c itself, or the interval that it belongs to, perhaps as its end. */
@@ -52,15 +52,15 @@ static struct bracket steady_states(const struct walker *s, double c)
   return (struct bracket){ c, c };
 }
 
-/* Whether a body is held at c for less than rounding of c, and the balance, level on a side of c, drives c away there.
- * If so, sets *c to a velocity on that side. Without a jump of l' no balance is level. */
+/* Returns whether a body is stuck at c for less than rounding of c, and the balance, level on a side of c, drives c
+ * away there. If so, sets *c to a velocity on that side. Without a jump of l' no balance is level. */
 static bool is_driven_away(const struct walker *s, double *c)
 {
   if (!has_jump(s))
     return false;
   struct period p;
   for (int side = -1; side <= 1; side += 2) {
-    p.goes_on = false;
+    p.continues = false;
     period_solve(s, *c + side * beside(s), &p);
     if (!p.forgets && p.slope == 0 && side * p.balance > p.noise) {
       *c = p.c_start;
@@ -106,7 +106,7 @@ static bool is_thrown_back(const struct walker *s, const struct period *p)
 
 static bool has_ramps(const struct scallop_gait *gait) { return gait->phase[0].ramps && gait->phase[1].ramps; }
 
-/* Whether a phase begins on the level of a curve over a plateau, as far as c tells */
+/* Returns whether a phase begins, within rounding of c, on the level of a curve over a plateau. */
 static bool begins_on_level(const struct walker *s, const struct period *p)
 {
   double e = p->c_start * s->fraction[SCALLOP_EXTENSION], c = p->c_mid * s->fraction[SCALLOP_CONTRACTION];
@@ -162,9 +162,9 @@ static void doubt_displacement(const struct scallop_scaled *s, double travel, do
   doubt->left *= left;
 }
 
-/* The solvers below tell velocities in L/T, the displacement in L, and not what is scaled of them. */
+/* The solvers below return velocities in L/T and the displacement in L; scaled results are left out. */
 
-static void tell_regular(const struct regular *r, struct scallop_steady_result *out)
+static void put_regular(const struct regular *r, double side, struct scallop_steady_result *out)
 {
   struct scallop_period_result *p = &out->period;
   p->v_start = out->v_low = out->v_high = r->c_start;
@@ -174,29 +174,19 @@ static void tell_regular(const struct regular *r, struct scallop_steady_result *
   p->multiplier = r->multiplier;
   p->balance = r->balance;
   p->regime = SCALLOP_SLIDING;
-  regular_modes(r->c_start > 0, p->modes);
+  regular_modes(r->c_start > 0, side, p->modes);
 }
 
-/* order as in held_steady. True: it is that simple. */
-static bool solve_held(const struct scallop_scaled *s, double order, struct scallop_steady_result *out,
-                       struct doubt *doubt)
+/* order as in stuck_steady. True: it is that simple. */
+static bool solve_stuck(const struct scallop_scaled *s, double order, struct scallop_steady_result *out,
+                        struct doubt *doubt)
 {
-  struct held h;
+  struct stuck h;
   const struct scallop_shape *phase = s->gait->phase;
-  if (!has_ramps(s->gait))
-    return false;
   const struct ramps e = ramps_of(&phase[SCALLOP_EXTENSION]), c = ramps_of(&phase[SCALLOP_CONTRACTION]);
-  held_steady(s, order, &e, &c, false, &h);
+  stuck_steady(s, order, &e, &c, &h);
   if (!(h.margin > 0))
     return false;
-  if (period_cancels(h.travel, h.size, false)) { /* over a whole period all come equally far, as in period_sum_up */
-    held_steady(s, order, &e, &c, true, &h);
-    for (int body = 0; body < 2; body++)
-      if (h.way_size[body] < h.size) {
-        h.travel = h.way[body];
-        h.size = h.way_size[body];
-      }
-  }
   struct scallop_period_result *p = &out->period;
   p->v_start = p->v_end = out->v_low = out->v_high = h.c_start;
   p->v_mid = h.c_mid;
@@ -217,13 +207,11 @@ static enum scallop_status search(const struct scallop_scaled *scaled, enum regu
                                   struct scallop_steady_result *out, struct doubt *doubt)
 {
   const struct walker s = walker_of(scaled);
-  struct period period = { .goes_on = false };
+  struct period period;
+  period.continues = false;
   out->work = (struct scallop_work){ 0 };
-  if (hint == EXTENSION_HOLDS) {
-    period.c_mid = 0;
-    c = period.c_end = period_phase(&s, SCALLOP_CONTRACTION, 0, &period.phase[SCALLOP_CONTRACTION]);
-    period.goes_on = true;
-  }
+  if (hint == EXTENSION_STICKS)
+    c = steady_from_rest(&s, &period);
   double bound = steady_bound(&s);
   steady_find(&s, isfinite(c) ? c : 0, bound, &period, &out->work);
   c = period.c_start;
@@ -248,20 +236,44 @@ static enum scallop_status search(const struct scallop_scaled *scaled, enum regu
   return interval ? SCALLOP_INTERVAL : SCALLOP_OK;
 }
 
+/* Returns whether no body is stuck at the end of a phase by which both have changed their direction. */
+static bool may_reverse(const struct scallop_scaled *s)
+{
+  const struct scallop_shape *phase = s->gait->phase;
+  const double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
+  const double q = s->delta < 0 ? s->mu1 : s->mu2; /* of the body that turns last */
+  return q * fabs(phase[0].lT) > s->eps * (a * a) && q * fabs(phase[1].lT) > s->eps * (b * b);
+}
+
 static enum scallop_status find(const struct scallop_scaled *s, struct scallop_steady_result *out, struct doubt *doubt)
 {
   struct regular regular;
+  double guess;
   *doubt = (struct doubt){ .left = 1 };
   out->work = (struct scallop_work){ 0 };
-  enum regular_outcome outcome = regular_solve(s, &regular, &out->work);
-  if (outcome == REGULAR_FOUND) {
-    tell_regular(&regular, out);
+  const enum regular_outcome outcome = regular_begin(s, &guess);
+  if (outcome == REGULAR_MAY_BE && regular_solve(s, 1, &regular, &out->work)) {
+    put_regular(&regular, 1, out);
     doubt->delicate = regular.delicate;
     return SCALLOP_OK;
   }
-  if (outcome != REGULAR_NOT && solve_held(s, outcome == CONTRACTION_HOLDS ? 1 : -1, out, doubt))
-    return SCALLOP_OK;
-  return search(s, outcome, regular.c_start, out, doubt);
+  if (outcome == REGULAR_MAY_BE)
+    guess = regular.c_start;
+  else if (outcome != REGULAR_NOT && has_ramps(s->gait)) {
+    const double order = outcome == CONTRACTION_STICKS ? 1 : -1;
+    if (solve_stuck(s, order, out, doubt) || solve_stuck(s, -order, out, doubt))
+      return SCALLOP_OK;
+  }
+  if (outcome != REGULAR_NOT && may_reverse(s) && regular_solve(s, -1, &regular, &out->work)) {
+    guess = regular.c_start;
+    if (!period_cancels(regular.travel, regular.size, false)) {
+      put_regular(&regular, -1, out);
+      doubt->delicate = regular.delicate;
+      doubt_displacement(s, regular.travel, regular.size, doubt);
+      return SCALLOP_OK;
+    }
+  }
+  return search(s, outcome, guess, out, doubt);
 }
 
 enum scallop_status solve_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result,

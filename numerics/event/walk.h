@@ -1,5 +1,5 @@
-/* The walk from event to event through one phase, once for every floating type: a part of solve.h. No header in the
- * usual sense, and not public. Before including it define what period.h wants, and
+/* The walk from event to event through one phase, one text for every floating type: a part of solve.h. Not public.
+ * Before including it define what period.h needs, and
  *
  *     walk_velocity(piece), walk_acceleration(piece)    of a piece that is linear: l' at its anchor, and l''
  *     walk_curve(piece, u, &velocity, &acceleration)    l' and l'' at offset u of a piece that is not linear
@@ -25,12 +25,12 @@ static void come_to_node(struct walk *w)
 static inline bool is_vague(const struct walk *w, real u, const struct rates *there)
 {
   const int much = 4;
-  const struct scallop_piece *p = w->leg.given;
+  const struct scallop_piece *p = w->segment.given;
   return (p->begin > 0 && p->end > 0) || magnitude(there->rate) * given_offset(w, u) > much * there->speed;
 }
 
-/* c meets curve j a little late: is it better off where its line is then, or on the curve, to go on along the next
- * line? */
+/* Rounding placed the crossing of curve j slightly late. Returns whether c continues more accurately from its line than
+ * from the curve. */
 static bool line_tells_better(const struct walk *w, int j, const struct rates *there)
 {
   real next = w->slope[w->region <= j ? j + 1 : j];
@@ -89,10 +89,10 @@ static void slide(struct walk *w)
   else
     meet(w, met, duration != 0);
   if (on_line && (w->region <= met ? w->v[met] < 0 : w->v[met] > 0))
-    w->v[met] = 0; /* not on the side where it goes on, by rounding */
+    w->v[met] = 0; /* rounding put it on the wrong side */
 }
 
-/* Where the body that is held by curve j is released, into region `to`: between here and the end, or at once if it is
+/* Returns where the body stuck on curve j is released, into region `to`: between here and the end, or at once if it is
  * at its limit. */
 static real released(const struct walk *w, int j, int to)
 {
@@ -149,7 +149,7 @@ static void set_regions(struct walk *w)
   w->push[0] = eps * (rear_is_1 ? s->f1 : s->f2);
   w->push[1] = eps * (rear_is_1 ? s->f2 : s->f1);
   w->extra[1] = 0;
-  if (w->piece->direction == 0) { /* region 1 is empty: c at rest, which is held */
+  if (w->piece->direction == 0) { /* region 1 is empty: a body at rest sticks */
     w->curve[0] = w->curve[1] = w->slope[1] = 0;
     w->extra[0] = -1;
     w->extra[2] = 1;
@@ -162,7 +162,7 @@ static void set_regions(struct walk *w)
   w->extra[2] = 2 * (rear_is_1 ? s->f2 : s->f1);
 }
 
-/* A body is held where a new piece begins: l'' may jump there, and let go of it. */
+/* Re-tests a stuck body where a new piece begins, as l'' may jump there. */
 static void look_again(struct walk *w)
 {
   int to = beyond(w, w->stuck);
@@ -175,27 +175,28 @@ static void look_again(struct walk *w)
   w->turned = true;
 }
 
-/* Looks at the leg that begins. It ends at a node if the piece does and there is no other leg. */
+/* Enters a segment. It ends at a node if the piece does and has no other segment. */
 static void look_along(struct walk *w, const struct scallop_piece *next)
 {
-  w->piece = w->leg.piece;
+  w->piece = w->segment.piece;
   w->sense = law_sense(w->piece);
   w->u = w->piece->begin;
   w->here = rates_at(w, w->piece->begin);
   w->end = rates_at(w, w->piece->end);
-  w->node = next && !w->leg.goes_on && !next->jump && (next->direction != w->piece->direction || w->end.speed == 0);
+  w->node = next && !w->segment.continues && !next->jump
+            && (next->direction != w->piece->direction || w->end.speed == 0);
   if (w->node)
     w->end.speed = 0;
 }
 
-/* At the begin of a piece, if c is counted from a level: where a ramp meets a plateau |l'| is that of the plateau to
- * the last digit, and the velocities of the bodies are formed anew from the level. */
+/* Enters a piece if c is counted from a level: where a slope meets a plateau, |l'| is that of the plateau to the last
+ * digit, and the velocities of the bodies are formed again from the level. */
 static void look_from_level(struct walk *w, const struct scallop_piece *before, real speed_before,
                             const struct scallop_piece *next)
 {
-  if (before && is_plateau(before) && !w->leg.given->jump)
+  if (before && is_plateau(before) && !w->segment.given->jump)
     w->here.speed = speed_before;
-  if (next && is_plateau(next) && !next->jump && !w->leg.goes_on)
+  if (next && is_plateau(next) && !next->jump && !w->segment.continues)
     w->end.speed = next->direction * walk_velocity(next);
   for (int j = 0; before && j < 2; j++)
     w->v[j] = above(w, w->rest, w->curve[j] * w->here.speed);
@@ -204,10 +205,10 @@ static void look_from_level(struct walk *w, const struct scallop_piece *before, 
 /* next: the piece after it, NULL after the last */
 static void enter(struct walk *w, const struct scallop_piece *piece, const struct scallop_piece *next)
 {
-  const struct scallop_piece *before = w->leg.given;
+  const struct scallop_piece *before = w->segment.given;
   real speed_before = w->end.speed;
   bool from_node = w->node;
-  leg_first(&w->leg, piece);
+  segment_first(&w->segment, piece);
   w->passed = -1;
   look_along(w, next);
   if (w->in->base != 0)
@@ -220,7 +221,7 @@ static void enter(struct walk *w, const struct scallop_piece *piece, const struc
       w->here.speed = 0;
     set_regions(w);
     place(w);
-    if (w->region == 1 || piece->jump) /* then c may go on with another slope */
+    if (w->region == 1 || piece->jump) /* then the slope of c may change */
       begin_line(w, 0);
   } else if (w->stuck >= 0)
     look_again(w);
@@ -245,7 +246,7 @@ SOLVE void motion_walk(const struct phase_input *input, real c_0, scallop_visito
   struct walk w;
   *motion = (struct motion){ .stretch = 1, .first_switch = NAN, .last_switch = NAN, .never_moved = { true, true } };
   w.in = input;
-  w.leg.given = NULL;
+  w.segment.given = NULL;
   w.visit = visit;
   w.context = context;
   w.rest = c_0;
@@ -263,8 +264,8 @@ SOLVE void motion_walk(const struct phase_input *input, real c_0, scallop_visito
     const struct scallop_piece *next = p == last_piece ? NULL : p + 1;
     enter(&w, p, next);
     go_to_end(&w);
-    if (w.leg.goes_on) {
-      leg_second(&w.leg);
+    if (w.segment.continues) {
+      segment_second(&w.segment);
       look_along(&w, next);
       go_to_end(&w);
     }

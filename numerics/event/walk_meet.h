@@ -1,16 +1,15 @@
-/* Part of walk.h: which curve c meets next in its piece, and where it goes on from there. */
+/* Part of walk.h: the next curve that c meets in its piece, and the region after it. */
 #include "numerics/event/walk_state.h"
 
-/* The region or curve where c goes on from a point of curve j: region j, region j + 1, or glued to
- * it (-1) while friction can hold the body, which is when the curve's slope lies between the slopes
- * on its two sides. */
+/* Returns where c continues from a point of curve j: region j, region j + 1, or along the curve (-1) if the body
+ * sticks, which it does if the curve's slope lies between the slopes on its two sides. */
 static inline int beyond(const struct walk *w, int j)
 {
   real along = w->curve[j] * w->here.rate;
   return along > w->slope[j + 1] ? j + 1 : along < w->slope[j] ? j : -1;
 }
 
-/* Of |l'|, about: at the start, or, where it begins level, on the way to its peak. */
+/* Returns about the largest slope of |l'|: at the start or, if it begins level, on the way to its peak. */
 static inline real steepest(const struct scallop_shape *shape)
 {
   real start = magnitude(shape->l0), rise = 3 * (real)shape->peak;
@@ -70,10 +69,10 @@ static real gap_value(const void *context, real u, real *slope)
   return gap_at(g, u, r.speed);
 }
 
-/* May the gap be closed at its narrowest, where it is left? */
+/* Returns whether the gap is closed where it is narrowest and `left` is left of it. */
 static inline bool closes(const struct gap *g, real left) { return left < 0 || (left == 0 && g->side < 0); }
 
-/* Does the gap close, in a piece where l' is linear? Both sides are straight lines: one division. */
+/* Returns whether the gap closes in a piece where l' is linear: both sides are straight lines, one division. */
 static inline bool straight_contact(const struct gap *g, real *u)
 {
   const struct walk *w = g->walk;
@@ -122,7 +121,7 @@ static bool comes_back(const struct gap *g, real turn, real *u)
   struct root_end now = { .u = turn }, end = { .u = far };
   now.f = gap_since(g, now.u, &now.slope);
   end.f = gap_since(g, end.u, &end.slope);
-  if (now.f <= 0) { /* it was not left for as long as can be told */
+  if (now.f <= 0) { /* it was left for less than rounding */
     *u = turn;
     return true;
   }

@@ -1,10 +1,10 @@
-/* Part of walk.h: what a walk knows, and how it goes on in one mode. */
+/* Part of walk.h: the state of a walk, and its progress within one mode. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
 
 #include "model/law.h"
-#include "numerics/event/leg.h"
+#include "numerics/event/segment.h"
 
 struct rates {
   real speed, rate; /* |l'| and d|l'|/dt */
@@ -48,7 +48,7 @@ enum { WALK_FEW_PIECES = 4 };
  * both bodies are at rest. */
 struct walk {
   const struct phase_input *in;
-  struct leg leg;
+  struct segment segment;
   const struct scallop_piece *piece;
   scallop_visitor *visit; /* is shown each interval of constant mode, or NULL                        */
   void *context;
@@ -77,7 +77,7 @@ struct walk {
   struct motion *out;
 };
 
-static inline real given_offset(const struct walk *w, real u) { return w->leg.origin + w->leg.turn * u; }
+static inline real given_offset(const struct walk *w, real u) { return w->segment.origin + w->segment.turn * u; }
 
 static inline struct rates rates_at(const struct walk *w, real u)
 {
@@ -103,14 +103,14 @@ static struct scallop_mode mode_now(const struct walk *w)
   return w->piece->direction > 0 ? (struct scallop_mode){ rear, front } : (struct scallop_mode){ front, rear };
 }
 
-/* Notes the mode that begins at u, unless it goes on. */
+/* Records the mode that begins at u, unless it is the one before. */
 static void note_mode(const struct walk *w, struct scallop_mode mode)
 {
   struct motion *out = w->out;
   struct scallop_modes *modes = &out->modes;
   real at = given_offset(w, w->u);
-  real passed = w->leg.given->anchor == SCALLOP_FROM_START ? at : 1 - at;
-  real left = w->leg.given->anchor == SCALLOP_FROM_START ? 1 - at : at;
+  real passed = w->segment.given->anchor == SCALLOP_FROM_START ? at : 1 - at;
+  real left = w->segment.given->anchor == SCALLOP_FROM_START ? 1 - at : at;
   if (modes->count > 0) {
     int last = modes->count < SCALLOP_MODES_KEPT ? modes->count - 1 : SCALLOP_MODES_KEPT - 1;
     if (modes->kept[last].s1 == mode.s1 && modes->kept[last].s2 == mode.s2)
@@ -142,7 +142,7 @@ static inline void advance(struct walk *w, real u, real rest, const struct rates
 static void show(const struct walk *w, real u, real c)
 {
   const struct scallop_interval interval = {
-    .piece = w->leg.given,
+    .piece = w->segment.given,
     .u_begin = (double)given_offset(w, w->u),
     .u_end = (double)given_offset(w, u),
     .mode = mode_now(w),
@@ -242,7 +242,7 @@ static inline void go_straight(struct walk *w, real u, real rest, const struct r
     real q = w->curve[j], v = c - q * there->speed, way = x - q * covered, parts = size + magnitude(q) * covered;
     if (met >= 0) /* where the other body moves with |l'| */
       v = j == met ? 0 : met == 0 ? there->speed : -there->speed;
-    else if (linear) /* as it is itself, and nothing large need be subtracted */
+    else if (linear) /* by its own acceleration: no cancellation */
       v = w->v[j] + body_slope(w, j) * duration;
     else if (j == w->left)
       v = v_of_released(w, u, c, there);

@@ -7,8 +7,8 @@
 #include "numerics/event/motion.h"
 #include "numerics/wide/wide_parts.h"
 
-/* Of long double: none where the processor rounds it to less than it holds, as a host of the library may have set it
- * to, and as it is under valgrind. A solve that ends at the last digit would take thousands of steps there. */
+/* Returns the bits of long double; 0 if the processor is set to round to fewer bits than the type has, as under
+ * valgrind: an iteration that ends at the last digit would take thousands of steps. */
 static int long_double_bits(void)
 {
   volatile long double one = 1, least = LDBL_EPSILON;
@@ -76,17 +76,17 @@ bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  solvers[width]->period(crawler, v0, out);
+  solvers[width]->period(crawler, v0, false, out);
   return is_kept(out->displacement.high);
 }
 
-bool wide_enough_steady(const struct scallop_crawler *crawler, double guess, double left,
+bool wide_enough_steady(const struct scallop_crawler *crawler, const double guess[2], double left,
                         struct scallop_wide_steady *out)
 {
   enum scallop_width width;
   if (!choose_width(crawler->gait, left, &width))
     return false;
-  solvers[width]->steady(crawler, guess, out);
+  solvers[width]->steady(crawler, guess, false, out);
   return is_kept(out->period.displacement.high) && is_kept(out->mean_velocity.high);
 }
 
@@ -116,7 +116,7 @@ enum scallop_status scallop_wide_period(enum scallop_width width, const struct s
   enum scallop_status status = check(width, crawler, solve_period(crawler, v0, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
-  solvers[width]->period(crawler, v0, &answer);
+  solvers[width]->period(crawler, v0, true, &answer);
   if (!period_is_finite(&answer))
     return SCALLOP_ERANGE;
   *result = answer;
@@ -132,7 +132,8 @@ enum scallop_status scallop_wide_steady(enum scallop_width width, const struct s
   enum scallop_status status = check(width, crawler, solve_steady(crawler, &plain, &doubt));
   if (status != SCALLOP_OK)
     return status;
-  solvers[width]->steady(crawler, plain.period.v_start, &answer);
+  const double guess[2] = { plain.period.v_start, plain.period.v_mid };
+  solvers[width]->steady(crawler, guess, true, &answer);
   if (!period_is_finite(&answer.period) || !isfinite(answer.mean_velocity.high))
     return SCALLOP_ERANGE; /* GCOVR_EXCL_LINE: solve_steady has refused what does not fit a double */
   *result = answer;
@@ -144,7 +145,7 @@ static enum scallop_width widest(void)
   return scallop_width_bits(SCALLOP_BINARY128) > 0 ? SCALLOP_BINARY128 : SCALLOP_LONG_DOUBLE;
 }
 
-/* size: of the parts that the number is a sum of; 0 where it is none */
+/* Returns the estimate for one number; size: of the parts that it is the sum of, or 0. */
 static double error_of(double value, const struct scallop_wide *exact, double size)
 {
   double rounding = 0x1p-62 * fabs(value) + 0x1p-111 * size;

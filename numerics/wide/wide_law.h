@@ -1,4 +1,4 @@
-/* Part of wide_solve.h: l' by the law of its piece, and what the walk asks of it. */
+/* Part of wide_solve.h: l' by the law of its piece, and the functions of it that the walk needs. */
 #include "model/bernstein.h"
 
 /* The circle's number in three doubles: 159 bits. */
@@ -68,6 +68,35 @@ static void walk_curve(const struct scallop_piece *p, real u, real *velocity, re
   *acceleration = law_sense(p) * p->direction * speed_derivative(p, u, 1);
 }
 
+static real walk_pi(void) { return circle_number(); }
+
+/* Of a shape of sines: max |l'| */
+static real walk_peak(const struct scallop_shape *shape) { return walk_pi() / 2 * (shape->peak > 0); }
+
+/* d|l'|/du at the start or at the end of a phase that begins and ends in curved pieces */
+static real walk_steepest(const struct scallop_shape *shape, bool at_end)
+{
+  const struct scallop_piece *p = &shape->pieces[at_end ? shape->count - 1 : 0];
+  return law_is_sine(p) ? walk_pi() * walk_pi() / 2 : speed_derivative(p, 0, 1);
+}
+
+/* A place to begin Newton's method for a + b x = q |l'(x)|: the root in double, found from start on. */
+static real walk_near(const struct scallop_piece *p, real start, real a, real b, real q)
+{
+  enum { STEPS = 30 };
+  double x = (double)start;
+  for (int i = 0; i < STEPS; i++) {
+    double velocity, acceleration;
+    p->curve->rates(p, x, &velocity, &acceleration);
+    double gap = (double)a + (double)b * x - (double)q * (p->direction * velocity);
+    double step = gap / ((double)q * (law_sense(p) * p->direction * acceleration) - (double)b);
+    x += step;
+    if (!(fabs(step) > 1e-7 * x))
+      break;
+  }
+  return x > 0 && x <= 1 ? (real)x : start;
+}
+
 static real walk_way(const struct scallop_piece *p, real from, real to)
 {
   real way = 0, apart = from < to ? to - from : from - to;
@@ -107,6 +136,15 @@ static real rate_beyond(const void *context, real u, real *slope)
 static real walk_when(const struct scallop_piece *p, real a)
 {
   const struct rate_search search = { p, law_sense(p) * p->direction * a };
+  const double near = law_is_sine(p) ? p->curve->when(p, (double)a) : NAN;
+  if (near > 1e-3 && near < 0.499) { /* the root in double is one or two steps away */
+    real u = near, slope, step;
+    do {
+      step = rate_beyond(&search, u, &slope) / slope;
+      u -= step;
+    } while (magnitude(step) > SMALL_STEP * u);
+    return u;
+  }
   struct root_end begin = { .u = p->begin }, end = { .u = p->end };
   begin.f = rate_beyond(&search, begin.u, &begin.slope);
   end.f = rate_beyond(&search, end.u, &end.slope);

@@ -11,6 +11,8 @@ typedef long double real;
 #define REAL_BITS LDBL_MANT_DIG
 #endif
 #define WIDE wide_quad
+#define SMALL_STEP 1e-18
+#define SMALL_THIRD_STEP 1e-12
 
 /* C's library has no sine for every such type. */
 #define OVER(n) ((real)1 / ((n) * ((n) + 1)))

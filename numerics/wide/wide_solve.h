@@ -21,7 +21,6 @@
 #include "model/root.h"
 #include "numerics/wide/wide_law.h"
 
-#define short_cut(input, c_0, motion) ((void)(input), (void)(c_0), (void)(motion), false) /* always by the walk */
 #include "numerics/event/solve.h"
 
 /* shape->net with all its digits: the ends of pieces are exact. */
@@ -35,10 +34,12 @@ static real net_time(const struct scallop_shape *shape)
   return net;
 }
 
-static struct walker walker_of(const struct scallop_crawler *c)
+static struct walker walker_of(const struct scallop_crawler *c, bool walks)
 {
   real M = (real)c->m1 + c->m2, F = (real)c->F1 + c->F2, T = c->T;
-  struct walker s = { .fraction = { c->alpha, 1 - (real)c->alpha }, .eps = T / c->L * T * F / M, .gait = c->gait };
+  struct walker s = {
+    .fraction = { c->alpha, 1 - (real)c->alpha }, .eps = T / c->L * T * F / M, .gait = c->gait, .walks = walks
+  };
   s.driven = s.fraction[0] * net_time(&c->gait->phase[0]) + s.fraction[1] * net_time(&c->gait->phase[1]);
   for (int kind = 0; kind < 2; kind++)
     s.phase[kind] = (struct phase_input){ .shape = &c->gait->phase[kind],
@@ -60,7 +61,7 @@ static struct scallop_wide split(real x)
 static void wide_phase(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
                        struct scallop_wide_phase *out)
 {
-  const struct walker s = walker_of(c);
+  const struct walker s = walker_of(c, true);
   struct motion m;
   real tau = s.fraction[kind] * c->T, unit = c->L / tau, way[3], size[3];
   motion_walk(&s.phase[kind], v0 / unit, NULL, NULL, &m);
@@ -91,22 +92,25 @@ static struct scallop_wide_period told(const struct scallop_crawler *c, const st
                                        .modes = { p->phase[0].modes, p->phase[1].modes } };
 }
 
-static void wide_period(const struct scallop_crawler *c, double v0, struct scallop_wide_period *out)
+static void wide_period(const struct scallop_crawler *c, double v0, bool walks, struct scallop_wide_period *out)
 {
-  const struct walker s = walker_of(c);
-  struct period p = { .goes_on = false };
+  const struct walker s = walker_of(c, walks);
+  struct period p = { .continues = false };
   period_solve(&s, v0 * (real)c->T / c->L, &p);
   period_sum_up(&s, &p);
   *out = told(c, &s, &p);
 }
 
-static void wide_steady(const struct scallop_crawler *c, double guess, struct scallop_wide_steady *out)
+static void wide_steady(const struct scallop_crawler *c, const double guess[2], bool walks,
+                        struct scallop_wide_steady *out)
 {
-  const struct walker s = walker_of(c);
-  struct period p = { .goes_on = false };
+  const struct walker s = walker_of(c, walks);
+  struct period p = { .continues = false };
   struct scallop_work ignored = { 0 };
-  real work = 0;
-  steady_find(&s, guess * (real)c->T / c->L, steady_bound(&s), &p, &ignored);
+  real work = 0, start = guess[0] * (real)c->T / c->L;
+  if (guess[1] == 0 && guess[0] != 0)
+    start = steady_from_rest(&s, &p);
+  steady_find(&s, start, steady_bound(&s), &p, &ignored);
   period_sum_up(&s, &p);
   steady_find_from_level(&s, &p, &ignored);
   for (int kind = 0; kind < 2; kind++)

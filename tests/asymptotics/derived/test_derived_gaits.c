@@ -169,9 +169,9 @@ TEST(sines_and_polynomials)
   SCOPED(fmpq_poly, series);
   SCOPED(fmpq, u, ten);
   fmpq_set_si(ten, 10, 1);
-  assert_true(scallop_piece_goes_on(&sine[0], &sine[1], &turned) && turned);
-  assert_false(scallop_piece_goes_on(&sine[0], &ramp[1], &turned));
-  assert_false(scallop_piece_goes_on(&ramp[0], &sine[1], &turned));
+  assert_true(scallop_piece_continues(&sine[0], &sine[1], &turned) && turned);
+  assert_false(scallop_piece_continues(&sine[0], &ramp[1], &turned));
+  assert_false(scallop_piece_continues(&ramp[0], &sine[1], &turned));
   assert_true(scallop_rational_speed_series(series, &sine[0], u, 4, ten));
   assert_int_equal(fmpq_poly_degree(series), 3);
   assert_false(scallop_rational_speed_series(series, &sine[0], u, 4, NULL));

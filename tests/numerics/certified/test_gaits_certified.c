@@ -90,17 +90,17 @@ TEST(pieces_that_go_on)
       scallop_make_spline(&s, "", (const struct scallop_knot *const[2]){ out, back }, (const int[2]){ 3, 2 }),
       SCALLOP_OK);
   const struct scallop_piece *p = s.gait.phase[0].pieces;
-  assert_true(scallop_piece_goes_on(p, p + 1, &turned));
+  assert_true(scallop_piece_continues(p, p + 1, &turned));
   assert_true(turned);
-  assert_false(scallop_piece_goes_on(p + 1, p + 2, &turned));
+  assert_false(scallop_piece_continues(p + 1, p + 2, &turned));
   assert_false(turned);
   p = gait_of_text("trapezoidal:0.25,0.125").gait->phase[0].pieces;
-  assert_false(scallop_piece_goes_on(p, p + 1, &turned));
-  assert_true(scallop_piece_goes_on(p + 1, p + 2, &turned));
+  assert_false(scallop_piece_continues(p, p + 1, &turned));
+  assert_true(scallop_piece_continues(p + 1, p + 2, &turned));
   assert_true(turned);
   p = gait_of_text("polynomial:0,0.5,0,-0.25").gait->phase[0].pieces;
   for (int i = 0; i + 1 < gait_of_text("polynomial:0,0.5,0,-0.25").gait->phase[0].count; i++)
-    assert_true(scallop_piece_goes_on(p + i, p + i + 1, &turned));
+    assert_true(scallop_piece_continues(p + i, p + i + 1, &turned));
 }
 
 /* l' has the sign that the piece says, also where all of it is next to a turn. */

@@ -8,7 +8,7 @@
 #include "numerics/integrators/integrator.h"
 #include "tests/support/integrators.h"
 
-enum { EACH = 40, CVODE = 2, METHODS = 3 }; /* the others are steppers of scallop_odeiv_rival */
+enum { EACH = 40, CVODE = 2, METHODS = 3 }; /* the others are steppers of scallop_odeiv_integrator */
 static const double bound_of[METHODS] = { 32, 32, 512 };
 
 /* All that this program was built with */
