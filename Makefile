@@ -55,7 +55,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release api layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
+.PHONY: all help docs pictures single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release api layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -145,8 +145,14 @@ layers: $(program)
 layers size: ; @/usr/bin/python3 scripts/dev/layers.py $(B) $(filter --size,--$@)
 ## gates:      all that guards something, or GATES="NAME...", a row each: scripts/dev/gates.txt has the list, docs/development/contributing.md what each guards
 gates: ; @sh scripts/dev/gates.sh scripts/dev/gates.txt $(B)/gates $(GATES)
-## docs:       docs/reference/commands.md anew, from --help
-docs: $(program) ; @sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/reference/commands.md
+## docs:       docs/reference/commands.md anew, from --help, and the tables of other pages that follow from data
+docs: $(program)
+	@sh scripts/dev/commands.sh $(B)/scallop >$(B)/commands.md && mv $(B)/commands.md docs/reference/commands.md
+	@/usr/bin/python3 scripts/dev/pages.py
+## pictures:   the pictures of the pages that show no table of data/ (needs gnuplot and Chromium)
+pictures: explorer $(program)
+	@sh scripts/plots/pages.sh $(B)/scallop
+	@/usr/bin/python3 scripts/report/explorer_picture.py $(B)/explorer/index.html docs/guide/explorer.png
 ## api:        the reference of the C and the Python interface as pages, BUILD/api; needs Doxygen
 api: ; @sh scripts/dev/api.sh $(B) $(version) $(headers)
 include explorer/rules.mk

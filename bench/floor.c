@@ -1,6 +1,6 @@
 #include "bench/floor.h"
 
-/* docs/background/theory.md, "The regular steady state": t1, dT and the velocities are linear in c_e, the velocity at
+/* docs/background/solver.md, "The regular steady state": t1, dT and the velocities are linear in c_e, the velocity at
  * the start of the extension. Small letters: e extension, c contraction; in L/tau and tau of each phase. */
 void floor_steady(const struct scallop_crawler *crawler, struct floor_result *result)
 {

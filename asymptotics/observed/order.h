@@ -8,7 +8,7 @@
  *     scallop_order(points, &count, &wanted, &result);
  *     printf("%s: %s\n", scallop_order_verdict_text(result.verdict), result.reason);
  *
- * docs/guide/order.md has the rules of the verdict, and measured rates of right and wrong verdicts. */
+ * docs/reference/order.md has the rules of the verdict, and measured rates of right and wrong verdicts. */
 #ifndef SCALLOP_ASYMPTOTICS_OBSERVED_ORDER_H
 #define SCALLOP_ASYMPTOTICS_OBSERVED_ORDER_H
 

@@ -1,4 +1,4 @@
-/* The rules of docs/guide/order.md, in their order. */
+/* The rules of docs/reference/order.md, in their order. */
 #include <math.h>
 #include <stddef.h>
 

@@ -48,7 +48,7 @@ const char *sheet_no_quantity(const struct asked *asked, const char *name)
   return wrong_text("there is no quantity '%.80s'%s", name,
                     *name == '(' ? formula_instead(name)
                     : near       ? did_you_mean(near)
-                                 : " (docs/reference/scenes.md lists them)");
+                                 : " (docs/reference/columns.md lists them)");
 }
 
 static const char *missing(void *sheet, const char *name)

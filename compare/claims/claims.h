@@ -1,4 +1,4 @@
-/* The table of claims of the paper's claims, with verdicts (data/claims.tsv); docs/background/errata.md lists the
+/* The table of claims of the paper's claims, with verdicts (data/claims.tsv); docs/background/evidence.md lists the
  * others.
  *
  * A row is one claim for one gait under one set of conditions. Claims about an order, "... + O(T^n)", are the rows of

@@ -24,7 +24,7 @@ const struct option *option_of(const struct command *command, const char *name)
   "`LC_ALL=C awk -f cheapest.awk FILE` summarises a table; the script is in scripts/plots/ of the sources, and " \
   "installed in share/scallop/"
 #define COUNTED "`--stats` prints what was done"
-#define BY_SYMPY "sympy makes it of the text form in three lines: docs/guide/formulas.md"
+#define BY_SYMPY "sympy makes it of the text form in three lines: docs/reference/formulas.md"
 #define CLAIM_TABLES \
   "`scallop claims | diff - FILE` compares with any table of claims; data/claims.tsv of the sources is the tool's own"
 static const struct removed_option {

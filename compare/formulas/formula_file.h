@@ -1,8 +1,8 @@
 /* Formulas by name: the paper's, those that hold where one of the paper's does not, and those of the formula files
  * that were read.
  *
- * A formula file is in libconfig's format; docs/guide/formulas.md has its members. Formula files are read when options
- * are read, before anything is computed, and stay for as long as the program runs; after that any thread may ask. */
+ * A formula file is in libconfig's format; docs/reference/formulas.md has its members. Formula files are read with the
+ * options, before anything is computed, and stay for as long as the program runs; after that any thread may ask. */
 #ifndef SCALLOP_COMPARE_FORMULAS_FORMULA_FILE_H
 #define SCALLOP_COMPARE_FORMULAS_FORMULA_FILE_H
 

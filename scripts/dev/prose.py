@@ -76,6 +76,7 @@ def paragraphs(path):
                 yield joined(1, path, group)
                 group = []
             if not fence and not in_code:
+                line = re.sub(r"^(#.*)\?$", r"\1", line.rstrip())  # a heading may be a question
                 group.append((number, re.sub(r"^\s*[-*#|]+ ", "", line)))
     yield joined(1, path, group)
 

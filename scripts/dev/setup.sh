@@ -10,7 +10,7 @@ purposes() { # GOAL...: the first column of the table below
     case ${goal##*/} in
       help | clean | uninstall | gates | size | api | release | core.wasm | single-order | scallop_order.h) continue ;;
       check | asan | faults | fuzz | lint | valgrind | matrix | coverage) echo tests ;;
-      explorer | check-explorer) echo core.wasm ;;
+      explorer | check-explorer | pictures) echo core.wasm ;;
       test_*) echo test ;;
     esac
     echo build
@@ -29,16 +29,16 @@ flint                 | libgmp-dev                    | header gmp.h
 flint                 | libflint-dev                  | header flint/fmpq.h
 flint                 | libflint-arb-dev              | header arb.h || header flint/arb.h || flint_has_it
 test tests flint3 bare | libcmocka-dev                 | header cmocka.h
-tests reproduce bare  | gnuplot-nox fonts-dejavu-core | found gnuplot
-tests reproduce bare  | python3 python3-jinja2        | module jinja2
+tests reproduce bare pictures | gnuplot-nox fonts-dejavu-core | found gnuplot
+tests reproduce bare docs | python3 python3-jinja2    | module jinja2
 tests bare            | locales                       | there /usr/share/i18n/locales/de_DE
 tests                 | pkgconf                       | found pkg-config
 tests                 | python3-mpmath python3-numpy  | module mpmath,numpy
 tests                 | python3-pytest mypy           | module pytest && found mypy
 tests                 | python3-venv python3-pip python3-setuptools python3-wheel | module ensurepip && module pip && module setuptools,wheel
-layers size bench-sweeps check-report check-explorer | python3      | found /usr/bin/python3
+layers size bench-sweeps check-report check-explorer pictures | python3 | found /usr/bin/python3
 api                   | doxygen python3-sphinx python3-numpy | found doxygen && module sphinx,numpy
-check-report check-explorer | chromium                | found chromium || found chromium-browser || found google-chrome
+check-report check-explorer pictures | chromium       | found chromium || found chromium-browser || found google-chrome
 lint                  | clang-tidy clang-format cppcheck | found clang-tidy && found clang-format && found cppcheck
 fuzz matrix core.wasm | clang                         | found clang
 fuzz                  | libclang-rt-dev               | there /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*
@@ -51,7 +51,7 @@ core.wasm             | wasi-libc                     | there /usr/lib/wasm32-wa
 core.wasm             | libclang-rt-dev-wasm32        | there /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a
 core.wasm             | nodejs                        | found node
 check-cluster         | slurmctld slurmd slurm-client munge parallel procps | found slurmctld && found slurmd && found sbatch && found munged && found parallel
-explorer check-explorer | npm                         | found npm
+explorer check-explorer pictures | npm                | found npm
 ROWS
 }
 found() { command -v "$1"; }

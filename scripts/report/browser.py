@@ -103,11 +103,11 @@ class Browser:
         self.ask("Page.navigate", url=address)
         self.wait_for("Page.loadEventFired")
 
-    def picture(self, box=None):
+    def picture(self, box=None, scale=1):
         """PNG of a box (x, y, width, height) of the document, or of all of it."""
         if box is None:
             size = self.ask("Page.getLayoutMetrics")["cssContentSize"]
             box = (0, 0, size["width"], size["height"])
-        clip = dict(zip(("x", "y", "width", "height"), box), scale=1)
+        clip = dict(zip(("x", "y", "width", "height"), box), scale=scale)
         answer = self.ask("Page.captureScreenshot", format="png", captureBeyondViewport=True, clip=clip)
         return base64.b64decode(answer["data"])

@@ -117,7 +117,7 @@ class Formula:
         ----------
         of : str
             What the formula gives: ``'displacement'``, ``'v_start'``, ``'v_end'``, ``'dxC'`` or another quantity of
-            docs/guide/formulas.md.
+            docs/reference/formulas.md.
         claimed : int, optional
             The n of its claim ``+ O(T^n)``; without it the formula claims equality.
         start : {'rest', 'v0'}, optional
@@ -152,7 +152,7 @@ def formula(text: str, motion: str = "steady", parts: Optional[Mapping[str, str]
     ----------
     text : str
         In the names of the paper's formulas, m1 m2 F1 F2 M L L_kin alpha T l0 lT k0 kT l_start l_end v0 t1 dT x_switch
-        (docs/guide/formulas.md says what they are; :func:`formulas` has examples), with decimal numbers, ``+ - * / ^``,
+        (docs/reference/formulas.md says what they are; :func:`formulas` has examples), with decimal numbers, ``+ - * / ^``,
         parentheses, pi, abs sqrt exp log log10 sin cos asin and min max.
     motion : {'steady', 'extension', 'contraction'}
         What it is about. The steady state has no v0, t1, dT and x_switch.

@@ -18,7 +18,7 @@ class Order(NamedTuple):
     Attributes
     ----------
     verdict : str
-        ``'pass'``, ``'measured'``, ``'too-low'``, ``'drifting'``, ...: as ``scallop order`` prints it (docs/guide/order.md).
+        ``'pass'``, ``'measured'``, ``'too-low'``, ``'drifting'``, ...: as ``scallop order`` prints it (docs/reference/order.md).
     passed : bool
         Whether the verdict is ``'pass'``.
     order, order_low, order_high : float

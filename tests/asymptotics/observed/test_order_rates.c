@@ -1,5 +1,5 @@
 /* How often the verdict on tables of a known kind is right, beside least squares over all points and the mean of the
- * pairwise orders. Prints the table of docs/guide/order.md, and fails where that says something else. */
+ * pairwise orders. Prints the table of docs/reference/order.md, and fails where that says something else. */
 #include "tests/support/check.h"
 
 #include <stdio.h>
@@ -383,7 +383,7 @@ static bool says(const char *row)
 {
   char line[400];
   bool found = false;
-  FILE *page = fopen("docs/guide/order.md", "r");
+  FILE *page = fopen("docs/reference/order.md", "r");
   assert_non_null(page);
   while (!found && fgets(line, sizeof line, page))
     found = strcmp(line, row) == 0;
@@ -405,7 +405,7 @@ TEST(rates)
              share[VERDICT], share[SQUARES], share[MEAN]);
     fputs(row, stdout);
     if (!says(row)) {
-      print_error("docs/guide/order.md does not have this row\n");
+      print_error("docs/reference/order.md does not have this row\n");
       kept = false;
     }
     double right = k->good ? share[VERDICT] : 100 - share[VERDICT];
@@ -494,7 +494,7 @@ TEST(coverage)
     fputs(row, stdout);
     double n = given[SCALLOP_ORDER_CONFIDENCE], least = 0.95 * n - 3 * sqrt(0.95 * 0.05 * n);
     if (!says(row) || (covered[k].scatters && held[SCALLOP_ORDER_CONFIDENCE] < least)) {
-      print_error("docs/guide/order.md does not have this row, or fewer than %g hold the order\n", least);
+      print_error("docs/reference/order.md does not have this row, or fewer than %g hold the order\n", least);
       kept = false;
     }
   }

@@ -79,6 +79,8 @@ cmp -s "$scratch/commands.md" docs/reference/commands.md || note "$(diff docs/re
 finish "docs/reference/commands.md is what --help prints"
 [ "$(wc -l <docs/reference/commands.md)" -le 600 ] || note "$(wc -l <docs/reference/commands.md) lines"
 finish "docs/reference/commands.md has at most 600 lines"
+differs=$(/usr/bin/python3 scripts/dev/pages.py --check) || note "$differs; make docs"
+finish "pages have what follows from data, the paper's formulas and --help"
 "$tool" claims --summary 2>"$scratch/counts" >/dev/null
 grep -o -e '[0-9]* checks' -e '[0-9]* hold,' -e '[0-9]* errors fall faster than claimed' -e '[0-9]* are refuted' -e '[0-9]* statements in words' \
   -e '[0-9]* fail under some condition' "$scratch/counts" >"$scratch/phrases"
