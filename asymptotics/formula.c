@@ -110,7 +110,7 @@ bool formula_is_word(const char *name) { return function_named(name) != FORMULA_
 
 static bool read_sum(struct parser *p);
 
-/* Reads the parenthesis that closes the one at open. */
+/* Reads the parenthesis that closes the parenthesis at open. */
 static bool read_close(struct parser *p, const char *open)
 {
   char c = next(p);

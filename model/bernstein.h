@@ -92,7 +92,7 @@ static inline real bernstein_integral(struct bernstein f, real from, real to)
 }
 
 /* Returns the value at `to` minus the value at `from`, to a few ulp of (to - from) max |slope|, however near the
- * offsets are to each other. The mean of the slope is formed without a difference of two values, whose digits would
+ * offsets are to each other. The mean of the slope is formed without a difference of two values, as their digits would
  * cancel: it is the mean of n + 1 coefficients, each (n + 1)/(far - near) times a difference. */
 static inline real bernstein_rise(struct bernstein f, real from, real to)
 {

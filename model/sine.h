@@ -1,12 +1,12 @@
-/* Sine and cosine of a part of a half turn, inline and without a branch, for those who compute many in a row. Not
+/* Sine and cosine of a fraction of a half turn, inline and without branches, for loops over many crawlers. Not
  * public. */
 #ifndef SCALLOP_MODEL_SINE_H
 #define SCALLOP_MODEL_SINE_H
 
 #include "model/scaling.h"
 
-/* sin(pi u) and cos(pi u), 0 <= u <= 1/2: Taylor polynomials around the nearer end, so that each is exactly 0 at one.
- * Error: below 1.7 ulp. */
+/* Computes sin(pi u) and cos(pi u), 0 <= u <= 1/2, by Taylor polynomials around the nearer end: each is exactly 0 at
+ * one end. Error: below 1.7 ulp. */
 SCALLOP_INLINE void sine_of_half_turn(double u, double *sine, double *cosine)
 {
   const double low = 1.2246467991473532e-16; /* pi minus the double nearest to it */

@@ -67,7 +67,7 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
                    const struct phase_series *p, const struct ring *ring)
 {
   const struct scallop_piece *piece = b->crossing[i].piece;
-  const bool from_end = piece->anchor == SCALLOP_FROM_END; /* times are measured from the end: minus what is left */
+  const bool from_end = piece->anchor == SCALLOP_FROM_END; /* measured from the end: minus the rest */
   SCOPED(series, speed, t);
   series_set(&t, from_end ? &l->left.at[i] : &l->when.at[i]);
   if (from_end)

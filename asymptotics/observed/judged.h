@@ -35,7 +35,7 @@ double points_ranked(double *x, int count, int rank);
 void points_from_values(struct judged *j, bool announced);
 
 /* floor.c: looks for a floor, unless the noise of the table is announced, and leaves out the points on it and near it.
- * Returns false if the floor decides the verdict, which is then set. */
+ * Returns false if the floor decides; the verdict is then set. */
 bool floor_judge(struct judged *j, bool announced);
 /* Leaves out the points near a floor or near the roundoff of doubles if enough others exist, and includes the rest
  * again. Returns false if no point is left out. */

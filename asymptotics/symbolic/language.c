@@ -210,7 +210,7 @@ static void factor(fmpz_mpoly_factor_t factors, const fmpz_mpoly_t polynomial, c
     fmpz_mpoly_factor_one(factors, s->names.ring);                      /* GCOVR_EXCL_LINE */
     fmpz_mpoly_factor_append_ui(factors, polynomial, 1, s->names.ring); /* GCOVR_EXCL_LINE */
   }
-  fmpz_mpoly_factor_sort(factors, s->names.ring); /* the same order for any order of FLINT's factors */
+  fmpz_mpoly_factor_sort(factors, s->names.ring); /* an order independent of FLINT's */
   write_in_alpha(factors, s);
 }
 

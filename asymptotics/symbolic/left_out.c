@@ -69,7 +69,7 @@ static bool needs_pi(const struct motion *m, const struct formula *formula)
   return needs;
 }
 
-/* Lists the symbols of a phase in their usual order, and those of the formula that the phase does not have. */
+/* Lists the symbols of a phase in their usual order, and further symbols of the formula. */
 static void list_symbols(struct motion *m, const struct formula *formula)
 {
   static const enum symbol_meaning first[] = { NAMED_m1, NAMED_m2, NAMED_M, NAMED_F1, NAMED_F2, NAMED_L, NAMED_v0 };
@@ -166,7 +166,7 @@ static void set_names(struct scallop_symbols *names, struct motion *m, const str
   }
 }
 
-/* Sets F2 to F1 if the forces of all these crawlers are equal. of_gait: sets derivatives of l to those of this gait, a
+/* Sets F2 to F1 if the forces of all these crawlers are equal. of_gait: sets derivatives of l to this gait's values, a
  * number of amplitudes, times a power of pi. */
 static void set_replacements(struct replacements *r, const struct motion *m, bool of_gait)
 {

@@ -23,7 +23,7 @@ void left_out_clear(struct left_out *l);
  * every gait with these modes if the lower terms are 0 for all of them.
  *
  * Returns NULL, or `message`, the reason of a failure: the expansion has no formulas (symbolic_expand_phase,
- * symbolic_solve_steady), or the formula has none (formula_symbolic); the quantity is friction work; or most is not
+ * symbolic_solve_steady), or the formula has no series (formula_series); the quantity is friction work; or most is not
  * below SYMBOLIC_ORDERS. */
 const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *formula,
                               const struct scallop_rational_crawler *crawler, enum scallop_phase_kind kind,

@@ -35,8 +35,8 @@ static symbolic parameter_of(struct symbols *s, enum limit_parameter in)
                                    : symbolic_mul(s, time_difference(s), friction_difference(s));
 }
 
-/* Sets a phase with series in the small parameter x. For LIMIT_IN_PRODUCT both differences are fixed, and their
- * product, which drives the crawler, is x: the forces of the extension are changed by the required amount. */
+/* Sets a phase with series in the small parameter x. For LIMIT_IN_PRODUCT both differences are fixed, and the driving
+ * product is x: the forces of the extension are changed by the required amount. */
 static void set_phase(struct phase_series *to, struct symbols *s, enum scallop_phase_kind kind, enum limit_parameter in,
                       const struct ring *ring)
 {

@@ -6,8 +6,8 @@
 
 #include "model/golden.h"
 
-/* A spline on one or two arcs of uniform segments. One circle has its own B-spline coefficients; of two arcs, which
- * meet at l' = 0, some follow from the others and from the two values at the ends. */
+/* A spline on one or two arcs of uniform segments. One circle has its own B-spline coefficients; of two arcs that meet
+ * at l' = 0, some follow from the others and from the two values at the ends. */
 struct arc {
   double begin, width; /* width of a segment */
   int segments, first; /* count of segments, index of the first unknown */
