@@ -65,19 +65,14 @@ static inline struct meeting concave_sine(real x, real q, struct rates there, re
   return (struct meeting){ x + step, q * speed, q * rate, sine * sine / (2 + 2 * cosine) };
 }
 
-/* Finds x > 0 with a + b x = q |l'(x)| from a start on its convex side, where the first step is given. Returns false if
- * it is not in the piece before `last`. */
-static bool concave_meet(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
-                         struct meeting *m, struct scallop_work *work)
+/* Finds x > 0 with a + b x = q |l'(x)| in a curved piece, from a start on its convex side, where the first step is
+ * given. Returns false if it is not in the piece before `last`. */
+static bool concave_meet_curve(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
+                               struct meeting *m, struct scallop_work *work)
 {
   enum { STEPS = 30 };
   const bool sine = law_is_sine(p);
   struct rates there = { 0, 0 };
-  if (p->linear) {
-    const real slope = q * (p->direction * law_sense(p) * walk_acceleration(p));
-    *m = (struct meeting){ step, slope * step, slope, (real)0.5 * (slope / q) * (step * step) };
-    return step > 0 && step < last;
-  }
   real x = walk_near(p, start, a, b, q), margin = 1; /* of the last look */
   if (x == start) {                                  /* one step without a look */
     x += step;
@@ -85,12 +80,11 @@ static bool concave_meet(const struct scallop_piece *p, real a, real b, real q, 
   }
   for (int i = 0; i < STEPS && x > 0 && x < last; i++) {
     const bool is_last = step_is_last(step, x, margin, SMALL_STEP) && i > 0;
-    if (!is_last || !sine)
-      there = concave_rates(p, x, work);
-    if (is_last)
+    there = concave_rates(p, x, work);
+    if (is_last) {
       *m = (struct meeting){ x, q * there.speed, q * there.rate, 0 };
-    if (is_last)
       return true;
+    }
     work->root_iterations++;
     step = concave_step(p, a, b, q, x, &there, &margin);
     if (sine && step_is_last(step, x, margin, SMALL_THIRD_STEP)) {
@@ -100,6 +94,17 @@ static bool concave_meet(const struct scallop_piece *p, real a, real b, real q, 
     x += step;
   }
   return false;
+}
+
+/* The same in any piece; of a straight one the first step ends at the root, and the start is 0. */
+static inline bool concave_meet(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
+                                struct meeting *m, struct scallop_work *work)
+{
+  if (!p->linear)
+    return concave_meet_curve(p, a, b, q, start, step, last, m, work);
+  const real rate = p->direction * law_sense(p) * walk_acceleration(p), slope = q * rate;
+  *m = (struct meeting){ step, slope * step, slope, (real)0.5 * rate * (step * step) };
+  return step > 0 && step < last;
 }
 
 /* Returns the integral of |l'| between two offsets of a piece; less, more: from the anchor to the nearer and to the
@@ -115,7 +120,7 @@ static real concave_covers(const struct scallop_piece *p, real near, real far, r
 static inline bool concave_is_plain(const struct scallop_shape *shape)
 {
   const struct scallop_piece *p = shape->pieces;
-  return shape->count == 2 && ((p[0].linear && p[1].linear) || (law_is_sine(&p[0]) && law_is_sine(&p[1])));
+  return shape->ramps || (shape->count == 2 && law_is_sine(&p[0]) && law_is_sine(&p[1]));
 }
 
 /* Returns max |l'| of a plain shape, where its pieces meet. */
