@@ -123,6 +123,25 @@ static inline bool concave_is_plain(const struct scallop_shape *shape)
   return shape->ramps || (shape->count == 2 && law_is_sine(&p[0]) && law_is_sine(&p[1]));
 }
 
+/* A straight line between two others, of one piece or more: |l'| at its ends, its slope in time, and how long it lasts;
+ * 0: the shape is not made of three lines */
+struct middle {
+  real begins, ends, slope, lasts;
+};
+static struct middle concave_middle(const struct scallop_shape *shape)
+{
+  const struct scallop_piece *p = shape->pieces, *last = &p[shape->count - 1];
+  bool lines = shape->count > 2 && p->linear && last->linear;
+  for (int i = 1; lines && i < shape->count - 1; i++)
+    lines = p[i].linear && p[i].acceleration == p[1].acceleration;
+  if (!lines)
+    return (struct middle){ .lasts = 0 };
+  return (struct middle){ .begins = magnitude(walk_acceleration(p)) * p->end,
+                          .ends = magnitude(walk_acceleration(last)) * last->begin,
+                          .slope = p[1].direction * walk_acceleration(&p[1]),
+                          .lasts = 1 - last->begin - (real)p->end };
+}
+
 /* Returns max |l'| of a plain shape, where its pieces meet. */
 static inline real concave_peak(const struct scallop_shape *shape)
 {
@@ -142,10 +161,20 @@ static bool concave_leave(const struct line *l, const struct scallop_shape *shap
   const real end = k->at_top + l->between * (1 - top);
   k->side = end > 0 ? 1 : -1;
   const real q = end > 0 ? l->q0 : l->q1;
-  const real beyond = concave_is_plain(shape) ? k->side * k->at_top - q * concave_peak(shape) : 0;
+  const struct middle middle = concave_middle(shape);
+  const real peak = middle.lasts > 0 ? middle.begins : concave_is_plain(shape) ? concave_peak(shape) : INFINITY;
+  const real beyond = k->side * k->at_top - q * peak;
   k->early = beyond > 0;
   if (end == 0)
     return false;
+  if (!k->early && middle.lasts > 0 && k->side * (k->at_top + l->between * middle.lasts) > q * middle.ends) {
+    const real after = -beyond / (k->side * l->between - q * middle.slope);
+    k->early = k->in_middle = true;
+    k->x = top + after;
+    k->z = q * (middle.begins + middle.slope * after);
+    k->fall = -q * middle.slope;
+    return after > 0 && after < middle.lasts;
+  }
   if (!k->early) {
     const real ends = q * concave_slope(shape, true), a = k->side * end, b = -k->side * l->between;
     if (!concave_meet(last, a, b, q, 0, a / (ends - b), last->begin, &m, work))
@@ -172,10 +201,13 @@ static bool concave_stick(const struct line *l, const struct scallop_shape *shap
 {
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];
   const real q = k->side > 0 ? l->q0 : l->q1, ends = q * concave_slope(shape, true);
-  if (!concave_is_plain(shape))
+  const struct middle middle = concave_middle(shape);
+  if (!concave_is_plain(shape) && !(middle.lasts > 0))
     return false;
   k->released = ends > l->eps;
   k->u = k->w = k->u_covered = 0;
+  if (k->early && -q * middle.slope > l->eps) /* released in the middle */
+    return false;
   if (!k->released)
     return true;
   k->u = last->linear ? last->begin : walk_when(last, -last->direction * (l->eps / q));
@@ -226,10 +258,13 @@ static struct concave_parts concave_parts(const struct scallop_shape *shape, con
     parts.before += (real)0.5 * ((k->y + k->at_top) * d + (k->at_top + z) * left);
     parts.before_size += (real)0.5 * ((k->y + at_top) * d + (at_top + k->z) * left);
   }
-  if (k->sticks && k->early)
-    parts.stuck = concave_covers(first, k->x, top, k->x_covered, 0.5)
+  if (k->sticks && k->early) {
+    const struct middle middle = concave_middle(shape);
+    const real from = k->in_middle ? middle.begins + middle.slope * (k->x - top) : middle.begins;
+    parts.stuck = (real)0.5 * (from + middle.ends) * (middle.lasts - (k->in_middle ? k->x - top : 0))
+                  + (k->in_middle ? 0 : concave_covers(first, k->x, top, k->x_covered, 0.5))
                   + concave_covers(last, k->u, last->begin, k->u_covered, 0.5);
-  else if (k->sticks)
+  } else if (k->sticks)
     parts.stuck = concave_covers(last, k->u, k->x, k->u_covered, k->x_covered);
   return parts;
 }
@@ -270,6 +305,7 @@ static bool concave_path(const struct phase_input *in, real c_0, struct line *l,
   k->turns = k->steep > l->between;
   k->side = 1;
   k->early = true;
+  k->in_middle = false;
   k->fall = -k->steep;
   if (k->turns && !concave_leave(l, shape, k, work))
     return false;

@@ -98,7 +98,7 @@ struct passage {
   real at_top;                          /* c where the first piece ends, in region 1                              */
   real u, w, end;                       /* where it passes to the last region, |c| there and at the end           */
   real t_covered, x_covered, u_covered; /* what |l'| covers between each and its end of the phase      */
-  bool turns, early, sticks, released;
+  bool turns, early, in_middle, sticks, released;
 };
 
 /* Of a phase that begins with velocity c_0 of the centre of mass. */
