@@ -11,6 +11,7 @@
  *
  * Motions of another kind, or too near to one, are left to the walk. Before including this file define
  *
+ *     walk_quickly(piece, x, &velocity, &acceleration)    l' and l'' of a curved piece, not next to its peak
  *     walk_near(piece, start, a, b, q)    a place to begin Newton's method in a curved piece: start, or one nearer to
  *                                         the root of a + b x = q |l'(x)|
  *     SMALL_STEP, SMALL_THIRD_STEP        a relative step whose square, or third power, is below rounding
@@ -30,7 +31,7 @@ struct meeting { /* of a line with a curve                                      
 static inline struct rates concave_rates(const struct scallop_piece *p, real x, struct scallop_work *work)
 {
   real velocity, acceleration;
-  walk_curve(p, x, &velocity, &acceleration);
+  walk_quickly(p, x, &velocity, &acceleration);
   work->gait_evaluations++;
   return (struct rates){ p->direction * velocity, law_sense(p) * p->direction * acceleration };
 }

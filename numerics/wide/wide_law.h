@@ -105,6 +105,8 @@ static real walk_near(const struct scallop_piece *p, real start, real a, real b,
   return x > 0 && x <= 1 ? (real)x : start;
 }
 
+#define walk_quickly walk_curve
+
 static real walk_way(const struct scallop_piece *p, real from, real to)
 {
   real way = 0, apart = from < to ? to - from : from - to;
