@@ -28,10 +28,11 @@ static inline struct bernstein bernstein_of(const struct scallop_law *law)
  * to x = 0 and y = 0. */
 static inline real bernstein_sum(const real *b, int n, real x, real y)
 {
-  real sum = b[0], factor = 1;
-  for (int j = 1; j <= n; j++) {
-    factor *= x * (n - j + 1) / j;
-    sum = sum * y + factor * b[j];
+  real sum = b[0], power = 1;
+  for (int j = 1, choose = 1; j <= n; j++) {
+    choose = choose * (n - j + 1) / j;
+    power *= x;
+    sum = sum * y + choose * power * b[j];
   }
   return sum;
 }
@@ -55,6 +56,15 @@ static inline real bernstein_derivative(struct bernstein f, real u, int order)
     bernstein_differences(&f);
   }
   return factor * bernstein_sum(f.b, f.degree, (u - f.near) / range, (f.far - u) / range);
+}
+
+/* Computes the value and the derivative at u; f becomes the differences. */
+static inline void bernstein_rates_at(struct bernstein *f, real u, real *value, real *slope)
+{
+  const real range = f->far - f->near, x = (u - f->near) / range, y = (f->far - u) / range, scale = f->degree / range;
+  *value = bernstein_sum(f->b, f->degree, x, y);
+  bernstein_differences(f);
+  *slope = scale * bernstein_sum(f->b, f->degree, x, y);
 }
 
 /* Restricts the polynomial to low <= u <= high, by de Casteljau's rule. The mean of its coefficients is then its

@@ -5,7 +5,6 @@
 
 #include "model/families.h"
 #include "model/law.h"
-#include "model/sine.h"
 
 #define PI 3.14159265358979323846
 
@@ -50,26 +49,25 @@ static double sine_length(const struct scallop_piece *p, double u)
   return law_sense(p) * p->direction * (h * h);
 }
 
-static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
-{
-  double s, c;
-  sine_of_half_turn(u, &s, &c);
-  *velocity = p->velocity * s;
-  *acceleration = p->acceleration * c;
-}
+/* Near u = 1/2 sines and cosines are taken from there, so that l'' is exactly 0 where the two pieces meet. */
+static bool is_late(double u) { return u > 0.25; }
 
 static double sine_velocity(const struct scallop_piece *p, double u)
 {
-  double velocity, acceleration;
-  sine_rates(p, u, &velocity, &acceleration);
-  return velocity;
+  return p->velocity * (is_late(u) ? cos(PI * (0.5 - u)) : sin(PI * u));
 }
 
 static double sine_acceleration(const struct scallop_piece *p, double u)
 {
-  double velocity, acceleration;
-  sine_rates(p, u, &velocity, &acceleration);
-  return acceleration;
+  return p->acceleration * (is_late(u) ? sin(PI * (0.5 - u)) : cos(PI * u));
+}
+
+static void sine_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
+{
+  bool late = is_late(u);
+  double angle = PI * (late ? 0.5 - u : u), s = sin(angle), c = cos(angle);
+  *velocity = p->velocity * (late ? c : s);
+  *acceleration = p->acceleration * (late ? s : c);
 }
 
 static double sine_when(const struct scallop_piece *p, double a)

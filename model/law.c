@@ -41,19 +41,25 @@ static double bernstein_length(const struct scallop_piece *p, double u)
 
 static void bernstein_rates(const struct scallop_piece *p, double u, double *velocity, double *acceleration)
 {
-  const struct bernstein f = bernstein_of(p->law);
-  *velocity = (double)(p->direction * bernstein_derivative(f, u, 0));
-  *acceleration = (double)(p->direction * law_sense(p) * bernstein_derivative(f, u, 1));
+  struct bernstein f = bernstein_of(p->law);
+  real value, slope;
+  bernstein_rates_at(&f, u, &value, &slope);
+  *velocity = (double)(p->direction * value);
+  *acceleration = (double)(p->direction * law_sense(p) * slope);
 }
 
 static double bernstein_velocity(const struct scallop_piece *p, double u)
 {
-  return (double)(p->direction * bernstein_derivative(bernstein_of(p->law), u, 0));
+  double velocity, acceleration;
+  bernstein_rates(p, u, &velocity, &acceleration);
+  return velocity;
 }
 
 static double bernstein_acceleration(const struct scallop_piece *p, double u)
 {
-  return (double)(p->direction * law_sense(p) * bernstein_derivative(bernstein_of(p->law), u, 1));
+  double velocity, acceleration;
+  bernstein_rates(p, u, &velocity, &acceleration);
+  return acceleration;
 }
 
 static real polynomial_third(const struct scallop_law *law, real u)

@@ -6,7 +6,8 @@
 #include "model/scaling.h"
 
 /* Computes sin(pi u) and cos(pi u), 0 <= u <= 1/2, by Taylor polynomials around the nearer end: each is exactly 0 at
- * one end. Error: below 1.7 ulp. */
+ * one end. Error: below 1.7 ulp. Unlike the library's sine it does not round to nearest in every rounding
+ * mode, on which the walk relies next to the peak. */
 SCALLOP_INLINE void sine_of_half_turn(double u, double *sine, double *cosine)
 {
   const double low = 1.2246467991473532e-16; /* pi minus the double nearest to it */

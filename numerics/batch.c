@@ -169,8 +169,8 @@ SCALLOP_INLINE void sine_end_of(struct row *row, int i)
   struct regular r;
   int valid = sine_times(row, i, &system) & regular_result(&system, &r);
   valid &= answer(row, i, &s, r.c_start, r.c_mid, r.travel, r.multiplier);
-  valid &= (regular_delicate_margin(&system.e, steep, steep) >= 0)
-           & (regular_delicate_margin(&system.c, steep, steep) >= 0);
+  valid &= regular_delicate_margin(&system.e, steep, steep) >= 0;
+  valid &= regular_delicate_margin(&system.c, steep, steep) >= 0;
   row->valid[i] = valid ? row->valid[i] * row->last[i] : 0;
 }
 

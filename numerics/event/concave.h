@@ -11,6 +11,7 @@
  *
  * Motions of another kind, or too near to one, are left to the walk. Before including this file define
  *
+ *     walk_quickly(piece, x, &velocity, &acceleration)    l' and l'' of a curved piece, not next to its peak
  *     walk_near(piece, start, a, b, q)    a place to begin Newton's method in a curved piece: start, or one nearer to
  *                                         the root of a + b x = q |l'(x)|
  *     SMALL_STEP, SMALL_THIRD_STEP        a relative step whose square, or third power, is below rounding
@@ -30,7 +31,7 @@ struct meeting { /* of a line with a curve                                      
 static inline struct rates concave_rates(const struct scallop_piece *p, real x, struct scallop_work *work)
 {
   real velocity, acceleration;
-  walk_curve(p, x, &velocity, &acceleration);
+  walk_quickly(p, x, &velocity, &acceleration);
   work->gait_evaluations++;
   return (struct rates){ p->direction * velocity, law_sense(p) * p->direction * acceleration };
 }
@@ -65,19 +66,14 @@ static inline struct meeting concave_sine(real x, real q, struct rates there, re
   return (struct meeting){ x + step, q * speed, q * rate, sine * sine / (2 + 2 * cosine) };
 }
 
-/* Finds x > 0 with a + b x = q |l'(x)| from a start on its convex side, where the first step is given. Returns false if
- * it is not in the piece before `last`. */
-static bool concave_meet(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
-                         struct meeting *m, struct scallop_work *work)
+/* Finds x > 0 with a + b x = q |l'(x)| in a curved piece, from a start on its convex side, where the first step is
+ * given. Returns false if it is not in the piece before `last`. */
+static bool concave_meet_curve(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
+                               struct meeting *m, struct scallop_work *work)
 {
   enum { STEPS = 30 };
   const bool sine = law_is_sine(p);
   struct rates there = { 0, 0 };
-  if (p->linear) {
-    const real slope = q * (p->direction * law_sense(p) * walk_acceleration(p));
-    *m = (struct meeting){ step, slope * step, slope, (real)0.5 * (slope / q) * (step * step) };
-    return step > 0 && step < last;
-  }
   real x = walk_near(p, start, a, b, q), margin = 1; /* of the last look */
   if (x == start) {                                  /* one step without a look */
     x += step;
@@ -85,12 +81,11 @@ static bool concave_meet(const struct scallop_piece *p, real a, real b, real q, 
   }
   for (int i = 0; i < STEPS && x > 0 && x < last; i++) {
     const bool is_last = step_is_last(step, x, margin, SMALL_STEP) && i > 0;
-    if (!is_last || !sine)
-      there = concave_rates(p, x, work);
-    if (is_last)
+    there = concave_rates(p, x, work);
+    if (is_last) {
       *m = (struct meeting){ x, q * there.speed, q * there.rate, 0 };
-    if (is_last)
       return true;
+    }
     work->root_iterations++;
     step = concave_step(p, a, b, q, x, &there, &margin);
     if (sine && step_is_last(step, x, margin, SMALL_THIRD_STEP)) {
@@ -100,6 +95,17 @@ static bool concave_meet(const struct scallop_piece *p, real a, real b, real q, 
     x += step;
   }
   return false;
+}
+
+/* The same in any piece; of a straight one the first step ends at the root, and the start is 0. */
+static inline bool concave_meet(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
+                                struct meeting *m, struct scallop_work *work)
+{
+  if (!p->linear)
+    return concave_meet_curve(p, a, b, q, start, step, last, m, work);
+  const real rate = p->direction * law_sense(p) * walk_acceleration(p), slope = q * rate;
+  *m = (struct meeting){ step, slope * step, slope, (real)0.5 * rate * (step * step) };
+  return step > 0 && step < last;
 }
 
 /* Returns the integral of |l'| between two offsets of a piece; less, more: from the anchor to the nearer and to the
@@ -115,7 +121,26 @@ static real concave_covers(const struct scallop_piece *p, real near, real far, r
 static inline bool concave_is_plain(const struct scallop_shape *shape)
 {
   const struct scallop_piece *p = shape->pieces;
-  return shape->count == 2 && ((p[0].linear && p[1].linear) || (law_is_sine(&p[0]) && law_is_sine(&p[1])));
+  return shape->ramps || (shape->count == 2 && law_is_sine(&p[0]) && law_is_sine(&p[1]));
+}
+
+/* A straight line between two others, of one piece or more: |l'| at its ends, its slope in time, and how long it lasts;
+ * 0: the shape is not made of three lines */
+struct middle {
+  real begins, ends, slope, lasts;
+};
+static struct middle concave_middle(const struct scallop_shape *shape)
+{
+  const struct scallop_piece *p = shape->pieces, *last = &p[shape->count - 1];
+  bool lines = shape->count > 2 && p->linear && last->linear;
+  for (int i = 1; lines && i < shape->count - 1; i++)
+    lines = p[i].linear && p[i].acceleration == p[1].acceleration;
+  if (!lines)
+    return (struct middle){ .lasts = 0 };
+  return (struct middle){ .begins = magnitude(walk_acceleration(p)) * p->end,
+                          .ends = magnitude(walk_acceleration(last)) * last->begin,
+                          .slope = p[1].direction * walk_acceleration(&p[1]),
+                          .lasts = 1 - last->begin - (real)p->end };
 }
 
 /* Returns max |l'| of a plain shape, where its pieces meet. */
@@ -137,10 +162,20 @@ static bool concave_leave(const struct line *l, const struct scallop_shape *shap
   const real end = k->at_top + l->between * (1 - top);
   k->side = end > 0 ? 1 : -1;
   const real q = end > 0 ? l->q0 : l->q1;
-  const real beyond = concave_is_plain(shape) ? k->side * k->at_top - q * concave_peak(shape) : 0;
+  const struct middle middle = concave_middle(shape);
+  const real peak = middle.lasts > 0 ? middle.begins : concave_is_plain(shape) ? concave_peak(shape) : INFINITY;
+  const real beyond = k->side * k->at_top - q * peak;
   k->early = beyond > 0;
   if (end == 0)
     return false;
+  if (!k->early && middle.lasts > 0 && k->side * (k->at_top + l->between * middle.lasts) > q * middle.ends) {
+    const real after = -beyond / (k->side * l->between - q * middle.slope);
+    k->early = k->in_middle = true;
+    k->x = top + after;
+    k->z = q * (middle.begins + middle.slope * after);
+    k->fall = -q * middle.slope;
+    return after > 0 && after < middle.lasts;
+  }
   if (!k->early) {
     const real ends = q * concave_slope(shape, true), a = k->side * end, b = -k->side * l->between;
     if (!concave_meet(last, a, b, q, 0, a / (ends - b), last->begin, &m, work))
@@ -167,10 +202,13 @@ static bool concave_stick(const struct line *l, const struct scallop_shape *shap
 {
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];
   const real q = k->side > 0 ? l->q0 : l->q1, ends = q * concave_slope(shape, true);
-  if (!concave_is_plain(shape))
+  const struct middle middle = concave_middle(shape);
+  if (!concave_is_plain(shape) && !(middle.lasts > 0))
     return false;
   k->released = ends > l->eps;
   k->u = k->w = k->u_covered = 0;
+  if (k->early && -q * middle.slope > l->eps) /* released in the middle */
+    return false;
   if (!k->released)
     return true;
   k->u = last->linear ? last->begin : walk_when(last, -last->direction * (l->eps / q));
@@ -221,10 +259,13 @@ static struct concave_parts concave_parts(const struct scallop_shape *shape, con
     parts.before += (real)0.5 * ((k->y + k->at_top) * d + (k->at_top + z) * left);
     parts.before_size += (real)0.5 * ((k->y + at_top) * d + (at_top + k->z) * left);
   }
-  if (k->sticks && k->early)
-    parts.stuck = concave_covers(first, k->x, top, k->x_covered, 0.5)
+  if (k->sticks && k->early) {
+    const struct middle middle = concave_middle(shape);
+    const real from = k->in_middle ? middle.begins + middle.slope * (k->x - top) : middle.begins;
+    parts.stuck = (real)0.5 * (from + middle.ends) * (middle.lasts - (k->in_middle ? k->x - top : 0))
+                  + (k->in_middle ? 0 : concave_covers(first, k->x, top, k->x_covered, 0.5))
                   + concave_covers(last, k->u, last->begin, k->u_covered, 0.5);
-  else if (k->sticks)
+  } else if (k->sticks)
     parts.stuck = concave_covers(last, k->u, k->x, k->u_covered, k->x_covered);
   return parts;
 }
@@ -265,6 +306,7 @@ static bool concave_path(const struct phase_input *in, real c_0, struct line *l,
   k->turns = k->steep > l->between;
   k->side = 1;
   k->early = true;
+  k->in_middle = false;
   k->fall = -k->steep;
   if (k->turns && !concave_leave(l, shape, k, work))
     return false;

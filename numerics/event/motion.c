@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "model/root.h"
+#include "model/sine.h"
 
 static inline real walk_velocity(const struct scallop_piece *p) { return p->velocity; }
 static inline real walk_acceleration(const struct scallop_piece *p) { return p->acceleration; }
@@ -54,6 +55,17 @@ static inline real walk_steepest(const struct scallop_shape *shape, bool at_end)
   return at_end ? -shape->pieces[shape->count - 1].direction * shape->lT : shape->pieces[0].direction * shape->l0;
 }
 #define walk_near(piece, start, a, b, q) (start)
+static inline void walk_quickly(const struct scallop_piece *p, real x, real *velocity, real *acceleration)
+{
+  real s, c;
+  if (!law_is_sine(p)) {
+    piece_rates(p, x, velocity, acceleration);
+    return;
+  }
+  sine_of_half_turn(x, &s, &c);
+  *velocity = p->velocity * s;
+  *acceleration = p->acceleration * c;
+}
 
 #include "numerics/event/solve.h"
 

@@ -39,7 +39,7 @@ static inline real step_margin(real steep, real slope)
 /* Returns true for a step so small beside the root x, at least one inflection or end of x away, that the next would
  * show only rounding: the error is then about step^2/(margin x), or step^3/(margin x)^2, and rounding that of x over
  * margin. */
-static inline bool step_is_last(real step, real x, real margin, real least)
+static inline int step_is_last(real step, real x, real margin, real least)
 {
   const real small = least * margin, rounding = 16 * ROUNDING / margin;
   return magnitude(step) <= (small > rounding ? small : rounding) * x;
@@ -98,7 +98,7 @@ struct passage {
   real at_top;                          /* c where the first piece ends, in region 1                              */
   real u, w, end;                       /* where it passes to the last region, |c| there and at the end           */
   real t_covered, x_covered, u_covered; /* what |l'| covers between each and its end of the phase      */
-  bool turns, early, sticks, released;
+  bool turns, early, in_middle, sticks, released;
 };
 
 /* Of a phase that begins with velocity c_0 of the centre of mass. */

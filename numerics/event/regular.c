@@ -5,17 +5,14 @@
 
 enum { STEPS = 24 };
 
-/* The steady velocity for T -> 0 when it is small against |l'|: only a place to begin. */
+/* The steady velocity of the quadratic gait, if its modes are the regular ones: only a place to begin */
 static double first_guess(const struct scallop_scaled *s)
 {
-  const struct scallop_shape *e = &s->gait->phase[SCALLOP_EXTENSION];
-  const struct scallop_shape *c = &s->gait->phase[SCALLOP_CONTRACTION];
-  double a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
-  double spread_e = 2 * a * a * fabs(1 / e->l0 - 1 / e->lT), spread_c = 2 * b * b * fabs(1 / c->l0 - 1 / c->lT);
-  double driven = s->delta * (a - b);
-  double forward = s->f1 * spread_e / s->mu2 + s->f2 * spread_c / s->mu1;
-  double backward = s->f2 * spread_e / s->mu1 + s->f1 * spread_c / s->mu2;
-  return driven / (driven > 0 ? forward : backward);
+  const struct tangents ends = { { 4, 0 }, { 4, 0 } };
+  struct regular_system system;
+  regular_system_of(s, period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]), 1, &system);
+  regular_times(&system, &ends, &ends);
+  return system.sign * (system.e.c / system.alpha);
 }
 
 /* The tangent of |l'| at offset x of a piece, in the direction of growing x. */
@@ -57,7 +54,7 @@ void regular_modes(bool forward, double side, struct scallop_modes modes[2])
   modes[0].kept[2] = modes[1].kept[0] = to[middle];
 }
 
-SCALLOP_INLINE bool solve(const struct scallop_scaled *s, double side, bool sine, struct regular *r,
+SCALLOP_INLINE bool solve(const struct scallop_scaled *s, double side, bool ramps, bool sine, struct regular *r,
                           struct scallop_work *work)
 {
   const struct scallop_shape *phase = s->gait->phase;
@@ -65,7 +62,7 @@ SCALLOP_INLINE bool solve(const struct scallop_scaled *s, double side, bool sine
   const struct tangents ends[2] = { tangents[0], tangents[1] };
   double at[2][2] = { { 0, 0 }, { 0, 0 } };
   struct regular_system system;
-  bool ramps = phase[0].ramps && phase[1].ramps, last = ramps;
+  bool last = ramps;
   regular_system_of(s, period_driven(s->gait, s->fraction[SCALLOP_EXTENSION]), side, &system);
   work->periods = 1;
   r->c_start = NAN;
@@ -92,9 +89,12 @@ SCALLOP_INLINE bool solve(const struct scallop_scaled *s, double side, bool sine
 
 bool regular_solve(const struct scallop_scaled *s, double side, struct regular *r, struct scallop_work *work)
 {
-  if (is_sine(&s->gait->phase[0]) && is_sine(&s->gait->phase[1]))
-    return side > 0 ? solve(s, 1, true, r, work) : solve(s, -1, true, r, work);
-  return side > 0 ? solve(s, 1, false, r, work) : solve(s, -1, false, r, work);
+  const struct scallop_shape *phase = s->gait->phase;
+  if (phase[0].ramps && phase[1].ramps)
+    return side > 0 ? solve(s, 1, true, false, r, work) : solve(s, -1, true, false, r, work);
+  if (is_sine(&phase[0]) && is_sine(&phase[1]))
+    return side > 0 ? solve(s, 1, false, true, r, work) : solve(s, -1, false, true, r, work);
+  return side > 0 ? solve(s, 1, false, false, r, work) : solve(s, -1, false, false, r, work);
 }
 
 enum regular_outcome regular_begin(const struct scallop_scaled *s, double *guess)

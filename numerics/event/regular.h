@@ -4,16 +4,16 @@
  *
  * For phases whose |l'| is concave, from 0 to 0. Then the first and the last crossing of curve 0 are all there is: |l'|
  * lies above the line that c follows between them and below it outside. If |l'| is replaced by its tangents at the two
- * crossings, s t + k from the start and s u + k from the end, then, with c the velocity of the centre of mass in L/tau,
- * q |l'| the curve, f the friction of the body that turns and beta = (F_turns - F_other)/(F1 + F2),
+ * crossings, s t + k from the start and s' u + k' from the end, then, with c the velocity of the centre of mass in
+ * L/tau, q |l'| the curve, f the friction of the body that turns and beta = (F_turns - F_other)/(F1 + F2),
  *     t1 = (c_start - q k)/(q s + eps)                           the first crossing
  *     dT = (q (s t1 + k) + beta eps (1 - t1) - q k')/(q s' + beta eps)   the last one, from the end
  *     c_end = (q s' - eps) dT + q k'
  * so that all is linear in the start velocity of the period, and so is the balance of impulses
  *     beta (2 alpha - 1) = 2 f_e alpha (t1 + dT)_e + 2 f_c (1 - alpha) (t1 + dT)_c.
- * Where |l'| is made of two straight ramps this is the answer; elsewhere it is a step of Newton's method for all four
- * crossings and the velocity at once.
- * */
+ * Where |l'| is made of two straight lines this is the answer; elsewhere it is a step of Newton's method for all four
+ * crossings and the velocity at once. With side = -1 both bodies change their direction in a phase: at the last
+ * crossing the curve, the friction and c' afterwards are those of the other body, with the opposite sign. */
 #ifndef SCALLOP_NUMERICS_EVENT_REGULAR_H
 #define SCALLOP_NUMERICS_EVENT_REGULAR_H
 
@@ -24,7 +24,7 @@ struct tangent { /* of |l'|, as slope * time + offset; time from the start or ba
   double slope, offset;
 };
 
-/* Of (pi/2) sin(pi x) */
+/* Returns the tangent of (pi/2) sin(pi x). */
 SCALLOP_INLINE struct tangent regular_sine(double x)
 {
   const double pi = 3.14159265358979323846;
@@ -221,8 +221,8 @@ SCALLOP_INLINE int regular_is_inside(const struct scallop_shape *shape, double t
   return (t < shape->pieces[0].end) & (u < shape->pieces[shape->count - 1].begin);
 }
 
-/* Extension and contraction: ++ -+ ++ | ++ +- ++, or backward -- -+ -- | -- +- --; side: -1: ++ -+ -- | -- +- ++, or
- * -- -+ ++ | ++ +- --. */
+/* Writes the modes of both phases: ++ -+ ++ | ++ +- ++, or backward -- -+ -- | -- +- --; side = -1:
+ * ++ -+ -- | -- +- ++, or -- -+ ++ | ++ +- --. */
 void regular_modes(bool forward, double side, struct scallop_modes modes[2]);
 
 enum regular_outcome {

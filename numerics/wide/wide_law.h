@@ -64,8 +64,16 @@ static real walk_acceleration(const struct scallop_piece *p)
 
 static void walk_curve(const struct scallop_piece *p, real u, real *velocity, real *acceleration)
 {
-  *velocity = p->direction * speed_derivative(p, u, 0);
-  *acceleration = law_sense(p) * p->direction * speed_derivative(p, u, 1);
+  real speed, slope;
+  if (p->law->kind == SCALLOP_LAW_BERNSTEIN) {
+    struct bernstein f = bernstein_of(p->law);
+    bernstein_rates_at(&f, u, &speed, &slope);
+  } else {
+    speed = speed_derivative(p, u, 0);
+    slope = speed_derivative(p, u, 1);
+  }
+  *velocity = p->direction * speed;
+  *acceleration = law_sense(p) * p->direction * slope;
 }
 
 static real walk_pi(void) { return circle_number(); }
@@ -96,6 +104,8 @@ static real walk_near(const struct scallop_piece *p, real start, real a, real b,
   }
   return x > 0 && x <= 1 ? (real)x : start;
 }
+
+#define walk_quickly walk_curve
 
 static real walk_way(const struct scallop_piece *p, real from, real to)
 {

@@ -37,6 +37,7 @@ table steady stick-slip quadratic
 table steady regular sinusoidal
 table batch regular quadratic
 table batch stick-slip quadratic
+table batch regular sinusoidal
 table period regular quadratic
 table period regular sinusoidal
 rows 1000 >"$build/few.tsv"
