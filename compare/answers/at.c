@@ -22,7 +22,7 @@ struct at *at_new(const struct asked *asked)
   struct at *s = malloc(sizeof *s);
   if (!s)
     return complain(asked->command, "out of memory"), NULL;
-  memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
+  memset(s, 0, offsetof(struct at, has)); /* forget() clears the large rest for each point */
   s->asked = asked;
   s->certified_errors = asked_certifies_errors(asked);
   return s;
@@ -101,7 +101,7 @@ static enum motion_of_point phase_from(const struct at *s, enum scallop_phase_ki
   return (enum motion_of_point)((int)(rests ? FROM_REST : FROM_START) + (int)phase);
 }
 
-/* The motion that a quantity is of: a formula of a phase from rest is of that, wherever the point's phase begins. */
+/* Returns the motion of a quantity. A formula for a phase from rest has that motion, whatever v0 the point has. */
 static enum motion_of_point motion_of_quantity(const struct at *s, const struct quantity *q)
 {
   enum scallop_phase_kind phase = q->phase >= 0 ? (enum scallop_phase_kind)q->phase : s->place.point.phase;
@@ -110,7 +110,8 @@ static enum motion_of_point motion_of_quantity(const struct at *s, const struct 
 
 static const struct answer *solve(struct at *s, enum motion_of_point m);
 
-/* The start velocity of a motion; of the steady state 0, and nan where that has to be known and is not */
+/* Returns the start velocity of a motion: 0 for the steady state; nan if it follows from a steady state that has no
+ * answer. */
 static double start_of(struct at *s, enum motion_of_point m)
 {
   if (m == STEADY_STATE || m >= FROM_REST)
@@ -125,7 +126,7 @@ static bool has_start(struct at *s, enum motion_of_point m) { return !isnan(star
 
 double at_v0(struct at *s) { return start_of(s, phase_from(s, s->place.point.phase, false)); }
 
-/* The answer in double; NULL: there is none, and s->why says why. */
+/* Returns the answer in double, or NULL after setting s->why. */
 static const struct answer *solve(struct at *s, enum motion_of_point m)
 {
   struct solved *a = &s->solved[m];
@@ -142,7 +143,7 @@ static const struct answer *solve(struct at *s, enum motion_of_point m)
   return succeeds(s, a->answer.status) ? &a->answer : NULL;
 }
 
-/* A number of it, some of which take another walk: that is done where one of them is asked for. */
+/* Returns a number of the answer. The first request for a number that takes a second walk does this walk. */
 static double solve_for(struct at *s, enum motion_of_point m, int quantity)
 {
   struct solved *a = &s->solved[m];
@@ -157,7 +158,7 @@ static double solve_for(struct at *s, enum motion_of_point m, int quantity)
 
 static double estimate(struct at *s, const struct quantity *q)
 {
-  static const double rounded_up = 1.005; /* with three digits */
+  static const double rounded_up = 1.005; /* the error is printed with three digits */
   enum motion_of_point m = motion_of_quantity(s, q);
   struct solved *a = &s->solved[m];
   struct answer again;
@@ -168,8 +169,7 @@ static double estimate(struct at *s, const struct quantity *q)
   return rounded_up * a->estimate[q->which];
 }
 
-/* The longest period at which an extension from rest does not stick; no body need ever stick. It is kept until a
- * parameter but T changes. */
+/* Returns sticking_onset of the crawler and keeps it until a parameter other than T changes. */
 static double onset_of_sticking(struct at *s)
 {
   struct scallop_crawler c = s->place.point.crawler;
@@ -199,7 +199,7 @@ static double published(struct at *s, const struct quantity *q, enum motion_of_p
   return isfinite(value) ? value : NAN;
 }
 
-/* A series beside what it should be, in balls or by the double solver */
+/* Compares a series with the exact value, in balls or by the double solver. */
 static const struct series_error *compared(struct at *s, int place)
 {
   const struct quantity *series = &s->asked->quantities.item[place];
@@ -223,7 +223,7 @@ static const struct series_error *compared(struct at *s, int place)
   return c;
 }
 
-/* What it was set to; or what follows from the parameters, of the Froude number to the bit what the solver says */
+/* Returns the ratio that was set, else the one of the parameters; the Froude number equals the solver's to the bit. */
 static double ratio(struct at *s, enum ratio_place which)
 {
   const struct scallop_crawler *c = &s->place.point.crawler;
@@ -245,7 +245,7 @@ static double parameter(struct at *s, int place)
   return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
 }
 
-/* Goes to the same point with another gait that the recording admits. False: there is none. */
+/* Begins with the same point and gait i of the recording's alternatives. Returns false if it does not exist. */
 static bool move_to_other(struct at *other, const struct at *s, int i)
 {
   sweep_place_copy(&other->place, &s->place);
@@ -262,7 +262,8 @@ static bool is_of_data(const struct at *s, int place)
   return false;
 }
 
-/* What the recording does not tell: of all numbers at once, as each other gait is solved once. */
+/* Finds the uncertainty of all numbers from the recording, to solve each alternative gait once. Returns false if memory
+ * is short. */
 static bool find_data_errors(struct at *s)
 {
   const int count = s->asked->quantities.count;
@@ -285,7 +286,7 @@ static bool find_data_errors(struct at *s)
   return works;
 }
 
-/* nan where the gait is not measured */
+/* Returns nan if the gait is not measured. */
 static double data_error(struct at *s, int place)
 {
   if (!gait_file_of(s->place.point.crawler.gait))
@@ -301,7 +302,7 @@ double at_data_error(struct at *s, int quantity)
   return is_of_data(s, of) ? data_error(s, of) : NAN;
 }
 
-/* Can it be told although the parameters are no point? */
+/* Returns true if the quantity is known although the parameters are invalid. */
 static bool is_known_outside(const struct at *s, const struct quantity *q)
 {
   return q->kind == QUANTITY_NUMBER || (q->kind == QUANTITY_RATIO && s->place.point.ratio[q->which] > 0);
@@ -314,9 +315,9 @@ static double compute(struct at *s, int place)
   if (quantity_is_text(q))
     return text_number(at_text(s, place, 0));
   if (s->place.is_unread || (s->is_outside && !is_known_outside(s, q)))
-    return NAN; /* the point has no such thing */
+    return NAN;
   if (s->certified_errors && q->is_compared)
-    return compared(s, place)->value; /* rounded from the one that the error is of */
+    return compared(s, place)->value; /* consistent with the error */
   switch (q->kind) {
   case QUANTITY_ANSWER: return solve_for(s, m, q->which);
   case QUANTITY_NUMBER: return parameter(s, q->which);
@@ -332,7 +333,7 @@ static double compute(struct at *s, int place)
   case QUANTITY_FORMULA: return at_formula(s, q->own);
   case QUANTITY_DATA: return at_number(s, q->of) + q->which * data_error(s, q->of);
   case QUANTITY_STUDIED: return at_study->number(s, q);
-  default: return NAN; /* what only a trajectory has */
+  default: return NAN; /* quantities of a trajectory */
   }
 }
 
@@ -341,7 +342,7 @@ double at_number(struct at *s, int quantity)
   long before = s->failures;
   if (!s->has[quantity]) {
     s->value[quantity] = compute(s, quantity);
-    s->has[quantity] = s->failures == before; /* a failure is told in each row; solutions are kept */
+    s->has[quantity] = s->failures == before; /* after a failure each row repeats its reason */
   }
   return s->value[quantity];
 }
@@ -356,7 +357,7 @@ static const char *status_text(struct at *s)
   return steady->in_double ? answer_status_text(s->text, &steady->answer) : "ok";
 }
 
-/* The regime, the modes, or these in words: in double, or proven */
+/* Returns the regime, the modes, or the modes in words; proven if as_written. */
 static const char *how(struct at *s, const struct quantity *q, enum motion_of_point m)
 {
   enum { SHOWN = 6 };

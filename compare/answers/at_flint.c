@@ -14,7 +14,7 @@
 
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
 
-/* Series do not depend on T: those of the last KEPT crawlers are kept, whatever varies fastest. */
+/* Series do not depend on T: the series of the last KEPT crawlers are kept. */
 struct kept_series {
   enum motion_of_point motion;
   struct scallop_rational_crawler crawler;
@@ -26,12 +26,12 @@ SCOPED_PARTS(kept_series, struct kept_series, KEPT_PARTS)
 
 struct at_flint {
   struct scallop_rational_crawler crawler;
-  fmpq_t v0, start, T; /* v0 as it is written; start and T of the motion looked at, the period or a phase's duration */
-  long move;           /* of the point that these are of */
+  fmpq_t v0, start, T; /* v0 as written; start velocity of the current motion; its period or the phase's duration */
+  long move;           /* at->moves of this point */
   bool is_certified[POINT_MOTIONS];
   struct ball_answer certified[POINT_MOTIONS];
   struct kept_series kept[KEPT];
-  int series; /* that were derived so far: each takes the place of the oldest */
+  int series; /* number of series derived so far; a new one replaces the oldest */
   char *text;
 };
 #define POINT_PARTS(of) \
@@ -51,8 +51,7 @@ static void flint_end(struct at_flint *f)
 
 static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
 
-/* Sets the crawler and v0 as they are written, start and T. A start velocity that is a steady one is the double that it
- * is. */
+/* Sets the crawler and v0 as written, start and T. The start velocity of a steady state is exactly its double. */
 static struct at_flint *look_at(struct at *s, enum motion_of_point m)
 {
   const struct scallop_wide *steady = s->solved[STEADY_STATE].answer.value;
@@ -85,7 +84,7 @@ static bool same_but_T(const struct scallop_rational_crawler *a, const struct sc
          && fmpq_equal(a->L, b->L) && fmpq_equal(a->alpha, b->alpha) && a->gait == b->gait;
 }
 
-/* Digits that certified answers need: for texts, and for errors where these are certified */
+/* Returns the digits of certified answers, for texts and for certified errors. */
 static long certified_digits(const struct at *s)
 {
   long of_texts = s->asked->digits + TEXT_DIGITS;
@@ -94,14 +93,14 @@ static long certified_digits(const struct at *s)
   return most < SCALLOP_MOST_DIGITS ? most : SCALLOP_MOST_DIGITS;
 }
 
-/* For series: beyond the digits as many bits as there are terms */
+/* Returns the precision of series: the bits of the digits, and one more bit for each term. */
 static slong bits_of(const struct at *s, long order)
 {
   long digits = certified_digits(s);
   return (slong)(3.33 * (double)(digits > SUM_DIGITS ? digits : SUM_DIGITS)) + GUARD_BITS + order;
 }
 
-/* The most that is asked for; of the limit so many that they hold the first term, as some begin with T^3 */
+/* Returns the highest requested order; for the limit an order that includes the first term, T^3 or lower. */
 static long order_of_series(const struct quantities *all, enum quantity_of of)
 {
   long most = 0;
@@ -112,7 +111,7 @@ static long order_of_series(const struct quantities *all, enum quantity_of of)
   return most;
 }
 
-/* The series of a motion, derived if they are not kept */
+/* Returns the series of a motion and derives them if they are not kept. */
 static const struct series_answer *series_at(struct at *s, enum motion_of_point m)
 {
   struct at_flint *f = look_at(s, m);
@@ -131,7 +130,8 @@ static const struct series_answer *series_at(struct at *s, enum motion_of_point 
   return &k->answer;
 }
 
-/* The sum of a derived series. False: there is none, and s->why says why, unless the motion has no such quantity. */
+/* Sums a derived series. Returns false if it does not exist, after setting s->why unless the motion has no such
+ * quantity. */
 static bool derived_value(arb_t value, struct at *s, const struct quantity *q, enum motion_of_point m, slong precision)
 {
   const struct series_answer *a = series_at(s, m);
@@ -155,7 +155,7 @@ static double sum(struct at *s, const struct quantity *series, enum motion_of_po
   return derived_value(value, s, series, m, bits_of(s, series->order)) ? middle(value) : NAN;
 }
 
-/* The certified answer; NULL: there is none, and s->why says why. */
+/* Returns the certified answer, or NULL after setting s->why. */
 static const struct ball_answer *certified(struct at *s, enum motion_of_point m)
 {
   struct at_flint *f = look_at(s, m);
@@ -189,7 +189,7 @@ static const char *text(struct at *s, const struct quantity *q, long digits, enu
   return s->flint->text;
 }
 
-/* The value of a formula with all digits */
+/* Evaluates a formula in balls. Returns false if it has no value. */
 static bool formula_value(arb_t value, struct at *s, const struct scallop_formula *f, enum motion_of_point m,
                           slong precision)
 {
@@ -200,11 +200,11 @@ static bool formula_value(arb_t value, struct at *s, const struct scallop_formul
   bool found = published_in_balls(value, f, &a->crawler, phase_kind(m), a->start, a->T, given, precision);
   if (gait_has_ends(s->place.point.crawler.gait) || (found && !formula_takes(f, SCALLOP_SYMBOL_L_kin)))
     return found;
-  at_fail(s, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
+  at_fail(s, gait_no_ends); /* the formula divides by L_kin = 0 */
   return false;
 }
 
-/* Is every number of the error at most that part of what it is an error of? */
+/* Returns true if the upper bound of |error| is at most accuracy times the lower bound of |exact|. */
 static bool is_below(const arb_t error, const arb_t exact, double accuracy)
 {
   SCOPED(arf, most, least);
@@ -232,5 +232,5 @@ static struct series_error compare(struct at *s, const struct quantity *series, 
 
 static const struct at_flint_functions functions = { flint_end, sum, compare, text, flint_cleanup };
 
-/* When it is loaded, or, where a program is linked with it, before main */
+/* Runs when the shared object is loaded, or before main in a program that is linked with it. */
 static void __attribute__((constructor)) offer(void) { at_flint = &functions; }

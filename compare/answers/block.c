@@ -19,12 +19,12 @@ struct block {
   int columns;
   const double *column[TABLE_COLUMNS]; /* NULL: a text */
   enum quantity_kind kind[TABLE_COLUMNS];
-  const struct sweep_product *product; /* that the following is of */
-  const struct sweep_group *last;      /* that varies fastest, of numbers, whatever stands further out; or NULL */
-  double *value[SWEEP_VARIABLES];      /* of its variables; NULL: they are not kept */
+  const struct sweep_product *product; /* the current product */
+  const struct sweep_group *last;      /* its fastest group, if that is independent of the others; or NULL */
+  double *value[SWEEP_VARIABLES];      /* the values of that group's variables; NULL: not kept */
 };
 
-/* False: the block has no such column. */
+/* Returns false if a block cannot have this column. */
 static bool add_column(struct block *b, const struct quantity *q)
 {
   const double **column = &b->column[b->columns];
@@ -57,7 +57,7 @@ void block_free(struct block *b)
   free(b);
 }
 
-/* Are the numbers of the last group known without what stands further out, and do no others follow from them? */
+/* Returns true if the last group consists of numbers that do not depend on slower groups and set no other numbers. */
 static bool is_plain(const struct sweep_product *p, const struct point *about)
 {
   const struct sweep_group *last = &p->group[p->groups - 1];
@@ -69,7 +69,7 @@ static bool is_plain(const struct sweep_product *p, const struct point *about)
   return plain;
 }
 
-/* Keeps all values of the group that varies fastest, unless there are too many: about is any of its points. */
+/* Stores all values of the fastest group, up to a maximum; about: any point of the group. */
 static void keep_values(struct block *b, struct sweep_walk *w, const struct point *about)
 {
   const struct sweep_product *p = b->product = w->product;
@@ -83,7 +83,7 @@ static void keep_values(struct block *b, struct sweep_walk *w, const struct poin
   }
 }
 
-/* The parameters of the points from this one to the end of its group, at most count of them: how many. */
+/* Stores the parameters of at most count points, from this one to the end of its group. Returns their number. */
 static int take_points(struct block *b, int at, struct sweep_walk *w, const struct sweep_place *here, int count)
 {
   if (w->product && w->product != b->product)
@@ -133,7 +133,7 @@ bool block_rows(struct block *b, struct rows *r, struct at *at, struct sweep_wal
   struct table *t = &r->table;
   for (int done = 0; done < count;) {
     const struct sweep_place *here = sweep_point(w, &q->sweep, &q->point, first + done, at_formula_so_far, at);
-    if (here->why[0] != '\0' || here->point.ratio[FROUDE] > 0) /* then the number is the one that was given */
+    if (here->why[0] != '\0' || here->point.ratio[FROUDE] > 0) /* the column froude is then the given number */
       return false;
     done += take_points(b, done, w, here, count - done);
   }

@@ -6,7 +6,7 @@
 #include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 
-/* L, T and alpha are not among gaits of which a measured one brings its own. */
+/* L, T and alpha vary with the gait if one of the gaits is measured. */
 bool is_held(const struct request *r, const char *parameter)
 {
   const struct sweep_variable *v;

@@ -1,4 +1,4 @@
-/* The columns of a table by the texts that ask for them, their cells at a point, and the head of the table. */
+/* Columns of a table from their texts, the cells of a row, and the head of the table. */
 #include "compare/answers/rows.h"
 
 #include <math.h>
@@ -14,9 +14,9 @@
 #include "compare/tables/tsv.h"
 #include "compare/text/values.h"
 
-_Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
+_Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has at least as many columns as a file of points");
 
-/* The text that gives the sheet's own name, or NULL; *meaning: what it stands for */
+/* Returns the text that defines the sheet's own name, or NULL; *meaning: its definition. */
 static const char *own_text(const struct sheet *s, const char *name, const char **meaning)
 {
   for (const char *const *own = s->own; own && *own; own++) {
@@ -28,7 +28,7 @@ static const char *own_text(const struct sheet *s, const char *name, const char 
   return NULL;
 }
 
-/* An own name that is a formula of quantities becomes a quantity too, so that other formulas can take it. */
+/* Returns the place of a name. An own name that is a formula also becomes a quantity, for use in other formulas. */
 static int place_of(void *sheet, const char *name)
 {
   struct quantities *all = &((struct sheet *)sheet)->asked->quantities;
@@ -64,7 +64,7 @@ const char *sheet_formula(struct asked *asked, struct formula *formula, const ch
   return formula_read(formula, text, &names, wrong);
 }
 
-/* Does any column take a quantity of which that holds? */
+/* Returns true if a column takes a quantity for which holds() is true. */
 static bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantity *))
 {
   int places[FORMULA_STEPS];
@@ -77,7 +77,7 @@ static bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quanti
 
 static bool is_derived(const struct quantity *q) { return q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT; }
 
-/* NULL, or why the column cannot have that quantity */
+/* Returns NULL, or why the column cannot have the quantity. */
 static const char *refusal(const struct sheet *s, const struct column *column, const struct quantity *q)
 {
   const struct quantity *series = q->of >= 0 ? &s->asked->quantities.item[q->of] : q;
@@ -95,11 +95,11 @@ static const char *refusal(const struct sheet *s, const struct column *column, c
 
 static bool is_status(const struct quantity *q) { return q->kind == QUANTITY_STATUS; }
 
-/* Adds a column. NULL, or what is wrong with the text: that lives until the next call. */
+/* Adds a column. Returns NULL or the error of the text, valid until the next call. */
 static const char *sheet_add(struct sheet *s, const char *text)
 {
   const char *meaning, *own = own_text(s, text, &meaning), *why;
-  struct sheet plain = { .asked = s->asked }; /* in the meaning of an own name there are no own names */
+  struct sheet plain = { .asked = s->asked }; /* own names are not used in the definition of an own name */
   const struct column_names names = { { place_of, near_to, NULL, own ? &plain : s }, missing };
   int places[FORMULA_STEPS];
   text = own ? own : text;
@@ -147,7 +147,7 @@ static void put_number(const struct sheet *s, struct table *t, struct at *at, in
     table_rounded(t, x, format);
   } else if (q->kind != QUANTITY_NUMBER || !s->as_written)
     table_number(t, x);
-  else { /* with all the digits that were given: --digits is of what is proven */
+  else { /* all given digits; --digits applies to certified values */
     const char *written = at->place.is_unread ? NULL : at->place.point.written[q->which];
     if (written && t->sink->format == FORMAT_JSON && !json_takes_number(written))
       written = NULL; /* 3/5, .6 */
@@ -205,7 +205,7 @@ static const char *add_all(struct sheet *s, const char *const *texts, int count)
 
 static bool is_certified(const struct quantity *q) { return q->kind == QUANTITY_CERTIFIED; }
 
-/* How well errors, digits and series have to be known for the columns */
+/* Sets the accuracy of errors and the digits for the columns. Returns NULL or the error. */
 static const char *settle(struct rows *r)
 {
   const struct request *q = r->request;
@@ -226,8 +226,8 @@ static const char *settle(struct rows *r)
   return NULL;
 }
 
-/* What is drawn and not among the usual columns stands behind them; among chosen ones it has to be, but of a map, which
- * needs its axes, too: there it is drawn and not written. */
+/* Adds the columns of the plot. Missing ones follow the usual columns; if columns are chosen they must be among these,
+ * except for a map: it also needs its axes, drawn but not written. Returns NULL or the error. */
 static const char *add_drawn(struct rows *r, bool are_chosen)
 {
   const struct plot *plot = &r->request->style.plot;
@@ -265,7 +265,7 @@ static const char *add_columns(struct rows *r)
                 { all->carried, all->carries },
                 { own, TABLE_COLUMNS } };
   if (r->behind)
-    choice = NULL; /* of all columns of the table */
+    choice = NULL; /* it applies to all columns of the table */
   r->sheet.own = own;
   if (choice)
     wrong = add_all(&r->sheet, choice->names, choice->count);
@@ -280,7 +280,7 @@ const char *rows_columns(struct rows *r)
   return wrong ? wrong : settle(r);
 }
 
-/* Has the table a column of that name with something else in it, as "T = alpha*T"? */
+/* Returns true if a column with the parameter's name has another value, as "T = alpha*T". */
 static bool is_renamed(const struct rows *r, const char *parameter)
 {
   const struct column_list *all = &r->sheet.columns;
@@ -291,7 +291,7 @@ static bool is_renamed(const struct rows *r, const char *parameter)
   return false;
 }
 
-/* Notes the parameters that were given on the command line in place of the scene's. False: none was. */
+/* Notes the parameters of the command line that override the scene's. Returns false without such parameters. */
 static bool note_given(struct rows *r)
 {
   const struct point *p = r->request->scene->given;
@@ -311,7 +311,7 @@ static bool note_given(struct rows *r)
   return count <= CRAWLER_NUMBERS;
 }
 
-/* Notes the parameters that are the same in all rows; a column of that name may be something else. */
+/* Notes the parameters that are the same in all rows and no column redefines. */
 static void note_held(struct rows *r)
 {
   const char *not_held[CRAWLER_NUMBERS + 2] = { NULL };
@@ -328,7 +328,7 @@ static bool is_of_start(const struct quantity *q)
          || q->kind == QUANTITY_PHASE_NAME;
 }
 
-/* What quantities of a phase are about, where a row has any */
+/* Notes the phase and its start if a row has quantities of a phase. */
 static void note_start(struct rows *r)
 {
   const struct point *p = &r->request->point;
@@ -354,7 +354,7 @@ static void write_head(struct rows *r)
     if (scene->title)
       table_note(&r->table, "%s", scene->title);
     bool given = note_given(r);
-    for (int i = 0; i < scene->notes && !given; i++) /* with other parameters they may be wrong */
+    for (int i = 0; i < scene->notes && !given; i++) /* other parameters may make them wrong */
       table_note(&r->table, "%s", scene->note[i]);
   }
   if (r->request->shard.parts > 0)
@@ -375,7 +375,7 @@ bool rows_open(struct rows *r)
 {
   r->style = r->request->style;
   if (!r->behind)
-    r->style.choice = NULL; /* the sheet has taken it */
+    r->style.choice = NULL; /* the sheet has only the chosen columns */
   r->is_open = table_open(&r->table, &r->style);
   r->cannot_open = !r->is_open;
   if (r->is_open) {

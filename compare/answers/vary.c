@@ -37,7 +37,7 @@ const char *vary_group(struct request *r)
   return NULL;
 }
 
-/* Adds a variable whose values are known to be good. */
+/* Adds a variable with valid values. */
 static const char *add(struct request *r, const struct sweep_variable *v)
 {
   struct sweep_product *product = last_product(r);
@@ -57,7 +57,7 @@ static const char *add(struct request *r, const struct sweep_variable *v)
   return NULL;
 }
 
-/* The texts in one piece of memory, which begins with their list; NULL: no memory. */
+/* Copies the list and its texts to one block of memory. Returns NULL: out of memory. */
 static const char **copied(const char *const *texts, long count)
 {
   size_t size = (size_t)count * sizeof *texts;
@@ -87,7 +87,7 @@ const char *vary_list(struct request *r, struct sweep_variable v, const char *co
   return wrong;
 }
 
-/* Is the quantity known before anything is solved at a point? */
+/* Returns true if the quantity is known before a motion is solved. */
 static bool is_of_parameters(const struct quantity *q)
 {
   return (q->kind == QUANTITY_NUMBER && q->which != PLACE_OF_V0) || q->kind == QUANTITY_RATIO
@@ -138,7 +138,7 @@ const char *vary_label(struct request *r, const char *name, struct sweep_variabl
     return "labels are columns of rows of points";
   while (place < all->labels && strcmp(all->label[place], name) != 0)
     place++;
-  if (place == all->labels) { /* a new one, whose name is kept */
+  if (place == all->labels) { /* a new label */
     if (strlen(name) >= QUANTITY_NAME || place == QUANTITY_LABELS)
       return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
     if (quantity_named(all, name) >= 0)
@@ -152,8 +152,8 @@ const char *vary_label(struct request *r, const char *name, struct sweep_variabl
   return NULL;
 }
 
-/* Where the value that text begins with ends: at a comma, or at the end. A gait has commas of its own, so that there
- * only one counts behind which the name of a family stands. */
+/* Returns the end of the first value of text: a comma, or the end of text. Gaits contain commas: there only a comma
+ * before the name of a family ends a value. */
 static const char *end_of_value(const struct sweep_variable *v, const char *text)
 {
   const char *comma = strchr(text, ',');
@@ -162,7 +162,7 @@ static const char *end_of_value(const struct sweep_variable *v, const char *text
   return comma ? comma : text + strlen(text);
 }
 
-/* The values of a list between commas, which are cut off in text */
+/* Adds a list of values between commas; modifies text. */
 static const char *list_of_text(struct request *r, const struct sweep_variable *v, char *text)
 {
   const char **texts = calloc(strlen(text) + 1, sizeof *texts);
@@ -179,7 +179,7 @@ static const char *list_of_text(struct request *r, const struct sweep_variable *
   return wrong;
 }
 
-/* FROM:TO:COUNT or FROM:TO:COUNT:SPACING; copy: the same, which is cut apart */
+/* Adds the range FROM:TO:COUNT or FROM:TO:COUNT:SPACING; modifies copy, a copy of text. */
 static const char *range_of_text(struct request *r, const struct sweep_variable *v, const char *text, char *copy)
 {
   static const char *const spacings[] = { "linear", "log", NULL };
@@ -202,7 +202,7 @@ static const char *range_of_text(struct request *r, const struct sweep_variable 
       text, SWEEP_RANGE);
 }
 
-/* Drops the values that the parameter has in the last product. */
+/* Removes the values of the parameter from the last product. */
 static void hold(struct request *r, const char *name)
 {
   struct sweep_product *product = last_product(r);
@@ -216,7 +216,7 @@ static void hold(struct request *r, const char *name)
   memmove(&product->group[g], &product->group[g + 1], (size_t)(product->groups - g) * sizeof *product->group);
 }
 
-/* "panel=A,B": the label; *values: its texts, which are cut off */
+/* Reads the name of a label from "panel=A,B"; *values becomes its texts. */
 static const char *label_of_text(struct request *r, struct sweep_variable *label, char **values)
 {
   char *name = *values, *equals = strchr(name, '=');
@@ -227,7 +227,7 @@ static const char *label_of_text(struct request *r, struct sweep_variable *label
   return vary_label(r, name, label);
 }
 
-/* A group of the variable, or for NULL of a label; copy: of the text, which is cut apart */
+/* Adds a group with the variable, or with a label if parameter is NULL; modifies copy, a copy of text. */
 static const char *add_values(struct request *r, const struct sweep_variable *parameter, const char *text, char *copy)
 {
   struct sweep_variable v = parameter ? *parameter : (struct sweep_variable){ .name = "" };
@@ -241,11 +241,11 @@ static const char *add_values(struct request *r, const struct sweep_variable *pa
   bool is_range = v.target <= TARGET_FROUDE && strchr(copy, ':');
   wrong = is_range ? range_of_text(r, &v, text, copy) : list_of_text(r, &v, copy);
   last_product(r)->groups -= wrong != NULL;
-  r->point.has_v0 |= v.target == TARGET_V0 && !wrong; /* for blocks of rows where it does not vary */
+  r->point.has_v0 |= v.target == TARGET_V0 && !wrong; /* for blocks of rows in which v0 is constant */
   return wrong;
 }
 
-/* Puts the sampled variables of all groups behind this one into it. NULL, or what is wrong */
+/* Moves the sampled variables of all later groups into this one. Returns NULL or the error. */
 static const char *gather(const struct samples *s, struct sweep_product *p, struct sweep_group *into)
 {
   double points = (double)s->count;
@@ -290,7 +290,7 @@ const char *vary_text(struct request *r, const char *name, const char *text)
 {
   struct sweep_variable v;
   bool has = sweep_variable_of_name(&v, name), is_number = has && v.target <= TARGET_FROUDE;
-  bool is_ratio = is_number && v.target >= TARGET_M1_OVER_M2; /* which the point has no number for */
+  bool is_ratio = is_number && v.target >= TARGET_M1_OVER_M2; /* the point has no such number */
   bool is_many = has ? is_ratio || *end_of_value(&v, text) || (is_number && strchr(text, ':'))
                      : strcmp(name, "label") == 0;
   if (!is_many) {

@@ -1,5 +1,5 @@
-/* The loop over points: shared out among threads in chunks of neighbours, each written in its turn, so that the rows
- * stand in their order whoever computes them. */
+/* The loop over points. Threads take chunks of neighbouring points and write them in the order of the points, therefore
+ * the output does not depend on the number of threads. */
 #define _GNU_SOURCE /* sched_getaffinity */
 #include <limits.h>
 #include <pthread.h>
@@ -12,19 +12,18 @@
 #include "compare/points/point_file.h"
 #include "compare/text/progress.h"
 
-enum { CHUNKS = 8, MOST_AT_ONCE = 64 }; /* of each thread at least; rows that take long, in a chunk */
-enum { LEAST = 8 };                     /* rows that take long, from which on threads gain time     */
+enum { CHUNKS = 8, MAX_CHUNK = 64 }; /* minimum number of chunks for each thread; maximum of slow rows in a chunk */
+enum { MIN_POINTS = 8 };             /* with fewer slow rows a single thread is faster */
 
-/* A thread, and what it computes with. The first writes to the tables themselves where it is alone; else each writes to
- * parts of them. */
+/* A thread and its state. A single thread writes to the tables; several threads write to parts of them. */
 struct worker {
   struct tour *tour;
   struct at *at;
-  struct block *block; /* NULL: rows are computed one by one */
+  struct block *block; /* NULL: compute rows one by one */
   struct sweep_walk walk;
   struct rows *rows;
-  long unsolved;          /* of a chunk */
-  char why[POINT_STATUS]; /* the first reason of these */
+  long unsolved;          /* points of the chunk */
+  char why[POINT_STATUS]; /* the reason of the first of these */
   pthread_t thread;
 };
 
@@ -32,13 +31,13 @@ struct worker {
 struct tour {
   struct rows_run *run;
   struct point_file *file; /* or NULL */
-  long first, end, chunk;  /* of which those that are computed; of a file the end is not known */
+  long first, end, chunk;  /* points to compute; for a file end is LONG_MAX, except in a shard */
   int threads;
   struct worker *worker;
   pthread_mutex_t lock;
   pthread_cond_t turn;
-  long next, written; /* the first point that nobody has taken; that is not written */
-  bool ends;          /* no more are wanted: a table cannot be written, or the file is at its end */
+  long next, written; /* the first point that is not taken; that is not written */
+  bool ends;          /* after an error of writing, or at the end of the file */
 };
 
 static void compute_row(struct worker *w)
@@ -74,7 +73,7 @@ static void compute(struct worker *w, long first, long count)
   }
 }
 
-/* Takes the next chunk: how many points it has; 0: there are no more. */
+/* Takes the next chunk. Returns its number of points; 0: no points are left. */
 static long take(struct worker *w, long *first)
 {
   struct tour *t = w->tour;
@@ -91,7 +90,7 @@ static long take(struct worker *w, long *first)
   return count;
 }
 
-/* Writes what a worker has computed, in its turn. */
+/* Writes the chunk of a worker after all earlier chunks. */
 static void finish_chunk(struct worker *w, long first, long count)
 {
   struct tour *t = w->tour;
@@ -99,7 +98,7 @@ static void finish_chunk(struct worker *w, long first, long count)
   pthread_mutex_lock(&t->lock);
   while (t->written != first)
     pthread_cond_wait(&t->turn, &t->lock);
-  pthread_mutex_unlock(&t->lock); /* nobody else writes until it is another's turn */
+  pthread_mutex_unlock(&t->lock); /* other workers wait until t->written changes */
   bool failed = false;
   for (int i = 0; i < run->count; i++) {
     struct rows *r = &run->rows[i];
@@ -139,16 +138,16 @@ static void *work_beside(void *worker)
 
 int threads_wanted(const struct request *r)
 {
-  const char *usual = getenv("OMP_NUM_THREADS");
+  const char *variable = getenv("OMP_NUM_THREADS");
   cpu_set_t own;
-  long wanted = r->threads.value;
-  if (!r->threads.given && !(usual && read_count(usual, 1, MOST_THREADS, &wanted)))
-    wanted = sched_getaffinity(0, sizeof own, &own) == 0 ? CPU_COUNT(&own) : 1;
-  return (int)wanted;
+  long count = r->threads.value;
+  if (!r->threads.given && !(variable && read_count(variable, 1, MOST_THREADS, &count)))
+    count = sched_getaffinity(0, sizeof own, &own) == 0 ? CPU_COUNT(&own) : 1;
+  return (int)count;
 }
 
-/* Rows of which each is written for itself, of points in any order, are shared out; but not where several tables are
- * made of series, which would be derived by each thread. */
+/* Returns the number of threads and sets the chunk. Several threads need rows that are independent of each other; they
+ * are not used for several tables of series, because each thread would derive the series again. */
 static int threads_of(struct tour *t)
 {
   const struct rows_run *run = t->run;
@@ -159,15 +158,15 @@ static int threads_of(struct tour *t)
     any_order &= r->is_open && (!r->visit || r->any_order);
     takes_long |= r->visit != NULL;
   }
-  const bool is_short = takes_long && points < LEAST; /* what its points share is computed once */
+  const bool is_short = takes_long && points < MIN_POINTS; /* quantities that points share are computed once */
   const int threads = any_order && !is_short ? threads_wanted(run->rows->request) : 1;
-  const long each = points / (CHUNKS * threads), most = takes_long ? MOST_AT_ONCE : BLOCK_ROWS;
-  t->chunk = t->file || each < 1 ? 1 : !takes_long || each > most ? most : each;
+  const long each = points / (CHUNKS * threads), max = takes_long ? MAX_CHUNK : BLOCK_ROWS;
+  t->chunk = t->file || each < 1 ? 1 : !takes_long || each > max ? max : each;
   const long chunks = points / t->chunk + (points % t->chunk != 0);
   return threads < chunks ? threads : (int)(chunks > 0 ? chunks : 1);
 }
 
-/* False: there is no memory for it; what it has is freed with the tour. */
+/* Returns false if memory is short; worker_end frees the worker in either case. */
 static bool worker_begin(struct worker *w, struct tour *t, bool is_first)
 {
   const struct rows_run *run = t->run;
@@ -210,7 +209,7 @@ static void share_out(struct tour *t)
     pthread_join(t->worker[i].thread, NULL);
 }
 
-/* The part of the points that is asked for */
+/* Sets the points to compute: all, or a shard. */
 static void find_part(struct tour *t)
 {
   const struct request *r = t->run->rows->request;
@@ -223,7 +222,7 @@ static void find_part(struct tour *t)
     tsv_skip(&t->file->tsv, t->first);
 }
 
-/* Visits all points. False: there is no memory. */
+/* Visits all points. Returns false if memory is short. */
 static bool tour(struct tour *t, struct at *at)
 {
   find_part(t);

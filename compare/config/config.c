@@ -1,4 +1,4 @@
-/* A configuration as a whole, its members, and messages about them. */
+/* Reading of files and members, and messages about them. */
 #define _GNU_SOURCE /* vasprintf */
 #include "compare/config/config.h"
 
@@ -12,24 +12,24 @@
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
 
-/* What to look for where libconfig says no more than that */
-static const char *meaning(const char *said)
+/* Returns an explanation of a message of libconfig, or "". */
+static const char *explanation(const char *error)
 {
   static const struct {
-    const char *said, *meaning;
+    const char *error, *explanation;
   } known[] = {
     { "mismatched element type", ": within [ ] all are written alike, [1.0, 2.5]; within ( ) they need not be" },
     { "syntax error", ": in this line or before it a ; , \" ) ] or } is missing or one too many, or a text has no "
                       "quotes, or [ ] stands around groups, which ( ) takes" },
     { "duplicate setting name", ": a group has each of its members once" }
   };
-  for (size_t i = 0; said && i < sizeof known / sizeof *known; i++)
-    if (strstr(said, known[i].said))
-      return known[i].meaning;
+  for (size_t i = 0; error && i < sizeof known / sizeof *known; i++)
+    if (strstr(error, known[i].error))
+      return known[i].explanation;
   return "";
 }
 
-/* How long the comment, text, name or number is that begins here; of what else there is each character is by itself */
+/* Returns the length of the comment, text, name or number that begins here; 1 for another character. */
 static size_t token_length(const char *at)
 {
   static const char of_names[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-*";
@@ -45,7 +45,7 @@ static size_t token_length(const char *at)
   return (size_t)(end - at) + (*at == '"' && *end == '"');
 }
 
-/* NULL: nothing */
+/* Returns NULL or the error of a token. */
 static const char *wrong_with(const char *token, size_t length)
 {
   bool is_hex = tolower((unsigned char)token[1]) == 'x', is_long = token[length - 1] == 'L';
@@ -58,7 +58,7 @@ static const char *wrong_with(const char *token, size_t length)
                  : "a whole number beyond 2147483647 is written with a point, or an L behind it";
 }
 
-/* Refuses what libconfig 1.5 would misread: it takes a whole number beyond 32 bits for another one. */
+/* Refuses tokens that libconfig 1.5 misreads: a whole number beyond 32 bits becomes another number. */
 static bool check_text(const struct config *c, const char *text)
 {
   long line = 1;
@@ -79,12 +79,12 @@ static enum exit_code parse(struct config *c, const char *text)
     return EXIT_USAGE;
   if (config_read_string(&c->file, text))
     return EXIT_DONE;
-  const char *said = config_error_text(&c->file);
-  complain(c->command, "%s:%d: %s%s", c->path, config_error_line(&c->file), said, meaning(said));
+  const char *error = config_error_text(&c->file);
+  complain(c->command, "%s:%d: %s%s", c->path, config_error_line(&c->file), error, explanation(error));
   return EXIT_USAGE;
 }
 
-/* The whole file, as far as a NUL byte, which no text has; a byte order mark is no text. */
+/* Reads the whole file; refuses NUL bytes and skips a byte order mark. */
 static enum exit_code parse_file(struct config *c, const struct shipped *shipped)
 {
   char *text = NULL;

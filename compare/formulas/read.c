@@ -1,4 +1,4 @@
-/* a formula file, from its file; what has no meaning is refused. */
+/* Reading of formula files, and checks that each formula has a meaning. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
 
-/* dx1 and dx2 are of the body that turns and of the other one */
+/* dx1 and dx2 become rear_at_end and front_at_end, by the phase */
 const char *const formula_quantities[] = {
   "dx1",           "dx2",           "t1",         "dT",        "dxC",     "v_end", "v_change",
   "rear_at_first", "rear_at_last",  "v_at_first", "v_at_last", "v_start", "v_mid", "displacement",
@@ -22,7 +22,7 @@ enum { DX1, DX2, NOTHING = -1 };
 enum { FROM_REST, FROM_V0, FROM_STEADY };
 enum { MOST_CLAIMED = 999 };
 
-/* The files that were read, whose texts the formulas have */
+/* The files that were read; they own the texts of the formulas */
 struct formula_file {
   struct formula_file *next;
   struct config config;
@@ -56,7 +56,7 @@ static const struct member members[] = { MEMBER(TEXT, "name", formula_entry, for
 
 static const struct formula_entry *entry_named(const char *name)
 {
-  return (const void *)user_formula_named(name); /* whose first member it is */
+  return (const void *)user_formula_named(name); /* the formula is the first member of its entry */
 }
 
 static const config_setting_t *member_of(const struct formula_entry *e, const char *name)
@@ -72,7 +72,7 @@ static bool is_symbol(const char *name)
   return i < SCALLOP_SYMBOLS;
 }
 
-/* of: what is called so; other: what else the name says, or NULL. */
+/* Checks a name; of: "formula" or "part"; other: another error of the name, or NULL. */
 static bool check_name(const struct formula_entry *e, const config_setting_t *at, const char *name, const char *of,
                        const char *other)
 {
@@ -135,14 +135,14 @@ static void set_meaning(struct formula_entry *e)
   e->formula.when = e->conditions > 0 ? e->when : NULL;
 }
 
-/* Symbols that have no value there */
+/* Symbols without a value in the steady state, or in a condition */
 #define SYMBOL_BIT(symbol) (1U << SCALLOP_SYMBOL_##symbol)
 enum {
   NOT_STEADY = SYMBOL_BIT(v0) | SYMBOL_BIT(t1) | SYMBOL_BIT(dT) | SYMBOL_BIT(x_switch),
   NOT_OF_CRAWLER = NOT_STEADY | SYMBOL_BIT(T)
 };
 
-/* What is wrong with a text of the formula, which has none of the symbols `lacking`, or NULL */
+/* Returns NULL or the error of a text of the formula. It must not use the symbols `lacking`. */
 static const char *wrong_with(const struct scallop_formula *formula, const char *text, unsigned lacking,
                               char message[FORMULA_MESSAGE])
 {
@@ -160,7 +160,7 @@ static const char *wrong_with(const struct scallop_formula *formula, const char 
   return wrong;
 }
 
-/* A condition is about the crawler: T goes to 0, and v0 is not looked at. */
+/* Returns NULL or the error of a condition. A condition is about the crawler: it cannot use T (it tends to 0) or v0. */
 static const char *wrong_with_condition(const struct scallop_formula *formula, const char *when,
                                         char message[FORMULA_MESSAGE])
 {
@@ -176,11 +176,11 @@ static bool check_texts(const struct formula_entry *e)
   const struct scallop_formula *f = &e->formula;
   char message[FORMULA_MESSAGE];
   const unsigned lacking = e->start == FROM_STEADY ? NOT_STEADY : 0;
-  const bool of_file = config_setting_source_line(e->group) > 0; /* and not of an option */
+  const bool of_file = config_setting_source_line(e->group) > 0; /* false: from an option */
   const char *wrong = wrong_with(f, f->text, lacking, message);
   if (wrong)
     return refuse_at(e->config, member_of(e, "text"), "%s%s%s", of_file ? f->name : "", of_file ? ": " : "", wrong);
-  for (const struct scallop_part *p = e->parts; p->name; p++) /* those that the text does not use, too */
+  for (const struct scallop_part *p = e->parts; p->name; p++) /* includes unused parts */
     if ((wrong = wrong_with(f, p->name, lacking, message)))
       return refuse_at(e->config, config_setting_get_member(member_of(e, "where"), p->name), "%s: %s", f->name, wrong);
   for (int i = 0; i < e->conditions; i++)
@@ -208,7 +208,7 @@ static bool read_parts(struct formula_entry *e)
   return true;
 }
 
-/* n, or "equality"; none: nothing is claimed */
+/* Reads the claim: n, "equality", or no claim. */
 static bool read_claimed(struct config *c, struct formula_entry *e)
 {
   const config_setting_t *at = member_of(e, "claimed");
@@ -220,7 +220,7 @@ static bool read_claimed(struct config *c, struct formula_entry *e)
          || refuse_at(c, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"", MOST_CLAIMED);
 }
 
-/* Takes the formula that a group is, if it has a meaning. */
+/* Adds the formula of a group. Returns false after a message if it has no meaning. */
 static bool read_entry(struct config *c, const config_setting_t *group, name_is_taken *taken)
 {
   if (!config_setting_is_group(group))
@@ -242,7 +242,7 @@ static bool read_entry(struct config *c, const config_setting_t *group, name_is_
   return good;
 }
 
-/* Reads a list of formulas, if there is one. */
+/* Reads a list of formulas; it may be missing. */
 static bool read_list(struct config *c, const char *name, name_is_taken *taken)
 {
   const config_setting_t *list = config_setting_get_member(config_root(c), name);
@@ -273,7 +273,7 @@ static bool read_root(struct config *c, name_is_taken *taken)
   return i > first || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
 }
 
-/* Opens a file, or a text of that name, from here on among those that were read. */
+/* Opens a file, or a text of that name, and adds it to the files that were read. */
 static enum exit_code open_file(struct config **config, const char *command, const char *path, const char *text)
 {
   struct formula_file *file = calloc(1, sizeof *file);
@@ -285,7 +285,7 @@ static enum exit_code open_file(struct config **config, const char *command, con
   return config_open(*config, command, path, text, NULL);
 }
 
-/* Paths of one file may differ. */
+/* Returns true if the paths lead to the same file. */
 static bool is_same_file(const char *a, const char *b)
 {
   struct stat of_a, of_b;
@@ -325,7 +325,7 @@ const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula
   const struct formula_entry *e = entry_named(formula->name);
   const int line = e && &e->formula == formula ? config_setting_source_line(e->group) : 0;
   *text = '\0';
-  if (line > 0) /* not of an option */
+  if (line > 0) /* else from an option */
     snprintf(text, FORMULA_PLACE, "%s:%d: ", e->config->path, line);
   return text;
 }

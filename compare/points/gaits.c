@@ -20,14 +20,14 @@ struct made {
   char *text, *parameters;
   const struct scallop_gait *gait;
   struct gait_source source; /* its numbers are in parameters */
-  bool is_unreadable;        /* the file of a measured one */
+  bool is_unreadable;        /* the file of a measured gait */
   union {
     union scallop_made_gait numbers;
     struct gait_file file;
   };
 };
 
-/* Beside the families that are made of numbers */
+/* The family that is not made from numbers */
 static const struct scallop_gait_family measured = {
   .name = "measured",
   .numbers = "FILE",
@@ -64,7 +64,7 @@ static void discard(struct made *made)
 static void discard_node(void *made) { discard(made); }
 static void free_all(void) { tdestroy(all_made, discard_node); }
 
-/* Of two made ones, which begin with their texts, or of one and a text */
+/* Compares two struct made, by their first member, the text, or one with a pointer to a text. */
 static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
 static struct made *find(const char *text)
@@ -73,7 +73,7 @@ static struct made *find(const char *text)
   return found ? *found : NULL;
 }
 
-/* False: no memory. */
+/* Returns false if memory is short. */
 static bool keep(struct made *made)
 {
   count_add(COUNT_GAITS, 1);
@@ -82,7 +82,7 @@ static bool keep(struct made *made)
   return tsearch(made, &all_made, by_text) != NULL;
 }
 
-/* Reads numbers between commas. NULL, or what is wrong; "": there are too many. */
+/* Reads numbers between commas. Returns NULL or the error; "": too many numbers. */
 static const char *read_numbers(struct gait_source *source, char *text, double x[SCALLOP_GAIT_NUMBERS])
 {
   static char not_one[120];
@@ -124,7 +124,7 @@ static const char *make_measured(struct made *m)
   return wrong;
 }
 
-/* The family of that name, up to one of the characters of ends or the end */
+/* Returns the family named by text up to one of the characters of ends, or NULL. */
 static const struct scallop_gait_family *family_of(const char *text, const char *ends)
 {
   size_t length = strcspn(text, ends);
@@ -137,7 +137,7 @@ static const struct scallop_gait_family *family_of(const char *text, const char 
 
 bool gait_family_begins(const char *text) { return family_of(text, ":,") != NULL; }
 
-/* What there are, with the numbers that must be given, and which was meant */
+/* Returns the error for an unknown gait: the families, with the numbers they need, and the nearest name. */
 static const char *unknown(const char *text)
 {
   enum { MOST = 32 };
@@ -156,7 +156,7 @@ static const char *unknown(const char *text)
   return message;
 }
 
-/* NULL, or what is wrong */
+/* Makes the gait. Returns NULL or the error. */
 static const char *make(struct made *m, const char *parameters)
 {
   const char *text = m->text, *allowed = m->source.family->allowed;
@@ -210,7 +210,7 @@ bool gait_has_ends(const struct scallop_gait *gait)
   return true;
 }
 
-/* Of those that were made */
+/* Returns the record of a gait made from text, or NULL. */
 static struct made *made_of(const struct scallop_gait *gait)
 {
   struct made *made = find(gait->name);

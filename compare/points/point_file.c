@@ -6,9 +6,9 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-/* Is a name, which is no parameter's, probably meant to be this one, by its letters and digits? Of one letter only what
- * stands around it is judged: `t` is a time. A word is like a longer one (alpha, phase) with the same first letter and
- * few others. */
+/* Returns true if a name that is not a parameter is probably a misspelling of one. Only letters and digits count; a
+ * parameter of one letter must agree in case: `t` is a time; a longer one (alpha, phase) may differ in a few letters
+ * other than the first. */
 static bool means(const char *name, const char *parameter)
 {
   const char *const names[] = { parameter, NULL };
@@ -23,7 +23,7 @@ static bool means(const char *name, const char *parameter)
   return is_like || strcmp(plain, parameter) == 0 || (strlen(parameter) > 1 && strcasecmp(plain, parameter) == 0);
 }
 
-/* Is the name of a column that is no parameter still free in the table? */
+/* Returns true if no column of the table has the name. */
 static bool is_free(const struct point_file *r, const char *name, const char *const *columns)
 {
   const size_t length = strlen(name);
@@ -33,7 +33,7 @@ static bool is_free(const struct point_file *r, const char *name, const char *co
   return !taken && !name_among(r->carried, name);
 }
 
-/* NULL, or what is wrong with the column of that name, of a file that may name the crawler's parameters and extra */
+/* Finds the parameter of column i among the crawler's and extra. Returns NULL or the error. */
 static const char *read_column(struct point_file *r, int i, const char *name, const char *const *extra)
 {
   for (int k = 0; k < POINT_PARAMETERS; k++) {
@@ -51,7 +51,7 @@ static const char *read_column(struct point_file *r, int i, const char *name, co
   return NULL;
 }
 
-/* NULL, or what is wrong with the header. What is neither a parameter nor carried along goes into a note. */
+/* Reads the header; prints a note of the columns that are ignored. Returns NULL or the error. */
 static const char *read_columns(struct point_file *r, const char *noted_by, const char *const *extra,
                                 const char *const *columns)
 {
@@ -80,7 +80,7 @@ static const char *read_columns(struct point_file *r, const char *noted_by, cons
   return NULL;
 }
 
-/* NULL, or what is wrong with the cell */
+/* Sets the parameter from the cell. Returns NULL or the error. */
 static const char *set_cell(const struct point_file *r, struct point *point, const struct parameter *p,
                             const char *cell)
 {
@@ -90,7 +90,7 @@ static const char *set_cell(const struct point_file *r, struct point *point, con
                                               : point_set(point, p->name, cell);
 }
 
-/* Reads the current row into point. False: status says what is wrong with it. */
+/* Reads the current row into point. Returns false after writing the error to status. */
 static bool read_row(struct point_file *r, struct point *point, char *status)
 {
   struct tsv *t = &r->tsv;
@@ -108,7 +108,7 @@ static bool read_row(struct point_file *r, struct point *point, char *status)
   return !wrong && t->count == t->columns;
 }
 
-/* The bytes that are not read yet, of a regular file; else 0 */
+/* Returns the unread bytes of a regular file; else 0. */
 static double bytes_left(FILE *in)
 {
   struct stat of;
@@ -159,5 +159,5 @@ long point_file_count(const char *name)
 
 long point_file_rows(const struct point_file *r, long read)
 {
-  return lround((double)read * r->bytes / r->read); /* no comments */
+  return lround((double)read * r->bytes / r->read); /* ignores comments */
 }

@@ -1,4 +1,4 @@
-/* Sobol sequences, of GSL. A build without GSL leaves this file out. */
+/* Sobol sequences from GSL. A build without GSL omits this file. */
 #include <gsl/gsl_qrng.h>
 
 #include "compare/points/sweep.h"

@@ -1,4 +1,4 @@
-/* A scene: its crawler, start and tables, and where the tables of these and their pictures go. */
+/* Reading of a scene: its crawler, start, list of tables, and the output files of these. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static bool read_parameter(struct scene *s, const config_setting_t *at)
   if (!name_among(crawler_parameters, name))
     return refuse_at(&s->config, at, "there is no '%s' in a crawler%s", name,
                      did_you_mean(nearest(name, crawler_parameters)));
-  if (is_gait ? base->has_gait : base->written[place] != NULL) /* on the command line */
+  if (is_gait ? base->has_gait : base->written[place] != NULL) /* given on the command line */
     return true;
   if (text && is_gait)
     text = gait_beside(&s->config, text);
@@ -50,7 +50,7 @@ static bool read_start(struct scene *s, const config_setting_t *start)
          || refuse_at(&s->config, start, "start is \"rest\", \"steady\" or a velocity");
 }
 
-/* The head of a table, and its picture, show them as they are. */
+/* Checks title and notes: heads and pictures show them unchanged. */
 static bool are_lines(const struct scene *s, const config_setting_t *root)
 {
   bool fine = !s->head.title || is_shown(s->head.title);
@@ -142,12 +142,12 @@ const char *scene_text_of_list(struct scene *s, const config_setting_t *at)
   return text;
 }
 
-/* A script is a file beside the scene or, with a name that has neither '/' nor '.', comes with the tool. */
+/* Finds the plot script: a name without '/' and '.' is a script of the tool, another one a file beside the scene. */
 static bool find_script(struct scene *s, const config_setting_t *at, struct plot *p)
 {
   if (strpbrk(p->script, "/.")) {
     p->script = path_beside(&s->config, p->script);
-    FILE *script = p->script ? file_read(p->script) : NULL; /* and no table takes its place */
+    FILE *script = p->script ? file_read(p->script) : NULL; /* prevents a table from replacing it */
     return script ? fclose(script) == 0
                   : p->script && refuse_at(&s->config, at, "cannot read the plot script %s", p->script);
   }
@@ -162,7 +162,7 @@ static bool find_script(struct scene *s, const config_setting_t *at, struct plot
   return true;
 }
 
-/* A member is what an option says: x_range what --plot-x-range does. */
+/* Sets a member of the plot by the option of the same meaning: x_range by --plot-x-range. */
 static bool take_member(struct scene *s, struct plot *p, const config_setting_t *at)
 {
   const char *name = config_setting_name(at), *text = scene_text_of_list(s, at);

@@ -116,16 +116,16 @@ static void write_velocities(const struct page *p)
 
 static void write_stretches(const struct page *p)
 {
-  struct stretch stretch[MOST_STRETCHES];
+  struct segment stretch[MAX_SEGMENTS];
   char words[MODE_WORDS];
-  int count = stretches_of(stretch, &p->at->solved[STEADY_STATE].motion, p->answer);
-  for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
+  int count = motion_segments(stretch, &p->at->solved[STEADY_STATE].motion, p->answer);
+  for (int i = 0; i < count && i < MAX_SEGMENTS; i++) {
     bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
     fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? phase_names[stretch[i].phase] : "",
             mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
   }
-  if (count > MOST_STRETCHES)
-    fprintf(p->file, "  %-12s and %d more changes of mode\n", "", count - MOST_STRETCHES);
+  if (count > MAX_SEGMENTS)
+    fprintf(p->file, "  %-12s and %d more changes of mode\n", "", count - MAX_SEGMENTS);
 }
 
 static void write_motion(const struct page *p)

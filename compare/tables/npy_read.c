@@ -10,7 +10,7 @@
 
 enum { FRONT_1 = 10, FRONT_2 = 12, LONGEST_HEAD = 1 << 20, ANY_SIZE = 1 << 20 };
 
-/* A text of Python, in quotes: it is cut off and *rest moved behind it. NULL: there is none. */
+/* Reads a Python string in place and moves *rest behind it. Returns NULL if it is not a string. */
 static char *quoted(char **rest)
 {
   char *from = *rest + strspn(*rest, " "), quote = *from, *text = from + 1, *to = text;
@@ -25,22 +25,22 @@ static char *quoted(char **rest)
   return text;
 }
 
-static bool skip(char **rest, char wanted)
+static bool skip(char **rest, char expected)
 {
   char *at = *rest + strspn(*rest, " ");
-  const bool found = *at == wanted;
+  const bool found = *at == expected;
   *rest = at + found;
   return found;
 }
 
-/* What is behind 'NAME': in the dictionary */
+/* Returns the text behind 'NAME': in the dictionary, or NULL. */
 static char *value_of(char *head, const char *name)
 {
   char *at = strstr(head, name);
   return at ? at + strlen(name) : NULL;
 }
 
-/* NULL, or what is wrong with the type of a column */
+/* Reads the type of a column. Returns NULL or the error. */
 static const char *read_type(struct npy_column *c, const char *type)
 {
   const bool has_order = *type && strchr("<>|=", *type);
@@ -126,7 +126,7 @@ void npy_close(struct npy_file *n)
   n->head = n->record = NULL;
 }
 
-/* A number of any of the types, as its text */
+/* Writes a number of any type as text. */
 static void number_of(char *to, const struct npy_column *c, const unsigned char *bytes)
 {
   uint64_t bits = 0, sign = c->kind == 'i' ? UINT64_C(1) << (8 * c->size - 1) : 0;
@@ -147,7 +147,7 @@ static void number_of(char *to, const struct npy_column *c, const unsigned char 
     snprintf(to, NUMBER_TEXT, "%llu", (unsigned long long)bits);
 }
 
-/* A text of bytes, or of ASCII in characters of 4 bytes; others become '?'. */
+/* Writes a text of bytes, or of characters of 4 bytes, of which those beyond ASCII become question marks. */
 static void text_of(char *to, const struct npy_column *c, const unsigned char *bytes)
 {
   const int step = c->kind == 'U' ? 4 : 1;

@@ -47,7 +47,7 @@ static bool is_size(const char *text)
 #define LIST is_list, "one to eight columns, with commas between"
 #define RANGE is_range, "FROM:TO, FROM:TO:log or FROM:TO:linear, with FROM < TO, of log > 0"
 #define TEXT(member) #member, offsetof(struct plot, member)
-/* What the script is handed as PLOT_NAME, and what an option takes */
+/* The environment variables PLOT_NAME of the script, and the values that options take */
 static const struct text {
   const char *option, *name;
   size_t at;
@@ -85,7 +85,7 @@ static bool give(const char *name, const char *value)
   return setenv(variable, value ? value : "", 1) == 0;
 }
 
-/* A line for each column of the table that has a unit, which stands behind a tab */
+/* Sets PLOT_units: a line "name<tab>unit" for each known column of the table. Returns false on failure. */
 static bool give_units(const struct plot *p)
 {
   char *line = NULL, *units = NULL, *rest = NULL;

@@ -72,7 +72,7 @@ TEST(what_it_was_taken_for)
   assert_true(tsv_open_text(&t, "x", "a;b\n1,5;2\n"));
   assert_true(tsv_next(&t));
   assert_string_equal(tsv_number(&t, 0), "1.5");
-  assert_string_equal(tsv_taken_for(&t, text), "columns between semicolons, decimal commas");
+  assert_string_equal(tsv_format_text(&t, text), "columns between semicolons, decimal commas");
   tsv_close(&t);
   assert_true(tsv_is_missing("") && tsv_is_missing("N/A") && tsv_is_missing("-") && !tsv_is_missing("nan"));
 }
