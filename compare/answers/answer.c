@@ -10,22 +10,22 @@
 #include "numerics/numerics.h"
 
 /* Results of the solver, of the wide solver and of the error estimates: a motion sets one member of each. */
-struct solved {
+struct results {
   struct scallop_steady_result steady;
   struct scallop_phase_result phase;
 };
-struct solved_wide {
+struct wide_results {
   struct scallop_wide_steady steady;
   struct scallop_wide_phase phase;
 };
-struct solved_errors {
+struct error_results {
   struct scallop_steady_error steady;
   struct scallop_phase_error phase;
 };
 
 #define PLACES(member, error) \
   { \
-    offsetof(struct solved, member), offsetof(struct solved_wide, member), offsetof(struct solved_errors, error) \
+    offsetof(struct results, member), offsetof(struct wide_results, member), offsetof(struct error_results, error) \
   }
 /* The offsets of the quantities in these structs */
 static const struct {
@@ -47,7 +47,7 @@ static const struct {
 
 static const void *value_at(const void *results, size_t place) { return (const char *)results + place; }
 
-static void forget(struct answer *a, enum scallop_status status)
+static void reset(struct answer *a, enum scallop_status status)
 {
   *a = (struct answer){ .status = status, .v_low = NAN, .v_high = NAN };
   for (int q = 0; q < ALL_QUANTITIES; q++)
@@ -60,10 +60,10 @@ static void take_modes(struct answer *a, enum scallop_regime regime, const struc
   memcpy(a->modes, modes, (size_t)phases * sizeof *modes);
 }
 
-static bool solve(struct answer *a, const struct motion *m, struct solved *s)
+static bool solve(struct answer *a, const struct motion *m, struct results *s)
 {
   bool steady = m->of == OF_STEADY;
-  forget(a, steady ? scallop_steady(&m->crawler, &s->steady) : scallop_phase(&m->crawler, m->phase, m->v0, &s->phase));
+  reset(a, steady ? scallop_steady(&m->crawler, &s->steady) : scallop_phase(&m->crawler, m->phase, m->v0, &s->phase));
   if (a->status < 0)
     return false;
   for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
@@ -84,14 +84,14 @@ static bool solve(struct answer *a, const struct motion *m, struct solved *s)
 
 bool answer_in_double(struct answer *a, const struct motion *m)
 {
-  struct solved s;
+  struct results s;
   return solve(a, m, &s);
 }
 
 bool answer_with_errors(struct answer *a, const struct motion *m, double errors[QUANTITIES])
 {
-  struct solved s;
-  struct solved_errors e;
+  struct results s;
+  struct error_results e;
   enum scallop_status status = SCALLOP_EDOMAIN;
   if (solve(a, m, &s))
     status = m->of == OF_STEADY ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
@@ -105,10 +105,10 @@ bool answer_with_errors(struct answer *a, const struct motion *m, double errors[
 
 bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width width)
 {
-  struct solved_wide s;
+  struct wide_results s;
   bool steady = m->of == OF_STEADY;
-  forget(a, steady ? scallop_wide_steady(width, &m->crawler, &s.steady)
-                   : scallop_wide_phase(width, &m->crawler, m->phase, m->v0, &s.phase));
+  reset(a, steady ? scallop_wide_steady(width, &m->crawler, &s.steady)
+                  : scallop_wide_phase(width, &m->crawler, m->phase, m->v0, &s.phase));
   if (a->status < 0)
     return false;
   for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
@@ -194,7 +194,7 @@ static enum scallop_status find_friction(struct answer *a, const struct motion *
   return status;
 }
 
-enum scallop_status answer_by_second_walk(struct answer *a, const struct motion *m)
+enum scallop_status answer_complete(struct answer *a, const struct motion *m)
 {
   return (m->of == OF_STEADY ? find_friction : find_turnings)(a, m);
 }
@@ -208,14 +208,14 @@ static bool slides_from_rest(struct scallop_crawler c, double T)
 
 double sticking_onset(const struct scallop_crawler *c)
 {
-  enum { MOST_DOUBLINGS = 400 };
+  enum { MAX_DOUBLINGS = 400 };
   double sliding = 0, sticking = 1;
   int doublings = 0;
-  while (slides_from_rest(*c, sticking) && doublings++ < MOST_DOUBLINGS)
+  while (slides_from_rest(*c, sticking) && doublings++ < MAX_DOUBLINGS)
     sticking *= 2;
-  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
+  for (double mid; doublings < MAX_DOUBLINGS && halfway(&mid, sliding, sticking);)
     *(slides_from_rest(*c, mid) ? &sliding : &sticking) = mid;
-  return doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
+  return doublings < MAX_DOUBLINGS && sliding > 0 ? sliding : NAN;
 }
 
 double published_value(const struct scallop_formula *formula, const struct motion *motion, const struct answer *given)

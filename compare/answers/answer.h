@@ -37,7 +37,7 @@ bool answer_in_wide(struct answer *answer, const struct motion *motion, enum sca
 bool answer_with_errors(struct answer *answer, const struct motion *motion, double errors[QUANTITIES]);
 /* Adds the values that take a second pass through a motion solved in double: the work of friction; for a phase, the
  * positions of the rear body at the changes of mode. */
-enum scallop_status answer_by_second_walk(struct answer *answer, const struct motion *motion);
+enum scallop_status answer_complete(struct answer *answer, const struct motion *motion);
 
 /* Returns the longest period at which an extension from rest does not stick, to the last bit; nan: no body ever sticks.
  * The crawler's T is not used. */

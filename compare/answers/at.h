@@ -1,7 +1,7 @@
 /* The evaluation of a point: each quantity is computed once, when a table first requests it.
  *
- * The quantities of all tables (quantities.h) are collected in a struct asked before the first point: the program
- * computes only these, and each once for all tables. */
+ * The quantities of all tables (quantities.h) are collected in a struct requirements before the first point: the
+ * program computes only these, and each once for all tables. */
 #ifndef SCALLOP_COMPARE_ANSWERS_AT_H
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
@@ -18,8 +18,8 @@ static inline enum scallop_phase_kind phase_kind(enum motion_of_point m)
   return m == STEADY_STATE ? SCALLOP_EXTENSION : (enum scallop_phase_kind)((m - FROM_START) % 2);
 }
 
-struct solved { /* one motion; the flags state what has been computed */
-  bool in_double, with_errors, with_second_walk;
+struct solution { /* one motion; the flags state what has been computed */
+  bool in_double, with_errors, is_complete;
   struct motion motion;
   struct answer answer;
   double estimate[QUANTITIES]; /* the estimated errors of the answer */
@@ -34,11 +34,11 @@ struct series_error { /* a series compared with the exact value */
 struct at_data {
   struct at *at; /* evaluates the other gaits */
   bool done;
-  double error[MOST_QUANTITIES];
+  double error[MAX_QUANTITIES];
 };
 
 struct at {
-  const struct asked *asked;
+  const struct requirements *required;
   bool certified_errors;
   struct sweep_place place;
   char why[POINT_STATUS]; /* the reason of the first failure, or "" */
@@ -49,31 +49,31 @@ struct at {
   struct at_data *data;
   bool is_outside; /* the parameters are invalid: the point has no other quantities */
   bool as_written; /* regime, modes and status are certified; set for each row */
-  struct solved solved[POINT_MOTIONS];
+  struct solution solved[POINT_MOTIONS];
   double onset;
   struct scallop_crawler onset_of;
-  bool has[MOST_QUANTITIES];
-  double value[MOST_QUANTITIES];
-  struct series_error comparison[MOST_QUANTITIES];
+  bool has[MAX_QUANTITIES];
+  double value[MAX_QUANTITIES];
+  struct series_error comparison[MAX_QUANTITIES];
   char text[MOTION_WORDS]; /* what at_text returns */
 };
 
 /* Counts a failure and stores the reason of the first one. Returns nan. */
 double at_fail(struct at *at, const char *why);
 
-/* Returns NULL after a message on stderr. asked must outlive the evaluation. */
-struct at *at_new(const struct asked *asked);
+/* Returns NULL after a message on stderr. required must outlive the evaluation. */
+struct at *at_new(const struct requirements *required);
 void at_free(struct at *at); /* may be NULL */
 
 /* Begins with the point that at->place has been set to. */
-void at_move(struct at *at);
+void at_begin_point(struct at *at);
 /* Evaluates a formula, an end of a range, of the variables set so far; copies place to at->place. */
 double at_formula_so_far(void *at, const struct sweep_place *place, const struct formula *formula);
 /* Clears the failures of the previous table before a row of another one. */
 void at_begin_row(struct at *at);
 
-/* Returns a quantity by its place in asked->quantities, a text converted to a number; nan: the point has no value, or
- * the computation failed and at->why is set. */
+/* Returns a quantity by its place in required->quantities, a text converted to a number; nan: the point has no value,
+ * or the computation failed and at->why is set. */
 double at_number(struct at *at, int quantity);
 /* Returns the uncertainty of a number, or of its low. and high., that comes from the recording of a measured gait; nan:
  * neither low. nor high. is requested, or the gait is not measured. */

@@ -52,7 +52,7 @@ static void flint_end(struct at_flint *f)
 static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
 
 /* Sets the crawler and v0 as written, start and T. The start velocity of a steady state is exactly its double. */
-static struct at_flint *look_at(struct at *s, enum motion_of_point m)
+static struct at_flint *set_motion(struct at *s, enum motion_of_point m)
 {
   const struct scallop_wide *steady = s->solved[STEADY_STATE].answer.value;
   if (!s->flint) {
@@ -87,8 +87,8 @@ static bool same_but_T(const struct scallop_rational_crawler *a, const struct sc
 /* Returns the digits of certified answers, for texts and for certified errors. */
 static long certified_digits(const struct at *s)
 {
-  long of_texts = s->asked->digits + TEXT_DIGITS;
-  long of_errors = s->certified_errors ? (long)ceil(-log10(s->asked->accuracy) + SPARE_DIGITS) : 0;
+  long of_texts = s->required->digits + TEXT_DIGITS;
+  long of_errors = s->certified_errors ? (long)ceil(-log10(s->required->accuracy) + SPARE_DIGITS) : 0;
   long most = of_texts > of_errors ? of_texts : of_errors;
   return most < SCALLOP_MOST_DIGITS ? most : SCALLOP_MOST_DIGITS;
 }
@@ -114,14 +114,14 @@ static long order_of_series(const struct quantities *all, enum quantity_of of)
 /* Returns the series of a motion and derives them if they are not kept. */
 static const struct series_answer *series_at(struct at *s, enum motion_of_point m)
 {
-  struct at_flint *f = look_at(s, m);
+  struct at_flint *f = set_motion(s, m);
   for (const struct kept_series *k = f->kept; k < f->kept + KEPT && k < f->kept + f->series; k++)
     if (k->motion == m && same_but_T(&k->crawler, &f->crawler) && fmpq_cmp(k->v0, f->start) == 0)
       return &k->answer;
   struct kept_series *k = &f->kept[f->series % KEPT];
   if (f->series++ < KEPT)
     kept_series_init(k);
-  long order = order_of_series(&s->asked->quantities, kind_of(m));
+  long order = order_of_series(&s->required->quantities, kind_of(m));
   k->motion = m;
   scallop_rational_copy(&k->crawler, &f->crawler);
   fmpq_set(k->v0, f->start);
@@ -158,7 +158,7 @@ static double sum(struct at *s, const struct quantity *series, enum motion_of_po
 /* Returns the certified answer, or NULL after setting s->why. */
 static const struct ball_answer *certified(struct at *s, enum motion_of_point m)
 {
-  struct at_flint *f = look_at(s, m);
+  struct at_flint *f = set_motion(s, m);
   struct ball_answer *a = &f->certified[m];
   char why[POINT_STATUS];
   if (!f->is_certified[m]) {
@@ -196,7 +196,7 @@ static bool formula_value(arb_t value, struct at *s, const struct scallop_formul
   const struct ball_answer *given = formula_takes_given(f) ? certified(s, m) : NULL;
   if (formula_takes_given(f) && (!given || !given->phase.switches))
     return false;
-  const struct at_flint *a = look_at(s, m);
+  const struct at_flint *a = set_motion(s, m);
   bool found = published_in_balls(value, f, &a->crawler, phase_kind(m), a->start, a->T, given, precision);
   if (gait_has_ends(s->place.point.crawler.gait) || (found && !formula_takes(f, SCALLOP_SYMBOL_L_kin)))
     return found;
@@ -225,7 +225,7 @@ static struct series_error compare(struct at *s, const struct quantity *series, 
   struct series_error c = { .value = found ? middle(value) : NAN, .exact = exact ? middle(exact) : NAN, .error = NAN };
   if (found && exact) {
     arb_sub(value, value, exact, precision);
-    c.error = is_below(value, exact, s->asked->accuracy) ? 0 : middle(value);
+    c.error = is_below(value, exact, s->required->accuracy) ? 0 : middle(value);
   }
   return c;
 }
@@ -233,4 +233,4 @@ static struct series_error compare(struct at *s, const struct quantity *series, 
 static const struct at_flint_functions functions = { flint_end, sum, compare, text, flint_cleanup };
 
 /* Runs when the shared object is loaded, or before main in a program that is linked with it. */
-static void __attribute__((constructor)) offer(void) { at_flint = &functions; }
+static void __attribute__((constructor)) register_functions(void) { at_flint = &functions; }

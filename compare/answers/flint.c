@@ -10,7 +10,7 @@
 
 #include "model/version.h"
 
-const struct flint_part *flint_for(const char *command, const char *what)
+const struct flint_part *load_flint(const char *command, const char *what)
 {
   static const struct flint_part *part; /* stays loaded */
   char folder[PATH_MAX], path[PATH_MAX + 40] = "";

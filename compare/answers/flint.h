@@ -28,10 +28,10 @@ extern const struct flint_part {
   enum exit_code (*stress_table)(const struct stress_options *options);
   enum exit_code (*stress_point)(const struct stress_options *options);
   enum exit_code (*stress_stiff)(const struct stress_options *options);
-} flint_part; /* in part_flint.c; other files call flint_for */
+} flint_part; /* in part_flint.c; other files call load_flint */
 
 /* Loads and returns the table; then quantities that need FLINT are available (answers/at.h). what, "--certified", is
  * named in the message. Returns NULL after a message on stderr. Must be called before any output. */
-const struct flint_part *flint_for(const char *command, const char *what);
+const struct flint_part *load_flint(const char *command, const char *what);
 
 #endif

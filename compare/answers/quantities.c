@@ -185,7 +185,7 @@ static const struct prefix *prefix_of(const char *name)
 /* Reads the number at the end of a prefix. Returns the text behind its dot, or NULL. */
 static const char *read_number_of(struct quantity *q, const char *text)
 {
-  enum { MOST_ORDER = 1000 };
+  enum { MAX_ORDER = 1000 };
   char *end;
   double x = strtod(text, &end);
   if (*text < '0' || *text > '9')
@@ -193,7 +193,7 @@ static const char *read_number_of(struct quantity *q, const char *text)
   end -= end[-1] == '.'; /* the dot of "8." ends the prefix */
   bool fits = x > 0;
   if (q->kind == QUANTITY_DERIVED) {
-    q->order = x <= MOST_ORDER ? (long)x : 0;
+    q->order = x <= MAX_ORDER ? (long)x : 0;
     fits = q->order > 0 && x == (double)q->order;
   } else
     q->tolerance = x;
@@ -308,7 +308,7 @@ static int place_in(const struct quantities *all, const char *name)
 /* Returns the place, or -2: the list is full. */
 static int add(struct quantities *all, const struct quantity *q)
 {
-  if (all->count == MOST_QUANTITIES)
+  if (all->count == MAX_QUANTITIES)
     return -2;
   all->item[all->count] = *q;
   return all->count++;
@@ -348,58 +348,58 @@ int quantity_named(struct quantities *all, const char *name)
 
 const char *quantity_near(const struct quantities *all, const char *name)
 {
-  enum { MOST_NAMES = 160 };
-  const char *names[MOST_NAMES + 1], *dot = strrchr(name, '.');
+  enum { MAX_NAMES = 160 };
+  const char *names[MAX_NAMES + 1], *dot = strrchr(name, '.');
   const struct scallop_formula *f;
   int n = 0;
   for (const struct quantity_row *row = quantity_rows; row->name; row++)
     names[n++] = row->name;
   for (int i = 0; i < all->labels; i++)
     names[n++] = all->label[i];
-  for (int i = 0; i < all->carries && n < MOST_NAMES; i++)
+  for (int i = 0; i < all->carries && n < MAX_NAMES; i++)
     names[n++] = all->carried[i];
-  for (int i = 0; n < MOST_NAMES && (f = formula_at(i)); i++)
+  for (int i = 0; n < MAX_NAMES && (f = formula_at(i)); i++)
     names[n++] = f->name;
   names[n] = NULL;
   return nearest(dot ? dot + 1 : name, names); /* compares the last part */
 }
 
-struct asked *asked_nothing(const char *command)
+struct requirements *requirements_new(const char *command)
 {
-  struct asked *asked = malloc(sizeof *asked);
-  if (asked) {
-    memset(asked, 0, offsetof(struct asked, quantities.item));
-    asked->command = command;
-    asked->accuracy = ACCURACY_OF_DOUBLES;
-    asked->digits = DIGITS_OF_DOUBLE;
+  struct requirements *required = malloc(sizeof *required);
+  if (required) {
+    memset(required, 0, offsetof(struct requirements, quantities.item));
+    required->command = command;
+    required->accuracy = ACCURACY_OF_DOUBLES;
+    required->digits = DIGITS_OF_DOUBLE;
   }
-  return asked;
+  return required;
 }
 
-void asked_free(struct asked *asked)
+void requirements_free(struct requirements *required)
 {
-  for (int i = 0; asked && i < asked->quantities.count; i++)
-    free(asked->quantities.item[i].own);
-  for (int i = 0; asked && i < asked->quantities.labels; i++)
-    free((char *)asked->quantities.label[i]);
-  free(asked);
+  for (int i = 0; required && i < required->quantities.count; i++)
+    free(required->quantities.item[i].own);
+  for (int i = 0; required && i < required->quantities.labels; i++)
+    free((char *)required->quantities.label[i]);
+  free(required);
 }
 
 /* A change of velocity in doubles is a small difference of large numbers: its error is less accurate than 1e-10. */
-bool asked_certifies_errors(const struct asked *asked)
+bool errors_are_certified(const struct requirements *r)
 {
   bool certifies = false, has = false;
-  for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++) {
+  for (const struct quantity *q = r->quantities.item; q < r->quantities.item + r->quantities.count; q++) {
     has |= q->is_compared;
-    certifies |= q->is_compared && q->formula && q->formula->quantity == SCALLOP_VELOCITY_CHANGE && asked->accuracy > 0;
+    certifies |= q->is_compared && q->formula && q->formula->quantity == SCALLOP_VELOCITY_CHANGE && r->accuracy > 0;
   }
-  return certifies || (has && asked->certified_errors);
+  return certifies || (has && r->certified_errors);
 }
 
-const char *asked_needs_flint(const struct asked *asked)
+const char *quantity_needing_flint(const struct requirements *r)
 {
-  bool certifies = asked_certifies_errors(asked);
-  for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++)
+  bool certifies = errors_are_certified(r);
+  for (const struct quantity *q = r->quantities.item; q < r->quantities.item + r->quantities.count; q++)
     if (q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT
         || q->kind == QUANTITY_STUDIED || q->kind == QUANTITY_STUDIED_TEXT || (certifies && quantity_is_comparison(q)))
       return q->name;

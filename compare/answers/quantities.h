@@ -134,7 +134,7 @@ const char *formula_quantity_text(const struct scallop_formula *formula, enum sc
 /* Returns true if the formula takes switching times, or a position at one, as given. */
 bool formula_takes_given(const struct scallop_formula *formula);
 
-enum { QUANTITY_NAME = 64, QUANTITY_LABELS = SWEEP_LABELS, MOST_QUANTITIES = 400 };
+enum { QUANTITY_NAME = 64, QUANTITY_LABELS = SWEEP_LABELS, MAX_QUANTITIES = 400 };
 
 struct quantity {
   char name[QUANTITY_NAME];
@@ -157,7 +157,7 @@ struct quantities {
   const char *label[QUANTITY_LABELS]; /* owned */
   int carries;                        /* columns of a file of points that are not parameters */
   const char *const *carried;
-  struct quantity item[MOST_QUANTITIES]; /* last: unused items are not initialised, so their pages are not used */
+  struct quantity item[MAX_QUANTITIES]; /* last: unused items are not initialised, so their pages are not used */
 };
 
 /* Returns the place of the quantity called name and adds it if it is new; -1: unknown name; -2: the list is full. */
@@ -185,21 +185,21 @@ enum { DIGITS_OF_DOUBLE = 17 };
 #define ACCURACY_OF_DOUBLES 1e-10
 
 /* The quantities that tables request of points, and their accuracy; complete before the first point */
-struct asked {
+struct requirements {
   const char *command;   /* for messages */
   bool from_steady;      /* a phase without v0 starts with the velocity of the steady state; else from rest */
-  bool tells_no_start;   /* the column v0 is nan if v0 is not given */
+  bool v0_only_if_given; /* the column v0 is nan if v0 is not given */
   bool certified_errors; /* errors against certified values; else against the double solver */
   double accuracy;       /* errors below this part of the exact value are 0; 0: errors are not rounded */
   long digits;           /* maximum of the certified values */
   struct quantities quantities;
 };
 /* Returns a list without quantities, or NULL: out of memory. */
-struct asked *asked_nothing(const char *command);
-void asked_free(struct asked *asked);
+struct requirements *requirements_new(const char *command);
+void requirements_free(struct requirements *required);
 /* Returns the name of the first quantity that needs FLINT, or NULL. */
-const char *asked_needs_flint(const struct asked *asked);
+const char *quantity_needing_flint(const struct requirements *required);
 /* Returns true if errors are against certified values. */
-bool asked_certifies_errors(const struct asked *asked);
+bool errors_are_certified(const struct requirements *required);
 
 #endif

@@ -12,13 +12,13 @@
 #include "compare/columns/columns.h"
 
 struct sheet {
-  struct asked *asked;        /* grows with each column */
-  struct column_list columns; /* with places of quantities */
-  const char *const *own;     /* texts that define the sheet's own names, NULL-terminated, or NULL */
-  bool of_samples;            /* rows of a trajectory */
-  bool as_written;            /* --certified: parameters with all given digits, regime and modes proven */
-  long digits;                /* of certified values */
-  bool early_status;          /* status precedes other columns: these are computed first */
+  struct requirements *required; /* grows with each column */
+  struct column_list columns;    /* with places of quantities */
+  const char *const *own;        /* texts that define the sheet's own names, NULL-terminated, or NULL */
+  bool of_samples;               /* rows of a trajectory */
+  bool as_written;               /* --certified: parameters with all given digits, regime and modes proven */
+  long digits;                   /* of certified values */
+  bool early_status;             /* status precedes other columns: these are computed first */
 };
 
 /* Write the names of the columns to the head of the table, and the values at the point to a row. */
@@ -26,13 +26,13 @@ void sheet_head(const struct sheet *sheet, struct table *table);
 void sheet_row(const struct sheet *sheet, struct table *table, struct at *at);
 
 /* Reads a formula of quantities. Returns NULL or the error. */
-const char *sheet_formula(struct asked *asked, struct formula *formula, const char *text);
+const char *sheet_formula(struct requirements *required, struct formula *formula, const char *text);
 /* Returns the error for an unknown quantity. */
-const char *sheet_no_quantity(const struct asked *asked, const char *name);
+const char *unknown_quantity_error(const struct requirements *required, const char *name);
 
 enum { ROWS_EXTRA = 3 };
 
-struct rows { /* a table with a row for each point; begins as zero, except request and sheet.asked */
+struct rows { /* a table with a row for each point; begins as zero, except request and sheet.required */
   const struct request *request;
   struct sheet sheet;
   bool notes_parameters;             /* the head has the constant parameters; a scene's head always has them */
@@ -66,8 +66,8 @@ const char *rows_columns(struct rows *rows);
 void rows_free(struct rows *rows);
 bool rows_open(struct rows *rows); /* returns false after a message on stderr */
 
-/* visit.c: tables of the same points, all with the same sheet.asked */
-struct rows_run {
+/* visit.c: tables of the same points, all with the same sheet.required */
+struct rows_set {
   int count;
   struct rows *rows;
   long points, unsolved;
@@ -76,15 +76,15 @@ struct rows_run {
 /* Opens the tables after their columns are set, visits all points of the first request, or of the file if it is not
  * NULL, and writes the tables to the disk. Returns the exit code, after a message on stderr. */
 struct point_file;
-enum exit_code rows_visit(struct rows_run *run, struct point_file *file);
+enum exit_code rows_visit(struct rows_set *set, struct point_file *file);
 /* Closes the tables. keep: they replace the earlier files; else those are kept. Returns false if one cannot be
  * written. */
-bool rows_close(struct rows_run *run, bool keep);
+bool rows_close(struct rows_set *set, bool keep);
 
-/* Returns the number of threads, from 1 to MOST_THREADS: as given, else OMP_NUM_THREADS, else the number of processors
+/* Returns the number of threads, from 1 to MAX_THREADS: as given, else OMP_NUM_THREADS, else the number of processors
  * of the process. */
-enum { MOST_THREADS = 1024 };
-int threads_wanted(const struct request *request);
+enum { MAX_THREADS = 1024 };
+int request_threads(const struct request *request);
 
 /* Writes the table of a command that has only one. */
 enum exit_code rows_table(struct rows *rows);

@@ -97,7 +97,7 @@ void shard_close(struct shard_file *s)
   free(s->head);
 }
 
-bool shard_is_there(const char *path, const struct shard *shard)
+bool shard_is_complete(const char *path, const struct shard *shard)
 {
   struct shard_file s;
   bool is_there = !shard_open(&s, fopen(path, "r")) && s.shard.part == shard->part && s.shard.parts == shard->parts

@@ -37,6 +37,6 @@ struct shard_file {
 const char *shard_open(struct shard_file *shard, FILE *file);
 void shard_close(struct shard_file *shard);
 /* Returns true if the file is that shard and complete. */
-bool shard_is_there(const char *path, const struct shard *shard);
+bool shard_is_complete(const char *path, const struct shard *shard);
 
 #endif

@@ -99,15 +99,15 @@ const char *vary_end(const struct request *r, const char *text, struct sweep_end
   int places[FORMULA_STEPS];
   if (read_number(text, &end->number))
     return NULL;
-  const char *wrong = r->asked ? sheet_formula(r->asked, &end->formula, text) : "a finite number";
+  const char *wrong = r->required ? sheet_formula(r->required, &end->formula, text) : "a finite number";
   if (wrong)
     return wrong_text("'%.100s' is no number, nor a formula: %s", text, wrong);
   end->is_formula = true;
   for (int i = formula_places(&end->formula, places); i-- > 0;)
-    if (!is_of_parameters(&r->asked->quantities.item[places[i]]))
+    if (!is_of_parameters(&r->required->quantities.item[places[i]]))
       return wrong_text("'%.100s': a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, "
                         "not of %s",
-                        text, r->asked->quantities.item[places[i]].name);
+                        text, r->required->quantities.item[places[i]].name);
   return NULL;
 }
 
@@ -132,7 +132,7 @@ const char *vary_range(struct request *r, struct sweep_variable v, const char *f
 
 const char *vary_label(struct request *r, const char *name, struct sweep_variable *label)
 {
-  struct quantities *all = r->asked ? &r->asked->quantities : NULL;
+  struct quantities *all = r->required ? &r->required->quantities : NULL;
   int place = 0;
   if (!all)
     return "labels are columns of rows of points";
@@ -203,7 +203,7 @@ static const char *range_of_text(struct request *r, const struct sweep_variable 
 }
 
 /* Removes the values of the parameter from the last product. */
-static void hold(struct request *r, const char *name)
+static void remove_values(struct request *r, const char *name)
 {
   struct sweep_product *product = last_product(r);
   int g = 0;
@@ -234,7 +234,7 @@ static const char *add_values(struct request *r, const struct sweep_variable *pa
   const char *wrong = parameter ? NULL : label_of_text(r, &v, &copy);
   if (wrong)
     return wrong;
-  hold(r, v.name);
+  remove_values(r, v.name);
   wrong = vary_group(r);
   if (wrong)
     return wrong;
@@ -294,7 +294,7 @@ const char *vary_text(struct request *r, const char *name, const char *text)
   bool is_many = has ? is_ratio || *end_of_value(&v, text) || (is_number && strchr(text, ':'))
                      : strcmp(name, "label") == 0;
   if (!is_many) {
-    hold(r, name);
+    remove_values(r, name);
     return point_set(&r->point, name, text);
   }
   char *copy = strdup(text);

@@ -8,7 +8,7 @@
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 
-enum { MOST_COLUMNS = 256 };
+enum { MAX_COLUMNS = 256 };
 static const char no_memory[] = "out of memory";
 
 const char *column_formula(const char *text, int *length)
@@ -105,8 +105,8 @@ double text_number(const char *text)
 
 /* A choice of columns of a table */
 struct chosen {
-  struct table_choice choice;     /* first: a table sees only this */
-  const char *name[MOST_COLUMNS]; /* until the table begins the text of the column */
+  struct table_choice choice;    /* first: a table sees only this */
+  const char *name[MAX_COLUMNS]; /* until the table begins the text of the column */
   struct column_list list;
   const char *column[TABLE_COLUMNS + 1]; /* columns of the table, NULL-terminated */
   char text[];                           /* the texts, each ended by a NUL */
@@ -121,7 +121,7 @@ static const char *near_to(void *columns, const char *name, const char *const *f
 
 static const char *no_column(void *columns, const char *name)
 {
-  return wrong_text("there is no column '%.80s'%s", name, instead_of(name, columns));
+  return wrong_text("there is no column '%.80s'%s", name, name_hint(name, columns));
 }
 
 static const char *begin(struct table_choice *choice, const char *const *columns, int count)
@@ -159,7 +159,7 @@ static const char *add_text(struct chosen *c, const char *text)
 {
   int length;
   const char *formula = column_formula(text, &length);
-  if (c->choice.count == MOST_COLUMNS)
+  if (c->choice.count == MAX_COLUMNS)
     return "more than 256 columns";
   c->name[c->choice.count++] = text;
   return length > 0 && *formula ? NULL : not_allowed(text, "names of columns and NAME = FORMULA, with commas between");

@@ -46,7 +46,7 @@ static size_t token_length(const char *at)
 }
 
 /* Returns NULL or the error of a token. */
-static const char *wrong_with(const char *token, size_t length)
+static const char *token_error(const char *token, size_t length)
 {
   bool is_hex = tolower((unsigned char)token[1]) == 'x', is_long = token[length - 1] == 'L';
   if (*token == '@')
@@ -64,7 +64,7 @@ static bool check_text(const struct config *c, const char *text)
   long line = 1;
   for (size_t length; *text != '\0';) {
     length = token_length(text);
-    const char *wrong = wrong_with(text, length);
+    const char *wrong = token_error(text, length);
     if (wrong)
       return complain(c->command, "%s:%ld: '%.*s': %s", c->path, line, length < 200 ? (int)length : 200, text, wrong);
     while (length-- > 0)
@@ -224,10 +224,10 @@ static bool read_member(struct config *c, const config_setting_t *at, const stru
 
 static bool refuse_member(struct config *c, const config_setting_t *at, const struct member *members, const char *what)
 {
-  enum { MOST = 32 };
-  const char *names[MOST + 1] = { NULL };
+  enum { MAX_NAMES = 32 };
+  const char *names[MAX_NAMES + 1] = { NULL };
   char known[400];
-  for (int i = 0; i < MOST && members[i].name; i++)
+  for (int i = 0; i < MAX_NAMES && members[i].name; i++)
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
   return refuse_at(c, at, "there is no '%s' in %s%s%s", config_setting_name(at), what,

@@ -15,7 +15,7 @@ typedef bool name_is_taken(const char *name);
  * NULL. Returns EXIT_DONE, or the exit code after a message on stderr with file, line and place in the formula. */
 enum exit_code formula_file_read(const char *command, const char *path, const char *text, name_is_taken *taken);
 /* Frees all formula files, for tests. Their formulas must not be in use. */
-void formula_files_forget(void);
+void formula_files_free(void);
 
 /* The words of a formula file, NULL-terminated: quantities of one phase and, from place FORMULA_STEADY on, of the
  * steady state; starts of motions; phases. */
@@ -24,10 +24,10 @@ extern const char *const formula_quantities[], *const formula_starts[], *const p
 
 /* A formula from options, called "formula": its text; words of these lists (start and phase may be NULL); and
  * the claim, a number or "equality". Returns EXIT_DONE, or the exit code after a message on stderr. */
-struct formula_given {
+struct formula_option {
   const char *text, *of, *start, *phase, *claimed;
 };
-enum exit_code user_formula_add(const char *command, const struct formula_given *given);
+enum exit_code user_formula_add(const char *command, const struct formula_option *given);
 
 /* Return formula i = 0, 1, ..., or NULL after the last: of the formula files; of these and the paper's formulas without
  * a condition besides their start; of all formulas. */
@@ -41,14 +41,14 @@ const struct scallop_formula *formula_named(const char *name);
 bool formula_is_listed(const char *list, const char *name);
 /* Returns the end of the message "there is no formula 'NAME'": the formulas with that equation, or the nearest name.
  * Valid until the next call. */
-const char *formula_instead(const char *name);
+const char *formula_hint(const char *name);
 
 /* Checks that 1 to MAX_USER_FORMULAS formulas of the formula files apply to a command, by is_for; without any
  * --formulas FILE would have no effect. file: NULL without --formulas. Returns false after a message on stderr. */
 enum { MAX_USER_FORMULAS = 24 };
 typedef bool formula_is_for(const void *context, const struct scallop_formula *formula);
-bool formula_file_serves(const char *command, const char *file, formula_is_for *is_for, const void *context,
-                         const char *what);
+bool formula_file_applies(const char *command, const char *file, formula_is_for *is_for, const void *context,
+                          const char *what);
 
 /* Writes the place of the formula, "FILE:LINE: ", or "" if it is not in a file. Returns text. */
 enum { FORMULA_PLACE = 200 };
@@ -59,10 +59,10 @@ const struct formula *formula_read_once(const struct scallop_formula *formula);
 /* Returns true if the text of the formula, or a part of it, uses the symbol. */
 bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol symbol);
 
-/* For read.c: adds a formula to the list; forget_user_formulas frees the struct that begins with it. Returns false
+/* For read.c: adds a formula to the list; user_formulas_free frees the struct that begins with it. Returns false
  * if memory is short. */
 bool user_formula_keep(struct scallop_formula *formula);
 const struct scallop_formula *user_formula_named(const char *name); /* or NULL */
-void forget_user_formulas(void);
+void user_formulas_free(void);
 
 #endif

@@ -81,23 +81,23 @@ bool formula_is_listed(const char *list, const char *name)
   return is;
 }
 
-const char *formula_instead(const char *name)
+const char *formula_hint(const char *name)
 {
-  enum { MOST = 400 };
-  static char text[MOST];
-  const char *names[MOST + 1] = { NULL };
+  enum { MAX_NAMES = 400, SIZE = 400 };
+  static char text[SIZE];
+  const char *names[MAX_NAMES + 1] = { NULL };
   const struct scallop_formula *f;
   size_t used = 0;
   for (int i = 0; (f = of_equation(name, i)) && used < sizeof text; i++)
     used += (size_t)snprintf(text + used, sizeof text - used, "%s %s", i == 0 ? ": of this equation there are" : ",",
                              f->name);
-  for (int i = 0; i < MOST && (f = formula_at(i)); i++)
+  for (int i = 0; i < MAX_NAMES && (f = formula_at(i)); i++)
     names[i] = f->name;
   return used > 0 ? text : did_you_mean(nearest(name, names));
 }
 
-bool formula_file_serves(const char *command, const char *file, formula_is_for *is_for, const void *context,
-                         const char *what)
+bool formula_file_applies(const char *command, const char *file, formula_is_for *is_for, const void *context,
+                          const char *what)
 {
   int found = 0;
   for (int i = 0; file && i < count; i++)
@@ -144,7 +144,7 @@ bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol sy
   return takes;
 }
 
-void forget_user_formulas(void)
+void user_formulas_free(void)
 {
   for (struct read_once *first; (first = atomic_load(&all));) {
     atomic_store(&all, first->next);

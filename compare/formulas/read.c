@@ -20,7 +20,7 @@ const char *const phase_names[] = { "extension", "contraction", NULL };
 static const char *const turns[] = { "in both phases", "not in the contraction", "not in the extension", NULL };
 enum { DX1, DX2, NOTHING = -1 };
 enum { FROM_REST, FROM_V0, FROM_STEADY };
-enum { MOST_CLAIMED = 999 };
+enum { MAX_CLAIMED = 999 };
 
 /* The files that were read; they own the texts of the formulas */
 struct formula_file {
@@ -29,12 +29,12 @@ struct formula_file {
 };
 static struct formula_file *files;
 
-enum { MOST_PARTS = 16, MOST_CONDITIONS = 8 };
+enum { MAX_PARTS = 16, MAX_CONDITIONS = 8 };
 
 struct formula_entry {
   struct scallop_formula formula;
-  struct scallop_part parts[MOST_PARTS + 1];
-  const char *when[MOST_CONDITIONS + 1];
+  struct scallop_part parts[MAX_PARTS + 1];
+  const char *when[MAX_CONDITIONS + 1];
   int conditions, start, phase, of; /* start, phase, of: places among the words of formula_file.h */
   const struct config *config;
   const config_setting_t *group;
@@ -48,7 +48,7 @@ static const struct member members[] = { MEMBER(TEXT, "name", formula_entry, for
                                          OTHER("claimed"),
                                          MEMBER(TEXT, "text", formula_entry, formula.text, ),
                                          OTHER("where"),
-                                         MEMBER(TEXTS, "when", formula_entry, when, .high = MOST_CONDITIONS,
+                                         MEMBER(TEXTS, "when", formula_entry, when, .high = MAX_CONDITIONS,
                                                 .count = offsetof(struct formula_entry, conditions)),
                                          MEMBER(TEXT, "corrected", formula_entry, formula.corrected, ),
                                          MEMBER(WORD, "turns", formula_entry, formula.turns, .words = turns),
@@ -143,8 +143,8 @@ enum {
 };
 
 /* Returns NULL or the error of a text of the formula. It must not use the symbols `lacking`. */
-static const char *wrong_with(const struct scallop_formula *formula, const char *text, unsigned lacking,
-                              char message[FORMULA_MESSAGE])
+static const char *formula_text_error(const struct scallop_formula *formula, const char *text, unsigned lacking,
+                                      char message[FORMULA_MESSAGE])
 {
   const char *in = lacking == NOT_STEADY ? "the steady state" : "a condition is about the crawler, which";
   struct scallop_formula of = *formula;
@@ -161,14 +161,14 @@ static const char *wrong_with(const struct scallop_formula *formula, const char 
 }
 
 /* Returns NULL or the error of a condition. A condition is about the crawler: it cannot use T (it tends to 0) or v0. */
-static const char *wrong_with_condition(const struct scallop_formula *formula, const char *when,
-                                        char message[FORMULA_MESSAGE])
+static const char *condition_error(const struct scallop_formula *formula, const char *when,
+                                   char message[FORMULA_MESSAGE])
 {
   struct scallop_sides sides;
   if (!scallop_condition_split(&sides, when))
     return "a condition is LEFT < RIGHT, LEFT > RIGHT or LEFT = RIGHT, of 399 characters at most";
-  const char *wrong = wrong_with(formula, sides.left, NOT_OF_CRAWLER, message);
-  return wrong ? wrong : wrong_with(formula, sides.right, NOT_OF_CRAWLER, message);
+  const char *wrong = formula_text_error(formula, sides.left, NOT_OF_CRAWLER, message);
+  return wrong ? wrong : formula_text_error(formula, sides.right, NOT_OF_CRAWLER, message);
 }
 
 static bool check_texts(const struct formula_entry *e)
@@ -177,14 +177,14 @@ static bool check_texts(const struct formula_entry *e)
   char message[FORMULA_MESSAGE];
   const unsigned lacking = e->start == FROM_STEADY ? NOT_STEADY : 0;
   const bool of_file = config_setting_source_line(e->group) > 0; /* false: from an option */
-  const char *wrong = wrong_with(f, f->text, lacking, message);
+  const char *wrong = formula_text_error(f, f->text, lacking, message);
   if (wrong)
     return refuse_at(e->config, member_of(e, "text"), "%s%s%s", of_file ? f->name : "", of_file ? ": " : "", wrong);
   for (const struct scallop_part *p = e->parts; p->name; p++) /* includes unused parts */
-    if ((wrong = wrong_with(f, p->name, lacking, message)))
+    if ((wrong = formula_text_error(f, p->name, lacking, message)))
       return refuse_at(e->config, config_setting_get_member(member_of(e, "where"), p->name), "%s: %s", f->name, wrong);
   for (int i = 0; i < e->conditions; i++)
-    if ((wrong = wrong_with_condition(f, e->when[i], message)))
+    if ((wrong = condition_error(f, e->when[i], message)))
       return refuse_at(e->config, member_of(e, "when"), "%s: \"%s\": %s", f->name, e->when[i], wrong);
   return true;
 }
@@ -197,8 +197,8 @@ static bool read_parts(struct formula_entry *e)
   for (int i = 0; where && i < config_setting_length(where); i++) {
     const config_setting_t *at = member_at(where, i);
     const char *name = config_setting_name(at), *text = config_setting_get_string(at);
-    if (i == MOST_PARTS)
-      return refuse_at(e->config, at, "where has more than %d parts", MOST_PARTS);
+    if (i == MAX_PARTS)
+      return refuse_at(e->config, at, "where has more than %d parts", MAX_PARTS);
     if (!text)
       return refuse_at(e->config, at, "%s takes a formula in quotes", name);
     if (!check_name(e, at, name, "part", is_symbol(name) ? "it has a meaning in formulas" : NULL))
@@ -214,10 +214,10 @@ static bool read_claimed(struct config *c, struct formula_entry *e)
   const config_setting_t *at = member_of(e, "claimed");
   const char *text = at ? text_of(c, at) : NULL;
   long n = SCALLOP_EQUALITY;
-  bool good = !at || (text && (strcmp(text, "equality") == 0 || read_count(text, 1, MOST_CLAIMED, &n)));
+  bool good = !at || (text && (strcmp(text, "equality") == 0 || read_count(text, 1, MAX_CLAIMED, &n)));
   e->formula.remainder = at ? (int)n : 0;
   return good
-         || refuse_at(c, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"", MOST_CLAIMED);
+         || refuse_at(c, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"", MAX_CLAIMED);
 }
 
 /* Adds the formula of a group. Returns false after a message if it has no meaning. */
@@ -268,7 +268,7 @@ static bool read_root(struct config *c, name_is_taken *taken)
     const char *name = user_formula(i)->name, *corrected = user_formula(i)->corrected;
     if (corrected && !formula_named(corrected))
       return refuse_at(c, member_of(entry_named(name), "corrected"), "%s: there is no formula '%s'%s", name, corrected,
-                       formula_instead(corrected));
+                       formula_hint(corrected));
   }
   return i > first || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
 }
@@ -303,7 +303,7 @@ enum exit_code formula_file_read(const char *command, const char *path, const ch
   return code == EXIT_DONE && !read_root(c, taken) ? EXIT_USAGE : code;
 }
 
-enum exit_code user_formula_add(const char *command, const struct formula_given *given)
+enum exit_code user_formula_add(const char *command, const struct formula_option *given)
 {
   bool is_steady = word_place(given->of, formula_quantities) >= FORMULA_STEADY;
   const char *const texts[][2] = {
@@ -330,9 +330,9 @@ const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula
   return text;
 }
 
-void formula_files_forget(void)
+void formula_files_free(void)
 {
-  forget_user_formulas();
+  user_formulas_free();
   for (struct formula_file *first; (first = files);) {
     files = first->next;
     config_close(&first->config);

@@ -13,7 +13,7 @@
 static const double tolerance = 1e-12;
 
 /* HALVINGS: how often a cell in which boundaries meet is divided into quarters */
-enum { MOST_CHANGES = 8, HALVINGS = 5, MOST_NODES = 2001 };
+enum { MAX_CHANGES = 8, HALVINGS = 5, MAX_NODES = 2001 };
 
 struct place { /* in the square, from 0 to 1 along both axes; places with equal modes are in one region */
   double u, v;
@@ -26,14 +26,14 @@ struct change { /* at (u, v), between places within the tolerance */
 };
 struct changes {
   int count, edge; /* edge: index of the first change on the current edge */
-  struct change list[4 * MOST_CHANGES];
+  struct change list[4 * MAX_CHANGES];
 };
 struct boundaries {
   const struct breakdown_options *options;
   const struct sweep_variable *axes[2];
   int cells[2];
   struct table table;
-  struct place nodes[2][MOST_NODES]; /* the current two lines of the grid; [j % 2] is line j */
+  struct place nodes[2][MAX_NODES]; /* the current two lines of the grid; [j % 2] is line j */
 };
 
 /* Returns the value at u: linear between the ends at 0 and 1, in the logarithm if the axis is logarithmic. */
@@ -68,7 +68,7 @@ static struct place place_at(const struct boundaries *b, double u, double v)
 
 static bool same(const struct place *a, const struct place *b) { return same_modes(a->answer.modes, b->answer.modes); }
 
-static double apart(const struct boundaries *b, double du, double dv)
+static double distance(const struct boundaries *b, double du, double dv)
 {
   return fmax(fabs(du) * scale_of(b->axes[0]), fabs(dv) * scale_of(b->axes[1]));
 }
@@ -77,10 +77,10 @@ static double apart(const struct boundaries *b, double du, double dv)
 static void add_change(const struct boundaries *b, struct changes *all, const struct change *c)
 {
   struct change *last = all->count > all->edge ? &all->list[all->count - 1] : NULL;
-  if (last && same(&last->after, &c->before) && apart(b, c->u - last->u, c->v - last->v) <= 2 * tolerance) {
+  if (last && same(&last->after, &c->before) && distance(b, c->u - last->u, c->v - last->v) <= 2 * tolerance) {
     *last = (struct change){ (last->u + c->u) / 2, (last->v + c->v) / 2, last->before, c->after };
     all->count -= same(&last->before, &last->after);
-  } else if (c->before.answer.status >= 0 && c->after.answer.status >= 0 && all->count < all->edge + MOST_CHANGES) {
+  } else if (c->before.answer.status >= 0 && c->after.answer.status >= 0 && all->count < all->edge + MAX_CHANGES) {
     all->list[all->count++] = *c;
   }
 }
@@ -92,7 +92,7 @@ static void find_changes(const struct boundaries *b, struct changes *all, const 
   double u = (from->u + to->u) / 2, v = (from->v + to->v) / 2; /* symmetric in from and to */
   if (same(from, to))
     return;
-  if (apart(b, to->u - from->u, to->v - from->v) <= tolerance) {
+  if (distance(b, to->u - from->u, to->v - from->v) <= tolerance) {
     add_change(b, all, &(struct change){ u, v, *from, *to });
     return;
   }
@@ -113,7 +113,7 @@ static struct changes changes_around(const struct boundaries *b, const struct pl
 }
 
 /* Returns a measure of sticking, by the regime and the number of modes with a stuck body; writes the modes. */
-static int sticking(char modes[MOTION_MODES_TEXT], const struct answer *a)
+static int sticking_measure(char modes[MOTION_MODES_TEXT], const struct answer *a)
 {
   int zeros = 0;
   motion_modes_text(modes, OF_STEADY, a->modes);
@@ -129,7 +129,7 @@ static void write_part(struct boundaries *b, const struct change *from, double u
   const struct answer *sides[] = { &from->before.answer, &from->after.answer };
   bool rounded = from->before.rounded || from->after.rounded;
   char modes[2][MOTION_MODES_TEXT], what[MODE_CHANGE_TEXT];
-  int more = sticking(modes[0], sides[0]) - sticking(modes[1], sides[1]);
+  int more = sticking_measure(modes[0], sides[0]) - sticking_measure(modes[1], sides[1]);
   bool turned = more != 0 ? more > 0 : strcmp(modes[0], modes[1]) > 0;
   for (int i = 0; i < 4; i++)
     table_number(&b->table, value_at(b->axes[i % 2], ends[(i / 2) ^ turned][i % 2]));
@@ -147,7 +147,7 @@ static void write_quarters(struct boundaries *b, const struct place corner[4], i
 static void write_parts(struct boundaries *b, const struct place corner[4], const struct changes *around, int halvings)
 {
   const struct change *c = around->list;
-  int partner[4 * MOST_CHANGES], left = around->count;
+  int partner[4 * MAX_CHANGES], left = around->count;
   double u = 0, v = 0;
   for (int p = 0; p < around->count; p++)
     partner[p] = -1;
@@ -244,9 +244,9 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
   b.options = o;
   for (int i = 0; i < 2; i++) {
     const struct sweep_variable *v = b.axes[i] = map_axis(o, i);
-    if (v->count < 2 || v->count > MOST_NODES || !(v->from.number < v->to.number)) {
+    if (v->count < 2 || v->count > MAX_NODES || !(v->from.number < v->to.number)) {
       complain("breakdown", "--%c: --boundaries takes 2 to %d values along each axis, with FROM < TO", "xy"[i],
-               MOST_NODES);
+               MAX_NODES);
       return EXIT_USAGE;
     }
     b.cells[i] = (int)v->count - 1;

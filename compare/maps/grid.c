@@ -120,7 +120,7 @@ const char *breakdown_map(const struct breakdown_options *o, struct rows *rows)
   struct grid g = { o, rows, quantity_of_name(o->quantity.value) };
   const char *what = wrong_text("the %s of the steady state", quantity_rows[g.quantity].name);
   char *command;
-  if (!formula_file_serves("breakdown", o->request.formulas, is_about_quantity, &g.quantity, what))
+  if (!formula_file_applies("breakdown", o->request.formulas, is_about_quantity, &g.quantity, what))
     return "";
   rows->of = "map";
   if (asprintf(&command, "breakdown --map %s %s", o->map[0], o->map[1]) < 0)

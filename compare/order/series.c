@@ -48,7 +48,7 @@ static const char *find(int *place, struct tsv *t, const char *option, const cha
     *place = (int)number - 1;
   if (*place >= 0 || !*option)
     return NULL;
-  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name, t->columns > 0 ? instead_of(name, t->column) : "");
+  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name, t->columns > 0 ? name_hint(name, t->column) : "");
 }
 
 static const char *add_y(struct reader *r, int place, bool values)

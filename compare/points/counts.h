@@ -30,7 +30,7 @@ enum count {
 };
 
 /* True if the counts are printed: points are then solved one by one, because the batch call counts nothing. */
-extern bool counts_are_wanted;
+extern bool counts_are_printed;
 void count_add(enum count what, long n);
 void count_work(const struct scallop_work *work);
 /* Prints the counts to standard error. */

@@ -10,7 +10,7 @@
 #include "compare/tables/tsv.h"
 #include "compare/text/values.h"
 
-enum { MOST_ROWS = 100000 };
+enum { MAX_ROWS = 100000 };
 static const char no_memory[] = "out of memory";
 
 /* The places of the columns t and l; or t, x1 and x2 */
@@ -79,8 +79,8 @@ static const char *read_row(struct recording *r, struct tsv *tsv, const struct p
     r->skipped++;
     return NULL;
   }
-  if (r->count == MOST_ROWS)
-    return tsv_at(tsv, "more than %d rows", MOST_ROWS);
+  if (r->count == MAX_ROWS)
+    return tsv_at(tsv, "more than %d rows", MAX_ROWS);
   double *t = list_grown(r->t, r->count, sizeof *t);
   r->t = t ? t : r->t;
   double *l = list_grown(r->l, r->count, sizeof *l);

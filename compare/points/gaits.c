@@ -12,7 +12,7 @@
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 
-enum { MOST_GAITS = 65536, MESSAGE = 480 };
+enum { MAX_GAITS = 65536, MESSAGE = 480 };
 
 static char message[MESSAGE];
 
@@ -138,13 +138,13 @@ static const struct scallop_gait_family *family_of(const char *text, const char 
 bool gait_family_begins(const char *text) { return family_of(text, ":,") != NULL; }
 
 /* Returns the error for an unknown gait: the families, with the numbers they need, and the nearest name. */
-static const char *unknown(const char *text)
+static const char *unknown_gait_error(const char *text)
 {
-  enum { MOST = 32 };
-  const char *names[MOST] = { NULL }, *shown[MOST] = { NULL };
-  char name[40], list[320], with_numbers[MOST][40];
+  enum { MAX_NAMES = 32 };
+  const char *names[MAX_NAMES] = { NULL }, *shown[MAX_NAMES] = { NULL };
+  char name[40], list[320], with_numbers[MAX_NAMES][40];
   const struct scallop_gait_family *family;
-  for (int i = 0; i + 1 < MOST && (family = gait_family(i)) != NULL; i++) {
+  for (int i = 0; i + 1 < MAX_NAMES && (family = gait_family(i)) != NULL; i++) {
     bool must = family->numbers && !family->usual;
     snprintf(with_numbers[i], sizeof *with_numbers, "%s:%s", family->name, must ? family->numbers : "");
     names[i] = family->name;
@@ -172,31 +172,31 @@ static const char *make(struct made *m, const char *parameters)
   return message;
 }
 
-struct gait_answer gait_of_text(const char *text)
+struct gait_result gait_of_text(const char *text)
 {
   const struct scallop_gait *fixed = scallop_gait_named(text);
   const struct made *made = fixed ? NULL : find(text);
   if (fixed || made)
-    return (struct gait_answer){ .gait = fixed ? fixed : made->gait };
+    return (struct gait_result){ .gait = fixed ? fixed : made->gait };
   const struct scallop_gait_family *family = family_of(text, ":");
   const char *colon = strchr(text, ':'), *wrong = NULL;
   if (!family || family->fixed || (colon && !family->allowed))
-    return (struct gait_answer){ NULL, GAIT_UNKNOWN, unknown(text) };
+    return (struct gait_result){ NULL, GAIT_UNKNOWN, unknown_gait_error(text) };
   if (strlen(text) > GAIT_TEXT - sizeof "--gait ")
     wrong = "the name of a gait is shorter than this";
-  else if (made_count == MOST_GAITS)
+  else if (made_count == MAX_GAITS)
     wrong = "this is one gait too many: 65536 different ones are the most";
   if (wrong)
-    return (struct gait_answer){ NULL, GAIT_UNKNOWN, wrong };
+    return (struct gait_result){ NULL, GAIT_UNKNOWN, wrong };
   struct made *new = calloc(1, sizeof *new);
   if (new)
     *new = (struct made){ .source.family = family, .text = strdup(text) };
   wrong = !new || !new->text ? "out of memory" : make(new, colon ? colon + 1 : family->usual ? family->usual : "");
   if (!wrong)
-    return (struct gait_answer){ .gait = new->gait };
+    return (struct gait_result){ .gait = new->gait };
   enum gait_fault fault = new &&new->is_unreadable ? GAIT_UNREADABLE : GAIT_UNKNOWN;
   discard(new);
-  return (struct gait_answer){ NULL, fault, wrong };
+  return (struct gait_result){ NULL, fault, wrong };
 }
 
 const char gait_no_ends[] =

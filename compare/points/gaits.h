@@ -13,13 +13,13 @@ const struct scallop_gait_family *gait_family(int i);
 enum { GAIT_TEXT = 4096 };
 
 enum gait_fault { GAIT_FINE, GAIT_UNKNOWN, GAIT_UNREADABLE };
-struct gait_answer {
+struct gait_result {
   /* its name is the text; valid until the program ends; equal texts return the same gait */
   const struct scallop_gait *gait;
   enum gait_fault fault; /* UNREADABLE: the file could not be read                */
   const char *wrong;     /* the error if gait is NULL, valid until the next call */
 };
-struct gait_answer gait_of_text(const char *text);
+struct gait_result gait_of_text(const char *text);
 
 /* Returns true if text begins with the name of a family, up to a colon, a comma or the end of text. */
 bool gait_family_begins(const char *text);

@@ -124,7 +124,7 @@ const char *point_set_number(struct point *p, int place, const char *text)
 
 static const char *set_gait(struct point *p, const char *text)
 {
-  struct gait_answer answer = gait_of_text(text);
+  struct gait_result answer = gait_of_text(text);
   p->unreadable = answer.fault == GAIT_UNREADABLE;
   if (!answer.gait)
     return answer.wrong;

@@ -9,7 +9,7 @@
 /* Returns true if a name that is not a parameter is probably a misspelling of one. Only letters and digits count; a
  * parameter of one letter must agree in case: `t` is a time; a longer one (alpha, phase) may differ in a few letters
  * other than the first. */
-static bool means(const char *name, const char *parameter)
+static bool is_misspelling(const char *name, const char *parameter)
 {
   const char *const names[] = { parameter, NULL };
   char plain[40];
@@ -42,7 +42,7 @@ static const char *read_column(struct point_file *r, int i, const char *name, co
       continue;
     if (strcmp(name, p->name) == 0)
       r->parameter[i] = p;
-    else if (!name_among(crawler_parameters, name) && !name_among(extra, name) && means(name, p->name))
+    else if (!name_among(crawler_parameters, name) && !name_among(extra, name) && is_misspelling(name, p->name))
       return tsv_at(&r->tsv, "unknown column '%.80s'%s", name, did_you_mean(p->name));
   }
   for (int k = 0; k < i && r->parameter[i]; k++)

@@ -23,7 +23,7 @@ static void discard(void *kept)
   flint_free(w);
 }
 
-static struct written *work_out(const struct scallop_gait *gait, const struct gait_source *source)
+static struct written *derive_gait(const struct scallop_gait *gait, const struct gait_source *source)
 {
   struct written *w = flint_malloc(sizeof *w);
   fmpq *x = _fmpq_vec_init(source->count);
@@ -45,7 +45,7 @@ static const struct written *written_of(const struct scallop_gait *gait)
     return NULL;
   pthread_mutex_lock(&by_one_thread);
   if (!source->kept) {
-    source->kept = work_out(gait, source);
+    source->kept = derive_gait(gait, source);
     source->discard = discard;
   }
   pthread_mutex_unlock(&by_one_thread);

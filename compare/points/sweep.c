@@ -165,7 +165,7 @@ double sweep_number(struct sweep_walk *w, const struct sweep_group *g, int varia
 }
 
 /* Sets the parameters that follow from ratios and the other parameters; T from the Froude number last. */
-static void settle(struct sweep_place *p)
+static void set_dependent(struct sweep_place *p)
 {
   const struct scallop_crawler *c = &p->point.crawler;
   const double *ratio = p->point.ratio;
@@ -189,7 +189,7 @@ void sweep_set(struct sweep_place *p, const struct sweep_variable *v, double val
 {
   number_text(p->written[v->place], value, 0);
   note(p, v->name, point_set(&p->point, v->name, p->written[v->place]));
-  settle(p);
+  set_dependent(p);
 }
 
 /* Sets place[g + 1]: place[g] and value i of group g. */
@@ -214,7 +214,7 @@ static void step(struct sweep_walk *w, int g, long i, sweep_formula *value, void
       note(p, v->name, point_set(&p->point, v->name, text));
   }
   bool was_outside = p->why[0] != '\0';
-  settle(p);
+  set_dependent(p);
   if (!was_outside && !is_last) /* a faster group may make it valid */
     p->why[0] = '\0';
   p->ends_group = is_last && i == group->count - 1;

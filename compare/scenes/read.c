@@ -43,8 +43,8 @@ static bool read_start(struct scene *s, const config_setting_t *start)
   const char *text = start ? text_of(&s->config, start) : "rest";
   struct point *base = &s->request.point;
   base->has_v0 = false;
-  s->request.asked->from_steady = text && strcmp(text, "steady") == 0;
-  if (s->request.asked->from_steady || (text && strcmp(text, "rest") == 0))
+  s->request.required->from_steady = text && strcmp(text, "steady") == 0;
+  if (s->request.required->from_steady || (text && strcmp(text, "rest") == 0))
     return true;
   return (text && !point_set(base, "v0", text))
          || refuse_at(&s->config, start, "start is \"rest\", \"steady\" or a velocity");
@@ -77,7 +77,7 @@ static bool read_root(struct scene *s, const config_setting_t *root)
 {
   static const char *const phases[] = { "extension", "contraction", NULL };
   static const struct member members[] = { MEMBER(TEXT, "title", scene, head.title, ),
-                                           MEMBER(TEXTS, "notes", scene, head.note, .high = MOST_NOTES,
+                                           MEMBER(TEXTS, "notes", scene, head.note, .high = MAX_NOTES,
                                                   .count = offsetof(struct scene, head.notes)),
                                            MEMBER(WORD, "phase", scene, request.point.phase, .words = phases),
                                            MEMBER(TEXT, "formulas", scene, formulas, ),
@@ -109,7 +109,7 @@ static char *name_of(const char *path)
 void scene_free(struct scene *s)
 {
   sweep_free(&s->request.sweep);
-  asked_free(s->request.asked);
+  requirements_free(s->request.required);
   free(s->name);
   config_close(&s->config);
   *s = (struct scene){ .name = NULL };
@@ -120,12 +120,12 @@ enum exit_code scene_read(struct scene *s, const struct scene_source *source, co
   *s = (struct scene){
     .name = name_of(source->path),
     .head.given = &given->point,
-    .request = { .style = given->style, .point = given->point, .asked = asked_nothing(given->style.command) }
+    .request = { .style = given->style, .point = given->point, .required = requirements_new(given->style.command) }
   };
   s->head.scene = s->name;
   s->request.scene = &s->head;
   enum exit_code code = config_open(&s->config, given->style.command, source->path, source->text, shipped_scenes);
-  if (code == EXIT_DONE && (!s->name || !s->request.asked)) {
+  if (code == EXIT_DONE && (!s->name || !s->request.required)) {
     refuse_at(&s->config, NULL, "out of memory");
     return EXIT_UNSOLVED;
   }

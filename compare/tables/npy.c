@@ -11,7 +11,7 @@
 #include "compare/text/digits.h"
 #include "compare/text/values.h"
 
-enum { LEAST_TEXT = 8, LEAST_MIXED = 32, LONGEST_DOUBLE = 24, MOVED = 4096, ALIGNMENT = 64, WIDEST = 1 << 30 };
+enum { MIN_TEXT = 8, MIN_MIXED = 32, LONGEST_DOUBLE = 24, MOVED = 4096, ALIGNMENT = 64, WIDEST = 1 << 30 };
 
 void npy_begin(struct npy *n, int columns)
 {
@@ -33,7 +33,7 @@ static int joint(int a, int b)
   const int wider = a > b ? a : b;
   if (a == b || a < 0 || b < 0)
     return wider;
-  return (a == 0 || b == 0) && wider < LEAST_MIXED ? LEAST_MIXED : wider;
+  return (a == 0 || b == 0) && wider < MIN_MIXED ? MIN_MIXED : wider;
 }
 
 static void put_double(char *to, int width, double x)
@@ -115,7 +115,7 @@ static bool is_number(const struct table_cell *c, double *x)
 static int width_of(const char *text)
 {
   const size_t length = strlen(text);
-  int width = LEAST_TEXT;
+  int width = MIN_TEXT;
   while (width < WIDEST && (size_t)width < length)
     width *= 2;
   return width;

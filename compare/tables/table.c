@@ -37,7 +37,7 @@ static enum format format_of(const struct style *style)
   return to_people ? FORMAT_TABLE : style->format;
 }
 
-bool table_is_for_people(const struct style *style) { return format_of(style) == FORMAT_TABLE; }
+bool table_is_aligned(const struct style *style) { return format_of(style) == FORMAT_TABLE; }
 
 const char no_npy_to_pipe[] =
     "--format npy needs -o FILE, the name of a file that is no pipe or device: the head of the "
@@ -66,7 +66,7 @@ bool table_open(struct table *t, const struct style *style)
   s->format = format_of(style);
   s->aligned.upright = style->upright;
   s->aligned.gathers = !style->chosen;
-  s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
+  s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? ALIGNED_DIGITS
               : style->digits <= DBL_DECIMAL_DIG              ? style->digits
                                                               : 0;
   bool open = open_sink(t, style->output) && (!style->plot.file || open_sink(t, style->plot.file));

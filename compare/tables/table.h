@@ -16,7 +16,7 @@
 
 /* FORMAT_TABLE: aligned (aligned.h), with 6 significant digits; the default on a terminal */
 enum format { FORMAT_TSV, FORMAT_JSON, FORMAT_CSV, FORMAT_MARKDOWN, FORMAT_TABLE, FORMAT_NPY, FORMATS };
-enum { PEOPLE_DIGITS = 6 };
+enum { ALIGNED_DIGITS = 6 };
 extern const char *const format_names[FORMATS + 1]; /* NULL-terminated */
 extern const char no_npy_to_pipe[];                 /* the error of FORMAT_NPY to a pipe */
 
@@ -85,7 +85,7 @@ bool table_open(struct table *table, const struct style *style);
   (table_note((table), "scallop " SCALLOP_VERSION), table_note((table), "command: " __VA_ARGS__))
 #define table_head(table, style, ...) (table_open((table), (style)) && (table_command((table), __VA_ARGS__), true))
 /* Returns true if the table will be aligned. */
-bool table_is_for_people(const struct style *style);
+bool table_is_aligned(const struct style *style);
 /* Writes a '#' line before the columns or after the rows of a TSV or an aligned table; other formats have no such
  * lines, except the head of FORMAT_NPY. */
 void table_note(struct table *table, const char *format, ...) __attribute__((format(printf, 2, 3)));

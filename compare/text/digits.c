@@ -11,7 +11,7 @@ _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 && si
 
 __extension__ typedef unsigned __int128 wide;
 
-enum { LEAST_POWER = -48, MOST_POWER = 48 };
+enum { MIN_POWER = -48, MAX_POWER = 48 };
 
 /* 10^k = 2^two g with 2^127 <= g < 2^128. g is exact for k >= 0, because 5^k has at most 112 bits; else it is too small
  * by less than 2^10, because each step truncates less than 16. */
@@ -19,7 +19,7 @@ struct power {
   wide g;
   int two;
 };
-static struct power powers[MOST_POWER - LEAST_POWER + 1];
+static struct power powers[MAX_POWER - MIN_POWER + 1];
 
 static struct power normal(wide g, int two)
 {
@@ -31,9 +31,9 @@ static struct power normal(wide g, int two)
 static void make_powers(void)
 {
   struct power up = { (wide)1 << 127, -127 }, down = up;
-  for (int k = 0; k <= MOST_POWER; k++) {
-    powers[k - LEAST_POWER] = up;
-    powers[-k - LEAST_POWER] = down;
+  for (int k = 0; k <= MAX_POWER; k++) {
+    powers[k - MIN_POWER] = up;
+    powers[-k - MIN_POWER] = down;
     up = normal(up.g / 8 * 5, up.two + 4);
     down = normal(down.g / 5, down.two - 1);
   }
@@ -44,7 +44,7 @@ static const struct power *power(long k)
 {
   if (powers[0].g == 0)
     make_powers();
-  return k < LEAST_POWER || k > MOST_POWER ? NULL : &powers[k - LEAST_POWER];
+  return k < MIN_POWER || k > MAX_POWER ? NULL : &powers[k - MIN_POWER];
 }
 
 /* Returns factor g / 2^64, too small by less than the error of g plus 1. */
@@ -68,7 +68,7 @@ static bool nearest_double(uint64_t w, long k, double *x)
   return rest + error < half || rest > half + error;
 }
 
-enum { MOST_DIGITS = 17 };
+enum { MAX_DIGITS = 17 };
 
 /* Writes digits, the first of which is worth 10^exponent, in the layout of "%.*g". digits is padded by zeros. */
 static void lay_out(char *to, const char *digits, int count, int exponent, int precision)
@@ -76,13 +76,13 @@ static void lay_out(char *to, const char *digits, int count, int exponent, int p
   const bool has_exponent = exponent < -4 || exponent >= precision;
   const int point = has_exponent ? 1 : exponent + 1; /* digits before it, or 0 and less: zeros behind it */
   if (point > 0) {
-    memcpy(to, digits, MOST_DIGITS);
+    memcpy(to, digits, MAX_DIGITS);
     to[point] = '.';
-    memcpy(to + point + 1, digits + point, MOST_DIGITS);
+    memcpy(to + point + 1, digits + point, MAX_DIGITS);
     to += count > point ? count + 1 : point;
   } else {
     memcpy(to, "0.000", sizeof "0.000");
-    memcpy(to + 2 - point, digits, MOST_DIGITS);
+    memcpy(to + 2 - point, digits, MAX_DIGITS);
     to += 2 - point + count;
   }
   *to = '\0';
@@ -93,8 +93,8 @@ static void lay_out(char *to, const char *digits, int count, int exponent, int p
 /* Writes n 10^(exponent - 16), 10^16 <= n <= 10^17. */
 static void write_digits(char *text, uint64_t n, int exponent, int precision)
 {
-  char digits[2 * MOST_DIGITS];
-  int count = MOST_DIGITS;
+  char digits[2 * MAX_DIGITS];
+  int count = MAX_DIGITS;
   if (n == 100000000000000000U) {
     n /= 10;
     exponent++;
@@ -103,7 +103,7 @@ static void write_digits(char *text, uint64_t n, int exponent, int precision)
   uint32_t left = (uint32_t)(n / 100000000), right = (uint32_t)(n % 100000000); /* 9 digits and 8: faster than 17 */
   for (int i = 8; i >= 0; i--, left /= 10)
     digits[i] = (char)('0' + left % 10);
-  for (int i = MOST_DIGITS; right > 0; right /= 10)
+  for (int i = MAX_DIGITS; right > 0; right /= 10)
     digits[--i] = (char)('0' + right % 10);
   while (digits[count - 1] == '0')
     count--;
@@ -137,7 +137,7 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits)
   const wide least_half = mantissa == hidden ? half_ulp / 2 : half_ulp; /* doubles below a power of 2 are nearer */
   int precision = digits > 0 ? (int)digits : 15;
   uint64_t step = unit;
-  for (int i = precision; i < MOST_DIGITS; i++)
+  for (int i = precision; i < MAX_DIGITS; i++)
     step *= 10;
   for (; step >= unit; precision++, step /= 10) {
     const uint64_t rest = step <= 1000 ? (uint32_t)(whole % 1000) % (uint32_t)step : whole % step;
@@ -156,7 +156,7 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits)
 void number_text(char text[NUMBER_TEXT], double x, long digits)
 {
   int precision = digits > 0 ? (int)digits : 15;
-  if (digits <= MOST_DIGITS && digits_write_quickly(text, x, digits))
+  if (digits <= MAX_DIGITS && digits_write_quickly(text, x, digits))
     return;
   do
     snprintf(text, NUMBER_TEXT, "%.*g", precision, isnan(x) ? NAN : x); /* nan of either sign */
@@ -172,7 +172,7 @@ int digits_known(double x, double unknown)
 
 bool digits_read(const char *text, double *x)
 {
-  enum { MOST_READ = 19, MOST_OF_EXPONENT = 4 };
+  enum { MAX_READ = 19, MAX_EXPONENT = 4 };
   const bool negative = *text == '-';
   bool point = false;
   uint64_t w = 0;
@@ -187,12 +187,12 @@ bool digits_read(const char *text, double *x)
       k -= point;
     }
   }
-  if (w == 0 || count > MOST_READ)
+  if (w == 0 || count > MAX_READ)
     return false;
   if (*text == 'e' || *text == 'E') {
     const char *digits = text + 1 + (text[1] == '-' || text[1] == '+');
     const size_t length = strspn(digits, "0123456789");
-    k += length > 0 && length <= MOST_OF_EXPONENT ? strtol(text + 1, NULL, 10) : MOST_POWER + count;
+    k += length > 0 && length <= MAX_EXPONENT ? strtol(text + 1, NULL, 10) : MAX_POWER + count;
     text = digits + length;
   }
   if (*text != '\0' || !nearest_double(w, k, &size))

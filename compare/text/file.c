@@ -23,7 +23,7 @@ static void remove_unfinished(void)
 
 static volatile pid_t child; /* the script that writes to one of these files, or 0 */
 
-static void end_by(int signal_number)
+static void handle_signal(int signal_number)
 {
   if (child > 0 && kill(-child, SIGKILL) == 0) /* else the script would create the file again */
     waitpid(child, NULL, 0);
@@ -32,11 +32,11 @@ static void end_by(int signal_number)
   raise(signal_number);
 }
 
-static void watch_for_the_end(void)
+static void catch_signals(void)
 {
   static const int ends[] = { SIGHUP, SIGINT, SIGTERM };
   static bool watched;
-  struct sigaction before, ours = { .sa_handler = end_by };
+  struct sigaction before, ours = { .sa_handler = handle_signal };
   sigfillset(&ours.sa_mask);
   if (!watched)
     watched = atexit(remove_unfinished) == 0;
@@ -45,13 +45,13 @@ static void watch_for_the_end(void)
       sigaction(ends[i], &ours, NULL);
 }
 
-static struct stat *was_read;
+static struct stat *files_read;
 static int read_count;
 
-static int is_noted(const struct stat *file)
+static int check_read(const struct stat *file)
 {
   for (int i = 0; i < read_count && S_ISREG(file->st_mode); i++)
-    if (was_read[i].st_dev == file->st_dev && was_read[i].st_ino == file->st_ino)
+    if (files_read[i].st_dev == file->st_dev && files_read[i].st_ino == file->st_ino)
       return FILE_IS_READ;
   return 0;
 }
@@ -60,19 +60,19 @@ FILE *file_read(const char *path)
 {
   FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "r");
   struct stat there, *grown;
-  if (!file || fstat(fileno(file), &there) != 0 || !S_ISREG(there.st_mode) || is_noted(&there))
+  if (!file || fstat(fileno(file), &there) != 0 || !S_ISREG(there.st_mode) || check_read(&there))
     return file;
-  if ((grown = list_grown(was_read, read_count, sizeof there))) {
-    was_read = grown;
-    was_read[read_count++] = there;
+  if ((grown = list_grown(files_read, read_count, sizeof there))) {
+    files_read = grown;
+    files_read[read_count++] = there;
   }
   return file;
 }
 
-int file_spares(const char *path)
+int file_check_output(const char *path)
 {
   struct stat there;
-  return (path ? stat(path, &there) : fstat(STDOUT_FILENO, &there)) == 0 ? is_noted(&there) : 0;
+  return (path ? stat(path, &there) : fstat(STDOUT_FILENO, &there)) == 0 ? check_read(&there) : 0;
 }
 
 const char *file_error(int error)
@@ -92,7 +92,7 @@ static int open_temporary(struct file *f, const struct stat *earlier)
     f->temporary = unfinished[i][0] ? NULL : unfinished[i];
   if (!f->temporary)
     return EMFILE;
-  watch_for_the_end();
+  catch_signals();
   snprintf(f->temporary, NAME, "%.*s%.*s.scallop-XXXXXX", folder, f->target, LONGEST_HEAD, f->target + folder);
   int descriptor = mkstemp(f->temporary);
   f->stream = descriptor < 0 ? NULL : fdopen(descriptor, "w");
@@ -106,7 +106,7 @@ static int open_temporary(struct file *f, const struct stat *earlier)
   return error;
 }
 
-static void forget(struct file *f)
+static void release(struct file *f)
 {
   if (f->temporary)
     f->temporary[0] = '\0';
@@ -126,7 +126,7 @@ int file_open(struct file *f, const char *path)
 {
   struct stat there;
   *f = (struct file){ .stream = stdout };
-  int error = file_spares(path);
+  int error = file_check_output(path);
   if (error != 0 || !path || leads_to_standard_output(path))
     return error;
   bool exists = stat(path, &there) == 0;
@@ -139,7 +139,7 @@ int file_open(struct file *f, const char *path)
   f->target = exists ? realpath(path, NULL) : strdup(path);
   error = f->target ? open_temporary(f, exists ? &there : NULL) : errno;
   if (error != 0)
-    forget(f);
+    release(f);
   return error;
 }
 
@@ -155,7 +155,7 @@ int file_flush(struct file *f)
 
 /* Closes the stream. Standard output stays open: closing a copy of it reports the same errors. Returns false after an
  * error. */
-static bool closes(FILE *stream)
+static bool close_stream(FILE *stream)
 {
   int copy = stream == stdout ? dup(STDOUT_FILENO) : -1;
   return stream == stdout ? copy < 0 || close(copy) == 0 : fclose(stream) == 0;
@@ -164,15 +164,15 @@ static bool closes(FILE *stream)
 int file_close(struct file *f, bool keep)
 {
   int error = keep ? file_flush(f) : 0;
-  if (!closes(f->stream) && error == 0)
+  if (!close_stream(f->stream) && error == 0)
     error = errno;
   if (f->target && keep && error == 0)
-    error = file_spares(f->target);
+    error = file_check_output(f->target);
   if (f->target && keep && error == 0 && rename(f->temporary, f->target) != 0)
     error = errno;
   if (f->target && (!keep || error != 0))
     unlink(f->temporary);
-  forget(f);
+  release(f);
   return error;
 }
 

@@ -17,7 +17,7 @@ enum { FILE_IS_READ = -1 }; /* an error besides errno: file_read has opened the 
 /* Opens a file for reading, or standard input for "-". The functions below never write to a plain file opened here. */
 FILE *file_read(const char *path);
 /* Returns 0 if output may go to path (NULL: standard output), else FILE_IS_READ. */
-int file_spares(const char *path);
+int file_check_output(const char *path);
 /* Returns the text of an error. */
 const char *file_error(int error);
 

@@ -109,7 +109,7 @@ const char *nearest(const char *word, const char *const *names) { return nearest
 
 const char *did_you_mean(const char *near) { return near ? wrong_text(": did you mean '%.120s'?", near) : ""; }
 
-const char *instead_of(const char *word, const char *const *names)
+const char *name_hint(const char *word, const char *const *names)
 {
   char list[400];
   const char *near = nearest(word, names);

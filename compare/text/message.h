@@ -35,7 +35,7 @@ const char *did_you_mean(const char *near);
 
 /* Returns the end of a message about an unknown word: did_you_mean of the nearest name (of a NULL-terminated list), or
  * the list of names. */
-const char *instead_of(const char *word, const char *const *names);
+const char *name_hint(const char *word, const char *const *names);
 
 /* Returns the number of bytes, 1 to 4, of the first character of a text in UTF-8; 0 at its end, for invalid bytes and
  * for a control character. A terminal and XML can show all other characters. */

@@ -48,7 +48,7 @@ double stopwatch_long_enough(const struct stopwatch_clock *clock)
   return fmax(2e-4, 1e3 * fmax(clock->cost, clock->step));
 }
 
-bool stopwatch_lasts(void *context)
+bool stopwatch_is_running(void *context)
 {
   struct stopwatch_limit *limit = context;
   return limit->checks++ % 16 != 0 || stopwatch_now() < limit->end;

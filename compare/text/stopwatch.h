@@ -36,6 +36,6 @@ struct stopwatch_limit {
   double end; /* a time of stopwatch_now() */
   long checks;
 };
-bool stopwatch_lasts(void *limit); /* returns true before the end */
+bool stopwatch_is_running(void *limit); /* returns true before the end */
 
 #endif

@@ -26,15 +26,15 @@ const char *not_allowed(const char *text, const char *allowed);
 const char *no_number(const char *text, const char *allowed);
 
 /* Values of options, and whether they were given */
-struct given_number {
+struct optional_number {
   double value;
   bool given;
 };
-struct given_count {
+struct optional_count {
   long value;
   bool given;
 };
-struct given_word {
+struct optional_word {
   const char *value;
   bool given;
 };
