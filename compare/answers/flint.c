@@ -29,7 +29,7 @@ const struct flint_part *load_flint(const char *command, const char *what)
   if (part && strcmp(part->version, SCALLOP_VERSION) == 0)
     return part;
   if (part)
-    complain(command, "%s needs FLINT, and %s is that of scallop %s", what, path, part->version);
+    complain(command, "%s needs FLINT, and %s belongs to scallop %s", what, path, part->version);
   else if (access(path, F_OK) == 0)
     complain(command, "%s needs FLINT: %s", what, dlerror());
   else

@@ -68,7 +68,7 @@ const struct quantity_row quantity_rows[] = {
   { "first_transition_T", .kind = QUANTITY_STUDIED, .which = STUDIED_TRANSITION_T },
   { "first_transition_froude", .kind = QUANTITY_FORMULA,
     .formula = "(m1 + m2)/(F1 + F2)*L/first_transition_T/first_transition_T" },
-  { "reversals", NULL, "likewise", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_REVERSALS },
+  { "reversals", NULL, "reversals along T", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_REVERSALS },
   { "best_order", NULL, "the terms below T^best_order have the least error of the displacement at this T",
     .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ORDER },
   { "best_error", NULL, "that error", .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ERROR },

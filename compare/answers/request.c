@@ -69,6 +69,6 @@ void print_recording(const struct point *p, const struct style *style)
   fprintf(stderr, "scallop %s: note: %.200s: %s; %s\n", style->command, gait->name + strlen("measured:"), file->columns,
           text);
   if (reversals > 0)
-    fprintf(stderr, "scallop %s: note: l' changes its sign %d times within the phases: noise, perhaps\n",
+    fprintf(stderr, "scallop %s: note: l' changes its sign %d times within the phases, probably by noise\n",
             style->command, reversals);
 }

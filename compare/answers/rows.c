@@ -83,11 +83,11 @@ static const char *column_error(const struct sheet *s, const struct column *colu
   const struct quantity *series = q->of >= 0 ? &s->required->quantities.item[q->of] : q;
   bool is_number = !quantity_is_text(q) || q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_CARRIED;
   if (column->formula && !is_number)
-    return "is a text, which stands alone in a column";
+    return "is a text and cannot be part of a formula";
   if (q->kind == QUANTITY_SAMPLE && !s->of_samples)
     return "is a quantity of a trajectory";
   if (q->kind == QUANTITY_STATUS && s->of_samples)
-    return "is nothing that a trajectory has: it ends where it cannot go on";
+    return "is not a quantity of a trajectory";
   if (s->required->from_steady && q->motion == OF_PHASE && is_derived(series))
     return "is derived for a start that stays the same as T falls: from rest, or from a velocity";
   return NULL;
@@ -214,14 +214,14 @@ static const char *set_accuracy(struct rows *r)
     bool fine = q->accuracy.given && q->accuracy.value < ACCURACY_OF_DOUBLES;
     bool certified = q->reference.given && strcmp(q->reference.value, "certified") == 0;
     if (fine && q->reference.given && !certified)
-      return "the exact solver works in doubles, whose errors are told down to 1e-10: a finer accuracy needs the "
+      return "the exact solver works in doubles and resolves errors down to 1e-10: a finer accuracy needs the "
              "reference certified";
     required->certified_errors |= certified || fine;
     required->accuracy = fmin(q->accuracy.given ? q->accuracy.value : INFINITY, required->accuracy);
   }
   r->sheet.digits = q->style.digits > 0 ? q->style.digits : q->scene ? DIGITS_OF_DOUBLE : CERTIFIED_DIGITS;
   if (q->style.digits > DIGITS_OF_DOUBLE && !sheet_takes(&r->sheet, is_certified))
-    return "so many digits are more than a double has, and no column is certified: certified.displacement is, for one";
+    return "the digits are more than a double has, and no column is certified: use certified.displacement, for one";
   required->digits = r->sheet.digits > required->digits ? r->sheet.digits : required->digits;
   return NULL;
 }
@@ -306,8 +306,8 @@ static bool note_given(struct rows *r)
       not_given[count++] = crawler_parameters[i];
   }
   if (count <= CRAWLER_NUMBERS)
-    table_note(&r->table, "in place of what the scene says of them:%s%s", parameters_text(text, p, not_given, true),
-               renamed ? " (of the crawler, not the column)" : "");
+    table_note(&r->table, "given on the command line in place of the scene's:%s%s",
+               parameters_text(text, p, not_given, true), renamed ? " (of the crawler, not the column)" : "");
   return count <= CRAWLER_NUMBERS;
 }
 

@@ -77,8 +77,7 @@ struct rows_set {
  * NULL, and writes the tables to the disk. Returns the exit code, after a message on stderr. */
 struct point_file;
 enum exit_code rows_visit(struct rows_set *set, struct point_file *file);
-/* Closes the tables. keep: they replace the earlier files; else those are kept. Returns false if one cannot be
- * written. */
+/* Closes the tables. keep: they replace the earlier files, else these remain. Returns false if writing fails. */
 bool rows_close(struct rows_set *set, bool keep);
 
 /* Returns the number of threads, from 1 to MAX_THREADS: as given, else OMP_NUM_THREADS, else the number of processors

@@ -6,6 +6,7 @@
 #include <string.h>
 
 const char shard_end[] = "end of shard";
+static const char not_shard[] = "it is not a shard: its head has no line '# shard: ...'";
 
 static uint64_t fold(uint64_t name, const char *bytes, size_t size) /* FNV-1a */
 {
@@ -63,7 +64,7 @@ static const char *read_lines(struct shard_file *s)
   bool found = fseeko(s->file, -(off_t)length, SEEK_END) == 0 && (s->end = ftello(s->file)) >= s->begin
                && fread(last, 1, (size_t)length, s->file) == (size_t)length;
   if (!take_line(&s->shard, s->head))
-    return "it is no shard: its head has no line '# shard: ...'";
+    return not_shard;
   return found && strcmp(last, expected) == 0 ? NULL : "it is cut off: its last line is not '# end of shard'";
 }
 
@@ -74,7 +75,7 @@ static const char *read_array(struct shard_file *s)
   char *end = s->head ? strrchr(s->head, '#') : NULL; /* blanks pad the head behind the last '#' line */
   if (end)
     end[strcspn(end, "\n") + 1] = '\0';
-  return wrong ? wrong : take_line(&s->shard, s->head) ? NULL : "it is no shard: its head has no line '# shard: ...'";
+  return wrong ? wrong : take_line(&s->shard, s->head) ? NULL : not_shard;
 }
 
 const char *shard_open(struct shard_file *s, FILE *file)

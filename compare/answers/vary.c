@@ -44,9 +44,9 @@ static const char *add(struct request *r, const struct sweep_variable *v)
   struct sweep_group *g = &product->group[product->groups - 1];
   double points = 1;
   if (g->variables == SWEEP_VARIABLES)
-    return wrong_text("more than %d variables go together here", SWEEP_VARIABLES);
+    return wrong_text("more than %d variables in one group", SWEEP_VARIABLES);
   if (v->count > 1 && g->count > 1 && v->count != g->count)
-    return wrong_text("%ld values, but those before it in this group have %ld: they go on together", v->count,
+    return wrong_text("%ld values, but the variables before it in this group have %ld: they advance together", v->count,
                       g->count);
   g->count = v->count > g->count ? v->count : g->count;
   for (int i = 0; i < product->groups; i++)
@@ -101,7 +101,7 @@ const char *vary_end(const struct request *r, const char *text, struct sweep_end
     return NULL;
   const char *wrong = r->required ? sheet_formula(r->required, &end->formula, text) : "a finite number";
   if (wrong)
-    return wrong_text("'%.100s' is no number, nor a formula: %s", text, wrong);
+    return wrong_text("'%.100s' is neither a number nor a formula: %s", text, wrong);
   end->is_formula = true;
   for (int i = formula_places(&end->formula, places); i-- > 0;)
     if (!is_of_parameters(&r->required->quantities.item[places[i]]))
@@ -135,7 +135,7 @@ const char *vary_label(struct request *r, const char *name, struct sweep_variabl
   struct quantities *all = r->required ? &r->required->quantities : NULL;
   int place = 0;
   if (!all)
-    return "labels are columns of rows of points";
+    return "labels need a table with a row for each point";
   while (place < all->labels && strcmp(all->label[place], name) != 0)
     place++;
   if (place == all->labels) { /* a new label */
@@ -197,7 +197,7 @@ static const char *range_of_text(struct request *r, const struct sweep_variable 
   if (parts >= 3 && spacing >= 0 && read_count(part[2], strcmp(copy, part[1]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
     return vary_range(r, *v, copy, part[1], count, spacing == 1);
   return wrong_text(
-      "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
+      "'%.80s' is not a range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
       "or 1 where FROM = TO; both ends belong to it; with --sample also FROM:TO or FROM:TO:log",
       text, SWEEP_RANGE);
 }

@@ -289,7 +289,7 @@ static enum exit_code finish(struct rows_set *set, enum exit_code code)
   if (set->unsolved == 0)
     return set->rows->failed_checks > 0 ? EXIT_CHECK_FAILED : EXIT_DONE;
   if (has_many_points(request))
-    complain(command, "%ld of %ld points could not be solved: the column 'status' says why", set->unsolved,
+    complain(command, "%ld of %ld points could not be solved: the column 'status' states why", set->unsolved,
              set->points);
   else
     complain(command, "this point could not be solved: %s", set->why);
@@ -300,7 +300,7 @@ enum exit_code rows_table(struct rows *r)
 {
   const struct style *style = &r->request->style;
   if (r->request->shard.parts > 0 && ((r->visit && !r->any_order) || r->opens_late))
-    return complain(style->command, "--shard: this table has no row for each point by itself"), EXIT_USAGE;
+    return complain(style->command, "--shard: this table has no row for each point"), EXIT_USAGE;
   if (r->request->skip_complete && shard_is_complete(style->output, &r->request->shard))
     return EXIT_DONE;
   struct rows_set set = { .count = 1, .rows = r };

@@ -26,7 +26,7 @@ static const char *wrong_name(const char *name)
   bool may = *name != '\0';
   for (; *name; name++)
     may = may && *name >= ' ' && *name <= '~' && *name != '"' && *name != '\\';
-  return may ? NULL : "a column is called something of printable ASCII, without quotes and backslashes";
+  return may ? NULL : "the name of a column is printable ASCII, without quotes and backslashes";
 }
 
 static const char *read_formula(struct column *c, const char *text, const struct column_names *names, bool is_named)

@@ -18,10 +18,10 @@ static const char *explanation(const char *error)
   static const struct {
     const char *error, *explanation;
   } known[] = {
-    { "mismatched element type", ": within [ ] all are written alike, [1.0, 2.5]; within ( ) they need not be" },
-    { "syntax error", ": in this line or before it a ; , \" ) ] or } is missing or one too many, or a text has no "
-                      "quotes, or [ ] stands around groups, which ( ) takes" },
-    { "duplicate setting name", ": a group has each of its members once" }
+    { "mismatched element type", ": within [ ] all elements have one type, [1.0, 2.5]; within ( ) types may differ" },
+    { "syntax error", ": in this line or before it a ; , \" ) ] or } is missing or superfluous, or a text has no "
+                      "quotes, or groups are within [ ] instead of ( )" },
+    { "duplicate setting name", ": a group has each member only once" }
   };
   for (size_t i = 0; error && i < sizeof known / sizeof *known; i++)
     if (strstr(error, known[i].error))
@@ -50,7 +50,7 @@ static const char *token_error(const char *token, size_t length)
 {
   bool is_hex = tolower((unsigned char)token[1]) == 'x', is_long = token[length - 1] == 'L';
   if (*token == '@')
-    return "@include is no longer there: write what the file has in its place";
+    return "@include is not supported: insert the contents of the file";
   if (!isdigit((unsigned char)*token) || strcspn(token, is_hex ? "." : ".eE") < length
       || strtod(token, NULL) <= (is_long ? 9223372036854775807.0 : 2147483647.0))
     return NULL;

@@ -43,7 +43,8 @@ static const char *find_columns(struct places *c, struct tsv *tsv)
   if (tsv->columns == 0 && (tsv->count == 2 || tsv->count == 0 || tsv->fault))
     return NULL;
   if (tsv->columns == 0)
-    return tsv_at(tsv, "%d column%s without a header that names t and l, or t, x1 and x2: two are wanted, t and l",
+    return tsv_at(tsv,
+                  "%d column%s without a header that names t and l, or t, x1 and x2: expected are two columns, t and l",
                   tsv->count, tsv->count == 1 ? "" : "s");
   if (t < 0 || (l < 0 && !has_bodies))
     return tsv_at_line(tsv, 0, "no columns are named t and l, or t, x1 and x2");
@@ -69,8 +70,7 @@ static const char *read_row(struct recording *r, struct tsv *tsv, const struct p
   for (int i = 0; i < (c->l[1] >= 0 ? 3 : 2); i++) {
     int kind = cell_number(tsv, columns[i], &x[i]);
     if (kind < 0)
-      return tsv_at(tsv, "column %d, '%.80s', is not allowed: a finite number is wanted", columns[i] + 1,
-                    tsv->cell[columns[i]]);
+      return tsv_at(tsv, "column %d, '%.80s', is not a finite number", columns[i] + 1, tsv->cell[columns[i]]);
     there = there && kind;
   }
   if (tsv->fault)

@@ -183,9 +183,9 @@ struct gait_result gait_of_text(const char *text)
   if (!family || family->fixed || (colon && !family->allowed))
     return (struct gait_result){ NULL, GAIT_UNKNOWN, unknown_gait_error(text) };
   if (strlen(text) > GAIT_TEXT - sizeof "--gait ")
-    wrong = "the name of a gait is shorter than this";
+    wrong = "the name of this gait is too long";
   else if (made_count == MAX_GAITS)
-    wrong = "this is one gait too many: 65536 different ones are the most";
+    wrong = "there are more than 65536 different gaits";
   if (wrong)
     return (struct gait_result){ NULL, GAIT_UNKNOWN, wrong };
   struct made *new = calloc(1, sizeof *new);

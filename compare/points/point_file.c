@@ -75,7 +75,7 @@ static const char *read_columns(struct point_file *r, const char *noted_by, cons
     return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait");
   if (not_carried > 0 && noted_by)
     complain(noted_by, "note: %s",
-             tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s",
+             tsv_at(&r->tsv, "these columns are not copied to the output, because their names are taken or empty: %s",
                     joined(names, sizeof names, unused, ", ")));
   return NULL;
 }
@@ -123,7 +123,7 @@ enum exit_code point_file_open(struct point_file *r, const char *name, const cha
   if (tsv_open(&r->tsv, name, TSV_POINTS) && (r->tsv.columns > 0 || r->tsv.fault))
     wrong = read_columns(r, quiet ? NULL : command, extra, columns);
   else if (!(wrong = tsv_error(&r->tsv)))
-    wrong = tsv_at_line(&r->tsv, 0, "no header line: a table with the names of its columns is wanted");
+    wrong = tsv_at_line(&r->tsv, 0, "no header line: the first row must name the columns");
   if (wrong)
     complain(command, "%s", wrong);
   else

@@ -16,7 +16,7 @@ static bool read_parameter(struct scene *s, const config_setting_t *at)
   int place = crawler_place(name);
   bool is_gait = place == CRAWLER_NUMBERS;
   if (!name_among(crawler_parameters, name))
-    return refuse_at(&s->config, at, "there is no '%s' in a crawler%s", name,
+    return refuse_at(&s->config, at, "a crawler has no parameter '%s'%s", name,
                      did_you_mean(nearest(name, crawler_parameters)));
   if (is_gait ? base->has_gait : base->written[place] != NULL) /* given on the command line */
     return true;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char no_object[] = "this line is no JSON object of texts and numbers";
+static const char no_object[] = "this line is not a JSON object of texts and numbers";
 
 static char *skip_blanks(char *at) { return at + strspn(at, " \t"); }
 

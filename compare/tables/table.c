@@ -39,9 +39,7 @@ static enum format format_of(const struct style *style)
 
 bool table_is_aligned(const struct style *style) { return format_of(style) == FORMAT_TABLE; }
 
-const char no_npy_to_pipe[] =
-    "--format npy needs -o FILE, the name of a file that is no pipe or device: the head of the "
-    "file is completed behind its last row";
+const char no_npy_to_pipe[] = "--format npy needs -o FILE, not a pipe or device: the head of the file is written last";
 
 static const char *name_of(const char *output) { return output ? output : "standard output"; }
 

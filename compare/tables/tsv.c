@@ -130,7 +130,7 @@ static const char *split_object(struct tsv *tsv, char *line)
   for (int i = 0; i < count && !wrong; i++) {
     int place = word_place(members[i].name, tsv->column);
     if (place < 0)
-      return "this object has a member that the first one has not";
+      return "this object has a member that the first one lacks";
     tsv->cell[place] = members[i].value;
   }
   return wrong;

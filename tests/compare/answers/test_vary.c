@@ -58,20 +58,20 @@ TEST(no_lists_and_ranges)
   struct request r = { .point = point_initial(NULL), .required = requirements_new("test") };
   static const struct {
     const char *name, *text, *message;
-  } texts[] = { { "F1", "1:10:0", "'1:10:0' is no range: FROM:TO:COUNT" },
+  } texts[] = { { "F1", "1:10:0", "'1:10:0' is not a range: FROM:TO:COUNT" },
                 { "F1", "1:10:1", "COUNT is from 2 to 1000000000" },
                 { "F1", "1:10:-3", "COUNT is" },
                 { "F1", "1:10:2.5", "COUNT is" },
                 { "F1", "1:10:1000000001", "COUNT is" },
                 { "F1", "1:10:", "COUNT is" },
-                { "F1", "1:10:5:log:", "is no range" },
-                { "F1", "1:10:5:Log", "is no range" },
-                { "F1", "1:2:3,4", "is no range" },
+                { "F1", "1:10:5:log:", "is not a range" },
+                { "F1", "1:10:5:Log", "is not a range" },
+                { "F1", "1:2:3,4", "is not a range" },
                 { "F1", "0:1:5:log", "'0' is not allowed here: it takes a finite number > 0" },
                 { "v0", "0:1:5:log", "log spacing is > 0" },
                 { "v0", "-1:1:5:log", "log spacing is > 0" },
-                { "F1", "nan:1:5", "'nan' is no number, nor a formula" },
-                { "F1", "1:inf:5", "'inf' is no number, nor a formula" },
+                { "F1", "nan:1:5", "'nan' is neither a number nor a formula" },
+                { "F1", "1:inf:5", "'inf' is neither a number nor a formula" },
                 { "alpha", "0.5:1:5", "between 0 and 1" },
                 { "alpha", "0.5,", "'' is not allowed" },
                 { "alpha", ",", "'' is not allowed" },
@@ -140,7 +140,7 @@ TEST(what_no_point_has_of_itself)
   assert_null(vary_list(&r, label, (const char *const[]){ "1", "2" }, 2));
   assert_true(sweep_variable_of_name(&label, "m2"));
   assert_non_null(
-      strstr(vary_list(&r, label, (const char *const[]){ "1", "2", "3" }, 3), "have 2: they go on together"));
+      strstr(vary_list(&r, label, (const char *const[]){ "1", "2", "3" }, 3), "have 2: they advance together"));
   requirements_free(r.required);
   sweep_free(&r.sweep);
 }
