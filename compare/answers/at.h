@@ -43,11 +43,11 @@ struct at {
   struct sweep_place place;
   char why[POINT_STATUS]; /* the reason of the first failure, or "" */
   long failures;          /* so far */
-  long moves;             /* the number of the point */
+  long moves;             /* counts points and alternative gaits: data of another count are of another crawler */
   struct at_flint *flint; /* these three: NULL until first needed */
   struct at_study *study;
   struct at_data *data;
-  bool is_outside; /* the parameters are invalid: the point has no other quantities */
+  bool is_outside; /* the parameters are invalid: only these are known */
   bool as_written; /* regime, modes and status are certified; set for each row */
   struct solution solved[POINT_MOTIONS];
   double onset;
