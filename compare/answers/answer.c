@@ -9,25 +9,25 @@
 #include "compare/text/digits.h"
 #include "numerics/numerics.h"
 
-/* What the solver, the wider walk and the estimates of the errors give: of a motion one member is filled in. */
-struct solved {
+/* Results of the solver, of the wide solver and of the error estimates: a motion sets one member of each. */
+struct results {
   struct scallop_steady_result steady;
   struct scallop_phase_result phase;
 };
-struct solved_wide {
+struct wide_results {
   struct scallop_wide_steady steady;
   struct scallop_wide_phase phase;
 };
-struct solved_errors {
+struct error_results {
   struct scallop_steady_error steady;
   struct scallop_phase_error phase;
 };
 
 #define PLACES(member, error) \
   { \
-    offsetof(struct solved, member), offsetof(struct solved_wide, member), offsetof(struct solved_errors, error) \
+    offsetof(struct results, member), offsetof(struct wide_results, member), offsetof(struct error_results, error) \
   }
-/* Where the quantities stand in them */
+/* The offsets of the quantities in these structs */
 static const struct {
   size_t solved, wide, error;
 } places[QUANTITIES] = {
@@ -47,7 +47,7 @@ static const struct {
 
 static const void *value_at(const void *results, size_t place) { return (const char *)results + place; }
 
-static void forget(struct answer *a, enum scallop_status status)
+static void reset(struct answer *a, enum scallop_status status)
 {
   *a = (struct answer){ .status = status, .v_low = NAN, .v_high = NAN };
   for (int q = 0; q < ALL_QUANTITIES; q++)
@@ -60,10 +60,10 @@ static void take_modes(struct answer *a, enum scallop_regime regime, const struc
   memcpy(a->modes, modes, (size_t)phases * sizeof *modes);
 }
 
-static bool solve(struct answer *a, const struct motion *m, struct solved *s)
+static bool solve(struct answer *a, const struct motion *m, struct results *s)
 {
   bool steady = m->of == OF_STEADY;
-  forget(a, steady ? scallop_steady(&m->crawler, &s->steady) : scallop_phase(&m->crawler, m->phase, m->v0, &s->phase));
+  reset(a, steady ? scallop_steady(&m->crawler, &s->steady) : scallop_phase(&m->crawler, m->phase, m->v0, &s->phase));
   if (a->status < 0)
     return false;
   for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
@@ -84,14 +84,14 @@ static bool solve(struct answer *a, const struct motion *m, struct solved *s)
 
 bool answer_in_double(struct answer *a, const struct motion *m)
 {
-  struct solved s;
+  struct results s;
   return solve(a, m, &s);
 }
 
 bool answer_with_errors(struct answer *a, const struct motion *m, double errors[QUANTITIES])
 {
-  struct solved s;
-  struct solved_errors e;
+  struct results s;
+  struct error_results e;
   enum scallop_status status = SCALLOP_EDOMAIN;
   if (solve(a, m, &s))
     status = m->of == OF_STEADY ? scallop_steady_error(&m->crawler, &s.steady, &e.steady)
@@ -105,10 +105,10 @@ bool answer_with_errors(struct answer *a, const struct motion *m, double errors[
 
 bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width width)
 {
-  struct solved_wide s;
+  struct wide_results s;
   bool steady = m->of == OF_STEADY;
-  forget(a, steady ? scallop_wide_steady(width, &m->crawler, &s.steady)
-                   : scallop_wide_phase(width, &m->crawler, m->phase, m->v0, &s.phase));
+  reset(a, steady ? scallop_wide_steady(width, &m->crawler, &s.steady)
+                  : scallop_wide_phase(width, &m->crawler, m->phase, m->v0, &s.phase));
   if (a->status < 0)
     return false;
   for (int q = quantity_first(m->of); q < (int)quantity_end(m->of); q++)
@@ -122,15 +122,15 @@ bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width
   return true;
 }
 
-/* A walk through the phases of a motion: its stretches, as they are met, and where the rear body is, from its start and
- * in L, when the mode changes for the first and for the last time */
+/* A walk through the phases of a motion: its segments in order, and the position of the rear body, relative to its
+ * start and in units of L, at the first and at the last change of mode */
 struct walk {
-  struct stretch *stretch;
+  struct segment *segment;
   int count;
   const struct scallop_crawler *crawler;
   enum scallop_phase_kind phase;
-  double since; /* when the phase begins */
-  struct stretch now;
+  double since;       /* time at which the phase begins */
+  struct segment now; /* the last segment */
   double first, last;
 };
 
@@ -147,23 +147,23 @@ static void note_interval(void *context, const struct scallop_interval *i)
   struct walk *w = context;
   const struct scallop_span span = scallop_interval_span(i, w->crawler, w->phase);
   const struct scallop_mode was = w->now.mode;
-  bool goes_on = w->count > 0 && w->now.phase == w->phase && was.s1 == span.mode.s1 && was.s2 == span.mode.s2;
-  if (w->count > 0 && !goes_on) {
+  bool continues = w->count > 0 && w->now.phase == w->phase && was.s1 == span.mode.s1 && was.s2 == span.mode.s2;
+  if (w->count > 0 && !continues) {
     w->last = rear_position(w, i);
     w->first = isnan(w->first) ? w->last : w->first;
   }
-  if (!goes_on)
-    w->now = (struct stretch){ w->phase, w->since + span.t_begin, 0, span.mode, i->piece };
+  if (!continues)
+    w->now = (struct segment){ w->phase, w->since + span.t_begin, 0, span.mode, i->piece };
   w->now.until = w->since + span.t_end;
-  w->count += !goes_on;
-  if (w->count <= MOST_STRETCHES)
-    w->stretch[w->count - 1] = w->now;
+  w->count += !continues;
+  if (w->count <= MAX_SEGMENTS)
+    w->segment[w->count - 1] = w->now;
 }
 
-int stretches_of(struct stretch stretches[MOST_STRETCHES], const struct motion *m, const struct answer *answer)
+int motion_segments(struct segment segments[MAX_SEGMENTS], const struct motion *m, const struct answer *answer)
 {
   const double v0[] = { answer->value[Q_V_START].high, answer->value[Q_V_MID].high };
-  struct walk w = { .stretch = stretches, .crawler = &m->crawler, .phase = m->phase };
+  struct walk w = { .segment = segments, .crawler = &m->crawler, .phase = m->phase };
   if (m->of == OF_PHASE)
     scallop_phase_intervals(w.crawler, w.phase, m->v0, note_interval, &w);
   for (int kind = 0; kind < 2 && m->of == OF_STEADY; kind++) {
@@ -176,8 +176,8 @@ int stretches_of(struct stretch stretches[MOST_STRETCHES], const struct motion *
 
 static enum scallop_status find_turnings(struct answer *a, const struct motion *m)
 {
-  struct stretch stretches[MOST_STRETCHES];
-  struct walk w = { .stretch = stretches, .crawler = &m->crawler, .phase = m->phase, .first = NAN, .last = NAN };
+  struct segment segments[MAX_SEGMENTS];
+  struct walk w = { .segment = segments, .crawler = &m->crawler, .phase = m->phase, .first = NAN, .last = NAN };
   enum scallop_status status = scallop_phase_intervals(w.crawler, w.phase, m->v0, note_interval, &w);
   a->value[Q_AT_FIRST].high = w.first * m->crawler.L;
   a->value[Q_AT_LAST].high = w.last * m->crawler.L;
@@ -194,7 +194,7 @@ static enum scallop_status find_friction(struct answer *a, const struct motion *
   return status;
 }
 
-enum scallop_status answer_by_second_walk(struct answer *a, const struct motion *m)
+enum scallop_status answer_complete(struct answer *a, const struct motion *m)
 {
   return (m->of == OF_STEADY ? find_friction : find_turnings)(a, m);
 }
@@ -208,14 +208,14 @@ static bool slides_from_rest(struct scallop_crawler c, double T)
 
 double sticking_onset(const struct scallop_crawler *c)
 {
-  enum { MOST_DOUBLINGS = 400 };
+  enum { MAX_DOUBLINGS = 400 };
   double sliding = 0, sticking = 1;
   int doublings = 0;
-  while (slides_from_rest(*c, sticking) && doublings++ < MOST_DOUBLINGS)
+  while (slides_from_rest(*c, sticking) && doublings++ < MAX_DOUBLINGS)
     sticking *= 2;
-  for (double mid; doublings < MOST_DOUBLINGS && halfway(&mid, sliding, sticking);)
+  for (double mid; doublings < MAX_DOUBLINGS && halfway(&mid, sliding, sticking);)
     *(slides_from_rest(*c, mid) ? &sliding : &sticking) = mid;
-  return doublings < MOST_DOUBLINGS && sliding > 0 ? sliding : NAN;
+  return doublings < MAX_DOUBLINGS && sliding > 0 ? sliding : NAN;
 }
 
 double published_value(const struct scallop_formula *formula, const struct motion *motion, const struct answer *given)
@@ -287,17 +287,17 @@ const char *mode_in_words(char text[MODE_WORDS], struct scallop_mode mode)
 
 const char *motion_in_words(char text[MOTION_WORDS], const struct motion *m, const struct answer *answer, int digits)
 {
-  struct stretch s[MOST_STRETCHES];
-  int count = stretches_of(s, m, answer);
+  struct segment s[MAX_SEGMENTS];
+  int count = motion_segments(s, m, answer);
   size_t used = 0;
   *text = '\0';
-  for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
+  for (int i = 0; i < count && i < MAX_SEGMENTS; i++) {
     char words[MODE_WORDS];
     const char *between = i == 0 ? "" : s[i].phase == s[i - 1].phase ? "; " : " | ";
     used += (size_t)snprintf(text + used, MOTION_WORDS - used, "%s%s from %.*g to %.*g", between,
                              mode_in_words(words, s[i].mode), digits, s[i].from, digits, s[i].until);
   }
-  if (count > MOST_STRETCHES)
+  if (count > MAX_SEGMENTS)
     snprintf(text + used, MOTION_WORDS - used, "; ...");
   return text;
 }

@@ -8,10 +8,10 @@
 #include "compare/points/point_flint.h"
 #include "model/exact/scoped.h"
 
-/* More than the digits take, so that the subtraction rounds nothing that is known */
+/* Returns the bits of the digits, and spare bits that keep the rounding of the subtraction below the radius. */
 static slong bits_of(long digits) { return (slong)(3.33 * (double)digits) + 256; }
 
-/* Over (F1 + F2) |displacement|, unless that is 0. */
+/* Returns friction_work / ((F1 + F2) |displacement|), or NULL if the displacement may be 0. */
 static const arb_struct *cost_of_transport(struct ball_answer *a, const struct scallop_rational_crawler *c, slong bits)
 {
   SCOPED(fmpq, forces);
@@ -25,7 +25,7 @@ static const arb_struct *cost_of_transport(struct ball_answer *a, const struct s
 
 #define BALL(member) offsetof(struct ball_answer, member)
 #define BOTH(member) BALL(member), offsetof(struct series_answer, member)
-/* Where the quantities stand in the answers, 0 where they do not, and whether only if the mode changes */
+/* The offsets of the quantities in the answers; 0: absent; if_switches: exists only if the mode changes */
 static const struct {
   enum quantity_of of;
   bool if_switches;
@@ -50,7 +50,7 @@ static const struct {
   [Q_TURNING] = { OF_PHASE, true, BALL(turning), offsetof(struct series_answer, phase.v_at_last) },
 };
 
-/* The value at this place of an answer, or NULL: a motion of this kind, with or without changes of mode, has none. */
+/* Returns the value at this place of an answer, or NULL: such a motion has no such quantity. */
 static const void *value_at(const void *answer, int q, size_t place, enum quantity_of of, bool switches)
 {
   bool has = place > 0 && places[q].of == of && (switches || !places[q].if_switches);
@@ -118,8 +118,8 @@ slong series_first_power(const struct series *s)
   return k < end ? k : s->known;
 }
 
-/* Where the displacement begins with T^2 four terms are lost, which the expansion to an even order has to spare. NULL:
- * it is 0, or begins later. */
+/* Returns the series of the cost of transport, or NULL: too few terms are known, or the displacement is 0. A
+ * displacement that begins with T^2 costs four terms; the expansion to an even order provides these. */
 static const struct series *cost_series(struct series_answer *a, const struct scallop_rational_crawler *c, slong order,
                                         slong precision)
 {

@@ -14,17 +14,17 @@
 const struct at_flint_functions *at_flint;
 const struct at_study_functions *at_study;
 
-struct at *at_new(const struct asked *asked)
+struct at *at_new(const struct requirements *required)
 {
-  const char *needs_flint = asked_needs_flint(asked);
-  if (needs_flint && !flint_for(asked->command, needs_flint))
+  const char *needs_flint = quantity_needing_flint(required);
+  if (needs_flint && !load_flint(required->command, needs_flint))
     return NULL;
   struct at *s = malloc(sizeof *s);
   if (!s)
-    return complain(asked->command, "out of memory"), NULL;
-  memset(s, 0, offsetof(struct at, has)); /* the rest, which is large, when a point is moved to */
-  s->asked = asked;
-  s->certified_errors = asked_certifies_errors(asked);
+    return complain(required->command, "out of memory"), NULL;
+  memset(s, 0, offsetof(struct at, has)); /* reset() clears the large rest for each point */
+  s->required = required;
+  s->certified_errors = errors_are_certified(required);
   return s;
 }
 
@@ -56,11 +56,11 @@ static bool succeeds(struct at *s, enum scallop_status status)
   return status >= 0;
 }
 
-static void forget(struct at *s)
+static void reset(struct at *s)
 {
-  const size_t count = (size_t)s->asked->quantities.count;
+  const size_t count = (size_t)s->required->quantities.count;
   for (int m = 0; m < POINT_MOTIONS; m++)
-    s->solved[m].in_double = s->solved[m].with_errors = s->solved[m].with_second_walk = false;
+    s->solved[m].in_double = s->solved[m].with_errors = s->solved[m].is_complete = false;
   memset(s->has, 0, count * sizeof *s->has);
   memset(s->comparison, 0, count * sizeof *s->comparison);
   s->is_outside = false;
@@ -69,13 +69,13 @@ static void forget(struct at *s)
     s->data->done = false;
 }
 
-void at_move(struct at *s)
+void at_begin_point(struct at *s)
 {
-  forget(s);
+  reset(s);
   s->is_outside = s->place.why[0] != '\0';
   if (s->is_outside)
     at_fail(s, s->place.why);
-  s->place.point.has_v0 |= !s->asked->from_steady;
+  s->place.point.has_v0 |= !s->required->from_steady;
   s->moves++;
   count_add(COUNT_POINTS, 1);
 }
@@ -84,7 +84,7 @@ double at_formula_so_far(void *at, const struct sweep_place *place, const struct
 {
   struct at *s = at;
   sweep_place_copy(&s->place, place);
-  forget(s);
+  reset(s);
   return at_formula(s, formula);
 }
 
@@ -101,7 +101,7 @@ static enum motion_of_point phase_from(const struct at *s, enum scallop_phase_ki
   return (enum motion_of_point)((int)(rests ? FROM_REST : FROM_START) + (int)phase);
 }
 
-/* The motion that a quantity is of: a formula of a phase from rest is of that, wherever the point's phase begins. */
+/* Returns the motion of a quantity. A formula for a phase from rest has that motion, whatever v0 the point has. */
 static enum motion_of_point motion_of_quantity(const struct at *s, const struct quantity *q)
 {
   enum scallop_phase_kind phase = q->phase >= 0 ? (enum scallop_phase_kind)q->phase : s->place.point.phase;
@@ -110,7 +110,8 @@ static enum motion_of_point motion_of_quantity(const struct at *s, const struct 
 
 static const struct answer *solve(struct at *s, enum motion_of_point m);
 
-/* The start velocity of a motion; of the steady state 0, and nan where that has to be known and is not */
+/* Returns the start velocity of a motion: 0 for the steady state; nan if it follows from a steady state that has no
+ * answer. */
 static double start_of(struct at *s, enum motion_of_point m)
 {
   if (m == STEADY_STATE || m >= FROM_REST)
@@ -125,10 +126,10 @@ static bool has_start(struct at *s, enum motion_of_point m) { return !isnan(star
 
 double at_v0(struct at *s) { return start_of(s, phase_from(s, s->place.point.phase, false)); }
 
-/* The answer in double; NULL: there is none, and s->why says why. */
+/* Returns the answer in double, or NULL after setting s->why. */
 static const struct answer *solve(struct at *s, enum motion_of_point m)
 {
-  struct solved *a = &s->solved[m];
+  struct solution *a = &s->solved[m];
   if (!a->in_double) {
     enum quantity_of of = m == STEADY_STATE ? OF_STEADY : OF_PHASE;
     a->motion = (struct motion){ of, s->place.point.crawler, phase_kind(m), start_of(s, m) };
@@ -142,24 +143,24 @@ static const struct answer *solve(struct at *s, enum motion_of_point m)
   return succeeds(s, a->answer.status) ? &a->answer : NULL;
 }
 
-/* A number of it, some of which take another walk: that is done where one of them is asked for. */
+/* Returns a number of the answer. The first request for a number that takes a second walk does this walk. */
 static double solve_for(struct at *s, enum motion_of_point m, int quantity)
 {
-  struct solved *a = &s->solved[m];
+  struct solution *a = &s->solved[m];
   if (!solve(s, m))
     return NAN;
-  if (quantity >= Q_FRICTION_WORK && quantity <= Q_AT_LAST && !a->with_second_walk) {
+  if (quantity >= Q_FRICTION_WORK && quantity <= Q_AT_LAST && !a->is_complete) {
     count_add(COUNT_PHASES, m != STEADY_STATE);
-    a->with_second_walk = succeeds(s, answer_by_second_walk(&a->answer, &a->motion));
+    a->is_complete = succeeds(s, answer_complete(&a->answer, &a->motion));
   }
   return a->answer.value[quantity].high;
 }
 
 static double estimate(struct at *s, const struct quantity *q)
 {
-  static const double rounded_up = 1.005; /* with three digits */
+  static const double rounded_up = 1.005; /* the error is printed with three digits */
   enum motion_of_point m = motion_of_quantity(s, q);
-  struct solved *a = &s->solved[m];
+  struct solution *a = &s->solved[m];
   struct answer again;
   if (!solve(s, m))
     return NAN;
@@ -168,8 +169,7 @@ static double estimate(struct at *s, const struct quantity *q)
   return rounded_up * a->estimate[q->which];
 }
 
-/* The longest period at which an extension from rest does not stick; no body need ever stick. It is kept until a
- * parameter but T changes. */
+/* Returns sticking_onset of the crawler and keeps it until a parameter other than T changes. */
 static double onset_of_sticking(struct at *s)
 {
   struct scallop_crawler c = s->place.point.crawler;
@@ -199,10 +199,10 @@ static double published(struct at *s, const struct quantity *q, enum motion_of_p
   return isfinite(value) ? value : NAN;
 }
 
-/* A series beside what it should be, in balls or by the double solver */
+/* Compares a series with the exact value, in balls or by the double solver. */
 static const struct series_error *compared(struct at *s, int place)
 {
-  const struct quantity *series = &s->asked->quantities.item[place];
+  const struct quantity *series = &s->required->quantities.item[place];
   struct series_error *c = &s->comparison[place];
   enum motion_of_point m = motion_of_quantity(s, series);
   int quantity = series->formula ? (int)quantity_of_formula(series->formula, phase_kind(m)) : series->which;
@@ -216,14 +216,14 @@ static const struct series_error *compared(struct at *s, int place)
     c->exact = solve_for(s, m, quantity);
     c->value = at_number(s, place);
     c->error = c->value - c->exact;
-    if (fabs(c->error) < s->asked->accuracy * fabs(c->exact))
+    if (fabs(c->error) < s->required->accuracy * fabs(c->exact))
       c->error = 0;
   }
   c->done = s->failures == before;
   return c;
 }
 
-/* What it was set to; or what follows from the parameters, of the Froude number to the bit what the solver says */
+/* Returns the ratio that was set, else the one of the parameters; the Froude number equals the solver's to the bit. */
 static double ratio(struct at *s, enum ratio_place which)
 {
   const struct scallop_crawler *c = &s->place.point.crawler;
@@ -242,50 +242,51 @@ static double parameter(struct at *s, int place)
 {
   if (place != PLACE_OF_V0)
     return crawler_number(&s->place.point.crawler, place);
-  return s->asked->tells_no_start && !s->place.point.has_v0 ? NAN : at_v0(s);
+  return s->required->v0_only_if_given && !s->place.point.has_v0 ? NAN : at_v0(s);
 }
 
-/* Goes to the same point with another gait that the recording admits. False: there is none. */
-static bool move_to_other(struct at *other, const struct at *s, int i)
+/* Begins with the same point and gait i of the recording's alternatives. Returns false if it does not exist. */
+static bool begin_alternative(struct at *other, const struct at *s, int i)
 {
   sweep_place_copy(&other->place, &s->place);
-  forget(other);
+  reset(other);
   other->moves++;
   return gait_exchange(&other->place.point.crawler, i);
 }
 
-static bool is_of_data(const struct at *s, int place)
+static bool has_data_bounds(const struct at *s, int place)
 {
-  for (int i = 0; i < s->asked->quantities.count; i++)
-    if (s->asked->quantities.item[i].kind == QUANTITY_DATA && s->asked->quantities.item[i].of == place)
+  for (int i = 0; i < s->required->quantities.count; i++)
+    if (s->required->quantities.item[i].kind == QUANTITY_DATA && s->required->quantities.item[i].of == place)
       return true;
   return false;
 }
 
-/* What the recording does not tell: of all numbers at once, as each other gait is solved once. */
+/* Finds the uncertainty of all numbers from the recording, to solve each alternative gait once. Returns false if memory
+ * is short. */
 static bool find_data_errors(struct at *s)
 {
-  const int count = s->asked->quantities.count;
+  const int count = s->required->quantities.count;
   double(*others)[SCALLOP_MEASURED_OTHERS] = malloc((size_t)count * sizeof *others);
   if (!s->data)
     s->data = calloc(1, sizeof *s->data);
   if (s->data && !s->data->at)
-    s->data->at = at_new(s->asked);
+    s->data->at = at_new(s->required);
   bool works = others && s->data && s->data->at;
   for (int i = 0; works && i < SCALLOP_MEASURED_OTHERS; i++) {
-    bool moved = move_to_other(s->data->at, s, i);
+    bool moved = begin_alternative(s->data->at, s, i);
     for (int k = 0; k < count; k++)
-      others[k][i] = moved && is_of_data(s, k) ? at_number(s->data->at, k) : NAN;
+      others[k][i] = moved && has_data_bounds(s, k) ? at_number(s->data->at, k) : NAN;
   }
   for (int k = 0; works && k < count; k++)
-    s->data->error[k] = is_of_data(s, k) ? scallop_measured_error(at_number(s, k), others[k]) : NAN;
+    s->data->error[k] = has_data_bounds(s, k) ? scallop_measured_error(at_number(s, k), others[k]) : NAN;
   if (works)
     s->data->done = true;
   free(others);
   return works;
 }
 
-/* nan where the gait is not measured */
+/* Returns nan if the gait is not measured. */
 static double data_error(struct at *s, int place)
 {
   if (!gait_file_of(s->place.point.crawler.gait))
@@ -296,12 +297,12 @@ static double data_error(struct at *s, int place)
 
 double at_data_error(struct at *s, int quantity)
 {
-  const struct quantity *q = &s->asked->quantities.item[quantity];
+  const struct quantity *q = &s->required->quantities.item[quantity];
   const int of = q->kind == QUANTITY_DATA ? q->of : quantity;
-  return is_of_data(s, of) ? data_error(s, of) : NAN;
+  return has_data_bounds(s, of) ? data_error(s, of) : NAN;
 }
 
-/* Can it be told although the parameters are no point? */
+/* Returns true if the quantity is known although the parameters are invalid. */
 static bool is_known_outside(const struct at *s, const struct quantity *q)
 {
   return q->kind == QUANTITY_NUMBER || (q->kind == QUANTITY_RATIO && s->place.point.ratio[q->which] > 0);
@@ -309,14 +310,14 @@ static bool is_known_outside(const struct at *s, const struct quantity *q)
 
 static double compute(struct at *s, int place)
 {
-  const struct quantity *q = &s->asked->quantities.item[place];
+  const struct quantity *q = &s->required->quantities.item[place];
   enum motion_of_point m = motion_of_quantity(s, q);
   if (quantity_is_text(q))
     return text_number(at_text(s, place, 0));
   if (s->place.is_unread || (s->is_outside && !is_known_outside(s, q)))
-    return NAN; /* the point has no such thing */
+    return NAN;
   if (s->certified_errors && q->is_compared)
-    return compared(s, place)->value; /* rounded from the one that the error is of */
+    return compared(s, place)->value; /* consistent with the error */
   switch (q->kind) {
   case QUANTITY_ANSWER: return solve_for(s, m, q->which);
   case QUANTITY_NUMBER: return parameter(s, q->which);
@@ -332,7 +333,7 @@ static double compute(struct at *s, int place)
   case QUANTITY_FORMULA: return at_formula(s, q->own);
   case QUANTITY_DATA: return at_number(s, q->of) + q->which * data_error(s, q->of);
   case QUANTITY_STUDIED: return at_study->number(s, q);
-  default: return NAN; /* what only a trajectory has */
+  default: return NAN; /* quantities of a trajectory */
   }
 }
 
@@ -341,14 +342,14 @@ double at_number(struct at *s, int quantity)
   long before = s->failures;
   if (!s->has[quantity]) {
     s->value[quantity] = compute(s, quantity);
-    s->has[quantity] = s->failures == before; /* a failure is told in each row; solutions are kept */
+    s->has[quantity] = s->failures == before; /* after a failure each row repeats its reason */
   }
   return s->value[quantity];
 }
 
 static const char *status_text(struct at *s)
 {
-  const struct solved *steady = &s->solved[STEADY_STATE];
+  const struct solution *steady = &s->solved[STEADY_STATE];
   if (s->why[0] != '\0')
     return s->why;
   if (s->as_written)
@@ -356,8 +357,8 @@ static const char *status_text(struct at *s)
   return steady->in_double ? answer_status_text(s->text, &steady->answer) : "ok";
 }
 
-/* The regime, the modes, or these in words: in double, or proven */
-static const char *how(struct at *s, const struct quantity *q, enum motion_of_point m)
+/* Returns the regime, the modes, or the modes in words; proven if as_written. */
+static const char *mode_text(struct at *s, const struct quantity *q, enum motion_of_point m)
 {
   enum { SHOWN = 6 };
   if (s->as_written && q->kind != QUANTITY_WORDS)
@@ -373,7 +374,7 @@ static const char *how(struct at *s, const struct quantity *q, enum motion_of_po
 
 const char *at_text(struct at *s, int quantity, long digits)
 {
-  const struct quantity *q = &s->asked->quantities.item[quantity];
+  const struct quantity *q = &s->required->quantities.item[quantity];
   const struct point *p = &s->place.point;
   const char *label = q->kind == QUANTITY_LABEL ? s->place.label[q->which] : NULL;
   enum motion_of_point m = motion_of_quantity(s, q);
@@ -387,7 +388,7 @@ const char *at_text(struct at *s, int quantity, long digits)
   case QUANTITY_STUDIED_TEXT: return s->is_outside ? "-" : at_study->text(s, q);
   case QUANTITY_CERTIFIED:
     return !s->is_outside && has_start(s, m) ? at_flint->text(s, q, digits > 0 ? digits : DIGITS_OF_DOUBLE, m) : "nan";
-  default: return s->is_outside ? "-" : how(s, q, m);
+  default: return s->is_outside ? "-" : mode_text(s, q, m);
   }
 }
 

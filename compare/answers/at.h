@@ -1,7 +1,7 @@
-/* A point, and what has been computed of it: each thing when it is first asked for, and once.
+/* The evaluation of a point: each quantity is computed once, when a table first requests it.
  *
- * What tables ask of a point are quantities by name (quantities.h), collected in a struct asked before the first point:
- * so that what nobody asks for is not computed, and what several tables ask for is computed once. */
+ * The quantities of all tables (quantities.h) are collected in a struct requirements before the first point: the
+ * program computes only these, and each once for all tables. */
 #ifndef SCALLOP_COMPARE_ANSWERS_AT_H
 #define SCALLOP_COMPARE_ANSWERS_AT_H
 
@@ -18,92 +18,91 @@ static inline enum scallop_phase_kind phase_kind(enum motion_of_point m)
   return m == STEADY_STATE ? SCALLOP_EXTENSION : (enum scallop_phase_kind)((m - FROM_START) % 2);
 }
 
-struct solved { /* one of them, as far as it has been asked for */
-  bool in_double, with_errors, with_second_walk;
+struct solution { /* one motion; the flags state what has been computed */
+  bool in_double, with_errors, is_complete;
   struct motion motion;
   struct answer answer;
-  double estimate[QUANTITIES]; /* of the errors of the numbers of the answer */
+  double estimate[QUANTITIES]; /* the estimated errors of the answer */
 };
 
-struct series_error { /* of a series with what it should be */
+struct series_error { /* a series compared with the exact value */
   bool done;
-  double value, exact, error; /* error: 0 below the accuracy that is wanted */
+  double value, exact, error; /* error: 0 below the requested accuracy */
 };
 
-/* What a recording does not tell of the numbers that low. and high. are asked of (scallop_measured_error) */
+/* The uncertainty that a recording leaves in the numbers behind low. and high. (scallop_measured_error) */
 struct at_data {
-  struct at *at; /* for points with other gaits */
+  struct at *at; /* evaluates the other gaits */
   bool done;
-  double error[MOST_QUANTITIES];
+  double error[MAX_QUANTITIES];
 };
 
 struct at {
-  const struct asked *asked;
+  const struct requirements *required;
   bool certified_errors;
   struct sweep_place place;
-  char why[POINT_STATUS]; /* the first thing that could not be done, or "" */
+  char why[POINT_STATUS]; /* the reason of the first failure, or "" */
   long failures;          /* so far */
-  long moves;             /* so far: points differ where it does */
-  struct at_flint *flint; /* NULL: nothing has needed it yet */
-  struct at_study *study; /* likewise */
-  struct at_data *data;   /* likewise */
-  bool is_outside;        /* the parameters are no point: nothing but they can be told */
-  bool as_written;        /* regime, modes and status are those of certified answers: set for each row */
-  struct solved solved[POINT_MOTIONS];
+  long moves;             /* counts points and alternative gaits: data of another count are of another crawler */
+  struct at_flint *flint; /* these three: NULL until first needed */
+  struct at_study *study;
+  struct at_data *data;
+  bool is_outside; /* the parameters are invalid: only these are known */
+  bool as_written; /* regime, modes and status are certified; set for each row */
+  struct solution solved[POINT_MOTIONS];
   double onset;
   struct scallop_crawler onset_of;
-  bool has[MOST_QUANTITIES];
-  double value[MOST_QUANTITIES];
-  struct series_error comparison[MOST_QUANTITIES];
+  bool has[MAX_QUANTITIES];
+  double value[MAX_QUANTITIES];
+  struct series_error comparison[MAX_QUANTITIES];
   char text[MOTION_WORDS]; /* what at_text returns */
 };
 
-/* Notes why something cannot be done, if it is the first. Returns nan. */
+/* Counts a failure and stores the reason of the first one. Returns nan. */
 double at_fail(struct at *at, const char *why);
 
-/* asked outlives it. NULL: the message is on stderr. */
-struct at *at_new(const struct asked *asked);
-void at_free(struct at *at); /* or NULL */
+/* Returns NULL after a message on stderr. required must outlive the evaluation. */
+struct at *at_new(const struct requirements *required);
+void at_free(struct at *at); /* may be NULL */
 
-/* Goes to the point in at->place. */
-void at_move(struct at *at);
-/* A formula of what is set so far, for the ends of ranges; at->place becomes that. */
+/* Begins with the point that at->place has been set to. */
+void at_begin_point(struct at *at);
+/* Evaluates a formula, an end of a range, of the variables set so far; copies place to at->place. */
 double at_formula_so_far(void *at, const struct sweep_place *place, const struct formula *formula);
-/* Before each row of another table: what failed for one table is no matter of the next. */
+/* Clears the failures of the previous table before a row of another one. */
 void at_begin_row(struct at *at);
 
-/* A quantity by its place among those asked for: nan where it cannot be had, and why then says why. Of a text the
- * number that it is. */
+/* Returns a quantity by its place in required->quantities, a text converted to a number; nan: the point has no value,
+ * or the computation failed and at->why is set. */
 double at_number(struct at *at, int quantity);
-/* How far a number may be off for what the recording of a measured gait does not tell; nan: its low. and high. are not
- * asked for, or there is no recording. Of these two the same. */
+/* Returns the uncertainty of a number, or of its low. and high., that comes from the recording of a measured gait; nan:
+ * neither low. nor high. is requested, or the gait is not measured. */
 double at_data_error(struct at *at, int quantity);
-/* A text; of certified values so many digits, 0: as many as a double has. It lives until the next call. */
+/* Returns a text, valid until the next call. digits: of certified values; 0: DIGITS_OF_DOUBLE. */
 const char *at_text(struct at *at, int quantity, long digits);
 double at_formula(struct at *at, const struct formula *formula);
-/* The start velocity of the phase. */
+/* Returns the start velocity of the phase. */
 double at_v0(struct at *at);
 
-/* What a point needs FLINT for: certified answers, and series. Motions are those of the point, and their start
- * velocities known. NULL until the part of the program that needs FLINT is there (answers/flint.h), which such
- * quantities take for granted. */
+/* The functions that need FLINT: certified answers and series of a motion of the point with known start velocity. NULL
+ * until the part of the program with FLINT is loaded (answers/flint.h); at_new loads it for quantities that need it. */
 struct at_flint_functions {
   void (*free)(struct at_flint *flint);
-  /* The sum of a derived series, or of its first term. */
+  /* Returns the sum of a derived series, or its first term. */
   double (*sum)(struct at *at, const struct quantity *series, enum motion_of_point m);
-  /* Of a series and the quantity of the certified answer that it is to be; the error is 0 below the accuracy. */
+  /* Compares a series with a quantity of the certified answer; the error is 0 below the accuracy. */
   struct series_error (*compare)(struct at *at, const struct quantity *series, int quantity, enum motion_of_point m);
-  /* A certified value with so many digits, or the certified regime or modes; it lives until the next call. */
+  /* Returns a certified value with digits, or the certified regime or modes, valid until the next call. */
   const char *(*text)(struct at *at, const struct quantity *q, long digits, enum motion_of_point m);
-  void (*end_thread)(void); /* by a thread that has used any of these, at its end */
+  void (*end_thread)(void); /* called by each thread that has used the functions, at its end */
 };
 extern const struct at_flint_functions *at_flint;
 
-/* Quantities that take a study of the crawler along T: likewise */
+/* The functions for quantities that need a study of the crawler along T; NULL until loaded */
 struct at_study_functions {
   void (*free)(struct at_study *study);
   double (*number)(struct at *at, const struct quantity *q);
-  const char *(*text)(struct at *at, const struct quantity *q); /* it lives until the next call */
+  const char *(*text)(struct at *at, const struct quantity *q); /* valid until the next call */
 };
 extern const struct at_study_functions *at_study;
 

@@ -14,7 +14,7 @@
 
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
 
-/* Series do not depend on T: those of the last KEPT crawlers are kept, whatever varies fastest. */
+/* Series do not depend on T: the series of the last KEPT crawlers are kept. */
 struct kept_series {
   enum motion_of_point motion;
   struct scallop_rational_crawler crawler;
@@ -26,12 +26,12 @@ SCOPED_PARTS(kept_series, struct kept_series, KEPT_PARTS)
 
 struct at_flint {
   struct scallop_rational_crawler crawler;
-  fmpq_t v0, start, T; /* v0 as it is written; start and T of the motion looked at, the period or a phase's duration */
-  long move;           /* of the point that these are of */
+  fmpq_t v0, start, T; /* v0 as written; start velocity of the current motion; its period or the phase's duration */
+  long move;           /* at->moves of this point */
   bool is_certified[POINT_MOTIONS];
   struct ball_answer certified[POINT_MOTIONS];
   struct kept_series kept[KEPT];
-  int series; /* that were derived so far: each takes the place of the oldest */
+  int series; /* number of series derived so far; a new one replaces the oldest */
   char *text;
 };
 #define POINT_PARTS(of) \
@@ -51,9 +51,8 @@ static void flint_end(struct at_flint *f)
 
 static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
 
-/* Sets the crawler and v0 as they are written, start and T. A start velocity that is a steady one is the double that it
- * is. */
-static struct at_flint *look_at(struct at *s, enum motion_of_point m)
+/* Sets the crawler and v0 as written, start and T. The start velocity of a steady state is exactly its double. */
+static struct at_flint *set_motion(struct at *s, enum motion_of_point m)
 {
   const struct scallop_wide *steady = s->solved[STEADY_STATE].answer.value;
   if (!s->flint) {
@@ -85,23 +84,23 @@ static bool same_but_T(const struct scallop_rational_crawler *a, const struct sc
          && fmpq_equal(a->L, b->L) && fmpq_equal(a->alpha, b->alpha) && a->gait == b->gait;
 }
 
-/* Digits that certified answers need: for texts, and for errors where these are certified */
+/* Returns the digits of certified answers, for texts and for certified errors. */
 static long certified_digits(const struct at *s)
 {
-  long of_texts = s->asked->digits + TEXT_DIGITS;
-  long of_errors = s->certified_errors ? (long)ceil(-log10(s->asked->accuracy) + SPARE_DIGITS) : 0;
+  long of_texts = s->required->digits + TEXT_DIGITS;
+  long of_errors = s->certified_errors ? (long)ceil(-log10(s->required->accuracy) + SPARE_DIGITS) : 0;
   long most = of_texts > of_errors ? of_texts : of_errors;
   return most < SCALLOP_MOST_DIGITS ? most : SCALLOP_MOST_DIGITS;
 }
 
-/* For series: beyond the digits as many bits as there are terms */
+/* Returns the precision of series: the bits of the digits, and one more bit for each term. */
 static slong bits_of(const struct at *s, long order)
 {
   long digits = certified_digits(s);
   return (slong)(3.33 * (double)(digits > SUM_DIGITS ? digits : SUM_DIGITS)) + GUARD_BITS + order;
 }
 
-/* The most that is asked for; of the limit so many that they hold the first term, as some begin with T^3 */
+/* Returns the highest requested order; for the limit an order that includes the first term, T^3 or lower. */
 static long order_of_series(const struct quantities *all, enum quantity_of of)
 {
   long most = 0;
@@ -112,17 +111,17 @@ static long order_of_series(const struct quantities *all, enum quantity_of of)
   return most;
 }
 
-/* The series of a motion, derived if they are not kept */
+/* Returns the series of a motion and derives them if they are not kept. */
 static const struct series_answer *series_at(struct at *s, enum motion_of_point m)
 {
-  struct at_flint *f = look_at(s, m);
+  struct at_flint *f = set_motion(s, m);
   for (const struct kept_series *k = f->kept; k < f->kept + KEPT && k < f->kept + f->series; k++)
     if (k->motion == m && same_but_T(&k->crawler, &f->crawler) && fmpq_cmp(k->v0, f->start) == 0)
       return &k->answer;
   struct kept_series *k = &f->kept[f->series % KEPT];
   if (f->series++ < KEPT)
     kept_series_init(k);
-  long order = order_of_series(&s->asked->quantities, kind_of(m));
+  long order = order_of_series(&s->required->quantities, kind_of(m));
   k->motion = m;
   scallop_rational_copy(&k->crawler, &f->crawler);
   fmpq_set(k->v0, f->start);
@@ -131,7 +130,8 @@ static const struct series_answer *series_at(struct at *s, enum motion_of_point 
   return &k->answer;
 }
 
-/* The sum of a derived series. False: there is none, and s->why says why, unless the motion has no such quantity. */
+/* Sums a derived series. Returns false if it does not exist, after setting s->why unless the motion has no such
+ * quantity. */
 static bool derived_value(arb_t value, struct at *s, const struct quantity *q, enum motion_of_point m, slong precision)
 {
   const struct series_answer *a = series_at(s, m);
@@ -155,10 +155,10 @@ static double sum(struct at *s, const struct quantity *series, enum motion_of_po
   return derived_value(value, s, series, m, bits_of(s, series->order)) ? middle(value) : NAN;
 }
 
-/* The certified answer; NULL: there is none, and s->why says why. */
+/* Returns the certified answer, or NULL after setting s->why. */
 static const struct ball_answer *certified(struct at *s, enum motion_of_point m)
 {
-  struct at_flint *f = look_at(s, m);
+  struct at_flint *f = set_motion(s, m);
   struct ball_answer *a = &f->certified[m];
   char why[POINT_STATUS];
   if (!f->is_certified[m]) {
@@ -189,22 +189,22 @@ static const char *text(struct at *s, const struct quantity *q, long digits, enu
   return s->flint->text;
 }
 
-/* The value of a formula with all digits */
+/* Evaluates a formula in balls. Returns false if it has no value. */
 static bool formula_value(arb_t value, struct at *s, const struct scallop_formula *f, enum motion_of_point m,
                           slong precision)
 {
   const struct ball_answer *given = formula_takes_given(f) ? certified(s, m) : NULL;
   if (formula_takes_given(f) && (!given || !given->phase.switches))
     return false;
-  const struct at_flint *a = look_at(s, m);
+  const struct at_flint *a = set_motion(s, m);
   bool found = published_in_balls(value, f, &a->crawler, phase_kind(m), a->start, a->T, given, precision);
   if (gait_has_ends(s->place.point.crawler.gait) || (found && !formula_takes(f, SCALLOP_SYMBOL_L_kin)))
     return found;
-  at_fail(s, gait_no_ends); /* L_kin is 0 there, and nothing is said of it */
+  at_fail(s, gait_no_ends); /* the formula divides by L_kin = 0 */
   return false;
 }
 
-/* Is every number of the error at most that part of what it is an error of? */
+/* Returns true if the upper bound of |error| is at most accuracy times the lower bound of |exact|. */
 static bool is_below(const arb_t error, const arb_t exact, double accuracy)
 {
   SCOPED(arf, most, least);
@@ -225,12 +225,12 @@ static struct series_error compare(struct at *s, const struct quantity *series, 
   struct series_error c = { .value = found ? middle(value) : NAN, .exact = exact ? middle(exact) : NAN, .error = NAN };
   if (found && exact) {
     arb_sub(value, value, exact, precision);
-    c.error = is_below(value, exact, s->asked->accuracy) ? 0 : middle(value);
+    c.error = is_below(value, exact, s->required->accuracy) ? 0 : middle(value);
   }
   return c;
 }
 
 static const struct at_flint_functions functions = { flint_end, sum, compare, text, flint_cleanup };
 
-/* When it is loaded, or, where a program is linked with it, before main */
-static void __attribute__((constructor)) offer(void) { at_flint = &functions; }
+/* Runs when the shared object is loaded, or before main in a program that is linked with it. */
+static void __attribute__((constructor)) register_functions(void) { at_flint = &functions; }

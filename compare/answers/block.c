@@ -6,7 +6,7 @@
 #include "compare/points/counts.h"
 #include "numerics/numerics.h"
 
-enum { MOST_VALUES_KEPT = 1 << 16 };
+enum { MAX_VALUES_KEPT = 1 << 16 };
 
 struct block {
   double parameter[CRAWLER_NUMBERS][BLOCK_ROWS], number[FIRST_OF_PHASE][BLOCK_ROWS], v_low[BLOCK_ROWS],
@@ -19,12 +19,12 @@ struct block {
   int columns;
   const double *column[TABLE_COLUMNS]; /* NULL: a text */
   enum quantity_kind kind[TABLE_COLUMNS];
-  const struct sweep_product *product; /* that the following is of */
-  const struct sweep_group *last;      /* that varies fastest, of numbers, whatever stands further out; or NULL */
-  double *value[SWEEP_VARIABLES];      /* of its variables; NULL: they are not kept */
+  const struct sweep_product *product; /* the current product */
+  const struct sweep_group *last;      /* its fastest group, if that is independent of the others; or NULL */
+  double *value[SWEEP_VARIABLES];      /* the values of that group's variables; NULL: not kept */
 };
 
-/* False: the block has no such column. */
+/* Returns false if a block cannot have this column. */
 static bool add_column(struct block *b, const struct quantity *q)
 {
   const double **column = &b->column[b->columns];
@@ -43,10 +43,10 @@ static bool add_column(struct block *b, const struct quantity *q)
 struct block *block_new(const struct rows *r)
 {
   const struct column_list *list = &r->sheet.columns;
-  bool fine = !r->visit && !r->sheet.as_written && !counts_are_wanted && !r->request->points;
+  bool fine = !r->visit && !r->sheet.as_written && !counts_are_printed && !r->request->points;
   struct block *b = fine ? calloc(1, sizeof *b) : NULL;
   for (int i = 0; i < list->count && b && fine; i++)
-    fine = !list->item[i].formula && add_column(b, &r->sheet.asked->quantities.item[list->item[i].place]);
+    fine = !list->item[i].formula && add_column(b, &r->sheet.required->quantities.item[list->item[i].place]);
   return fine ? b : (free(b), NULL);
 }
 
@@ -57,8 +57,8 @@ void block_free(struct block *b)
   free(b);
 }
 
-/* Are the numbers of the last group known without what stands further out, and do no others follow from them? */
-static bool is_plain(const struct sweep_product *p, const struct point *about)
+/* Returns true if the last group consists of numbers that do not depend on slower groups and set no other numbers. */
+static bool is_independent(const struct sweep_product *p, const struct point *about)
 {
   const struct sweep_group *last = &p->group[p->groups - 1];
   bool plain = last->count > 1;
@@ -69,22 +69,22 @@ static bool is_plain(const struct sweep_product *p, const struct point *about)
   return plain;
 }
 
-/* Keeps all values of the group that varies fastest, unless there are too many: about is any of its points. */
+/* Stores all values of the fastest group, up to a maximum; about: any point of the group. */
 static void keep_values(struct block *b, struct sweep_walk *w, const struct point *about)
 {
   const struct sweep_product *p = b->product = w->product;
-  b->last = p->groups > 0 && is_plain(p, about) ? &p->group[p->groups - 1] : NULL;
+  b->last = p->groups > 0 && is_independent(p, about) ? &p->group[p->groups - 1] : NULL;
   for (int k = 0; b->last && k < b->last->variables; k++) {
     free(b->value[k]);
-    const long count = b->last->sampling == SAMPLING_NONE && b->last->count <= MOST_VALUES_KEPT ? b->last->count : 0;
+    const long count = b->last->sampling == SAMPLING_NONE && b->last->count <= MAX_VALUES_KEPT ? b->last->count : 0;
     b->value[k] = count > 0 ? malloc((size_t)count * sizeof(double)) : NULL;
     for (long i = 0; i < count && b->value[k]; i++)
       b->value[k][i] = sweep_number(w, b->last, k, i);
   }
 }
 
-/* The parameters of the points from this one to the end of its group, at most count of them: how many. */
-static int take_points(struct block *b, int at, struct sweep_walk *w, const struct sweep_place *here, int count)
+/* Stores the parameters of at most count points, from this one to the end of its group. Returns their number. */
+static int store_points(struct block *b, int at, struct sweep_walk *w, const struct sweep_place *here, int count)
 {
   if (w->product && w->product != b->product)
     keep_values(b, w, &here->point);
@@ -133,9 +133,9 @@ bool block_rows(struct block *b, struct rows *r, struct at *at, struct sweep_wal
   struct table *t = &r->table;
   for (int done = 0; done < count;) {
     const struct sweep_place *here = sweep_point(w, &q->sweep, &q->point, first + done, at_formula_so_far, at);
-    if (here->why[0] != '\0' || here->point.ratio[FROUDE] > 0) /* then the number is the one that was given */
+    if (here->why[0] != '\0' || here->point.ratio[FROUDE] > 0) /* the column froude is then the given number */
       return false;
-    done += take_points(b, done, w, here, count - done);
+    done += store_points(b, done, w, here, count - done);
   }
   if (!solve(b, count))
     return false;

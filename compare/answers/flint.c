@@ -10,16 +10,16 @@
 
 #include "model/version.h"
 
-const struct flint_part *flint_for(const char *command, const char *what)
+const struct flint_part *load_flint(const char *command, const char *what)
 {
-  static const struct flint_part *part; /* what is loaded stays */
+  static const struct flint_part *part; /* stays loaded */
   char folder[PATH_MAX], path[PATH_MAX + 40] = "";
-  /* the program as it was started, through any link, and without /proc, which need not be there */
+  /* the path of the program, with links resolved; /proc may be missing */
   const char *own = (const char *)getauxval(AT_EXECFN); /* NOLINT(performance-no-int-to-ptr) */
   if (!own || !realpath(own, folder))
     strcpy(folder, "/");
   strrchr(folder, '/')[1] = '\0';
-  if (!part) /* a program may be linked with it */
+  if (!part) /* the program may be linked with the part */
     part = dlsym(dlopen(NULL, RTLD_LAZY), "flint_part");
   for (int installed = 0; !part && installed < 2 && access(path, F_OK) != 0; installed++) {
     snprintf(path, sizeof path, "%s%sscallop-flint.so", folder, installed ? "../lib/scallop/" : "");
@@ -29,7 +29,7 @@ const struct flint_part *flint_for(const char *command, const char *what)
   if (part && strcmp(part->version, SCALLOP_VERSION) == 0)
     return part;
   if (part)
-    complain(command, "%s needs FLINT, and %s is that of scallop %s", what, path, part->version);
+    complain(command, "%s needs FLINT, and %s belongs to scallop %s", what, path, part->version);
   else if (access(path, F_OK) == 0)
     complain(command, "%s needs FLINT: %s", what, dlerror());
   else

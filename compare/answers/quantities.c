@@ -68,7 +68,7 @@ const struct quantity_row quantity_rows[] = {
   { "first_transition_T", .kind = QUANTITY_STUDIED, .which = STUDIED_TRANSITION_T },
   { "first_transition_froude", .kind = QUANTITY_FORMULA,
     .formula = "(m1 + m2)/(F1 + F2)*L/first_transition_T/first_transition_T" },
-  { "reversals", NULL, "likewise", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_REVERSALS },
+  { "reversals", NULL, "reversals along T", .kind = QUANTITY_STUDIED_TEXT, .which = STUDIED_REVERSALS },
   { "best_order", NULL, "the terms below T^best_order have the least error of the displacement at this T",
     .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ORDER },
   { "best_error", NULL, "that error", .kind = QUANTITY_STUDIED, .which = STUDIED_BEST_ERROR },
@@ -83,7 +83,7 @@ const struct quantity_row quantity_rows[] = {
   { .name = NULL }
 };
 
-/* The row of this name, or the last, which has none. */
+/* Returns the row called name, or the last row, with name NULL. */
 static const struct quantity_row *row_named(const char *name)
 {
   const struct quantity_row *row = quantity_rows;
@@ -110,7 +110,7 @@ const struct column_meaning *quantity_meaning(const char *name)
   return &meaning;
 }
 
-/* What formulas are about, in an extension and in a contraction: the bodies exchange their roles. */
+/* The quantities of formulas in an extension and in a contraction, in which the bodies exchange their roles */
 static const struct {
   enum quantity_id id[2];
   const char *text[2];
@@ -149,7 +149,7 @@ bool formula_takes_given(const struct scallop_formula *f)
          || formula_takes(f, SCALLOP_SYMBOL_x_switch);
 }
 
-/* What a name begins with, and what the rest of it has to be: a number of a motion, or a series */
+/* The prefixes of names, and the kind of name that follows each: a number of a motion, or a series */
 static const struct prefix {
   const char *text;
   enum quantity_kind kind;
@@ -157,14 +157,14 @@ static const struct prefix {
   enum { OF_ANSWER, OF_NUMBER, OF_SERIES, OF_STEADY_SERIES, OF_STEADY_FORMULA } of;
 } prefixes[] = {
   { "certified.", QUANTITY_CERTIFIED, 0, OF_ANSWER },
-  { "derived_", QUANTITY_DERIVED, 0, OF_ANSWER }, /* and the order, which a dot ends */
+  { "derived_", QUANTITY_DERIVED, 0, OF_ANSWER }, /* followed by the order and a dot */
   { "limit.", QUANTITY_LIMIT, 0, OF_ANSWER },
   { "exact.", QUANTITY_EXACT, 0, OF_SERIES },
   { "error.", QUANTITY_ERROR, 0, OF_SERIES },
   { "relative.", QUANTITY_RELATIVE, 0, OF_SERIES },
   { "low.", QUANTITY_DATA, -1, OF_NUMBER },
   { "high.", QUANTITY_DATA, 1, OF_NUMBER },
-  { "reach_", QUANTITY_STUDIED, STUDIED_REACH, OF_STEADY_SERIES }, /* likewise the tolerance */
+  { "reach_", QUANTITY_STUDIED, STUDIED_REACH, OF_STEADY_SERIES }, /* followed by the tolerance and a dot */
   { "value.", QUANTITY_STUDIED, STUDIED_VALUE, OF_STEADY_SERIES },
   { "deviation.", QUANTITY_STUDIED, STUDIED_DEVIATION, OF_STEADY_SERIES },
   { "error_limit.", QUANTITY_STUDIED, STUDIED_ERROR_LIMIT, OF_STEADY_SERIES },
@@ -173,7 +173,7 @@ static const struct prefix {
   { .text = NULL },
 };
 
-/* The one that the name begins with, or the last, which has no text */
+/* Returns the prefix of the name, or the last one, with text NULL. */
 static const struct prefix *prefix_of(const char *name)
 {
   const struct prefix *p = prefixes;
@@ -182,26 +182,25 @@ static const struct prefix *prefix_of(const char *name)
   return p;
 }
 
-/* Takes the number that a prefix ends with. Returns what is behind its dot, or NULL. */
+/* Reads the number at the end of a prefix. Returns the text behind its dot, or NULL. */
 static const char *read_number_of(struct quantity *q, const char *text)
 {
-  enum { MOST_ORDER = 1000 };
+  enum { MAX_ORDER = 1000 };
   char *end;
   double x = strtod(text, &end);
   if (*text < '0' || *text > '9')
     return NULL;
-  end -= end[-1] == '.'; /* that of "8." is no part of the number */
+  end -= end[-1] == '.'; /* the dot of "8." ends the prefix */
   bool fits = x > 0;
   if (q->kind == QUANTITY_DERIVED) {
-    q->order = x <= MOST_ORDER ? (long)x : 0;
+    q->order = x <= MAX_ORDER ? (long)x : 0;
     fits = q->order > 0 && x == (double)q->order;
   } else
     q->tolerance = x;
   return fits && *end == '.' ? end + 1 : NULL;
 }
 
-/* The quantity with this prefix and the rest of its name. Returns 0, or what quantity_named returns where there is
- * none. */
+/* Sets the quantity with this prefix and the rest of its name. Returns 0, or the negative result of quantity_named. */
 static int prefixed_named(struct quantity *q, struct quantities *all, const struct prefix *p, const char *rest)
 {
   q->kind = p->kind;
@@ -228,7 +227,7 @@ static int prefixed_named(struct quantity *q, struct quantities *all, const stru
   return fits ? 0 : -1;
 }
 
-/* "v_start_error" */
+/* Sets the quantity if name is like "v_start_error". Returns false if it is not. */
 static bool estimate_named(struct quantity *q, const char *name)
 {
   char of[QUANTITY_NAME];
@@ -242,7 +241,8 @@ static bool estimate_named(struct quantity *q, const char *name)
   return q->which < QUANTITIES;
 }
 
-/* "eq14_dT:contraction", of a formula that both phases have; others are of the one that they are printed for */
+/* Sets the quantity if name is a formula, with ":contraction" behind a formula that holds for both phases. Returns
+ * false if it is not. */
 static bool published_named(struct quantity *q, const char *name)
 {
   static const char *const phases[] = { "extension", "contraction", NULL };
@@ -262,7 +262,7 @@ static bool published_named(struct quantity *q, const char *name)
   return true;
 }
 
-/* The place of the name in a list of so many, or -1 */
+/* Returns the place of the name in the list, or -1. */
 static int place_among(const char *const *names, int count, const char *name)
 {
   int i = count - 1;
@@ -271,7 +271,8 @@ static int place_among(const char *const *names, int count, const char *name)
   return i;
 }
 
-/* A label or a column of a file takes the place of a number of a motion, and not that of a parameter. */
+/* Sets the quantity if name is a label, a column of a file, or a plain name. A label or column hides a number of a
+ * motion, but not a parameter. */
 static bool plain_named(struct quantity *q, const struct quantities *all, const char *name)
 {
   const struct quantity_row *row = row_named(name);
@@ -304,10 +305,10 @@ static int place_in(const struct quantities *all, const char *name)
   return i;
 }
 
-/* Returns its place, or -2: there is no room. */
+/* Returns the place, or -2: the list is full. */
 static int add(struct quantities *all, const struct quantity *q)
 {
-  if (all->count == MOST_QUANTITIES)
+  if (all->count == MAX_QUANTITIES)
     return -2;
   all->item[all->count] = *q;
   return all->count++;
@@ -347,59 +348,58 @@ int quantity_named(struct quantities *all, const char *name)
 
 const char *quantity_near(const struct quantities *all, const char *name)
 {
-  enum { MOST_NAMES = 160 };
-  const char *names[MOST_NAMES + 1], *dot = strrchr(name, '.');
+  enum { MAX_NAMES = 160 };
+  const char *names[MAX_NAMES + 1], *dot = strrchr(name, '.');
   const struct scallop_formula *f;
   int n = 0;
   for (const struct quantity_row *row = quantity_rows; row->name; row++)
     names[n++] = row->name;
   for (int i = 0; i < all->labels; i++)
     names[n++] = all->label[i];
-  for (int i = 0; i < all->carries && n < MOST_NAMES; i++)
+  for (int i = 0; i < all->carries && n < MAX_NAMES; i++)
     names[n++] = all->carried[i];
-  for (int i = 0; n < MOST_NAMES && (f = formula_at(i)); i++)
+  for (int i = 0; n < MAX_NAMES && (f = formula_at(i)); i++)
     names[n++] = f->name;
   names[n] = NULL;
-  return nearest(dot ? dot + 1 : name, names); /* the last part is mistyped most often */
+  return nearest(dot ? dot + 1 : name, names); /* compares the last part */
 }
 
-struct asked *asked_nothing(const char *command)
+struct requirements *requirements_new(const char *command)
 {
-  struct asked *asked = malloc(sizeof *asked);
-  if (asked) {
-    memset(asked, 0, offsetof(struct asked, quantities.item));
-    asked->command = command;
-    asked->accuracy = ACCURACY_OF_DOUBLES;
-    asked->digits = DIGITS_OF_DOUBLE;
+  struct requirements *required = malloc(sizeof *required);
+  if (required) {
+    memset(required, 0, offsetof(struct requirements, quantities.item));
+    required->command = command;
+    required->accuracy = ACCURACY_OF_DOUBLES;
+    required->digits = DIGITS_OF_DOUBLE;
   }
-  return asked;
+  return required;
 }
 
-void asked_free(struct asked *asked)
+void requirements_free(struct requirements *required)
 {
-  for (int i = 0; asked && i < asked->quantities.count; i++)
-    free(asked->quantities.item[i].own);
-  for (int i = 0; asked && i < asked->quantities.labels; i++)
-    free((char *)asked->quantities.label[i]);
-  free(asked);
+  for (int i = 0; required && i < required->quantities.count; i++)
+    free(required->quantities.item[i].own);
+  for (int i = 0; required && i < required->quantities.labels; i++)
+    free((char *)required->quantities.label[i]);
+  free(required);
 }
 
-/* A change of velocity in doubles is a small difference of large numbers, and has not the digits that errors are told
- * to. */
-bool asked_certifies_errors(const struct asked *asked)
+/* A change of velocity in doubles is a small difference of large numbers: its error is less accurate than 1e-10. */
+bool errors_are_certified(const struct requirements *r)
 {
   bool certifies = false, has = false;
-  for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++) {
+  for (const struct quantity *q = r->quantities.item; q < r->quantities.item + r->quantities.count; q++) {
     has |= q->is_compared;
-    certifies |= q->is_compared && q->formula && q->formula->quantity == SCALLOP_VELOCITY_CHANGE && asked->accuracy > 0;
+    certifies |= q->is_compared && q->formula && q->formula->quantity == SCALLOP_VELOCITY_CHANGE && r->accuracy > 0;
   }
-  return certifies || (has && asked->certified_errors);
+  return certifies || (has && r->certified_errors);
 }
 
-const char *asked_needs_flint(const struct asked *asked)
+const char *quantity_needing_flint(const struct requirements *r)
 {
-  bool certifies = asked_certifies_errors(asked);
-  for (const struct quantity *q = asked->quantities.item; q < asked->quantities.item + asked->quantities.count; q++)
+  bool certifies = errors_are_certified(r);
+  for (const struct quantity *q = r->quantities.item; q < r->quantities.item + r->quantities.count; q++)
     if (q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT
         || q->kind == QUANTITY_STUDIED || q->kind == QUANTITY_STUDIED_TEXT || (certifies && quantity_is_comparison(q)))
       return q->name;

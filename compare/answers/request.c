@@ -6,8 +6,8 @@
 #include "compare/points/gait_file.h"
 #include "compare/points/gaits.h"
 
-/* L, T and alpha are not among gaits of which a measured one brings its own. */
-bool is_held(const struct request *r, const char *parameter)
+/* L, T and alpha vary with the gait if one of the gaits is measured. */
+bool is_constant(const struct request *r, const char *parameter)
 {
   const struct sweep_variable *v;
   int place = crawler_place(parameter);
@@ -22,7 +22,7 @@ bool is_held(const struct request *r, const char *parameter)
   return true;
 }
 
-const char *parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const char *const *not_held,
+const char *parameters_text(char text[PARAMETERS_TEXT], const struct point *p, const char *const *excluded,
                             bool as_written)
 {
   size_t used = 0;
@@ -30,7 +30,7 @@ const char *parameters_text(char text[PARAMETERS_TEXT], const struct point *p, c
   for (int i = 0; i <= CRAWLER_NUMBERS; i++) {
     const char *written = i == CRAWLER_NUMBERS ? p->crawler.gait->name : as_written ? p->written[i] : NULL;
     char number[NUMBER_TEXT];
-    if (name_among(not_held, crawler_parameters[i]))
+    if (name_among(excluded, crawler_parameters[i]))
       continue;
     if (!written)
       number_text(number, crawler_number(&p->crawler, i), 0);
@@ -40,14 +40,14 @@ const char *parameters_text(char text[PARAMETERS_TEXT], const struct point *p, c
   return text;
 }
 
-void note_parameters(struct table *t, const struct point *p, const char *const *not_held, bool as_written)
+void note_parameters(struct table *t, const struct point *p, const char *const *excluded, bool as_written)
 {
   char text[PARAMETERS_TEXT];
-  if (*parameters_text(text, p, not_held, as_written))
+  if (*parameters_text(text, p, excluded, as_written))
     table_note(t, "parameters:%s", text);
 }
 
-void tell_decimal_commas(const struct sweep *sweep, const struct style *style)
+void print_decimal_commas(const struct sweep *sweep, const struct style *style)
 {
   const struct sweep_variable *v;
   for (int i = 0; (v = sweep_variable(sweep, i)) && !style->quiet; i++)
@@ -57,7 +57,7 @@ void tell_decimal_commas(const struct sweep *sweep, const struct style *style)
               style->command, v->name, v->texts[0], v->texts[1], v->texts[0], v->texts[1], v->texts[0], v->texts[1]);
 }
 
-void point_tell_recording(const struct point *p, const struct style *style)
+void print_recording(const struct point *p, const struct style *style)
 {
   const struct scallop_gait *gait = p->crawler.gait;
   const struct gait_file *file = gait_file_of(gait);
@@ -69,6 +69,6 @@ void point_tell_recording(const struct point *p, const struct style *style)
   fprintf(stderr, "scallop %s: note: %.200s: %s; %s\n", style->command, gait->name + strlen("measured:"), file->columns,
           text);
   if (reversals > 0)
-    fprintf(stderr, "scallop %s: note: l' changes its sign %d times within the phases: noise, perhaps\n",
+    fprintf(stderr, "scallop %s: note: l' changes its sign %d times within the phases, probably by noise\n",
             style->command, reversals);
 }

@@ -1,4 +1,4 @@
-/* The columns of a table by the texts that ask for them, their cells at a point, and the head of the table. */
+/* Columns of a table from their texts, the cells of a row, and the head of the table. */
 #include "compare/answers/rows.h"
 
 #include <math.h>
@@ -14,9 +14,9 @@
 #include "compare/tables/tsv.h"
 #include "compare/text/values.h"
 
-_Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has room for all that is carried along");
+_Static_assert(TABLE_COLUMNS >= TSV_CELLS + 128, "a table has at least as many columns as a file of points");
 
-/* The text that gives the sheet's own name, or NULL; *meaning: what it stands for */
+/* Returns the text that defines the sheet's own name, or NULL; *meaning: its definition. */
 static const char *own_text(const struct sheet *s, const char *name, const char **meaning)
 {
   for (const char *const *own = s->own; own && *own; own++) {
@@ -28,10 +28,10 @@ static const char *own_text(const struct sheet *s, const char *name, const char 
   return NULL;
 }
 
-/* An own name that is a formula of quantities becomes a quantity too, so that other formulas can take it. */
+/* Returns the place of a name. An own name that is a formula also becomes a quantity, for use in other formulas. */
 static int place_of(void *sheet, const char *name)
 {
-  struct quantities *all = &((struct sheet *)sheet)->asked->quantities;
+  struct quantities *all = &((struct sheet *)sheet)->required->quantities;
   const char *meaning, *own = own_text(sheet, name, &meaning);
   int place = quantity_named(all, own ? meaning : name);
   return place < 0 && own ? quantity_of_text(all, own, meaning) : place;
@@ -39,67 +39,67 @@ static int place_of(void *sheet, const char *name)
 
 static const char *near_to(void *sheet, const char *name, const char *const *functions)
 {
-  return functions ? nearest(name, functions) : quantity_near(&((struct sheet *)sheet)->asked->quantities, name);
+  return functions ? nearest(name, functions) : quantity_near(&((struct sheet *)sheet)->required->quantities, name);
 }
 
-const char *sheet_no_quantity(const struct asked *asked, const char *name)
+const char *unknown_quantity_error(const struct requirements *required, const char *name)
 {
-  const char *near = quantity_near(&asked->quantities, name);
+  const char *near = quantity_near(&required->quantities, name);
   return wrong_text("there is no quantity '%.80s'%s", name,
-                    *name == '(' ? formula_instead(name)
+                    *name == '(' ? formula_hint(name)
                     : near       ? did_you_mean(near)
                                  : " (docs/reference/columns.md lists them)");
 }
 
 static const char *missing(void *sheet, const char *name)
 {
-  return sheet_no_quantity(((struct sheet *)sheet)->asked, name);
+  return unknown_quantity_error(((struct sheet *)sheet)->required, name);
 }
 
-const char *sheet_formula(struct asked *asked, struct formula *formula, const char *text)
+const char *sheet_formula(struct requirements *required, struct formula *formula, const char *text)
 {
   static char wrong[FORMULA_MESSAGE];
-  struct sheet plain = { .asked = asked };
+  struct sheet plain = { .required = required };
   const struct formula_names names = { .place = place_of, .nearest = near_to, .context = &plain };
   return formula_read(formula, text, &names, wrong);
 }
 
-/* Does any column take a quantity of which that holds? */
+/* Returns true if a column takes a quantity for which holds() is true. */
 static bool sheet_takes(const struct sheet *s, bool (*holds)(const struct quantity *))
 {
   int places[FORMULA_STEPS];
   for (int i = 0; i < s->columns.count; i++)
     for (int k = column_places(&s->columns.item[i], places); k-- > 0;)
-      if (holds(&s->asked->quantities.item[places[k]]))
+      if (holds(&s->required->quantities.item[places[k]]))
         return true;
   return false;
 }
 
 static bool is_derived(const struct quantity *q) { return q->kind == QUANTITY_DERIVED || q->kind == QUANTITY_LIMIT; }
 
-/* NULL, or why the column cannot have that quantity */
-static const char *refusal(const struct sheet *s, const struct column *column, const struct quantity *q)
+/* Returns NULL, or why the column cannot have the quantity. */
+static const char *column_error(const struct sheet *s, const struct column *column, const struct quantity *q)
 {
-  const struct quantity *series = q->of >= 0 ? &s->asked->quantities.item[q->of] : q;
+  const struct quantity *series = q->of >= 0 ? &s->required->quantities.item[q->of] : q;
   bool is_number = !quantity_is_text(q) || q->kind == QUANTITY_CERTIFIED || q->kind == QUANTITY_CARRIED;
   if (column->formula && !is_number)
-    return "is a text, which stands alone in a column";
+    return "is a text and cannot be part of a formula";
   if (q->kind == QUANTITY_SAMPLE && !s->of_samples)
     return "is a quantity of a trajectory";
   if (q->kind == QUANTITY_STATUS && s->of_samples)
-    return "is nothing that a trajectory has: it ends where it cannot go on";
-  if (s->asked->from_steady && q->motion == OF_PHASE && is_derived(series))
+    return "is not a quantity of a trajectory";
+  if (s->required->from_steady && q->motion == OF_PHASE && is_derived(series))
     return "is derived for a start that stays the same as T falls: from rest, or from a velocity";
   return NULL;
 }
 
 static bool is_status(const struct quantity *q) { return q->kind == QUANTITY_STATUS; }
 
-/* Adds a column. NULL, or what is wrong with the text: that lives until the next call. */
+/* Adds a column. Returns NULL or the error of the text, valid until the next call. */
 static const char *sheet_add(struct sheet *s, const char *text)
 {
   const char *meaning, *own = own_text(s, text, &meaning), *why;
-  struct sheet plain = { .asked = s->asked }; /* in the meaning of an own name there are no own names */
+  struct sheet plain = { .required = s->required }; /* own names are not used in the definition of an own name */
   const struct column_names names = { { place_of, near_to, NULL, own ? &plain : s }, missing };
   int places[FORMULA_STEPS];
   text = own ? own : text;
@@ -107,8 +107,8 @@ static const char *sheet_add(struct sheet *s, const char *text)
   const char *wrong = column_add(&s->columns, text, &names);
   const struct column *added = &s->columns.item[s->columns.count - 1];
   for (int i = wrong ? 0 : column_places(added, places); i-- > 0;) {
-    const struct quantity *q = &s->asked->quantities.item[places[i]];
-    if ((why = refusal(s, added, q)))
+    const struct quantity *q = &s->required->quantities.item[places[i]];
+    if ((why = column_error(s, added, q)))
       return strcmp(text, q->name) == 0 ? wrong_text("%s %s", text, why)
                                         : wrong_text("'%.100s': %s %s", text, q->name, why);
   }
@@ -124,7 +124,7 @@ void sheet_head(const struct sheet *s, struct table *t)
 static void put_text(const struct sheet *s, struct table *t, struct at *at, int quantity)
 {
   const char *text = at_text(at, quantity, s->digits);
-  enum quantity_kind kind = s->asked->quantities.item[quantity].kind;
+  enum quantity_kind kind = s->required->quantities.item[quantity].kind;
   if (kind == QUANTITY_CARRIED)
     table_carried(t, text);
   else if (kind != QUANTITY_CERTIFIED)
@@ -137,17 +137,17 @@ static void put_text(const struct sheet *s, struct table *t, struct at *at, int 
 
 static void put_number(const struct sheet *s, struct table *t, struct at *at, int quantity)
 {
-  const struct quantity *q = &s->asked->quantities.item[quantity];
+  const struct quantity *q = &s->required->quantities.item[quantity];
   double x = at_number(at, quantity);
   char shortest[NUMBER_TEXT];
-  const double unknown = t->sink->digits == PEOPLE_DIGITS && !t->style->digits ? at_data_error(at, quantity) : NAN;
+  const double unknown = t->sink->digits == ALIGNED_DIGITS && !t->style->digits ? at_data_error(at, quantity) : NAN;
   if (q->kind == QUANTITY_ESTIMATE || !isnan(unknown)) {
     char format[8];
     snprintf(format, sizeof format, "%%.%dg", isnan(unknown) ? 3 : digits_known(x, unknown));
     table_rounded(t, x, format);
   } else if (q->kind != QUANTITY_NUMBER || !s->as_written)
     table_number(t, x);
-  else { /* with all the digits that were given: --digits is of what is proven */
+  else { /* all given digits; --digits applies to certified values */
     const char *written = at->place.is_unread ? NULL : at->place.point.written[q->which];
     if (written && t->sink->format == FORMAT_JSON && !json_takes_number(written))
       written = NULL; /* 3/5, .6 */
@@ -166,7 +166,7 @@ void sheet_row(const struct sheet *s, struct table *t, struct at *at)
     if (c->formula)
       table_number(t, at_formula(at, c->formula));
     else
-      (quantity_is_text(&s->asked->quantities.item[c->place]) ? put_text : put_number)(s, t, at, c->place);
+      (quantity_is_text(&s->required->quantities.item[c->place]) ? put_text : put_number)(s, t, at, c->place);
   count_add(COUNT_ROWS, 1);
 }
 
@@ -205,29 +205,29 @@ static const char *add_all(struct sheet *s, const char *const *texts, int count)
 
 static bool is_certified(const struct quantity *q) { return q->kind == QUANTITY_CERTIFIED; }
 
-/* How well errors, digits and series have to be known for the columns */
-static const char *settle(struct rows *r)
+/* Sets the accuracy of errors and the digits for the columns. Returns NULL or the error. */
+static const char *set_accuracy(struct rows *r)
 {
   const struct request *q = r->request;
-  struct asked *asked = r->sheet.asked;
+  struct requirements *required = r->sheet.required;
   if (sheet_takes(&r->sheet, quantity_is_comparison) || r->has_errors) {
     bool fine = q->accuracy.given && q->accuracy.value < ACCURACY_OF_DOUBLES;
     bool certified = q->reference.given && strcmp(q->reference.value, "certified") == 0;
     if (fine && q->reference.given && !certified)
-      return "the exact solver works in doubles, whose errors are told down to 1e-10: a finer accuracy needs the "
+      return "the exact solver works in doubles and resolves errors down to 1e-10: a finer accuracy needs the "
              "reference certified";
-    asked->certified_errors |= certified || fine;
-    asked->accuracy = q->accuracy.given && q->accuracy.value < asked->accuracy ? q->accuracy.value : asked->accuracy;
+    required->certified_errors |= certified || fine;
+    required->accuracy = fmin(q->accuracy.given ? q->accuracy.value : INFINITY, required->accuracy);
   }
   r->sheet.digits = q->style.digits > 0 ? q->style.digits : q->scene ? DIGITS_OF_DOUBLE : CERTIFIED_DIGITS;
   if (q->style.digits > DIGITS_OF_DOUBLE && !sheet_takes(&r->sheet, is_certified))
-    return "so many digits are more than a double has, and no column is certified: certified.displacement is, for one";
-  asked->digits = r->sheet.digits > asked->digits ? r->sheet.digits : asked->digits;
+    return "the digits are more than a double has, and no column is certified: use certified.displacement, for one";
+  required->digits = r->sheet.digits > required->digits ? r->sheet.digits : required->digits;
   return NULL;
 }
 
-/* What is drawn and not among the usual columns stands behind them; among chosen ones it has to be, but of a map, which
- * needs its axes, too: there it is drawn and not written. */
+/* Adds the columns of the plot. Missing ones follow the usual columns; if columns are chosen they must be among these,
+ * except for a map: it also needs its axes, drawn but not written. Returns NULL or the error. */
 static const char *add_drawn(struct rows *r, bool are_chosen)
 {
   const struct plot *plot = &r->request->style.plot;
@@ -254,7 +254,7 @@ static const char *add_drawn(struct rows *r, bool are_chosen)
 static const char *add_columns(struct rows *r)
 {
   const char *const *own = (const char *const *)r->own, *wrong = NULL;
-  const struct quantities *all = &r->sheet.asked->quantities;
+  const struct quantities *all = &r->sheet.required->quantities;
   const struct table_choice *choice = r->choice ? r->choice : r->request->style.choice;
   const struct {
     const char *const *texts;
@@ -265,7 +265,7 @@ static const char *add_columns(struct rows *r)
                 { all->carried, all->carries },
                 { own, TABLE_COLUMNS } };
   if (r->behind)
-    choice = NULL; /* of all columns of the table */
+    choice = NULL; /* it applies to all columns of the table */
   r->sheet.own = own;
   if (choice)
     wrong = add_all(&r->sheet, choice->names, choice->count);
@@ -277,21 +277,21 @@ static const char *add_columns(struct rows *r)
 const char *rows_columns(struct rows *r)
 {
   const char *wrong = add_columns(r);
-  return wrong ? wrong : settle(r);
+  return wrong ? wrong : set_accuracy(r);
 }
 
-/* Has the table a column of that name with something else in it, as "T = alpha*T"? */
+/* Returns true if a column with the parameter's name has another value, as "T = alpha*T". */
 static bool is_renamed(const struct rows *r, const char *parameter)
 {
   const struct column_list *all = &r->sheet.columns;
   for (const struct column *c = all->item; c < all->item + all->count; c++)
     if (strcmp(c->name, parameter) == 0
-        && (c->place < 0 || strcmp(r->sheet.asked->quantities.item[c->place].name, parameter) != 0))
+        && (c->place < 0 || strcmp(r->sheet.required->quantities.item[c->place].name, parameter) != 0))
       return true;
   return false;
 }
 
-/* Notes the parameters that were given on the command line in place of the scene's. False: none was. */
+/* Notes the parameters of the command line that override the scene's. Returns false without such parameters. */
 static bool note_given(struct rows *r)
 {
   const struct point *p = r->request->scene->given;
@@ -306,20 +306,20 @@ static bool note_given(struct rows *r)
       not_given[count++] = crawler_parameters[i];
   }
   if (count <= CRAWLER_NUMBERS)
-    table_note(&r->table, "in place of what the scene says of them:%s%s", parameters_text(text, p, not_given, true),
-               renamed ? " (of the crawler, not the column)" : "");
+    table_note(&r->table, "given on the command line in place of the scene's:%s%s",
+               parameters_text(text, p, not_given, true), renamed ? " (of the crawler, not the column)" : "");
   return count <= CRAWLER_NUMBERS;
 }
 
-/* Notes the parameters that are the same in all rows; a column of that name may be something else. */
-static void note_held(struct rows *r)
+/* Notes the parameters that are the same in all rows and no column redefines. */
+static void note_constants(struct rows *r)
 {
-  const char *not_held[CRAWLER_NUMBERS + 2] = { NULL };
+  const char *excluded[CRAWLER_NUMBERS + 2] = { NULL };
   int count = 0;
   for (const char *const *name = crawler_parameters; *name; name++)
-    if (!is_held(r->request, *name) || is_renamed(r, *name))
-      not_held[count++] = *name;
-  note_parameters(&r->table, &r->request->point, not_held, false);
+    if (!is_constant(r->request, *name) || is_renamed(r, *name))
+      excluded[count++] = *name;
+  note_parameters(&r->table, &r->request->point, excluded, false);
 }
 
 static bool is_of_start(const struct quantity *q)
@@ -328,7 +328,7 @@ static bool is_of_start(const struct quantity *q)
          || q->kind == QUANTITY_PHASE_NAME;
 }
 
-/* What quantities of a phase are about, where a row has any */
+/* Notes the phase and its start if a row has quantities of a phase. */
 static void note_start(struct rows *r)
 {
   const struct point *p = &r->request->point;
@@ -337,7 +337,7 @@ static void note_start(struct rows *r)
     return;
   if (p->v0 != 0)
     number_text(start, p->v0, 0);
-  const char *text = !is_held(r->request, "v0") ? "v0" : r->sheet.asked->from_steady ? "steady" : start;
+  const char *text = !is_constant(r->request, "v0") ? "v0" : r->sheet.required->from_steady ? "steady" : start;
   if (r->sheet.of_samples)
     table_note(&r->table, "start: %s", text);
   else
@@ -354,13 +354,13 @@ static void write_head(struct rows *r)
     if (scene->title)
       table_note(&r->table, "%s", scene->title);
     bool given = note_given(r);
-    for (int i = 0; i < scene->notes && !given; i++) /* with other parameters they may be wrong */
+    for (int i = 0; i < scene->notes && !given; i++) /* other parameters may make them wrong */
       table_note(&r->table, "%s", scene->note[i]);
   }
   if (r->request->shard.parts > 0)
     table_note(&r->table, SHARD_LINE, r->request->shard.part, r->request->shard.parts, r->request->shard.sweep);
   if (scene || r->notes_parameters)
-    note_held(r);
+    note_constants(r);
   if (scene)
     note_start(r);
   if (r->head)
@@ -375,7 +375,7 @@ bool rows_open(struct rows *r)
 {
   r->style = r->request->style;
   if (!r->behind)
-    r->style.choice = NULL; /* the sheet has taken it */
+    r->style.choice = NULL; /* the sheet has only the chosen columns */
   r->is_open = table_open(&r->table, &r->style);
   r->cannot_open = !r->is_open;
   if (r->is_open) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 const char shard_end[] = "end of shard";
+static const char not_shard[] = "it is not a shard: its head has no line '# shard: ...'";
 
 static uint64_t fold(uint64_t name, const char *bytes, size_t size) /* FNV-1a */
 {
@@ -27,14 +28,14 @@ uint64_t shard_name_file(uint64_t name, const char *path)
   return name;
 }
 
-/* Is it the line of a shard? */
+/* Reads the line of a shard. Returns false if it is another line. */
 static bool read_line(struct shard *s, const char *line)
 {
   return sscanf(line, "# shard: %ld of %ld of sweep %16[0-9a-f]", &s->part, &s->parts, s->sweep) == 3 && s->part >= 1
          && s->part <= s->parts;
 }
 
-/* Takes the line of the shard out of lines. False: there is none. */
+/* Removes the line of the shard from lines. Returns false if it is missing. */
 static bool take_line(struct shard *s, char *lines)
 {
   char *at = lines ? strstr(lines, "# shard: ") : NULL, *next = at ? strchr(at, '\n') : NULL;
@@ -44,37 +45,37 @@ static bool take_line(struct shard *s, char *lines)
   return true;
 }
 
-/* The '#' lines and the names of the columns, and where the rows behind these end. NULL, or what is wrong */
+/* Reads the '#' lines and the names of the columns, and finds the rows. Returns NULL or the error. */
 static const char *read_lines(struct shard_file *s)
 {
-  char last[sizeof shard_end + 4] = "", *line = NULL, wanted[sizeof last];
-  size_t size = 0, room = 0;
-  bool goes_on = true;
+  char last[sizeof shard_end + 4] = "", *line = NULL, expected[sizeof last];
+  size_t size = 0, capacity = 0;
+  bool in_head = true;
   FILE *head = open_memstream(&s->head, &size);
-  while (head && goes_on && getline(&line, &room, s->file) > 0) {
+  while (head && in_head && getline(&line, &capacity, s->file) > 0) {
     fputs(line, head);
-    goes_on = *line == '#';
+    in_head = *line == '#';
   }
   free(line);
   if (!head || fclose(head) != 0)
     return "out of memory";
   s->begin = ftello(s->file);
-  const int length = snprintf(wanted, sizeof wanted, "# %s\n", shard_end);
+  const int length = snprintf(expected, sizeof expected, "# %s\n", shard_end);
   bool found = fseeko(s->file, -(off_t)length, SEEK_END) == 0 && (s->end = ftello(s->file)) >= s->begin
                && fread(last, 1, (size_t)length, s->file) == (size_t)length;
   if (!take_line(&s->shard, s->head))
-    return "it is no shard: its head has no line '# shard: ...'";
-  return found && strcmp(last, wanted) == 0 ? NULL : "it is cut off: its last line is not '# end of shard'";
+    return not_shard;
+  return found && strcmp(last, expected) == 0 ? NULL : "it is cut off: its last line is not '# end of shard'";
 }
 
 static const char *read_array(struct shard_file *s)
 {
   const char *wrong = npy_open(&s->array, s->file, true);
   s->head = s->array.notes ? strdup(s->array.notes + strspn(s->array.notes, "\n")) : NULL;
-  char *end = s->head ? strrchr(s->head, '#') : NULL; /* behind the last '#' line blanks fill the head up */
+  char *end = s->head ? strrchr(s->head, '#') : NULL; /* blanks pad the head behind the last '#' line */
   if (end)
     end[strcspn(end, "\n") + 1] = '\0';
-  return wrong ? wrong : take_line(&s->shard, s->head) ? NULL : "it is no shard: its head has no line '# shard: ...'";
+  return wrong ? wrong : take_line(&s->shard, s->head) ? NULL : not_shard;
 }
 
 const char *shard_open(struct shard_file *s, FILE *file)
@@ -97,7 +98,7 @@ void shard_close(struct shard_file *s)
   free(s->head);
 }
 
-bool shard_is_there(const char *path, const struct shard *shard)
+bool shard_is_complete(const char *path, const struct shard *shard)
 {
   struct shard_file s;
   bool is_there = !shard_open(&s, fopen(path, "r")) && s.shard.part == shard->part && s.shard.parts == shard->parts

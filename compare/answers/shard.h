@@ -1,6 +1,6 @@
-/* Shards: a sweep in parts of neighbouring points, each a table of its own, that can be put together again. The head of
- * a shard has the line "# shard: I of N of sweep NAME", whose name is made of the whole command and of the files of
- * points and formulas that it reads; in TSV its last line is "# end of shard". */
+/* Shards: tables of consecutive parts of a sweep; `merge` joins them. The head of a shard has the line
+ * "# shard: I of N of sweep NAME"; NAME is a hash of the command and of the files of points and formulas that it reads.
+ * In TSV the last line is "# end of shard". */
 #ifndef SCALLOP_COMPARE_ANSWERS_SHARD_H
 #define SCALLOP_COMPARE_ANSWERS_SHARD_H
 
@@ -12,15 +12,15 @@
 #define SHARD_LINE "shard: %ld of %ld of sweep %s"
 extern const char shard_end[];
 
-/* The first of the points of a shard, of so many; of the next one: the end. */
+/* Returns the index of the first point of a part, 1 <= part <= parts; for part + 1 the end of the part. */
 static inline long shard_begin(const struct shard *s, long part, long points)
 {
   const long left = points % s->parts;
   return points / s->parts * (part - 1) + (part - 1 < left ? part - 1 : left);
 }
 
-/* A name that begins, and one that goes on: of what a text says, of what a file holds. */
-#define SHARD_NO_NAME UINT64_C(0xcbf29ce484222325) /* FNV-1a begins with it */
+/* Return the hash of a name, extended by a text or by the contents of a file. It begins with SHARD_NO_NAME. */
+#define SHARD_NO_NAME UINT64_C(0xcbf29ce484222325) /* the offset of FNV-1a */
 uint64_t shard_name_text(uint64_t name, const char *text);
 uint64_t shard_name_file(uint64_t name, const char *path);
 
@@ -29,14 +29,14 @@ struct shard_file {
   struct shard shard;
   bool is_array;
   struct npy_file array;
-  char *head;       /* in TSV the '#' lines and the names, without the line of the shard; of an array its notes */
-  off_t begin, end; /* of the rows in TSV */
+  char *head;       /* without the line of the shard: in TSV '#' lines and names of columns, in NPY the notes */
+  off_t begin, end; /* of the rows, in TSV */
 };
-/* file: NULL where it cannot be opened, by errno. NULL, or why it is no whole shard, until the next call: it is to be
- * closed in either case. */
+/* Reads the head of a shard; file may be NULL after a failed fopen, errno being set. Returns NULL, or why the file is
+ * not a complete shard, valid until the next call. The shard must be closed in either case. */
 const char *shard_open(struct shard_file *shard, FILE *file);
 void shard_close(struct shard_file *shard);
-/* Is that shard there already, and whole? */
-bool shard_is_there(const char *path, const struct shard *shard);
+/* Returns true if the file is that shard and complete. */
+bool shard_is_complete(const char *path, const struct shard *shard);
 
 #endif

@@ -37,16 +37,16 @@ const char *vary_group(struct request *r)
   return NULL;
 }
 
-/* Adds a variable whose values are known to be good. */
+/* Adds a variable with valid values. */
 static const char *add(struct request *r, const struct sweep_variable *v)
 {
   struct sweep_product *product = last_product(r);
   struct sweep_group *g = &product->group[product->groups - 1];
   double points = 1;
   if (g->variables == SWEEP_VARIABLES)
-    return wrong_text("more than %d variables go together here", SWEEP_VARIABLES);
+    return wrong_text("more than %d variables in one group", SWEEP_VARIABLES);
   if (v->count > 1 && g->count > 1 && v->count != g->count)
-    return wrong_text("%ld values, but those before it in this group have %ld: they go on together", v->count,
+    return wrong_text("%ld values, but the variables before it in this group have %ld: they advance together", v->count,
                       g->count);
   g->count = v->count > g->count ? v->count : g->count;
   for (int i = 0; i < product->groups; i++)
@@ -57,7 +57,7 @@ static const char *add(struct request *r, const struct sweep_variable *v)
   return NULL;
 }
 
-/* The texts in one piece of memory, which begins with their list; NULL: no memory. */
+/* Copies the list and its texts to one block of memory. Returns NULL: out of memory. */
 static const char **copied(const char *const *texts, long count)
 {
   size_t size = (size_t)count * sizeof *texts;
@@ -87,7 +87,7 @@ const char *vary_list(struct request *r, struct sweep_variable v, const char *co
   return wrong;
 }
 
-/* Is the quantity known before anything is solved at a point? */
+/* Returns true if the quantity is known before a motion is solved. */
 static bool is_of_parameters(const struct quantity *q)
 {
   return (q->kind == QUANTITY_NUMBER && q->which != PLACE_OF_V0) || q->kind == QUANTITY_RATIO
@@ -99,15 +99,15 @@ const char *vary_end(const struct request *r, const char *text, struct sweep_end
   int places[FORMULA_STEPS];
   if (read_number(text, &end->number))
     return NULL;
-  const char *wrong = r->asked ? sheet_formula(r->asked, &end->formula, text) : "a finite number";
+  const char *wrong = r->required ? sheet_formula(r->required, &end->formula, text) : "a finite number";
   if (wrong)
-    return wrong_text("'%.100s' is no number, nor a formula: %s", text, wrong);
+    return wrong_text("'%.100s' is neither a number nor a formula: %s", text, wrong);
   end->is_formula = true;
   for (int i = formula_places(&end->formula, places); i-- > 0;)
-    if (!is_of_parameters(&r->asked->quantities.item[places[i]]))
+    if (!is_of_parameters(&r->required->quantities.item[places[i]]))
       return wrong_text("'%.100s': a formula of m1 m2 F1 F2 L T alpha F1_over_F2 m1_over_m2 froude and sticking_onset, "
                         "not of %s",
-                        text, r->asked->quantities.item[places[i]].name);
+                        text, r->required->quantities.item[places[i]].name);
   return NULL;
 }
 
@@ -132,13 +132,13 @@ const char *vary_range(struct request *r, struct sweep_variable v, const char *f
 
 const char *vary_label(struct request *r, const char *name, struct sweep_variable *label)
 {
-  struct quantities *all = r->asked ? &r->asked->quantities : NULL;
+  struct quantities *all = r->required ? &r->required->quantities : NULL;
   int place = 0;
   if (!all)
-    return "labels are columns of rows of points";
+    return "labels need a table with a row for each point";
   while (place < all->labels && strcmp(all->label[place], name) != 0)
     place++;
-  if (place == all->labels) { /* a new one, whose name is kept */
+  if (place == all->labels) { /* a new label */
     if (strlen(name) >= QUANTITY_NAME || place == QUANTITY_LABELS)
       return wrong_text("at most %d labels have a name, of fewer than %d characters", QUANTITY_LABELS, QUANTITY_NAME);
     if (quantity_named(all, name) >= 0)
@@ -152,8 +152,8 @@ const char *vary_label(struct request *r, const char *name, struct sweep_variabl
   return NULL;
 }
 
-/* Where the value that text begins with ends: at a comma, or at the end. A gait has commas of its own, so that there
- * only one counts behind which the name of a family stands. */
+/* Returns the end of the first value of text: a comma, or the end of text. Gaits contain commas: there only a comma
+ * before the name of a family ends a value. */
 static const char *end_of_value(const struct sweep_variable *v, const char *text)
 {
   const char *comma = strchr(text, ',');
@@ -162,7 +162,7 @@ static const char *end_of_value(const struct sweep_variable *v, const char *text
   return comma ? comma : text + strlen(text);
 }
 
-/* The values of a list between commas, which are cut off in text */
+/* Adds a list of values between commas; modifies text. */
 static const char *list_of_text(struct request *r, const struct sweep_variable *v, char *text)
 {
   const char **texts = calloc(strlen(text) + 1, sizeof *texts);
@@ -179,7 +179,7 @@ static const char *list_of_text(struct request *r, const struct sweep_variable *
   return wrong;
 }
 
-/* FROM:TO:COUNT or FROM:TO:COUNT:SPACING; copy: the same, which is cut apart */
+/* Adds the range FROM:TO:COUNT or FROM:TO:COUNT:SPACING; modifies copy, a copy of text. */
 static const char *range_of_text(struct request *r, const struct sweep_variable *v, const char *text, char *copy)
 {
   static const char *const spacings[] = { "linear", "log", NULL };
@@ -197,13 +197,13 @@ static const char *range_of_text(struct request *r, const struct sweep_variable 
   if (parts >= 3 && spacing >= 0 && read_count(part[2], strcmp(copy, part[1]) == 0 ? 1 : 2, SWEEP_RANGE, &count))
     return vary_range(r, *v, copy, part[1], count, spacing == 1);
   return wrong_text(
-      "'%.80s' is no range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
+      "'%.80s' is not a range: FROM:TO:COUNT, or FROM:TO:COUNT:log with equal ratios; COUNT is from 2 to %d, "
       "or 1 where FROM = TO; both ends belong to it; with --sample also FROM:TO or FROM:TO:log",
       text, SWEEP_RANGE);
 }
 
-/* Drops the values that the parameter has in the last product. */
-static void hold(struct request *r, const char *name)
+/* Removes the values of the parameter from the last product. */
+static void remove_values(struct request *r, const char *name)
 {
   struct sweep_product *product = last_product(r);
   int g = 0;
@@ -216,7 +216,7 @@ static void hold(struct request *r, const char *name)
   memmove(&product->group[g], &product->group[g + 1], (size_t)(product->groups - g) * sizeof *product->group);
 }
 
-/* "panel=A,B": the label; *values: its texts, which are cut off */
+/* Reads the name of a label from "panel=A,B"; *values becomes its texts. */
 static const char *label_of_text(struct request *r, struct sweep_variable *label, char **values)
 {
   char *name = *values, *equals = strchr(name, '=');
@@ -227,25 +227,25 @@ static const char *label_of_text(struct request *r, struct sweep_variable *label
   return vary_label(r, name, label);
 }
 
-/* A group of the variable, or for NULL of a label; copy: of the text, which is cut apart */
+/* Adds a group with the variable, or with a label if parameter is NULL; modifies copy, a copy of text. */
 static const char *add_values(struct request *r, const struct sweep_variable *parameter, const char *text, char *copy)
 {
   struct sweep_variable v = parameter ? *parameter : (struct sweep_variable){ .name = "" };
   const char *wrong = parameter ? NULL : label_of_text(r, &v, &copy);
   if (wrong)
     return wrong;
-  hold(r, v.name);
+  remove_values(r, v.name);
   wrong = vary_group(r);
   if (wrong)
     return wrong;
   bool is_range = v.target <= TARGET_FROUDE && strchr(copy, ':');
   wrong = is_range ? range_of_text(r, &v, text, copy) : list_of_text(r, &v, copy);
   last_product(r)->groups -= wrong != NULL;
-  r->point.has_v0 |= v.target == TARGET_V0 && !wrong; /* for blocks of rows where it does not vary */
+  r->point.has_v0 |= v.target == TARGET_V0 && !wrong; /* for blocks of rows in which v0 is constant */
   return wrong;
 }
 
-/* Puts the sampled variables of all groups behind this one into it. NULL, or what is wrong */
+/* Moves the sampled variables of all later groups into this one. Returns NULL or the error. */
 static const char *gather(const struct samples *s, struct sweep_product *p, struct sweep_group *into)
 {
   double points = (double)s->count;
@@ -290,11 +290,11 @@ const char *vary_text(struct request *r, const char *name, const char *text)
 {
   struct sweep_variable v;
   bool has = sweep_variable_of_name(&v, name), is_number = has && v.target <= TARGET_FROUDE;
-  bool is_ratio = is_number && v.target >= TARGET_M1_OVER_M2; /* which the point has no number for */
+  bool is_ratio = is_number && v.target >= TARGET_M1_OVER_M2; /* the point has no such number */
   bool is_many = has ? is_ratio || *end_of_value(&v, text) || (is_number && strchr(text, ':'))
                      : strcmp(name, "label") == 0;
   if (!is_many) {
-    hold(r, name);
+    remove_values(r, name);
     return point_set(&r->point, name, text);
   }
   char *copy = strdup(text);

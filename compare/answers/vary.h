@@ -1,33 +1,32 @@
-/* What varies, from the texts of options and of scenes: variables go into the last group of the last product of the
- * request's sweep. Each function returns NULL, or what is wrong with a text: that lives until the next call. */
+/* Variables of a sweep, from the texts of options and scenes, added to the last group of the last product of the
+ * request's sweep. Each function returns NULL or the error of a text, valid until the next call. */
 #ifndef SCALLOP_COMPARE_ANSWERS_VARY_H
 #define SCALLOP_COMPARE_ANSWERS_VARY_H
 
 #include "compare/answers/request.h"
 
-/* Begins a product, behind those that there are; a group of the last one, which then varies fastest. */
+/* Begin a product behind the existing ones; a group of the last product, from now on its fastest. */
 const char *vary_product(struct request *request);
 const char *vary_group(struct request *request);
 
-/* Of the samples that are asked for, all ranges without a count become one group in each product: once all is read. */
+/* Joins all ranges without a count to one sampled group in each product; called after all variables are read. */
 const char *vary_sample(struct request *request);
 
-/* Values as they are written. All variables of a group have as many, or one. */
+/* Adds a list of values. All variables of a group have the same number of values, or one value. */
 const char *vary_list(struct request *request, struct sweep_variable variable, const char *const *texts, long count);
-/* Both ends belong to a range; each is a number, or a formula of the parameters that are set further out and of
- * sticking_onset. */
+/* Adds a range, both ends included; each end is a number, or a formula of sticking_onset and of the parameters of
+ * slower groups. */
 const char *vary_range(struct request *request, struct sweep_variable variable, const char *from, const char *to,
                        long count, bool is_log);
-/* The variable that is the label of that name: a column of texts */
+/* Returns the variable of a label, a column of texts, in *label. */
 const char *vary_label(struct request *request, const char *name, struct sweep_variable *label);
-/* A number, or such a formula */
+/* Reads an end of a range: a number or a formula. */
 const char *vary_end(const struct request *request, const char *text, struct sweep_end *end);
 
-/* A parameter, or "label", as an option gives it. One value is set; several, a list "0.6,0.7" a range "1:10:10" or
- * "1e-3:1:50:log", or, for samples, "1:10" or "1e-3:1:log", and any of what the point has no number for, become a
- * group of the last product. Either takes the place of values that the parameter has in that product. A value of a
- * list stays as it is written, with the numbers of a gait behind its name, "constant:0.1,quadratic"; "label" takes
- * NAME=TEXT,TEXT. */
+/* Reads the value of an option for a parameter or "label". A single value is set in the point. A list "0.6,0.7", a
+ * range "1:10:10" or "1e-3:1:50:log", a range for samples, "1:10" or "1e-3:1:log", and any value of a ratio become a
+ * group of the last product. Either replaces the values that the parameter has in that product. A list of gaits is
+ * "constant:0.1,quadratic": numbers follow the name; "label" takes NAME=TEXT,TEXT. */
 const char *vary_text(struct request *request, const char *name, const char *text);
 
 #endif

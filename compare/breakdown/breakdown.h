@@ -10,10 +10,10 @@ enum breakdown_source { FROM_USER, FROM_PUBLISHED, FROM_DERIVED, FROM_LIMIT };
 
 struct breakdown_options {
   struct request request;
-  struct given_word source, only, quantity;
-  struct given_count order;      /* of the derived terms: below T^order */
+  struct optional_word source, only, quantity;
+  struct optional_count order;   /* of the derived terms: below T^order */
   const char *map[2], *range[2]; /* what varies along x and y; FROM:TO:COUNT, or NULL */
-  struct given_number tolerance;
+  struct optional_number tolerance;
   bool all; /* the table, without more                                 */
   bool boundaries;
 };

@@ -23,7 +23,7 @@ static bool is_wanted(const struct report *r, const char *what)
 
 static bool is_about(const struct report *r, enum quantity_id q)
 {
-  const struct given_word *only = &r->options->quantity;
+  const struct optional_word *only = &r->options->quantity;
   return motion_has(&r->study.motion, q) && (!only->given || strcmp(only->value, quantity_rows[q].name) == 0);
 }
 
@@ -136,7 +136,7 @@ static void write_reach(struct report *r, const struct comparison *c)
 static void write_reaches(struct report *r, enum quantity_id quantity)
 {
   static const double usual[] = { BREAKDOWN_TOLERANCES };
-  const struct given_number *given = &r->options->tolerance;
+  const struct optional_number *given = &r->options->tolerance;
   struct series_item items[MOST_ITEMS];
   int count = series_items(items, &r->study, quantity, r->options->order.value);
   for (int i = 0; i < count; i++)
@@ -276,9 +276,9 @@ static bool is_of_a_row(const void *context, const struct scallop_formula *f)
 
 static bool serves(const struct report *r)
 {
-  const struct given_word *only = &r->options->quantity;
+  const struct optional_word *only = &r->options->quantity;
   const char *what = only->given ? wrong_text("the %s of this motion", only->value) : "this motion";
-  return formula_file_serves("breakdown", r->options->request.formulas, is_of_a_row, r, what);
+  return formula_file_applies("breakdown", r->options->request.formulas, is_of_a_row, r, what);
 }
 
 enum exit_code breakdown_table(const struct breakdown_options *o)

@@ -48,13 +48,13 @@ static bool signature_at(struct signature *s, const struct motion *motion, doubl
 {
   const struct motion m = motion_at(motion, T);
   struct scallop_modes seen[2] = { { 0 } };
-  struct stretch stretch[MOST_STRETCHES];
+  struct segment stretch[MAX_SEGMENTS];
   s->motion = motion;
   s->T = T;
   if (!answer_in_double(&s->answer, &m))
     return false;
-  int count = stretches_of(stretch, &m, &s->answer);
-  for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
+  int count = motion_segments(stretch, &m, &s->answer);
+  for (int i = 0; i < count && i < MAX_SEGMENTS; i++) {
     int phase = m.of == OF_STEADY ? (int)stretch[i].phase : 0, n = seen[phase].count;
     if (n == SCALLOP_MODES_KEPT)
       continue;
@@ -193,7 +193,7 @@ static void describe_move(struct transition *e, const struct signature *before, 
 /* Behind the others; without memory it is left out. */
 static void add(struct transition **list, long *count, const struct transition *e)
 {
-  struct transition *larger = with_room(*list, *count, sizeof *larger);
+  struct transition *larger = list_grown(*list, *count, sizeof *larger);
   if (!larger)
     return;
   *list = larger;

@@ -88,11 +88,11 @@ void claim_table_add_words(struct claim_table *claims, const struct scallop_craw
 
 struct claims_options { /* of `scallop claims` */
   struct request request;
-  const char *errors;        /* the names whose errors are wanted, or NULL */
-  struct given_word verdict; /* of the rows that are wanted, or all */
+  const char *errors;           /* the names whose errors are wanted, or NULL */
+  struct optional_word verdict; /* of the rows that are wanted, or all */
   bool summary;
   const char *formula, *claimed; /* one formula instead of the paper's or of request.formulas; NULL: none */
-  struct given_word of, start, phase;
+  struct optional_word of, start, phase;
 };
 enum exit_code claims_table(const struct claims_options *options);
 

@@ -17,7 +17,7 @@ static double value_in(const struct scallop_formula *f, struct motion m, bool ex
   c->m1 *= by[0], c->m2 *= by[0];
   c->F1 *= by[0] * by[1] / by[2] / by[2], c->F2 *= by[0] * by[1] / by[2] / by[2];
   c->L *= by[1], c->T *= by[2], m.v0 *= by[1] / by[2];
-  if (!answer_in_double(&a, &m) || answer_by_second_walk(&a, &m) != SCALLOP_OK)
+  if (!answer_in_double(&a, &m) || answer_complete(&a, &m) != SCALLOP_OK)
     return NAN;
   return exact ? a.value[quantity_of_formula(f, m.phase)].high : published_value(f, &m, &a);
 }

@@ -64,7 +64,7 @@ static const char *evidence_text(const struct claim_row *row)
 enum { SHORT_TEXT = 100, SHORT_FORMULA = 30 };
 static const char *short_text(const struct report *r, char text[SHORT_TEXT], const char *formula)
 {
-  if (!formula || strlen(formula) <= 64 || !table_is_for_people(&r->options->request.style))
+  if (!formula || strlen(formula) <= 64 || !table_is_aligned(&r->options->request.style))
     return formula;
   snprintf(text, SHORT_TEXT, "%.*s... (%zu characters: --format tsv)", SHORT_FORMULA, formula, strlen(formula));
   return text;
@@ -324,7 +324,7 @@ static void write_rows(struct report *r)
 /* Nothing to write */
 static enum exit_code refuse(const struct claims_options *o)
 {
-  const char *instead = o->errors ? formula_instead(o->errors) : "";
+  const char *instead = o->errors ? formula_hint(o->errors) : "";
   if (o->errors)
     complain("claims", "--errors: no claim about an order is called '%s'%s", o->errors,
              *instead ? instead : ": the first column of the table of claims has the names");

@@ -8,7 +8,7 @@
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 
-enum { MOST_COLUMNS = 256 };
+enum { MAX_COLUMNS = 256 };
 static const char no_memory[] = "out of memory";
 
 const char *column_formula(const char *text, int *length)
@@ -20,13 +20,13 @@ const char *column_formula(const char *text, int *length)
   return formula + strspn(formula, " ");
 }
 
-/* NULL, or what is wrong with the name of a column */
+/* Returns NULL or the error of the name of a column. */
 static const char *wrong_name(const char *name)
 {
   bool may = *name != '\0';
   for (; *name; name++)
     may = may && *name >= ' ' && *name <= '~' && *name != '"' && *name != '\\';
-  return may ? NULL : "a column is called something of printable ASCII, without quotes and backslashes";
+  return may ? NULL : "the name of a column is printable ASCII, without quotes and backslashes";
 }
 
 static const char *read_formula(struct column *c, const char *text, const struct column_names *names, bool is_named)
@@ -41,7 +41,7 @@ static const char *read_formula(struct column *c, const char *text, const struct
     return names->missing(names->names.context, text);
   if (why)
     return wrong_text("'%.100s': %s", text, why);
-  if (!is_named && formula_places(c->formula, places) == 0) /* such as "(28)", an equation */
+  if (!is_named && formula_places(c->formula, places) == 0) /* "(28)" is an equation */
     return not_allowed(text, "names of columns; NAME = FORMULA may be a number alone");
   return wrong_name(c->name);
 }
@@ -50,7 +50,7 @@ const char *column_add(struct column_list *list, const char *text, const struct 
 {
   int length;
   const char *formula = column_formula(text, &length), *wrong = NULL;
-  struct column *grown = with_room(list->item, list->count, sizeof *grown);
+  struct column *grown = list_grown(list->item, list->count, sizeof *grown);
   list->item = grown ? grown : list->item;
   char *name = grown ? strndup(text, (size_t)length) : NULL;
   if (!name)
@@ -105,11 +105,11 @@ double text_number(const char *text)
 
 /* A choice of columns of a table */
 struct chosen {
-  struct table_choice choice;     /* first: the writer knows this alone */
-  const char *name[MOST_COLUMNS]; /* the text that asks for it, until the table begins */
+  struct table_choice choice;    /* first: a table sees only this */
+  const char *name[MAX_COLUMNS]; /* until the table begins the text of the column */
   struct column_list list;
-  const char *column[TABLE_COLUMNS + 1]; /* of the table, NULL-terminated */
-  char text[];                           /* all that ask, each ended by a NUL */
+  const char *column[TABLE_COLUMNS + 1]; /* columns of the table, NULL-terminated */
+  char text[];                           /* the texts, each ended by a NUL */
 };
 
 static int place_of(void *columns, const char *name) { return word_place(name, columns); }
@@ -121,7 +121,7 @@ static const char *near_to(void *columns, const char *name, const char *const *f
 
 static const char *no_column(void *columns, const char *name)
 {
-  return wrong_text("there is no column '%.80s'%s", name, instead_of(name, columns));
+  return wrong_text("there is no column '%.80s'%s", name, name_hint(name, columns));
 }
 
 static const char *begin(struct table_choice *choice, const char *const *columns, int count)
@@ -159,7 +159,7 @@ static const char *add_text(struct chosen *c, const char *text)
 {
   int length;
   const char *formula = column_formula(text, &length);
-  if (c->choice.count == MOST_COLUMNS)
+  if (c->choice.count == MAX_COLUMNS)
     return "more than 256 columns";
   c->name[c->choice.count++] = text;
   return length > 0 && *formula ? NULL : not_allowed(text, "names of columns and NAME = FORMULA, with commas between");

@@ -123,14 +123,14 @@ static bool has_rows(const void *options)
 
 static const char *plan(const void *options, struct rows *rows)
 {
-  const struct flint_part *flint = flint_for("breakdown", "this command");
+  const struct flint_part *flint = load_flint("breakdown", "this command");
   return !flint ? "" : is_page(options) ? flint->breakdown_page(rows) : flint->breakdown_map(options, rows);
 }
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct breakdown_options *o = options;
-  const struct flint_part *flint = flint_for("breakdown", "this command");
+  const struct flint_part *flint = load_flint("breakdown", "this command");
   (void)arguments;
   if (!flint)
     return EXIT_UNSOLVED;

@@ -37,8 +37,8 @@ static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7,
 /* The claims of a formula file, or of --formula */
 static enum exit_code prove(const struct claims_options *o)
 {
-  const struct formula_given given = { o->formula, o->of.value, o->start.value, o->phase.value, o->claimed };
-  const struct flint_part *flint = flint_for("claims", "the proof");
+  const struct formula_option given = { o->formula, o->of.value, o->start.value, o->phase.value, o->claimed };
+  const struct flint_part *flint = load_flint("claims", "the proof");
   if (!flint)
     return EXIT_UNSOLVED;
   enum exit_code code = o->formula ? user_formula_add("claims", &given) : EXIT_DONE;
@@ -70,7 +70,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     complain("claims", "%s", scallop_status_text(status));
     return EXIT_UNSOLVED;
   }
-  const struct flint_part *flint = flint_for("claims", "the table of claims");
+  const struct flint_part *flint = load_flint("claims", "the table of claims");
   return flint ? flint->claims_table(o) : EXIT_UNSOLVED;
 }
 

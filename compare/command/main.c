@@ -88,9 +88,9 @@ static enum exit_code answer(const char *first, const char *next)
 static enum exit_code run(const struct arguments *a)
 {
   const struct request *r = &a->options.request;
-  point_tell_recording(&r->point, &r->style);
+  print_recording(&r->point, &r->style);
   progress_begin(r->style.quiet);
-  counts_are_wanted = r->stats;
+  counts_are_printed = r->stats;
   if (r->threads.given) { /* for what is parallel by OpenMP, which is loaded later */
     char number[24];
     snprintf(number, sizeof number, "%ld", r->threads.value);
@@ -98,7 +98,7 @@ static enum exit_code run(const struct arguments *a)
   }
   enum exit_code code = command_make(a);
   if (code == EXIT_DONE)
-    tell_decimal_commas(&r->sweep, &r->style);
+    print_decimal_commas(&r->sweep, &r->style);
   if (r->stats)
     counts_print();
   /* columns may have been named that the table has not */

@@ -32,7 +32,7 @@ static bool is_certified(const struct motion_options *o)
 /* The modes in words are a column of a single answer for people, and of any table whose columns are chosen by name. */
 static bool has_words(const struct request *r)
 {
-  return r->style.choice || (!r->scene && !has_many_points(r) && table_is_for_people(&r->style));
+  return r->style.choice || (!r->scene && !has_many_points(r) && table_is_aligned(&r->style));
 }
 
 static const char *plan(const void *options, struct rows *rows)
@@ -91,7 +91,7 @@ const struct command command_phase = {
 
 struct trajectory_options {
   struct request request;
-  struct given_count periods, samples;
+  struct optional_count periods, samples;
   const char *until;
 };
 
@@ -99,10 +99,10 @@ static const char *read_start(void *options, const struct option *option, const 
 {
   struct trajectory_options *o = options;
   (void)option;
-  o->request.asked->from_steady = strcmp(text, "steady") == 0;
+  o->request.required->from_steady = strcmp(text, "steady") == 0;
   o->request.point.has_v0 = false;
   o->request.point.v0 = 0;
-  if (o->request.asked->from_steady || strcmp(text, "rest") == 0)
+  if (o->request.required->from_steady || strcmp(text, "rest") == 0)
     return NULL;
   return point_set(&o->request.point, "v0", text) ? no_number(text, "rest, steady or a velocity") : NULL;
 }
@@ -132,7 +132,7 @@ struct trajectory {     /* that is being written */
 static bool write_sample(void *context, const struct scallop_sample *s)
 {
   struct trajectory *t = context;
-  const struct quantities *all = &t->at->asked->quantities;
+  const struct quantities *all = &t->at->required->quantities;
   const double numbers[SAMPLE_VALUES] = { s->t, s->x1, s->x2, s->xC, s->v1, s->v2, s->l };
   count_add(COUNT_SAMPLES, 1);
   if (s->t > t->until)
@@ -173,7 +173,7 @@ static void head(struct rows *rows)
   const struct point *p = &o->request.point;
   char v0[NUMBER_TEXT];
   number_text(v0, p->v0, 0);
-  const char *start = o->request.asked->from_steady ? "steady" : p->v0 == 0 ? "rest" : v0;
+  const char *start = o->request.required->from_steady ? "steady" : p->v0 == 0 ? "rest" : v0;
   if (!o->request.scene)
     table_note(&rows->table, "start: %s; periods: %ld; samples in a period: %ld", start, o->periods.value,
                o->samples.value);

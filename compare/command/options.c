@@ -173,7 +173,7 @@ static enum reading read_all(struct arguments *a)
 static bool is_listed(const struct arguments *a, const struct option *o, const char *names)
 {
   char both[2 * OPTION_VALUE];
-  const struct given_word *word = o->read == read_word ? (const void *)(a->options.room + o->field) : NULL;
+  const struct optional_word *word = o->read == read_word ? (const void *)(a->options.room + o->field) : NULL;
   snprintf(both, sizeof both, "%s=%s", o->name, word && word->value ? word->value : "");
   for (size_t length; *names; names += length + (names[length] == ' ')) {
     length = strcspn(names, " ");
@@ -305,9 +305,9 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   a->all = all;
   a->count = count;
   a->operands = calloc((size_t)count, sizeof *a->operands);
-  r->asked = asked_nothing(command->name);
+  r->required = requirements_new(command->name);
   *code = EXIT_UNSOLVED;
-  if (!a->operands || !r->asked)
+  if (!a->operands || !r->required)
     return complain(command->name, "out of memory"), READ_REFUSED;
   enum reading reading = read_all(a);
   *code = reading == READ_HELP ? EXIT_DONE : r->point.unreadable ? EXIT_FILE : EXIT_USAGE;
@@ -325,7 +325,7 @@ bool command_has_rows(const struct command *c, const void *options)
 enum exit_code command_make(const struct arguments *a)
 {
   const struct request *request = &a->options.request;
-  struct rows rows = { .request = request, .sheet.asked = request->asked };
+  struct rows rows = { .request = request, .sheet.required = request->required };
   enum exit_code code = request->formulas
                             ? formula_file_read(a->command->name, request->formulas, NULL, quantity_is_other)
                             : EXIT_DONE;
@@ -345,7 +345,7 @@ void options_free(struct arguments *a)
 {
   sweep_free(&a->options.request.sweep);
   columns_free(a->options.request.style.choice);
-  asked_free(a->options.request.asked);
+  requirements_free(a->options.request.required);
   free(a->operands);
   a->operands = NULL;
   a->operand_count = 0;

@@ -9,9 +9,9 @@
 struct order_options {
   struct request request;
   struct orders_wanted orders;
-  struct given_number tolerance;
+  struct optional_number tolerance;
   struct columns_wanted columns;
-  struct given_word format;
+  struct optional_word format;
   bool rows;
 };
 _Static_assert(sizeof(struct order_options) <= sizeof((struct arguments *)NULL)->options,

@@ -42,13 +42,13 @@ const char *read_real(void *options, const struct option *o, const char *text)
   double value;
   if (!read_number(text, &value) || value < o->least || value > o->most)
     return no_number(text, o->allowed);
-  *(struct given_number *)field_of(options, o) = (struct given_number){ value, true };
+  *(struct optional_number *)field_of(options, o) = (struct optional_number){ value, true };
   return NULL;
 }
 
 const char *read_whole(void *options, const struct option *o, const char *text)
 {
-  struct given_count *count = field_of(options, o);
+  struct optional_count *count = field_of(options, o);
   count->given = read_count(text, (long)o->least, (long)o->most, &count->value);
   return count->given ? NULL : not_allowed(text, wrong_text("a whole number from %.0f to %.0f", o->least, o->most));
 }
@@ -69,7 +69,7 @@ const char *read_word(void *options, const struct option *o, const char *text)
   const char *wrong;
   int place = word_among(o->words, text, &wrong);
   if (!wrong)
-    *(struct given_word *)field_of(options, o) = (struct given_word){ o->words[place], true };
+    *(struct optional_word *)field_of(options, o) = (struct optional_word){ o->words[place], true };
   return wrong;
 }
 

@@ -20,9 +20,9 @@ typedef const char *option_reader(void *options, const struct option *option, co
 option_reader read_parameter, /* of the point, or what varies, by its name                              */
     read_product,             /* begins another product of what varies                                  */
     read_flag,                /* bool                                                                   */
-    read_real,                /* struct given_number, from least to most                                */
-    read_whole,               /* struct given_count, likewise                                           */
-    read_word,                /* struct given_word, one of words                                        */
+    read_real,                /* struct optional_number, from least to most                                */
+    read_whole,               /* struct optional_count, likewise                                           */
+    read_word,                /* struct optional_word, one of words                                        */
     read_text,                /* const char *, one for each value, not empty: allowed says what it is   */
     read_format, read_output, /* of the style                                                           */
     read_digits,              /* likewise, from 1 to most                                               */
@@ -96,7 +96,7 @@ extern const char *const reference_words[];
 /* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
 #define NO_MORE_OPTIONS OPTION(NULL, NULL, )
 #define OPTIONS_LAST \
-  OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_COUNT("threads", request, threads, 1, MOST_THREADS), \
+  OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_COUNT("threads", request, threads, 1, MAX_THREADS), \
       OPTION_QUIET, NO_MORE_OPTIONS
 #define OPTIONS_OF_DOUBLES OPTION_FORMAT, OPTION_DIGITS(DIGITS_OF_DOUBLES, DOUBLE_DIGITS), OPTIONS_LAST
 

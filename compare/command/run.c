@@ -65,7 +65,7 @@ static enum exit_code check_files(const struct wanted *all, int count, const cha
         path[files++] = w->files.plot.file;
     }
   for (int i = 0; i < files; i++) {
-    int error = path[i] ? file_spares(path[i]) : 0;
+    int error = path[i] ? file_check_output(path[i]) : 0;
     if (error != 0)
       return complain(command, "cannot write %s: %s", path[i], file_error(error)), EXIT_FILE;
     for (int k = 0; k < i; k++)
@@ -98,7 +98,7 @@ static enum exit_code draw_plots(const struct wanted *s, const struct style *giv
 }
 
 /* Of tables that are in their places: what is said of them, their pictures, and the exit code */
-static enum exit_code judge(const struct wanted *s, const struct rows_run *run, enum exit_code code,
+static enum exit_code judge(const struct wanted *s, const struct rows_set *run, enum exit_code code,
                             const struct style *given)
 {
   long failed = 0;
@@ -121,7 +121,7 @@ static enum exit_code judge(const struct wanted *s, const struct rows_run *run, 
  * complete before the first table takes its place: where something goes wrong the earlier files stay. */
 static enum exit_code run_scene(struct wanted *s, const struct style *given)
 {
-  struct rows_run run = { .count = s->tables, .rows = s->rows };
+  struct rows_set run = { .count = s->tables, .rows = s->rows };
   enum exit_code code = run.count > 0 ? rows_visit(&run, NULL) : EXIT_DONE;
   bool go_on = code == EXIT_DONE;
   for (int i = 0; go_on && i < s->scene.tables && code != EXIT_FILE; i++)

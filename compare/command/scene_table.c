@@ -30,7 +30,7 @@ static const struct kind *find_kind(struct scene *s, const config_setting_t *at)
     names[i] = kinds[i].name;
   int place = text ? word_place(text, names) : -1;
   if (text && place < 0)
-    refuse_at(&s->config, at, "unknown table '%.80s'%s", text, instead_of(text, names));
+    refuse_at(&s->config, at, "unknown table '%.80s'%s", text, name_hint(text, names));
   return place < 0 ? NULL : &kinds[place];
 }
 
@@ -99,7 +99,7 @@ static bool read_options(struct scene_table *w, struct scene *s, const config_se
 {
   struct request *r = &w->arguments.options.request;
   options_initial(&w->arguments, kind->command);
-  r->asked = s->request.asked;
+  r->required = s->request.required;
   for (int i = 0; i < 2 && kind->option[i][0]; i++)
     take_named(w, kind->option[i][0], &kind->option[i][1]);
   if (!take_members(w, s, at))
@@ -134,7 +134,7 @@ static bool plan_rows(struct scene_table *w, struct scene *s, const config_setti
   const struct request *r = &w->arguments.options.request;
   const config_setting_t *columns = config_setting_get_member(at, "columns");
   const struct table_choice *own = r->style.choice;
-  *w->rows = (struct rows){ .request = r, .sheet.asked = s->request.asked };
+  *w->rows = (struct rows){ .request = r, .sheet.required = s->request.required };
   const char *wrong = w->arguments.command->plan(r, w->rows);
   for (int i = 0; chosen && own && i < own->count && !wrong; i++) /* among the names that the scene gives, too */
     wrong = rows_own(w->rows, "%s", own->names[i]);
@@ -223,7 +223,7 @@ void wanted_free(struct wanted *all)
   for (struct scene_table *w = all->table; w < all->table + all->scene.tables; w++) {
     if (w->rows) /* whose points are the scene's, as what is asked of all */
       w->arguments.options.request.sweep = (struct sweep){ .products = 0 };
-    w->arguments.options.request.asked = NULL;
+    w->arguments.options.request.required = NULL;
     options_free(&w->arguments);
   }
   for (int i = 0; i < all->tables; i++)

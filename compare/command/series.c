@@ -90,9 +90,9 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 {
   const struct series_options *o = options;
   (void)arguments;
-  const struct flint_part *flint = flint_for("series", o->symbolic ? "--symbolic"
-                                                       : o->bound  ? "--bound"
-                                                                   : "--source derived or limit");
+  const struct flint_part *flint = load_flint("series", o->symbolic ? "--symbolic"
+                                                        : o->bound  ? "--bound"
+                                                                    : "--source derived or limit");
   return flint ? flint->series_report(o) : EXIT_UNSOLVED;
 }
 

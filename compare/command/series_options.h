@@ -9,14 +9,14 @@
 
 struct series_options {
   struct request request;
-  struct given_word source; /* published, derived, limit or closed */
-  struct given_count order; /* of the derived series: terms below T^order */
+  struct optional_word source; /* published, derived, limit or closed */
+  struct optional_count order; /* of the derived series: terms below T^order */
   bool bound, symbolic;
-  const char *only;                      /* these series only: names, and equations of formulas, or NULL: all */
-  const char *parts;                     /* of each in a row: value, exact, error, relative; or NULL */
-  bool rows, orders;                     /* a row for each point, of one point too; the orders of the errors in T */
-  struct given_number expect, tolerance; /* of the orders */
-  struct given_word emit;                /* text: a table */
+  const char *only;                         /* these series only: names, and equations of formulas, or NULL: all */
+  const char *parts;                        /* of each in a row: value, exact, error, relative; or NULL */
+  bool rows, orders;                        /* a row for each point, of one point too; the orders of the errors in T */
+  struct optional_number expect, tolerance; /* of the orders */
+  struct optional_word emit;                /* text: a table */
 };
 /* Is this the source? With --bound and --symbolic it is derived where none is given. */
 static inline bool is_from(const struct series_options *o, const char *source)

@@ -26,7 +26,7 @@ static bool is_of_scene(const struct request *r, const struct scallop_formula *f
 {
   if (!r->scene->is_about_phase || f->setting == SCALLOP_STEADY)
     return !r->scene->is_about_phase && f->setting == SCALLOP_STEADY;
-  bool rests = !r->asked->from_steady && r->point.v0 == 0 && is_held(r, "v0");
+  bool rests = !r->required->from_steady && r->point.v0 == 0 && is_constant(r, "v0");
   return of_contraction == (r->point.phase == SCALLOP_CONTRACTION) && (f->setting == SCALLOP_AT_REST_START) == rests
          && !formula_takes_given(f);
 }
@@ -80,12 +80,12 @@ static void add_names(struct series_names *list, const struct series_options *o)
 /* NULL, or what is wrong: rows of points take any series, and the table of one point formulas. */
 static const char *no_series(const struct series_options *o, const char *name)
 {
-  struct quantities *all = &o->request.asked->quantities;
+  struct quantities *all = &o->request.required->quantities;
   int place = quantity_named(all, name);
   if (!series_are_rows(o) && (place < 0 || all->item[place].kind != QUANTITY_PUBLISHED))
-    return wrong_text("--only: there is no formula '%s' here%s", name, formula_instead(name));
+    return wrong_text("--only: there is no formula '%s' here%s", name, formula_hint(name));
   if (place < 0)
-    return sheet_no_quantity(o->request.asked, name);
+    return unknown_quantity_error(o->request.required, name);
   return quantity_is_series(&all->item[place])
              ? NULL
              : wrong_text("%s is no series: a formula of the paper, derived_8.displacement or limit.displacement is "
@@ -133,7 +133,7 @@ struct compared {
 
 static const char *begin_compared(struct rows *rows, const struct series_names *list, const char *kind, size_t times)
 {
-  struct quantities *all = &rows->sheet.asked->quantities;
+  struct quantities *all = &rows->sheet.required->quantities;
   struct compared *c = rows->context = calloc(1, sizeof *c + (size_t)list->count * times * sizeof *c->point);
   if (!c)
     return rows_no_memory;
@@ -148,7 +148,7 @@ static const char *begin_compared(struct rows *rows, const struct series_names *
 /* Doubles are wrong by some ulp of what they are the difference of. */
 static double noise(const struct at *at, int error)
 {
-  const struct series_error *c = &at->comparison[at->asked->quantities.item[error].of];
+  const struct series_error *c = &at->comparison[at->required->quantities.item[error].of];
   return at->certified_errors ? 0 : 8 * DBL_EPSILON * fmax(fabs(c->exact), fabs(c->exact + c->error));
 }
 
@@ -156,7 +156,7 @@ static void write_order(struct rows *rows, struct at *at, int series)
 {
   struct compared *all = rows->context;
   const struct series_options *o = (const void *)rows->request;
-  const struct quantity *item = at->asked->quantities.item;
+  const struct quantity *item = at->required->quantities.item;
   const struct scallop_order_wanted wanted = { .order = o->expect.given ? o->expect.value : NAN,
                                                .tolerance = o->tolerance.value };
   struct table *t = &rows->table;
@@ -263,7 +263,7 @@ static void write_formula(struct table *table, const struct quantity *series, do
 static void visit_formulas(struct rows *rows, struct at *at)
 {
   const struct compared *all = rows->context;
-  const struct quantity *item = at->asked->quantities.item;
+  const struct quantity *item = at->required->quantities.item;
   at_number(at, all->steady);
   if (at->why[0] != '\0' || !rows_open(rows))
     return;
@@ -292,12 +292,12 @@ static const char *plan_formulas(const struct series_options *o, struct rows *ro
 const char *series_plan(const void *options, struct rows *rows)
 {
   const struct series_options *o = options;
-  struct asked *asked = rows->sheet.asked;
+  struct requirements *required = rows->sheet.required;
   struct series_names list = { .count = 0 };
   const char *wrong = NULL;
   if (!o->request.scene) {
-    asked->from_steady = asked->tells_no_start = !o->request.point.has_v0;
-    asked->accuracy = 0;
+    required->from_steady = required->v0_only_if_given = !o->request.point.has_v0;
+    required->accuracy = 0;
   }
   add_names(&list, o);
   for (int i = 0; i < list.count && !wrong; i++)

@@ -31,7 +31,7 @@ static const struct option_rule rules[] = {
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
   const struct stress_options *o = options;
-  const struct flint_part *flint = flint_for("stress", "this command");
+  const struct flint_part *flint = load_flint("stress", "this command");
   if (!flint)
     return EXIT_UNSOLVED;
   if (o->stiff)

@@ -16,7 +16,7 @@ static const struct option options_of_summary[] = {
 static const char *plan(const void *options, struct rows *rows)
 {
   (void)options;
-  const struct flint_part *flint = flint_for("summary", "this command");
+  const struct flint_part *flint = load_flint("summary", "this command");
   return flint ? flint->summary_plan(rows) : "";
 }
 

@@ -16,7 +16,7 @@ static const struct option options_of_workprec[] = {
 
 static enum exit_code run(const struct arguments *arguments, const void *options)
 {
-  const struct flint_part *flint = flint_for("workprec", "this command");
+  const struct flint_part *flint = load_flint("workprec", "this command");
   (void)arguments;
   return flint ? flint->workprec_table(options) : EXIT_UNSOLVED;
 }

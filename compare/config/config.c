@@ -1,4 +1,4 @@
-/* A configuration as a whole, its members, and messages about them. */
+/* Reading of files and members, and messages about them. */
 #define _GNU_SOURCE /* vasprintf */
 #include "compare/config/config.h"
 
@@ -12,24 +12,24 @@
 #include "compare/text/digits.h"
 #include "compare/text/file.h"
 
-/* What to look for where libconfig says no more than that */
-static const char *meaning(const char *said)
+/* Returns an explanation of a message of libconfig, or "". */
+static const char *explanation(const char *error)
 {
   static const struct {
-    const char *said, *meaning;
+    const char *error, *explanation;
   } known[] = {
-    { "mismatched element type", ": within [ ] all are written alike, [1.0, 2.5]; within ( ) they need not be" },
-    { "syntax error", ": in this line or before it a ; , \" ) ] or } is missing or one too many, or a text has no "
-                      "quotes, or [ ] stands around groups, which ( ) takes" },
-    { "duplicate setting name", ": a group has each of its members once" }
+    { "mismatched element type", ": within [ ] all elements have one type, [1.0, 2.5]; within ( ) types may differ" },
+    { "syntax error", ": in this line or before it a ; , \" ) ] or } is missing or superfluous, or a text has no "
+                      "quotes, or groups are within [ ] instead of ( )" },
+    { "duplicate setting name", ": a group has each member only once" }
   };
-  for (size_t i = 0; said && i < sizeof known / sizeof *known; i++)
-    if (strstr(said, known[i].said))
-      return known[i].meaning;
+  for (size_t i = 0; error && i < sizeof known / sizeof *known; i++)
+    if (strstr(error, known[i].error))
+      return known[i].explanation;
   return "";
 }
 
-/* How long the comment, text, name or number is that begins here; of what else there is each character is by itself */
+/* Returns the length of the comment, text, name or number that begins here; 1 for another character. */
 static size_t token_length(const char *at)
 {
   static const char of_names[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-*";
@@ -45,12 +45,12 @@ static size_t token_length(const char *at)
   return (size_t)(end - at) + (*at == '"' && *end == '"');
 }
 
-/* NULL: nothing */
-static const char *wrong_with(const char *token, size_t length)
+/* Returns NULL or the error of a token. */
+static const char *token_error(const char *token, size_t length)
 {
   bool is_hex = tolower((unsigned char)token[1]) == 'x', is_long = token[length - 1] == 'L';
   if (*token == '@')
-    return "@include is no longer there: write what the file has in its place";
+    return "@include is not supported: insert the contents of the file";
   if (!isdigit((unsigned char)*token) || strcspn(token, is_hex ? "." : ".eE") < length
       || strtod(token, NULL) <= (is_long ? 9223372036854775807.0 : 2147483647.0))
     return NULL;
@@ -58,13 +58,13 @@ static const char *wrong_with(const char *token, size_t length)
                  : "a whole number beyond 2147483647 is written with a point, or an L behind it";
 }
 
-/* Refuses what libconfig 1.5 would misread: it takes a whole number beyond 32 bits for another one. */
+/* Refuses tokens that libconfig 1.5 misreads: a whole number beyond 32 bits becomes another number. */
 static bool check_text(const struct config *c, const char *text)
 {
   long line = 1;
   for (size_t length; *text != '\0';) {
     length = token_length(text);
-    const char *wrong = wrong_with(text, length);
+    const char *wrong = token_error(text, length);
     if (wrong)
       return complain(c->command, "%s:%ld: '%.*s': %s", c->path, line, length < 200 ? (int)length : 200, text, wrong);
     while (length-- > 0)
@@ -79,12 +79,12 @@ static enum exit_code parse(struct config *c, const char *text)
     return EXIT_USAGE;
   if (config_read_string(&c->file, text))
     return EXIT_DONE;
-  const char *said = config_error_text(&c->file);
-  complain(c->command, "%s:%d: %s%s", c->path, config_error_line(&c->file), said, meaning(said));
+  const char *error = config_error_text(&c->file);
+  complain(c->command, "%s:%d: %s%s", c->path, config_error_line(&c->file), error, explanation(error));
   return EXIT_USAGE;
 }
 
-/* The whole file, as far as a NUL byte, which no text has; a byte order mark is no text. */
+/* Reads the whole file; refuses NUL bytes and skips a byte order mark. */
 static enum exit_code parse_file(struct config *c, const struct shipped *shipped)
 {
   char *text = NULL;
@@ -224,10 +224,10 @@ static bool read_member(struct config *c, const config_setting_t *at, const stru
 
 static bool refuse_member(struct config *c, const config_setting_t *at, const struct member *members, const char *what)
 {
-  enum { MOST = 32 };
-  const char *names[MOST + 1] = { NULL };
+  enum { MAX_NAMES = 32 };
+  const char *names[MAX_NAMES + 1] = { NULL };
   char known[400];
-  for (int i = 0; i < MOST && members[i].name; i++)
+  for (int i = 0; i < MAX_NAMES && members[i].name; i++)
     names[i] = members[i].name;
   const char *near = nearest(config_setting_name(at), names);
   return refuse_at(c, at, "there is no '%s' in %s%s%s", config_setting_name(at), what,

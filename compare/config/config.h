@@ -1,5 +1,5 @@
-/* Files in libconfig's format, scenes and formula files: read whole, checked for what libconfig would misread, and
- * taken member by member into the fields of structs. */
+/* Files in libconfig's format (scenes and formula files), and functions that check them for texts that libconfig
+ * misreads and read their members into structs. */
 #ifndef SCALLOP_COMPARE_CONFIG_CONFIG_H
 #define SCALLOP_COMPARE_CONFIG_CONFIG_H
 
@@ -10,39 +10,39 @@
 #include "compare/text/message.h"
 #include "compare/text/shipped.h"
 
-/* A file, or a text, that was read */
+/* A file, or a text, after reading */
 struct config {
   const char *command; /* for messages */
-  const char *path;    /* likewise; "-" is standard input */
-  config_t file;       /* libconfig's, to whose texts members point: it stays where it is */
-  config_t kept;       /* likewise, of other texts: one list */
+  const char *path;    /* for messages and to read; "-" is standard input */
+  config_t file;       /* owns the texts of members; must not be moved */
+  config_t kept;       /* owns other texts, in one list */
 };
 
-/* Reads the file at path, or text, which is called path in messages. EXIT_DONE, or the exit code, the message being on
- * stderr. To be closed all the same. shipped: those whose names a mistyped path may mean, or NULL. */
+/* Reads text if it is not NULL, else the file at path. shipped: names that a mistyped path may mean, or NULL. Returns
+ * EXIT_DONE, or the exit code after a message on stderr; the configuration must be closed in either case. */
 enum exit_code config_open(struct config *config, const char *command, const char *path, const char *text,
                            const struct shipped *shipped);
 void config_close(struct config *config);
 const config_setting_t *config_root(const struct config *config);
 
-/* "scallop run: FILE:LINE: message" on stderr. Returns false. */
+/* Prints "scallop run: FILE:LINE: message" to stderr. Returns false. */
 bool refuse_at(const struct config *config, const config_setting_t *at, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
 enum member_kind {
-  MEMBER_OTHER, /* known, and read elsewhere */
+  MEMBER_OTHER, /* valid, read elsewhere */
   MEMBER_TEXT,  /* const char *: not empty */
   MEMBER_TEXTS, /* const char *[high]: one or more */
   MEMBER_WORD,  /* int: the place of the text among words, NULL-terminated */
   MEMBER_FLAG,  /* bool */
   MEMBER_COUNT, /* long: from low to high */
 };
-/* A member that a group may have, and the field of a struct where its value goes; that stays as it is where the group
- * has no such member. */
+/* A member that a group may have, and the field of a struct for its value; a missing member leaves the field
+ * unchanged. */
 struct member {
   const char *name; /* NULL ends a list */
   enum member_kind kind;
-  size_t field, count; /* count: of texts, the int that says how many */
+  size_t field, count; /* count: offset of the int with the number of texts */
   long low, high;
   const char *const *words;
 };
@@ -51,22 +51,22 @@ struct member {
     .name = NAME, .kind = MEMBER_##KIND, .field = offsetof(struct STRUCT, FIELD), __VA_ARGS__ \
   }
 #define OTHER(NAME) MEMBER(OTHER, NAME, member, name, )
-/* Reads the members of a group, which is called what in messages ("a scene"), into a struct. */
+/* Reads the members of a group into a struct; what: "a scene", in messages. Returns false after a message. */
 bool read_members(struct config *config, const config_setting_t *group, const struct member *members, void *into,
                   const char *what);
 
 bool is_ascii(const char *text);                                      /* printable */
 const config_setting_t *member_at(const config_setting_t *at, int i); /* of a group */
-/* The elements of a list or an array; anything else is one. */
+/* Return the elements of a list or an array; another setting has one element, itself. */
 int element_count(const config_setting_t *at);
 const config_setting_t *element_at(const config_setting_t *at, int i);
-/* A text, or a number as a text that reads back as the same double; NULL: it is neither. */
+/* Returns a text, or a number as a text that reads back as the same double; NULL for another setting. */
 const char *text_of(struct config *config, const config_setting_t *at);
 
-/* A text for as long as the configuration is open. NULL: no memory, which is said. */
+/* Returns a text, valid while the configuration is open; NULL: out of memory, after a message. */
 const char *keep(struct config *config, const char *format, ...) __attribute__((format(printf, 2, 3), nonnull(2)));
-/* Paths of inputs are those of the folder of the file; so "measured:FILE", and other gaits as they are. NULL as
- * above. */
+/* Return the path of an input relative to the folder of the file, also in "measured:FILE"; other gaits unchanged. NULL
+ * as above. */
 const char *path_beside(struct config *config, const char *path);
 const char *gait_beside(struct config *config, const char *gait);
 

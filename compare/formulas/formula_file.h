@@ -1,70 +1,68 @@
-/* Formulas by name: the paper's, those that hold where one of the paper's does not, and those of the formula files
- * that were read.
+/* Formulas by name: the paper's, their corrections, and the formulas of the formula files that were read.
  *
- * A formula file is in libconfig's format; docs/reference/formulas.md has its members. Formula files are read with the
- * options, before anything is computed, and stay for as long as the program runs; after that any thread may ask. */
+ * A formula file is in libconfig's format; docs/reference/formulas.md lists its members. Formula files are read with
+ * the options, before any computation, and stay until the program ends; after that all functions are thread-safe. */
 #ifndef SCALLOP_COMPARE_FORMULAS_FORMULA_FILE_H
 #define SCALLOP_COMPARE_FORMULAS_FORMULA_FILE_H
 
 #include "asymptotics/published/read.h"
 #include "compare/text/message.h"
 
-/* Is the name that of something else, in whose place the formula would stand? */
+/* A function that returns true if a formula must not have the name, because a quantity has it. */
 typedef bool name_is_taken(const char *name);
 
-/* Reads the formula file at path, once, or, where it is not NULL, a text, which is called path in messages. The
- * message of what is wrong is on stderr: FILE:LINE: and the place in the formula. taken: may be NULL. */
+/* Reads text if it is not NULL (path is then its name in messages), else the formula file at path, once. taken may be
+ * NULL. Returns EXIT_DONE, or the exit code after a message on stderr with file, line and place in the formula. */
 enum exit_code formula_file_read(const char *command, const char *path, const char *text, name_is_taken *taken);
-/* Forgets all formula files: for tests. No formula of theirs may be in use. */
-void formula_files_forget(void);
+/* Frees all formula files, for tests. Their formulas must not be in use. */
+void formula_files_free(void);
 
-/* The words of a formula file, NULL-terminated: what formulas give, of one phase and, from place FORMULA_STEADY on, of
- * the steady state; where motions start; and the phases. */
+/* The words of a formula file, NULL-terminated: quantities of one phase and, from place FORMULA_STEADY on, of the
+ * steady state; starts of motions; phases. */
 enum { FORMULA_STEADY = 11 };
 extern const char *const formula_quantities[], *const formula_starts[], *const phase_names[];
 
-/* A formula by itself, "formula", as options give it: its text; words of these lists, where start and phase may be
- * NULL; and the claim, a number or "equality". What is wrong is on stderr. */
-struct formula_given {
+/* A formula from options, called "formula": its text; words of these lists (start and phase may be NULL); and
+ * the claim, a number or "equality". Returns EXIT_DONE, or the exit code after a message on stderr. */
+struct formula_option {
   const char *text, *of, *start, *phase, *claimed;
 };
-enum exit_code user_formula_add(const char *command, const struct formula_given *given);
+enum exit_code user_formula_add(const char *command, const struct formula_option *given);
 
-/* The formula at place i, or NULL, there are no more: of those of the formula files that were read; of these and those
- * of the paper's that are claimed under no other condition than their start; of all. */
+/* Return formula i = 0, 1, ..., or NULL after the last: of the formula files; of these and the paper's formulas without
+ * a condition besides their start; of all formulas. */
 const struct scallop_formula *user_formula(int i);
 const struct scallop_formula *listed_formula(int i);
 const struct scallop_formula *formula_at(int i);
-/* The first of this name, or the only one of the formula files and of the paper that has this equation, "(28)"; else
- * NULL. */
+/* Returns the first formula called name, or the only one of the formula files and the paper with the equation "(28)";
+ * else NULL. */
 const struct scallop_formula *formula_named(const char *name);
-/* Is the formula called name one of a list, separated by commas, of such names and equations, or is the list "all"? */
+/* Returns true if list is "all", or names and equations between commas that include the formula called name. */
 bool formula_is_listed(const char *list, const char *name);
-/* What is wrong with a name by which there is no formula, behind "there is no formula 'NAME'": which ones have the
- * equation, or which name is near. Until the next call. */
-const char *formula_instead(const char *name);
+/* Returns the end of the message "there is no formula 'NAME'": the formulas with that equation, or the nearest name.
+ * Valid until the next call. */
+const char *formula_hint(const char *name);
 
-/* Are formulas of the formula files for this, of which a command takes MAX_USER_FORMULAS? False: none is, so that
- * --formulas FILE would have no effect, or more are, and the message is on stderr. file: NULL, there is no --formulas.
- */
+/* Checks that 1 to MAX_USER_FORMULAS formulas of the formula files apply to a command, by is_for; without any
+ * --formulas FILE would have no effect. file: NULL without --formulas. Returns false after a message on stderr. */
 enum { MAX_USER_FORMULAS = 24 };
 typedef bool formula_is_for(const void *context, const struct scallop_formula *formula);
-bool formula_file_serves(const char *command, const char *file, formula_is_for *is_for, const void *context,
-                         const char *what);
+bool formula_file_applies(const char *command, const char *file, formula_is_for *is_for, const void *context,
+                          const char *what);
 
-/* Where the formula stands, "FILE:LINE: ", in text, which is returned; "" where it is in no file. */
+/* Writes the place of the formula, "FILE:LINE: ", or "" if it is not in a file. Returns text. */
 enum { FORMULA_PLACE = 200 };
 const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula *formula);
 
-/* Its text, read when it is first asked for. NULL: out of memory. */
+/* Returns the parsed formula, parsed at the first call. NULL: out of memory. */
 const struct formula *formula_read_once(const struct scallop_formula *formula);
-/* Does its text, or a part of it, use the symbol? */
+/* Returns true if the text of the formula, or a part of it, uses the symbol. */
 bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol symbol);
 
-/* For read.c, which has the files: keeps a formula, which forget_user_formulas frees with what it is the first member
- * of. False: out of memory. */
+/* For read.c: adds a formula to the list; user_formulas_free frees the struct that begins with it. Returns false
+ * if memory is short. */
 bool user_formula_keep(struct scallop_formula *formula);
 const struct scallop_formula *user_formula_named(const char *name); /* or NULL */
-void forget_user_formulas(void);
+void user_formulas_free(void);
 
 #endif

@@ -1,4 +1,4 @@
-/* Formulas by name and by place, whichever list they are of. */
+/* Lists of formulas, searched by name and by place. */
 #include <search.h>
 #include <stdatomic.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "compare/text/memory.h"
 #include "compare/text/values.h"
 
-/* Those of the formula files that were read: in the order of reading, and as a tree by their names */
+/* The formulas of the formula files, in the order of reading, and as a tree by their names */
 static struct scallop_formula **formulas;
 static int count;
 static void *by_name;
@@ -20,14 +20,14 @@ static int compare(const void *a, const void *b)
 
 const struct scallop_formula *user_formula_named(const char *name)
 {
-  const struct scallop_formula wanted = { .name = name };
-  struct scallop_formula *const *found = tfind(&wanted, &by_name, compare);
+  const struct scallop_formula key = { .name = name };
+  struct scallop_formula *const *found = tfind(&key, &by_name, compare);
   return found ? *found : NULL;
 }
 
 bool user_formula_keep(struct scallop_formula *f)
 {
-  struct scallop_formula **more = with_room(formulas, count, sizeof(struct scallop_formula *));
+  struct scallop_formula **more = list_grown(formulas, count, sizeof(struct scallop_formula *));
   formulas = more ? more : formulas;
   if (!more || !tsearch(f, &by_name, compare))
     return false;
@@ -37,7 +37,7 @@ bool user_formula_keep(struct scallop_formula *f)
 
 const struct scallop_formula *user_formula(int i) { return i < count ? formulas[i] : NULL; }
 
-/* At place i of the paper's and then of those that correct them; listed: of those that listed_formula has */
+/* Returns formula i of the paper's and their corrections; listed: of those that listed_formula returns. */
 static const struct scallop_formula *of_tool(int i, bool listed)
 {
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
@@ -52,8 +52,7 @@ static const struct scallop_formula *of_tool(int i, bool listed)
 const struct scallop_formula *listed_formula(int i) { return i < count ? formulas[i] : of_tool(i - count, true); }
 const struct scallop_formula *formula_at(int i) { return i < count ? formulas[i] : of_tool(i - count, false); }
 
-/* The formula of the formula files and of the paper at place i that has the equation, alone or beside others, or NULL
- */
+/* Returns formula i of the formula files and the paper with the equation, alone or among others, or NULL. */
 static const struct scallop_formula *of_equation(const char *equation, int i)
 {
   const struct scallop_formula *f = NULL;
@@ -82,23 +81,23 @@ bool formula_is_listed(const char *list, const char *name)
   return is;
 }
 
-const char *formula_instead(const char *name)
+const char *formula_hint(const char *name)
 {
-  enum { MOST = 400 };
-  static char text[MOST];
-  const char *names[MOST + 1] = { NULL };
+  enum { MAX_NAMES = 400, SIZE = 400 };
+  static char text[SIZE];
+  const char *names[MAX_NAMES + 1] = { NULL };
   const struct scallop_formula *f;
   size_t used = 0;
   for (int i = 0; (f = of_equation(name, i)) && used < sizeof text; i++)
     used += (size_t)snprintf(text + used, sizeof text - used, "%s %s", i == 0 ? ": of this equation there are" : ",",
                              f->name);
-  for (int i = 0; i < MOST && (f = formula_at(i)); i++)
+  for (int i = 0; i < MAX_NAMES && (f = formula_at(i)); i++)
     names[i] = f->name;
   return used > 0 ? text : did_you_mean(nearest(name, names));
 }
 
-bool formula_file_serves(const char *command, const char *file, formula_is_for *is_for, const void *context,
-                         const char *what)
+bool formula_file_applies(const char *command, const char *file, formula_is_for *is_for, const void *context,
+                          const char *what)
 {
   int found = 0;
   for (int i = 0; file && i < count; i++)
@@ -145,7 +144,7 @@ bool formula_takes(const struct scallop_formula *formula, enum scallop_symbol sy
   return takes;
 }
 
-void forget_user_formulas(void)
+void user_formulas_free(void)
 {
   for (struct read_once *first; (first = atomic_load(&all));) {
     atomic_store(&all, first->next);

@@ -1,4 +1,4 @@
-/* a formula file, from its file; what has no meaning is refused. */
+/* Reading of formula files, and checks that each formula has a meaning. */
 #include <ctype.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "compare/text/progress.h"
 #include "compare/text/values.h"
 
-/* dx1 and dx2 are of the body that turns and of the other one */
+/* dx1 and dx2 become rear_at_end and front_at_end, by the phase */
 const char *const formula_quantities[] = {
   "dx1",           "dx2",           "t1",         "dT",        "dxC",     "v_end", "v_change",
   "rear_at_first", "rear_at_last",  "v_at_first", "v_at_last", "v_start", "v_mid", "displacement",
@@ -20,21 +20,21 @@ const char *const phase_names[] = { "extension", "contraction", NULL };
 static const char *const turns[] = { "in both phases", "not in the contraction", "not in the extension", NULL };
 enum { DX1, DX2, NOTHING = -1 };
 enum { FROM_REST, FROM_V0, FROM_STEADY };
-enum { MOST_CLAIMED = 999 };
+enum { MAX_CLAIMED = 999 };
 
-/* The files that were read, whose texts the formulas have */
+/* The files that were read; they own the texts of the formulas */
 struct formula_file {
   struct formula_file *next;
   struct config config;
 };
 static struct formula_file *files;
 
-enum { MOST_PARTS = 16, MOST_CONDITIONS = 8 };
+enum { MAX_PARTS = 16, MAX_CONDITIONS = 8 };
 
 struct formula_entry {
   struct scallop_formula formula;
-  struct scallop_part parts[MOST_PARTS + 1];
-  const char *when[MOST_CONDITIONS + 1];
+  struct scallop_part parts[MAX_PARTS + 1];
+  const char *when[MAX_CONDITIONS + 1];
   int conditions, start, phase, of; /* start, phase, of: places among the words of formula_file.h */
   const struct config *config;
   const config_setting_t *group;
@@ -48,7 +48,7 @@ static const struct member members[] = { MEMBER(TEXT, "name", formula_entry, for
                                          OTHER("claimed"),
                                          MEMBER(TEXT, "text", formula_entry, formula.text, ),
                                          OTHER("where"),
-                                         MEMBER(TEXTS, "when", formula_entry, when, .high = MOST_CONDITIONS,
+                                         MEMBER(TEXTS, "when", formula_entry, when, .high = MAX_CONDITIONS,
                                                 .count = offsetof(struct formula_entry, conditions)),
                                          MEMBER(TEXT, "corrected", formula_entry, formula.corrected, ),
                                          MEMBER(WORD, "turns", formula_entry, formula.turns, .words = turns),
@@ -56,7 +56,7 @@ static const struct member members[] = { MEMBER(TEXT, "name", formula_entry, for
 
 static const struct formula_entry *entry_named(const char *name)
 {
-  return (const void *)user_formula_named(name); /* whose first member it is */
+  return (const void *)user_formula_named(name); /* the formula is the first member of its entry */
 }
 
 static const config_setting_t *member_of(const struct formula_entry *e, const char *name)
@@ -72,7 +72,7 @@ static bool is_symbol(const char *name)
   return i < SCALLOP_SYMBOLS;
 }
 
-/* of: what is called so; other: what else the name says, or NULL. */
+/* Checks a name; of: "formula" or "part"; other: another error of the name, or NULL. */
 static bool check_name(const struct formula_entry *e, const config_setting_t *at, const char *name, const char *of,
                        const char *other)
 {
@@ -135,16 +135,16 @@ static void set_meaning(struct formula_entry *e)
   e->formula.when = e->conditions > 0 ? e->when : NULL;
 }
 
-/* Symbols that have no value there */
+/* Symbols without a value in the steady state, or in a condition */
 #define SYMBOL_BIT(symbol) (1U << SCALLOP_SYMBOL_##symbol)
 enum {
   NOT_STEADY = SYMBOL_BIT(v0) | SYMBOL_BIT(t1) | SYMBOL_BIT(dT) | SYMBOL_BIT(x_switch),
   NOT_OF_CRAWLER = NOT_STEADY | SYMBOL_BIT(T)
 };
 
-/* What is wrong with a text of the formula, which has none of the symbols `lacking`, or NULL */
-static const char *wrong_with(const struct scallop_formula *formula, const char *text, unsigned lacking,
-                              char message[FORMULA_MESSAGE])
+/* Returns NULL or the error of a text of the formula. It must not use the symbols `lacking`. */
+static const char *formula_text_error(const struct scallop_formula *formula, const char *text, unsigned lacking,
+                                      char message[FORMULA_MESSAGE])
 {
   const char *in = lacking == NOT_STEADY ? "the steady state" : "a condition is about the crawler, which";
   struct scallop_formula of = *formula;
@@ -160,15 +160,15 @@ static const char *wrong_with(const struct scallop_formula *formula, const char 
   return wrong;
 }
 
-/* A condition is about the crawler: T goes to 0, and v0 is not looked at. */
-static const char *wrong_with_condition(const struct scallop_formula *formula, const char *when,
-                                        char message[FORMULA_MESSAGE])
+/* Returns NULL or the error of a condition. A condition is about the crawler: it cannot use T (it tends to 0) or v0. */
+static const char *condition_error(const struct scallop_formula *formula, const char *when,
+                                   char message[FORMULA_MESSAGE])
 {
   struct scallop_sides sides;
   if (!scallop_condition_split(&sides, when))
     return "a condition is LEFT < RIGHT, LEFT > RIGHT or LEFT = RIGHT, of 399 characters at most";
-  const char *wrong = wrong_with(formula, sides.left, NOT_OF_CRAWLER, message);
-  return wrong ? wrong : wrong_with(formula, sides.right, NOT_OF_CRAWLER, message);
+  const char *wrong = formula_text_error(formula, sides.left, NOT_OF_CRAWLER, message);
+  return wrong ? wrong : formula_text_error(formula, sides.right, NOT_OF_CRAWLER, message);
 }
 
 static bool check_texts(const struct formula_entry *e)
@@ -176,15 +176,15 @@ static bool check_texts(const struct formula_entry *e)
   const struct scallop_formula *f = &e->formula;
   char message[FORMULA_MESSAGE];
   const unsigned lacking = e->start == FROM_STEADY ? NOT_STEADY : 0;
-  const bool of_file = config_setting_source_line(e->group) > 0; /* and not of an option */
-  const char *wrong = wrong_with(f, f->text, lacking, message);
+  const bool of_file = config_setting_source_line(e->group) > 0; /* false: from an option */
+  const char *wrong = formula_text_error(f, f->text, lacking, message);
   if (wrong)
     return refuse_at(e->config, member_of(e, "text"), "%s%s%s", of_file ? f->name : "", of_file ? ": " : "", wrong);
-  for (const struct scallop_part *p = e->parts; p->name; p++) /* those that the text does not use, too */
-    if ((wrong = wrong_with(f, p->name, lacking, message)))
+  for (const struct scallop_part *p = e->parts; p->name; p++) /* includes unused parts */
+    if ((wrong = formula_text_error(f, p->name, lacking, message)))
       return refuse_at(e->config, config_setting_get_member(member_of(e, "where"), p->name), "%s: %s", f->name, wrong);
   for (int i = 0; i < e->conditions; i++)
-    if ((wrong = wrong_with_condition(f, e->when[i], message)))
+    if ((wrong = condition_error(f, e->when[i], message)))
       return refuse_at(e->config, member_of(e, "when"), "%s: \"%s\": %s", f->name, e->when[i], wrong);
   return true;
 }
@@ -197,8 +197,8 @@ static bool read_parts(struct formula_entry *e)
   for (int i = 0; where && i < config_setting_length(where); i++) {
     const config_setting_t *at = member_at(where, i);
     const char *name = config_setting_name(at), *text = config_setting_get_string(at);
-    if (i == MOST_PARTS)
-      return refuse_at(e->config, at, "where has more than %d parts", MOST_PARTS);
+    if (i == MAX_PARTS)
+      return refuse_at(e->config, at, "where has more than %d parts", MAX_PARTS);
     if (!text)
       return refuse_at(e->config, at, "%s takes a formula in quotes", name);
     if (!check_name(e, at, name, "part", is_symbol(name) ? "it has a meaning in formulas" : NULL))
@@ -208,19 +208,19 @@ static bool read_parts(struct formula_entry *e)
   return true;
 }
 
-/* n, or "equality"; none: nothing is claimed */
+/* Reads the claim: n, "equality", or no claim. */
 static bool read_claimed(struct config *c, struct formula_entry *e)
 {
   const config_setting_t *at = member_of(e, "claimed");
   const char *text = at ? text_of(c, at) : NULL;
   long n = SCALLOP_EQUALITY;
-  bool good = !at || (text && (strcmp(text, "equality") == 0 || read_count(text, 1, MOST_CLAIMED, &n)));
+  bool good = !at || (text && (strcmp(text, "equality") == 0 || read_count(text, 1, MAX_CLAIMED, &n)));
   e->formula.remainder = at ? (int)n : 0;
   return good
-         || refuse_at(c, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"", MOST_CLAIMED);
+         || refuse_at(c, at, "claimed is the power of T in \"+ O(T^n)\", from 1 to %d, or \"equality\"", MAX_CLAIMED);
 }
 
-/* Takes the formula that a group is, if it has a meaning. */
+/* Adds the formula of a group. Returns false after a message if it has no meaning. */
 static bool read_entry(struct config *c, const config_setting_t *group, name_is_taken *taken)
 {
   if (!config_setting_is_group(group))
@@ -242,7 +242,7 @@ static bool read_entry(struct config *c, const config_setting_t *group, name_is_
   return good;
 }
 
-/* Reads a list of formulas, if there is one. */
+/* Reads a list of formulas; it may be missing. */
 static bool read_list(struct config *c, const char *name, name_is_taken *taken)
 {
   const config_setting_t *list = config_setting_get_member(config_root(c), name);
@@ -268,12 +268,12 @@ static bool read_root(struct config *c, name_is_taken *taken)
     const char *name = user_formula(i)->name, *corrected = user_formula(i)->corrected;
     if (corrected && !formula_named(corrected))
       return refuse_at(c, member_of(entry_named(name), "corrected"), "%s: there is no formula '%s'%s", name, corrected,
-                       formula_instead(corrected));
+                       formula_hint(corrected));
   }
   return i > first || refuse_at(c, NULL, "there is no formula: formulas = ( { name = \"...\"; ... } );");
 }
 
-/* Opens a file, or a text of that name, from here on among those that were read. */
+/* Opens a file, or a text of that name, and adds it to the files that were read. */
 static enum exit_code open_file(struct config **config, const char *command, const char *path, const char *text)
 {
   struct formula_file *file = calloc(1, sizeof *file);
@@ -285,7 +285,7 @@ static enum exit_code open_file(struct config **config, const char *command, con
   return config_open(*config, command, path, text, NULL);
 }
 
-/* Paths of one file may differ. */
+/* Returns true if the paths lead to the same file. */
 static bool is_same_file(const char *a, const char *b)
 {
   struct stat of_a, of_b;
@@ -303,7 +303,7 @@ enum exit_code formula_file_read(const char *command, const char *path, const ch
   return code == EXIT_DONE && !read_root(c, taken) ? EXIT_USAGE : code;
 }
 
-enum exit_code user_formula_add(const char *command, const struct formula_given *given)
+enum exit_code user_formula_add(const char *command, const struct formula_option *given)
 {
   bool is_steady = word_place(given->of, formula_quantities) >= FORMULA_STEADY;
   const char *const texts[][2] = {
@@ -325,14 +325,14 @@ const char *formula_place(char text[FORMULA_PLACE], const struct scallop_formula
   const struct formula_entry *e = entry_named(formula->name);
   const int line = e && &e->formula == formula ? config_setting_source_line(e->group) : 0;
   *text = '\0';
-  if (line > 0) /* not of an option */
+  if (line > 0) /* else from an option */
     snprintf(text, FORMULA_PLACE, "%s:%d: ", e->config->path, line);
   return text;
 }
 
-void formula_files_forget(void)
+void formula_files_free(void)
 {
-  forget_user_formulas();
+  user_formulas_free();
   for (struct formula_file *first; (first = files);) {
     files = first->next;
     config_close(&first->config);

@@ -1,5 +1,5 @@
-/* breakdown --map X Y --boundaries: where the modes of the steady state change along the lines of a grid, and the parts
- * of the boundaries that lie within its cells. */
+/* breakdown --map X Y --boundaries: changes of the modes of the steady state along the lines of a grid, and the parts
+ * of boundaries within its cells. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,34 +9,34 @@
 #include "compare/text/progress.h"
 #include "numerics/threads.h"
 
-/* How near a change lies to both of its regions: relative on a logarithmic axis, of the larger end on a linear one. */
-static const double promise = 1e-12;
+/* The maximum distance of a change from both regions, relative to the value (log axis) or the larger end (linear) */
+static const double tolerance = 1e-12;
 
-/* Of boundaries that meet in a cell the halves of its halves ... are looked at, so many times. */
-enum { MOST_CHANGES = 8, HALVINGS = 5, MOST_NODES = 2001 };
+/* HALVINGS: how often a cell in which boundaries meet is divided into quarters */
+enum { MAX_CHANGES = 8, HALVINGS = 5, MAX_NODES = 2001 };
 
-struct place { /* in the square, from 0 to 1 along both axes: places with the same modes are of one region */
+struct place { /* in the square, from 0 to 1 along both axes; places with equal modes are in one region */
   double u, v;
-  bool rounded; /* known in double only */
+  bool rounded; /* solved in double only */
   struct answer answer;
 };
-struct change { /* at (u, v), between places that are closer than the promise */
+struct change { /* at (u, v), between places within the tolerance */
   double u, v;
   struct place before, after;
 };
 struct changes {
-  int count, edge; /* edge: of the first one on this edge */
-  struct change list[4 * MOST_CHANGES];
+  int count, edge; /* edge: index of the first change on the current edge */
+  struct change list[4 * MAX_CHANGES];
 };
 struct boundaries {
   const struct breakdown_options *options;
   const struct sweep_variable *axes[2];
   int cells[2];
   struct table table;
-  struct place nodes[2][MOST_NODES]; /* of the lines of the grid with an even number, and an odd one, at hand */
+  struct place nodes[2][MAX_NODES]; /* the current two lines of the grid; [j % 2] is line j */
 };
 
-/* The value at u: an end at 0 and at 1; their mean at 1/2, the geometric one where the axis is logarithmic. */
+/* Returns the value at u: linear between the ends at 0 and 1, in the logarithm if the axis is logarithmic. */
 static double value_at(const struct sweep_variable *axis, double u)
 {
   double from = axis->from.number, to = axis->to.number;
@@ -45,16 +45,15 @@ static double value_at(const struct sweep_variable *axis, double u)
   return axis->is_log ? from * pow(to / from, u) : from + u * (to - from);
 }
 
-/* How much of the value a step in u is: |d value/du| over the value on a logarithmic axis, over the larger end on a
- * linear one. */
+/* Returns |d value/du| over the value on a logarithmic axis, over the larger end on a linear one. */
 static double scale_of(const struct sweep_variable *axis)
 {
   double from = axis->from.number, to = axis->to.number;
   return fabs(axis->is_log ? log(to / from) : (to - from) / fmax(from, to));
 }
 
-/* In binary128, where there is one: rounding in double may choose the modes near a boundary. Without a steady state
- * there are no modes. */
+/* Solves in binary128 if available, because rounding in double may decide the modes near a boundary. A place without a
+ * steady state has no modes. */
 static struct place place_at(const struct boundaries *b, double u, double v)
 {
   struct sweep_place at;
@@ -69,31 +68,31 @@ static struct place place_at(const struct boundaries *b, double u, double v)
 
 static bool same(const struct place *a, const struct place *b) { return same_modes(a->answer.modes, b->answer.modes); }
 
-static double apart(const struct boundaries *b, double du, double dv)
+static double distance(const struct boundaries *b, double du, double dv)
 {
   return fmax(fabs(du) * scale_of(b->axes[0]), fabs(dv) * scale_of(b->axes[1]));
 }
 
-/* A region that is thinner than the promise, such as a line on which a symmetry holds, is a part of the boundary. */
+/* Adds a change. A region thinner than the tolerance, such as a line of symmetry, becomes part of the boundary. */
 static void add_change(const struct boundaries *b, struct changes *all, const struct change *c)
 {
   struct change *last = all->count > all->edge ? &all->list[all->count - 1] : NULL;
-  if (last && same(&last->after, &c->before) && apart(b, c->u - last->u, c->v - last->v) <= 2 * promise) {
+  if (last && same(&last->after, &c->before) && distance(b, c->u - last->u, c->v - last->v) <= 2 * tolerance) {
     *last = (struct change){ (last->u + c->u) / 2, (last->v + c->v) / 2, last->before, c->after };
     all->count -= same(&last->before, &last->after);
-  } else if (c->before.answer.status >= 0 && c->after.answer.status >= 0 && all->count < all->edge + MOST_CHANGES) {
+  } else if (c->before.answer.status >= 0 && c->after.answer.status >= 0 && all->count < all->edge + MAX_CHANGES) {
     all->list[all->count++] = *c;
   }
 }
 
-/* A region between two places is seen where a half of a half ... ends in it. */
+/* Finds the changes between two places by bisection; finds a region in between if a midpoint lies in it. */
 static void find_changes(const struct boundaries *b, struct changes *all, const struct place *from,
                          const struct place *to)
 {
-  double u = (from->u + to->u) / 2, v = (from->v + to->v) / 2; /* the same from either end */
+  double u = (from->u + to->u) / 2, v = (from->v + to->v) / 2; /* symmetric in from and to */
   if (same(from, to))
     return;
-  if (apart(b, to->u - from->u, to->v - from->v) <= promise) {
+  if (distance(b, to->u - from->u, to->v - from->v) <= tolerance) {
     add_change(b, all, &(struct change){ u, v, *from, *to });
     return;
   }
@@ -102,7 +101,7 @@ static void find_changes(const struct boundaries *b, struct changes *all, const 
   find_changes(b, all, &middle, to);
 }
 
-/* Around a cell, against the clock from its corner with the least u and v */
+/* Returns the changes around a cell, anticlockwise from its corner with the least u and v. */
 static struct changes changes_around(const struct boundaries *b, const struct place corner[4])
 {
   struct changes all = { .count = 0 };
@@ -113,8 +112,8 @@ static struct changes changes_around(const struct boundaries *b, const struct pl
   return all;
 }
 
-/* By the regime, and by how often a body is stuck in the modes, which become text. */
-static int sticking(char modes[MOTION_MODES_TEXT], const struct answer *a)
+/* Returns a measure of sticking, by the regime and the number of modes with a stuck body; writes the modes. */
+static int sticking_measure(char modes[MOTION_MODES_TEXT], const struct answer *a)
 {
   int zeros = 0;
   motion_modes_text(modes, OF_STEADY, a->modes);
@@ -123,14 +122,14 @@ static int sticking(char modes[MOTION_MODES_TEXT], const struct answer *a)
   return (int)a->regime * MOTION_MODES_TEXT + zeros;
 }
 
-/* A part of a boundary, from a change to (u, v): from region_1 to region_2 there is more sticking. */
+/* Writes a part of a boundary, from a change to (u, v); region_2 has more sticking than region_1. */
 static void write_part(struct boundaries *b, const struct change *from, double u, double v, bool is_guess)
 {
   const double ends[2][2] = { { from->u, from->v }, { u, v } };
   const struct answer *sides[] = { &from->before.answer, &from->after.answer };
   bool rounded = from->before.rounded || from->after.rounded;
   char modes[2][MOTION_MODES_TEXT], what[MODE_CHANGE_TEXT];
-  int more = sticking(modes[0], sides[0]) - sticking(modes[1], sides[1]);
+  int more = sticking_measure(modes[0], sides[0]) - sticking_measure(modes[1], sides[1]);
   bool turned = more != 0 ? more > 0 : strcmp(modes[0], modes[1]) > 0;
   for (int i = 0; i < 4; i++)
     table_number(&b->table, value_at(b->axes[i % 2], ends[(i / 2) ^ turned][i % 2]));
@@ -142,12 +141,13 @@ static void write_part(struct boundaries *b, const struct change *from, double u
 
 static void write_quarters(struct boundaries *b, const struct place corner[4], int halvings);
 
-/* A boundary that comes into a cell with the regions A and B beside it goes out with B and A. Where that leaves some
- * changes boundaries meet: in one of the quarters, or at last about in the middle of these changes. */
+/* Writes the parts of boundaries in a cell. The modes change from A to B at the point in
+ * which a boundary enters, and from B to A at the point in which it leaves. If changes are left, boundaries meet: in
+ * one of the quarters, or, after the last halving, about at the mean of these changes. */
 static void write_parts(struct boundaries *b, const struct place corner[4], const struct changes *around, int halvings)
 {
   const struct change *c = around->list;
-  int partner[4 * MOST_CHANGES], left = around->count;
+  int partner[4 * MAX_CHANGES], left = around->count;
   double u = 0, v = 0;
   for (int p = 0; p < around->count; p++)
     partner[p] = -1;
@@ -175,7 +175,7 @@ static void write_parts(struct boundaries *b, const struct place corner[4], cons
 
 static void write_quarters(struct boundaries *b, const struct place corner[4], int halvings)
 {
-  struct place middle[4]; /* of the edge behind each corner */
+  struct place middle[4]; /* midpoint of the edge behind each corner */
   double u = corner[0].u + (corner[2].u - corner[0].u) / 2, v = corner[0].v + (corner[2].v - corner[0].v) / 2;
   const struct place centre = place_at(b, u, v);
   for (int k = 0; k < 4; k++)
@@ -191,14 +191,14 @@ static void write_quarters(struct boundaries *b, const struct place corner[4], i
   }
 }
 
-/* Line i of the grid: not at even fractions, where symmetries hold more often than elsewhere, and a little inside. */
+/* Returns line i of the grid, avoiding the ends, and simple fractions, because these are often lines of symmetry. */
 static double grid_line(int i, int cells)
 {
   static const double inside = 1e-11;
   return i == 0 ? inside : i == cells ? 1 - inside : (i + 0.0618) / (cells + 0.1);
 }
 
-/* Row j of the nodes, and the boundaries between it and the one before. */
+/* Solves row j of the nodes, and writes the boundaries between it and the row before. */
 static void write_row(struct boundaries *b, int j)
 {
   const int cells = b->cells[0];
@@ -244,9 +244,9 @@ enum exit_code breakdown_boundaries(const struct breakdown_options *o)
   b.options = o;
   for (int i = 0; i < 2; i++) {
     const struct sweep_variable *v = b.axes[i] = map_axis(o, i);
-    if (v->count < 2 || v->count > MOST_NODES || !(v->from.number < v->to.number)) {
+    if (v->count < 2 || v->count > MAX_NODES || !(v->from.number < v->to.number)) {
       complain("breakdown", "--%c: --boundaries takes 2 to %d values along each axis, with FROM < TO", "xy"[i],
-               MOST_NODES);
+               MAX_NODES);
       return EXIT_USAGE;
     }
     b.cells[i] = (int)v->count - 1;

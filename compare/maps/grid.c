@@ -1,5 +1,5 @@
-/* breakdown --map X Y: one row for each point of a grid: the crawler, its steady state, and how good the series are
- * there. */
+/* breakdown --map X Y: a row for each point of a grid, with the crawler, its steady state, and the errors of the
+ * series. */
 #define _GNU_SOURCE /* asprintf */
 #include "compare/maps/maps.h"
 
@@ -46,14 +46,14 @@ struct grid {
   enum quantity_id quantity;
 };
 
-/* Beside a picture of named columns, where no others are chosen, the table has of the series those alone that are
- * drawn. */
+/* Returns true if the table has the series: if a picture draws named columns, and no columns are chosen, it has only
+ * the series drawn. */
 static bool is_drawn(const struct style *style, const char *name)
 {
   return !style->plot.file || !style->plot.y || style->choice || formula_is_listed(style->plot.y, name);
 }
 
-/* The error of a series, without tolerances, or how far it reaches: "error_published", "reach_1e-2_published" */
+/* Adds the error of a series, or with tolerances its reach for each: "error_published", "reach_1e-2_published". */
 static const char *add_series(const struct grid *g, const char *called, const char *series, const double *tolerances)
 {
   const char *wrong = NULL;
@@ -77,8 +77,8 @@ static bool is_about_quantity(const void *context, const struct scallop_formula 
   return series_is_about(f, &steady, *(const enum quantity_id *)context);
 }
 
-/* For each formula of the formula file, and for each other source; of the paper's formulas the last one is the
- * simplest. */
+/* Adds the columns of each formula of the formula files and of each other source; of the paper's formulas it takes the
+ * last and simplest. */
 static const char *add_all_series(const struct grid *g, const double *tolerances)
 {
   const struct breakdown_options *o = g->options;
@@ -99,7 +99,7 @@ static const char *add_all_series(const struct grid *g, const double *tolerances
   return wrong;
 }
 
-/* The axes, what they set, and what may be wanted beside it; F1/F2 as an axis is not F1. */
+/* Adds the axes, the parameters they set, and the other parameters; F1/F2 as an axis is not F1. */
 static const char *add_parameters(const struct grid *g)
 {
   static const char *const parameters[] = { "m1", "m2", "F1", "F2", "T", "alpha", "froude", NULL };
@@ -120,7 +120,7 @@ const char *breakdown_map(const struct breakdown_options *o, struct rows *rows)
   struct grid g = { o, rows, quantity_of_name(o->quantity.value) };
   const char *what = wrong_text("the %s of the steady state", quantity_rows[g.quantity].name);
   char *command;
-  if (!formula_file_serves("breakdown", o->request.formulas, is_about_quantity, &g.quantity, what))
+  if (!formula_file_applies("breakdown", o->request.formulas, is_about_quantity, &g.quantity, what))
     return "";
   rows->of = "map";
   if (asprintf(&command, "breakdown --map %s %s", o->map[0], o->map[1]) < 0)

@@ -51,7 +51,7 @@ static void write_counts(struct table *t, const struct series_list *list, bool e
                        list->outcomes[outcome], said[outcome]);
   }
   table_note(t, "%d %s: %s", list->count, list->count == 1 ? "table" : "tables", text);
-  if (!table_begin_anew(t))
+  if (!table_restart_columns(t))
     return;
   table_columns(t, names);
   table_count(t, list->count);

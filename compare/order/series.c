@@ -48,7 +48,7 @@ static const char *find(int *place, struct tsv *t, const char *option, const cha
     *place = (int)number - 1;
   if (*place >= 0 || !*option)
     return NULL;
-  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name, t->columns > 0 ? instead_of(name, t->column) : "");
+  return tsv_at(t, "%sthere is no column '%.100s'%s", option, name, t->columns > 0 ? name_hint(name, t->column) : "");
 }
 
 static const char *add_y(struct reader *r, int place, bool values)
@@ -188,7 +188,7 @@ static struct series *series_named(struct reader *r, const char *name, int i)
   for (int k = list->count - 1; k >= r->first; k--)
     if (strcmp(list->series[k].name, name) == 0 && strcmp(list->series[k].y, r->name[i]) == 0)
       return &list->series[k];
-  struct series *all = list->count < MOST_SERIES ? with_room(list->series, list->count, sizeof *all) : NULL;
+  struct series *all = list->count < MOST_SERIES ? list_grown(list->series, list->count, sizeof *all) : NULL;
   if (!all)
     return NULL;
   list->series = all;
@@ -201,7 +201,7 @@ static struct series *series_named(struct reader *r, const char *name, int i)
 
 static bool append(struct series *s, struct scallop_order_point point)
 {
-  struct scallop_order_point *points = with_room(s->points, s->count, sizeof point);
+  struct scallop_order_point *points = list_grown(s->points, s->count, sizeof point);
   if (!points)
     return false;
   s->points = points;
@@ -270,7 +270,7 @@ static const char *take_row(struct reader *r)
     r->columns = t->columns > 0 ? t->columns : t->count;
   if (t->count != r->columns)
     return tsv_at(t, "%d column%s, and %d above (%s)", t->count, t->count == 1 ? "" : "s", r->columns,
-                  tsv_taken_for(t, format));
+                  tsv_format_text(t, format));
   const char *wrong = is_first ? find_columns(r) : NULL;
   return wrong ? wrong : read_row(r);
 }
@@ -287,7 +287,7 @@ static void tell(struct reader *r)
                   t->columns > 0 ? t->column[r->x] : "", t->columns > 0 ? ")" : "");
   if (r->power != 0)
     snprintf(x + used, sizeof x - (size_t)used, " to the power %.3g", r->power);
-  complain("order", "note: %s: %s; h is %s, %s: %s; rows: %ld", t->name, tsv_taken_for(t, format), x,
+  complain("order", "note: %s: %s; h is %s, %s: %s; rows: %ld", t->name, tsv_format_text(t, format), x,
            r->wanted->values ? "values" : "errors", errors, r->rows);
 }
 

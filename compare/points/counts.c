@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <sys/resource.h>
 
-bool counts_are_wanted;
+bool counts_are_printed;
 static long counts[COUNTS]; /* by any thread */
 
 static const char *const names[COUNTS] = {

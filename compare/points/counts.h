@@ -1,5 +1,5 @@
-/* What was computed for the rows of sheets: --stats prints it. Each is counted where a column asks for it; what
- * commands without sheets do is not. */
+/* Counts of the computations for the rows of sheets, for --stats. Each is counted when a column requests it; commands
+ * without sheets count nothing. */
 #ifndef SCALLOP_COMPARE_POINTS_COUNTS_H
 #define SCALLOP_COMPARE_POINTS_COUNTS_H
 
@@ -12,28 +12,28 @@ enum count {
   COUNT_ONSETS,     /* longest periods without sticking; the phases of the bisection are not counted */
   COUNT_STEADY,     /* steady states in double */
   COUNT_PHASES,     /* phases in double */
-  COUNT_FORMULAS,   /* evaluations of the paper's */
+  COUNT_FORMULAS,   /* evaluations of formulas of the paper or of a formula file */
   COUNT_EXPANSIONS, /* series derived */
-  COUNT_SUMS,       /* of derived series at a T */
+  COUNT_SUMS,       /* sums of derived series */
   COUNT_CERTIFIED,  /* steady states and phases in ball arithmetic */
   COUNT_TRAJECTORIES,
-  COUNT_SAMPLES, /* of trajectories */
-  COUNT_ORDERS,  /* fitted */
+  COUNT_SAMPLES, /* rows of trajectories */
+  COUNT_ORDERS,  /* fitted orders */
   COUNT_COMMANDS,
-  COUNT_ROWS, /* of sheets, written */
+  COUNT_ROWS, /* rows of sheets */
   COUNT_PLOTS,
-  COUNT_GAITS,            /* made; the two that are built in are not */
-  COUNT_ROOT_ITERATIONS,  /* within steady states and phases, closed forms not counted */
-  COUNT_GAIT_EVALUATIONS, /* of l' and l'' where they are not linear */
-  COUNT_CERTIFIED_DIGITS, /* of all certified solutions together */
+  COUNT_GAITS,            /* gaits made, without the two built-in ones */
+  COUNT_ROOT_ITERATIONS,  /* of steady states and phases, without closed forms */
+  COUNT_GAIT_EVALUATIONS, /* of nonlinear l' and l'' */
+  COUNT_CERTIFIED_DIGITS, /* sum over all certified solutions */
   COUNTS
 };
 
-/* Are they printed? Then points are solved one by one, as the batch call counts nothing. */
-extern bool counts_are_wanted;
+/* True if the counts are printed: points are then solved one by one, because the batch call counts nothing. */
+extern bool counts_are_printed;
 void count_add(enum count what, long n);
 void count_work(const struct scallop_work *work);
-/* All of them, on standard error */
+/* Prints the counts to standard error. */
 void counts_print(void);
 
 #endif

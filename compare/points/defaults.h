@@ -1,5 +1,4 @@
-/* What holds in tables that need FLINT where an option is not given. --help prints these numbers, also where FLINT is
- * not there. */
+/* Defaults of the options of tables that need FLINT. --help prints them, also in a build without FLINT. */
 #ifndef SCALLOP_COMPARE_POINTS_DEFAULTS_H
 #define SCALLOP_COMPARE_POINTS_DEFAULTS_H
 
@@ -18,7 +17,7 @@
 #define STRESS_CHECK_PHASES 30
 #define STRESS_FULL_CASES 5000
 
-/* breakdown: the errors that series reach to, and those of maps */
+/* breakdown: errors for which it finds the reach of series, in tables and in maps */
 #define BREAKDOWN_TOLERANCES 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12
 #define BREAKDOWN_MAP_TOLERANCES 1e-2, 1e-6
 

@@ -10,16 +10,16 @@
 #include "compare/tables/tsv.h"
 #include "compare/text/values.h"
 
-enum { MOST_ROWS = 100000 };
+enum { MAX_ROWS = 100000 };
 static const char no_memory[] = "out of memory";
 
-/* Columns of t and of what l is: l itself, or x1 and x2 */
-struct columns {
+/* The places of the columns t and l; or t, x1 and x2 */
+struct places {
   int t, l[2];
 };
-struct rows {
+struct recording {
   double *t, *l;
-  int count, left_out;
+  int count, skipped;
 };
 
 static int column_called(const struct tsv *tsv, const char *const *names)
@@ -31,8 +31,8 @@ static int column_called(const struct tsv *tsv, const char *const *names)
   return -1;
 }
 
-/* NULL, or what is wrong with the names; without names there are two columns, t and l. */
-static const char *find_columns(struct columns *c, struct tsv *tsv)
+/* Finds the columns; without names they are t and l. Returns NULL or the error. */
+static const char *find_columns(struct places *c, struct tsv *tsv)
 {
   static const char *const times[] = { "t", "time", NULL },
                            *const lengths[] = { "l", "length", "distance", "separation", NULL },
@@ -43,15 +43,16 @@ static const char *find_columns(struct columns *c, struct tsv *tsv)
   if (tsv->columns == 0 && (tsv->count == 2 || tsv->count == 0 || tsv->fault))
     return NULL;
   if (tsv->columns == 0)
-    return tsv_at(tsv, "%d column%s without a header that names t and l, or t, x1 and x2: two are wanted, t and l",
+    return tsv_at(tsv,
+                  "%d column%s without a header that names t and l, or t, x1 and x2: expected are two columns, t and l",
                   tsv->count, tsv->count == 1 ? "" : "s");
   if (t < 0 || (l < 0 && !has_bodies))
     return tsv_at_line(tsv, 0, "no columns are named t and l, or t, x1 and x2");
-  *c = l >= 0 ? (struct columns){ t, { l, -1 } } : (struct columns){ t, { bodies[0], bodies[1] } };
+  *c = l >= 0 ? (struct places){ t, { l, -1 } } : (struct places){ t, { bodies[0], bodies[1] } };
   return NULL;
 }
 
-/* 1: a number, 0: none is there, -1: something else is. */
+/* Returns 1: a number, 0: a missing value, -1: another text. */
 static int cell_number(struct tsv *tsv, int column, double *x)
 {
   if (column >= tsv->count || tsv_is_missing(tsv->cell[column]) || strcasecmp(tsv->cell[column], "nan") == 0)
@@ -59,7 +60,7 @@ static int cell_number(struct tsv *tsv, int column, double *x)
   return read_number(tsv_number(tsv, column), x) ? 1 : -1;
 }
 
-static const char *read_row(struct rows *r, struct tsv *tsv, const struct columns *c)
+static const char *read_row(struct recording *r, struct tsv *tsv, const struct places *c)
 {
   const int columns[3] = { c->t, c->l[0], c->l[1] };
   double x[3] = { 0 };
@@ -69,21 +70,20 @@ static const char *read_row(struct rows *r, struct tsv *tsv, const struct column
   for (int i = 0; i < (c->l[1] >= 0 ? 3 : 2); i++) {
     int kind = cell_number(tsv, columns[i], &x[i]);
     if (kind < 0)
-      return tsv_at(tsv, "column %d, '%.80s', is not allowed: a finite number is wanted", columns[i] + 1,
-                    tsv->cell[columns[i]]);
+      return tsv_at(tsv, "column %d, '%.80s', is not a finite number", columns[i] + 1, tsv->cell[columns[i]]);
     there = there && kind;
   }
   if (tsv->fault)
     return tsv_at(tsv, "%s", tsv->fault);
   if (!there) {
-    r->left_out++;
+    r->skipped++;
     return NULL;
   }
-  if (r->count == MOST_ROWS)
-    return tsv_at(tsv, "more than %d rows", MOST_ROWS);
-  double *t = with_room(r->t, r->count, sizeof *t);
+  if (r->count == MAX_ROWS)
+    return tsv_at(tsv, "more than %d rows", MAX_ROWS);
+  double *t = list_grown(r->t, r->count, sizeof *t);
   r->t = t ? t : r->t;
-  double *l = with_room(r->l, r->count, sizeof *l);
+  double *l = list_grown(r->l, r->count, sizeof *l);
   r->l = l ? l : r->l;
   if (!t || !l)
     return no_memory;
@@ -92,7 +92,7 @@ static const char *read_row(struct rows *r, struct tsv *tsv, const struct column
   return NULL;
 }
 
-static const char *read_rows(struct rows *r, struct tsv *tsv, struct columns *c)
+static const char *read_rows(struct recording *r, struct tsv *tsv, struct places *c)
 {
   const char *wrong = find_columns(c, tsv);
   while (!wrong && tsv_next(tsv))
@@ -100,7 +100,8 @@ static const char *read_rows(struct rows *r, struct tsv *tsv, struct columns *c)
   return wrong ? wrong : tsv_error(tsv);
 }
 
-static void tell_columns(struct gait_file *g, const struct rows *r, const struct tsv *tsv, const struct columns *c)
+static void describe_columns(struct gait_file *g, const struct recording *r, const struct tsv *tsv,
+                             const struct places *c)
 {
   size_t size = sizeof g->columns;
   char format[80], l[60];
@@ -108,21 +109,21 @@ static void tell_columns(struct gait_file *g, const struct rows *r, const struct
     snprintf(l, sizeof l, "l column %d", c->l[0] + 1);
   else
     snprintf(l, sizeof l, "l = x2 - x1 columns %d and %d", c->l[1] + 1, c->l[0] + 1);
-  int used = snprintf(g->columns, size, "%s: t is column %d, %s", tsv_taken_for(tsv, format), c->t + 1, l);
-  if (r->left_out > 0)
-    snprintf(g->columns + used, size - (size_t)used, "; rows without a number, left out: %d", r->left_out);
+  int used = snprintf(g->columns, size, "%s: t is column %d, %s", tsv_format_text(tsv, format), c->t + 1, l);
+  if (r->skipped > 0)
+    snprintf(g->columns + used, size - (size_t)used, "; rows without a number, left out: %d", r->skipped);
 }
 
-/* Of the open table, which is closed. */
+/* Reads the gait from the table and closes it. Returns NULL or the error. */
 static const char *read_table(struct gait_file *g, struct tsv *tsv, bool open, const struct scallop_measured_options *o,
                               const char *text)
 {
-  struct rows rows = { .count = 0 };
-  struct columns columns = { 0, { 1, -1 } };
+  struct recording rows = { .count = 0 };
+  struct places columns = { 0, { 1, -1 } };
   *g = (struct gait_file){ .measured = NULL };
   const char *wrong = open ? read_rows(&rows, tsv, &columns) : tsv_error(tsv), *why = NULL;
   if (!wrong) {
-    tell_columns(g, &rows, tsv, &columns);
+    describe_columns(g, &rows, tsv, &columns);
     g->measured = scallop_measured_new(rows.t, rows.l, rows.count, o, text, &why);
     wrong = g->measured ? NULL : tsv_at_line(tsv, 0, "%s", why);
   }
@@ -134,7 +135,7 @@ static const char *read_table(struct gait_file *g, struct tsv *tsv, bool open, c
   return wrong;
 }
 
-/* Takes ":KIND", ":KIND=SIGMA" or ":period=P" off the end of name. False: there is none, or it is part of the name. */
+/* Removes ":KIND", ":KIND=SIGMA" or ":period=P" from the end of name. Returns false if name ends otherwise. */
 static bool take_choice(char *name, struct scallop_measured_options *o)
 {
   char *colon = strrchr(name, ':'), *number = colon ? strchr(colon, '=') : NULL;
@@ -158,9 +159,9 @@ static bool take_choice(char *name, struct scallop_measured_options *o)
   return true;
 }
 
-static struct tsv reader; /* has the message */
+static struct tsv reader; /* static: messages refer to it */
 
-/* The name without the choices behind it, to be freed */
+/* Returns the name without the choices behind it; the caller frees it. */
 static char *without_choices(const char *name, struct scallop_measured_options *options)
 {
   char *file = strdup(name);

@@ -1,4 +1,4 @@
-/* A measured gait, and the table that it is read from: rows of t and l, or of t and the positions x1 and x2. */
+/* Measured gaits, from tables with rows of t and l, or of t and the positions x1 and x2. */
 #ifndef SCALLOP_COMPARE_POINTS_GAIT_FILE_H
 #define SCALLOP_COMPARE_POINTS_GAIT_FILE_H
 
@@ -7,15 +7,15 @@
 struct gait_file {
   struct scallop_measured *measured;
   struct scallop_measured_gait best;
-  char columns[120]; /* which columns were taken for what */
+  char columns[120]; /* a text: which columns are t and l */
 };
 
-/* Reads FILE, FILE:KIND, FILE:KIND=SIGMA or one of these with :period=P behind it; KIND is monotone, cubic, smooth or
- * phases, SIGMA the noise of a row. A header names the columns, t and l or x1 and x2, with or without units; without
- * one they are t and l. Rows without a number are left out. NULL, or what is wrong with it, which lives until the next
- * call; *unreadable: the file could not be read at all. text: the gait's name, which is kept. */
+/* Reads FILE, FILE:KIND, FILE:KIND=SIGMA or one of these followed by :period=P; KIND is monotone, cubic, smooth or
+ * phases, SIGMA the noise of a row. A header names the columns, t and l or x1 and x2, with or without units; without a
+ * header they are t and l. Rows without a number are skipped. text: the gait's name; it must outlive the gait.
+ * Returns NULL or the error, valid until the next call; *unreadable: the file could not be read. */
 const char *gait_file_read(struct gait_file *gait, const char *name, const char *text, bool *unreadable);
-/* The same of a table, which is called name in messages. Needs no files. */
+/* Reads a table from memory; name: its name in messages, with the same options behind it. */
 const char *gait_file_of_table(struct gait_file *gait, const char *name, const char *table, const char *text);
 void gait_file_free(struct gait_file *gait);
 

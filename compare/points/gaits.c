@@ -12,7 +12,7 @@
 #include "compare/text/message.h"
 #include "compare/text/values.h"
 
-enum { MOST_GAITS = 65536, MESSAGE = 480 };
+enum { MAX_GAITS = 65536, MESSAGE = 480 };
 
 static char message[MESSAGE];
 
@@ -20,14 +20,14 @@ struct made {
   char *text, *parameters;
   const struct scallop_gait *gait;
   struct gait_source source; /* its numbers are in parameters */
-  bool is_unreadable;        /* the file of a measured one */
+  bool is_unreadable;        /* the file of a measured gait */
   union {
     union scallop_made_gait numbers;
     struct gait_file file;
   };
 };
 
-/* Beside the families that are made of numbers */
+/* The family that is not made from numbers */
 static const struct scallop_gait_family measured = {
   .name = "measured",
   .numbers = "FILE",
@@ -64,7 +64,7 @@ static void discard(struct made *made)
 static void discard_node(void *made) { discard(made); }
 static void free_all(void) { tdestroy(all_made, discard_node); }
 
-/* Of two made ones, which begin with their texts, or of one and a text */
+/* Compares two struct made, by their first member, the text, or one with a pointer to a text. */
 static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
 static struct made *find(const char *text)
@@ -73,7 +73,7 @@ static struct made *find(const char *text)
   return found ? *found : NULL;
 }
 
-/* False: no memory. */
+/* Returns false if memory is short. */
 static bool keep(struct made *made)
 {
   count_add(COUNT_GAITS, 1);
@@ -82,7 +82,7 @@ static bool keep(struct made *made)
   return tsearch(made, &all_made, by_text) != NULL;
 }
 
-/* Reads numbers between commas. NULL, or what is wrong; "": there are too many. */
+/* Reads numbers between commas. Returns NULL or the error; "": too many numbers. */
 static const char *read_numbers(struct gait_source *source, char *text, double x[SCALLOP_GAIT_NUMBERS])
 {
   static char not_one[120];
@@ -124,7 +124,7 @@ static const char *make_measured(struct made *m)
   return wrong;
 }
 
-/* The family of that name, up to one of the characters of ends or the end */
+/* Returns the family named by text up to one of the characters of ends, or NULL. */
 static const struct scallop_gait_family *family_of(const char *text, const char *ends)
 {
   size_t length = strcspn(text, ends);
@@ -137,14 +137,14 @@ static const struct scallop_gait_family *family_of(const char *text, const char 
 
 bool gait_family_begins(const char *text) { return family_of(text, ":,") != NULL; }
 
-/* What there are, with the numbers that must be given, and which was meant */
-static const char *unknown(const char *text)
+/* Returns the error for an unknown gait: the families, with the numbers they need, and the nearest name. */
+static const char *unknown_gait_error(const char *text)
 {
-  enum { MOST = 32 };
-  const char *names[MOST] = { NULL }, *shown[MOST] = { NULL };
-  char name[40], list[320], with_numbers[MOST][40];
+  enum { MAX_NAMES = 32 };
+  const char *names[MAX_NAMES] = { NULL }, *shown[MAX_NAMES] = { NULL };
+  char name[40], list[320], with_numbers[MAX_NAMES][40];
   const struct scallop_gait_family *family;
-  for (int i = 0; i + 1 < MOST && (family = gait_family(i)) != NULL; i++) {
+  for (int i = 0; i + 1 < MAX_NAMES && (family = gait_family(i)) != NULL; i++) {
     bool must = family->numbers && !family->usual;
     snprintf(with_numbers[i], sizeof *with_numbers, "%s:%s", family->name, must ? family->numbers : "");
     names[i] = family->name;
@@ -156,7 +156,7 @@ static const char *unknown(const char *text)
   return message;
 }
 
-/* NULL, or what is wrong */
+/* Makes the gait. Returns NULL or the error. */
 static const char *make(struct made *m, const char *parameters)
 {
   const char *text = m->text, *allowed = m->source.family->allowed;
@@ -172,31 +172,31 @@ static const char *make(struct made *m, const char *parameters)
   return message;
 }
 
-struct gait_answer gait_of_text(const char *text)
+struct gait_result gait_of_text(const char *text)
 {
   const struct scallop_gait *fixed = scallop_gait_named(text);
   const struct made *made = fixed ? NULL : find(text);
   if (fixed || made)
-    return (struct gait_answer){ .gait = fixed ? fixed : made->gait };
+    return (struct gait_result){ .gait = fixed ? fixed : made->gait };
   const struct scallop_gait_family *family = family_of(text, ":");
   const char *colon = strchr(text, ':'), *wrong = NULL;
   if (!family || family->fixed || (colon && !family->allowed))
-    return (struct gait_answer){ NULL, GAIT_UNKNOWN, unknown(text) };
+    return (struct gait_result){ NULL, GAIT_UNKNOWN, unknown_gait_error(text) };
   if (strlen(text) > GAIT_TEXT - sizeof "--gait ")
-    wrong = "the name of a gait is shorter than this";
-  else if (made_count == MOST_GAITS)
-    wrong = "this is one gait too many: 65536 different ones are the most";
+    wrong = "the name of this gait is too long";
+  else if (made_count == MAX_GAITS)
+    wrong = "there are more than 65536 different gaits";
   if (wrong)
-    return (struct gait_answer){ NULL, GAIT_UNKNOWN, wrong };
+    return (struct gait_result){ NULL, GAIT_UNKNOWN, wrong };
   struct made *new = calloc(1, sizeof *new);
   if (new)
     *new = (struct made){ .source.family = family, .text = strdup(text) };
   wrong = !new || !new->text ? "out of memory" : make(new, colon ? colon + 1 : family->usual ? family->usual : "");
   if (!wrong)
-    return (struct gait_answer){ .gait = new->gait };
+    return (struct gait_result){ .gait = new->gait };
   enum gait_fault fault = new &&new->is_unreadable ? GAIT_UNREADABLE : GAIT_UNKNOWN;
   discard(new);
-  return (struct gait_answer){ NULL, fault, wrong };
+  return (struct gait_result){ NULL, fault, wrong };
 }
 
 const char gait_no_ends[] =
@@ -210,7 +210,7 @@ bool gait_has_ends(const struct scallop_gait *gait)
   return true;
 }
 
-/* Of those that were made */
+/* Returns the record of a gait made from text, or NULL. */
 static struct made *made_of(const struct scallop_gait *gait)
 {
   struct made *made = find(gait->name);

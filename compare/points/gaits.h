@@ -1,54 +1,51 @@
 /* Gaits by their names on the command line: NAME or NAME:NUMBERS for the families of model/families.h, and
- * measured:FILE, a table of t and l through which a spline is laid. */
+ * measured:FILE, a spline through a table of t and l. */
 #ifndef SCALLOP_COMPARE_POINTS_GAITS_H
 #define SCALLOP_COMPARE_POINTS_GAITS_H
 
 #include "model/families.h"
 #include "model/measured/measured.h"
 
-/* The families, measured last: i = 0, 1, ...; NULL after the last. */
+/* Returns family i = 0, 1, ..., `measured` last; NULL after the last. */
 const struct scallop_gait_family *gait_family(int i);
 
-/* The text of a gait is shorter than this, with "--gait " before it. */
+/* The maximum size of "--gait " and the text of a gait */
 enum { GAIT_TEXT = 4096 };
 
 enum gait_fault { GAIT_FINE, GAIT_UNKNOWN, GAIT_UNREADABLE };
-struct gait_answer {
-  /* its name is the text; it lives until the program ends, and the same text gives the same one */
+struct gait_result {
+  /* its name is the text; valid until the program ends; equal texts return the same gait */
   const struct scallop_gait *gait;
-  enum gait_fault
-      fault;         /* UNREADABLE: a file could not be read at all                                                */
-  const char *wrong; /* what is wrong, where gait is NULL; lives until the next call                             */
+  enum gait_fault fault; /* UNREADABLE: the file could not be read                */
+  const char *wrong;     /* the error if gait is NULL, valid until the next call */
 };
-struct gait_answer gait_of_text(const char *text);
+struct gait_result gait_of_text(const char *text);
 
-/* Does text begin with the name of a family, up to a colon, a comma or its end? */
+/* Returns true if text begins with the name of a family, up to a colon, a comma or the end of text. */
 bool gait_family_begins(const char *text);
 
-/* A measured gait has an amplitude, a period and a fraction of it for the extension of its own. NULL: this is none. */
+/* Returns the recording of a measured gait, with its own L, T and alpha; NULL for another gait. */
 const struct gait_file *gait_file_of(const struct scallop_gait *gait);
-/* Gives the crawler one of the gaits that its recording admits as well, 0 <= i < SCALLOP_MEASURED_OTHERS, and that
- * gait's L, T and alpha where it has those of the recording. False: there is none, or the gait is not measured.
- * From any thread. */
+/* Replaces the crawler's gait by alternative i of its recording, 0 <= i < SCALLOP_MEASURED_OTHERS; also L, T and alpha
+ * if they equal the recording's. Returns false if the gait has no such alternative or is not measured. Thread-safe. */
 bool gait_exchange(struct scallop_crawler *crawler, int i);
 
-/* What a gait was made of, for those who want more digits of its numbers than doubles have. */
+/* The family and the numbers of a gait, with all given digits */
 struct gait_source {
   const struct scallop_gait_family *family;
-  const char *number[SCALLOP_GAIT_NUMBERS]; /* as they were written, or the usual ones */
-  int count;                                /* of them */
-  void *kept;                               /* NULL at first: what is worked out once for this gait; it is freed by */
-  void (*discard)(void *kept);              /* this, when the program ends */
+  const char *number[SCALLOP_GAIT_NUMBERS]; /* as given, or the defaults */
+  int count;                                /* of the numbers */
+  void *kept;                               /* data that a user of the gait derives once; NULL at first */
+  void (*discard)(void *kept);              /* frees it when the program ends */
 };
-/* NULL: it is none of those that were made of numbers. A measured gait is exactly its doubles. */
+/* Returns NULL if the gait is not made from numbers. A measured gait is exactly its doubles. */
 struct gait_source *gait_source_of(const struct scallop_gait *gait);
 
-/* How often l' changes its sign within the phases: of a measured gait, seldom by intention. */
+/* Returns how often l' changes its sign within the phases: in a measured gait mostly noise. */
 int gait_reversals(const struct scallop_gait *gait);
 
-/* Whether l'' is not 0 where the phases begin and end: else the published formulas, which divide by it there, have no
- * value. */
+/* Returns true if l'' is not 0 at the ends of the phases. The published formulas divide by these values. */
 bool gait_has_ends(const struct scallop_gait *gait);
-extern const char gait_no_ends[]; /* that, as a status */
+extern const char gait_no_ends[]; /* the status if l'' is 0 there */
 
 #endif

@@ -98,14 +98,14 @@ void point_complete(struct point *p)
   }
 }
 
-/* A number of the crawler, v0 or a ratio */
+/* Sets a number of the crawler, v0, g or a ratio. Returns NULL or the error. */
 static const char *set_number(struct point *p, const struct parameter *q, const char *text)
 {
   struct scallop_complaint complaint = { .allowed = q->allowed };
   double x, *field = (void *)((char *)p + q->field), before = *field;
   if (!read_number(text, &x) && !isfinite(x = text_number(text))) /* 3/5 */
     return no_number(text, q->allowed);
-  *field = x; /* the crawler has no other fault */
+  *field = x; /* all other numbers are valid */
   if (q->target == TARGET_NUMBER ? scallop_crawler_check(&p->crawler, &complaint) != SCALLOP_OK
                                  : q->target != TARGET_V0 && !(x > 0)) {
     *field = before;
@@ -124,7 +124,7 @@ const char *point_set_number(struct point *p, int place, const char *text)
 
 static const char *set_gait(struct point *p, const char *text)
 {
-  struct gait_answer answer = gait_of_text(text);
+  struct gait_result answer = gait_of_text(text);
   p->unreadable = answer.fault == GAIT_UNREADABLE;
   if (!answer.gait)
     return answer.wrong;

@@ -6,10 +6,10 @@
 #include <strings.h>
 #include <sys/stat.h>
 
-/* Is a name, which is no parameter's, probably meant to be this one, by its letters and digits? Of one letter only what
- * stands around it is judged: `t` is a time. A word is like a longer one (alpha, phase) with the same first letter and
- * few others. */
-static bool means(const char *name, const char *parameter)
+/* Returns true if a name that is not a parameter is probably a misspelling of one. Only letters and digits count; a
+ * parameter of one letter must agree in case: `t` is a time; a longer one (alpha, phase) may differ in a few letters
+ * other than the first. */
+static bool is_misspelling(const char *name, const char *parameter)
 {
   const char *const names[] = { parameter, NULL };
   char plain[40];
@@ -23,7 +23,7 @@ static bool means(const char *name, const char *parameter)
   return is_like || strcmp(plain, parameter) == 0 || (strlen(parameter) > 1 && strcasecmp(plain, parameter) == 0);
 }
 
-/* Is the name of a column that is no parameter still free in the table? */
+/* Returns true if no column of the table has the name. */
 static bool is_free(const struct point_file *r, const char *name, const char *const *columns)
 {
   const size_t length = strlen(name);
@@ -33,7 +33,7 @@ static bool is_free(const struct point_file *r, const char *name, const char *co
   return !taken && !name_among(r->carried, name);
 }
 
-/* NULL, or what is wrong with the column of that name, of a file that may name the crawler's parameters and extra */
+/* Finds the parameter of column i among the crawler's and extra. Returns NULL or the error. */
 static const char *read_column(struct point_file *r, int i, const char *name, const char *const *extra)
 {
   for (int k = 0; k < POINT_PARAMETERS; k++) {
@@ -42,7 +42,7 @@ static const char *read_column(struct point_file *r, int i, const char *name, co
       continue;
     if (strcmp(name, p->name) == 0)
       r->parameter[i] = p;
-    else if (!name_among(crawler_parameters, name) && !name_among(extra, name) && means(name, p->name))
+    else if (!name_among(crawler_parameters, name) && !name_among(extra, name) && is_misspelling(name, p->name))
       return tsv_at(&r->tsv, "unknown column '%.80s'%s", name, did_you_mean(p->name));
   }
   for (int k = 0; k < i && r->parameter[i]; k++)
@@ -51,7 +51,7 @@ static const char *read_column(struct point_file *r, int i, const char *name, co
   return NULL;
 }
 
-/* NULL, or what is wrong with the header. What is neither a parameter nor carried along goes into a note. */
+/* Reads the header; prints a note of the columns that are ignored. Returns NULL or the error. */
 static const char *read_columns(struct point_file *r, const char *noted_by, const char *const *extra,
                                 const char *const *columns)
 {
@@ -75,12 +75,12 @@ static const char *read_columns(struct point_file *r, const char *noted_by, cons
     return tsv_at(&r->tsv, "no column is a parameter: name some of m1 m2 F1 F2 L T alpha gait");
   if (not_carried > 0 && noted_by)
     complain(noted_by, "note: %s",
-             tsv_at(&r->tsv, "these columns are not carried along, as their names are taken or empty: %s",
+             tsv_at(&r->tsv, "these columns are not copied to the output, because their names are taken or empty: %s",
                     joined(names, sizeof names, unused, ", ")));
   return NULL;
 }
 
-/* NULL, or what is wrong with the cell */
+/* Sets the parameter from the cell. Returns NULL or the error. */
 static const char *set_cell(const struct point_file *r, struct point *point, const struct parameter *p,
                             const char *cell)
 {
@@ -90,7 +90,7 @@ static const char *set_cell(const struct point_file *r, struct point *point, con
                                               : point_set(point, p->name, cell);
 }
 
-/* Reads the current row into point. False: status says what is wrong with it. */
+/* Reads the current row into point. Returns false after writing the error to status. */
 static bool read_row(struct point_file *r, struct point *point, char *status)
 {
   struct tsv *t = &r->tsv;
@@ -108,7 +108,7 @@ static bool read_row(struct point_file *r, struct point *point, char *status)
   return !wrong && t->count == t->columns;
 }
 
-/* The bytes that are not read yet, of a regular file; else 0 */
+/* Returns the unread bytes of a regular file; else 0. */
 static double bytes_left(FILE *in)
 {
   struct stat of;
@@ -123,7 +123,7 @@ enum exit_code point_file_open(struct point_file *r, const char *name, const cha
   if (tsv_open(&r->tsv, name, TSV_POINTS) && (r->tsv.columns > 0 || r->tsv.fault))
     wrong = read_columns(r, quiet ? NULL : command, extra, columns);
   else if (!(wrong = tsv_error(&r->tsv)))
-    wrong = tsv_at_line(&r->tsv, 0, "no header line: a table with the names of its columns is wanted");
+    wrong = tsv_at_line(&r->tsv, 0, "no header line: the first row must name the columns");
   if (wrong)
     complain(command, "%s", wrong);
   else
@@ -159,5 +159,5 @@ long point_file_count(const char *name)
 
 long point_file_rows(const struct point_file *r, long read)
 {
-  return lround((double)read * r->bytes / r->read); /* no comments */
+  return lround((double)read * r->bytes / r->read); /* ignores comments */
 }

@@ -13,7 +13,7 @@
 
 struct written {
   struct scallop_exact_gait exact;
-  bool is_exact; /* else the doubles stand for it */
+  bool is_exact; /* else the doubles are used */
 };
 
 static void discard(void *kept)
@@ -23,7 +23,7 @@ static void discard(void *kept)
   flint_free(w);
 }
 
-static struct written *work_out(const struct scallop_gait *gait, const struct gait_source *source)
+static struct written *derive_gait(const struct scallop_gait *gait, const struct gait_source *source)
 {
   struct written *w = flint_malloc(sizeof *w);
   fmpq *x = _fmpq_vec_init(source->count);
@@ -36,7 +36,7 @@ static struct written *work_out(const struct scallop_gait *gait, const struct ga
   return w;
 }
 
-/* NULL: it is not made of numbers. */
+/* Returns NULL if the gait is not made from numbers. */
 static const struct written *written_of(const struct scallop_gait *gait)
 {
   static pthread_mutex_t by_one_thread = PTHREAD_MUTEX_INITIALIZER;
@@ -45,7 +45,7 @@ static const struct written *written_of(const struct scallop_gait *gait)
     return NULL;
   pthread_mutex_lock(&by_one_thread);
   if (!source->kept) {
-    source->kept = work_out(gait, source);
+    source->kept = derive_gait(gait, source);
     source->discard = discard;
   }
   pthread_mutex_unlock(&by_one_thread);
@@ -66,7 +66,7 @@ static void rational_number(fmpq_t x, double value)
     scallop_rational_set_double(x, value);
 }
 
-/* A number as it was written, 0.6 or 3/5 */
+/* Reads a number as given, 0.6 or 3/5. */
 static void read_rational(fmpq_t x, const char *text)
 {
   const char *slash = strchr(text, '/');

@@ -96,7 +96,7 @@ static void note(struct sweep_place *p, const char *name, const char *wrong)
 
 struct sweep_sobol sweep_sobol;
 
-/* The splitmix64 of Steele, Lea and Flood (2014): output n of a seed, from 0 to 1 */
+/* Returns output n of splitmix64 (Steele, Lea and Flood 2014) for a seed, scaled to [0, 1). */
 static double random_number(uint64_t seed, uint64_t n)
 {
   uint64_t z = seed + (n + 1) * UINT64_C(0x9e3779b97f4a7c15);
@@ -105,7 +105,7 @@ static double random_number(uint64_t seed, uint64_t n)
   return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/* Draws sample i of a group. A Sobol sequence goes on from the sample that was drawn last, or begins anew. */
+/* Draws sample i of a group. A Sobol sequence continues from the last sample, or restarts. */
 static void draw(struct sweep_walk *w, const struct sweep_group *g, long i)
 {
   const bool is_sobol = g->sampling == SAMPLING_SOBOL;
@@ -131,8 +131,8 @@ void sweep_walk_end(struct sweep_walk *w)
   w->generator = NULL;
 }
 
-/* Value i of a range whose ends are known; inner ones are decimal: 0.07 for a reader, and the same on every machine,
- * whose logarithms may differ in the last digit */
+/* Returns value i of a range with known ends. Inner values are rounded to decimals: 0.07 is readable, and equal on
+ * machines with different last digits of logarithms. */
 static double range_value(struct sweep_walk *w, const struct sweep_group *g, int variable, long i, double from,
                           double to)
 {
@@ -164,8 +164,8 @@ double sweep_number(struct sweep_walk *w, const struct sweep_group *g, int varia
   return x;
 }
 
-/* What follows from other parameters follows from them as they are now, and the Froude number is last. */
-static void settle(struct sweep_place *p)
+/* Sets the parameters that follow from ratios and the other parameters; T from the Froude number last. */
+static void set_dependent(struct sweep_place *p)
 {
   const struct scallop_crawler *c = &p->point.crawler;
   const double *ratio = p->point.ratio;
@@ -189,10 +189,10 @@ void sweep_set(struct sweep_place *p, const struct sweep_variable *v, double val
 {
   number_text(p->written[v->place], value, 0);
   note(p, v->name, point_set(&p->point, v->name, p->written[v->place]));
-  settle(p);
+  set_dependent(p);
 }
 
-/* From a place where the groups in front of group g are set to one where that is set too, to its value i. */
+/* Sets place[g + 1]: place[g] and value i of group g. */
 static void step(struct sweep_walk *w, int g, long i, sweep_formula *value, void *context)
 {
   struct sweep_place *p = &w->place[g + 1];
@@ -207,20 +207,20 @@ static void step(struct sweep_walk *w, int g, long i, sweep_formula *value, void
       double to = v->to.is_formula ? value(context, p, &v->to.formula) : v->to.number;
       number_text(p->written[v->place], range_value(w, group, (int)(v - group->variable), k, from, to), 0);
     }
-    /* a value of a list was found good when the sweep was read, if not at this point */
+    /* a value of a list was checked at the base point, not at this one */
     if (v->target == TARGET_LABEL)
       p->label[v->place] = text;
     else
       note(p, v->name, point_set(&p->point, v->name, text));
   }
   bool was_outside = p->why[0] != '\0';
-  settle(p);
-  if (!was_outside && !is_last) /* what is set further in may bring it back */
+  set_dependent(p);
+  if (!was_outside && !is_last) /* a faster group may make it valid */
     p->why[0] = '\0';
   p->ends_group = is_last && i == group->count - 1;
 }
 
-/* Goes to the product that the point is of, before its first group. */
+/* Finds the product of the point and sets place[0]. */
 static void find_product(struct sweep_walk *w, const struct sweep *s, const struct point *about, long number)
 {
   const struct sweep_product *p = s->product;

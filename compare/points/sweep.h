@@ -1,5 +1,5 @@
-/* A sweep: a list of points. Variables of a group advance together; a product is every combination of its groups, the
- * first slowest; the products of a sweep follow one another. What a variable may set is one table (sweep.c). */
+/* Sweeps: lists of points. The variables of a group advance together; a product is every combination of its groups, the
+ * first slowest; the products of a sweep follow one another. point_parameters lists the parameters that can vary. */
 #ifndef SCALLOP_COMPARE_POINTS_SWEEP_H
 #define SCALLOP_COMPARE_POINTS_SWEEP_H
 
@@ -14,31 +14,31 @@ enum {
   SWEEP_VARIABLES = 8,
   SWEEP_PRODUCTS = 16,
   SWEEP_LABELS = 8,
-  SWEEP_RANGE = 1000000000 /* most values of a range */
+  SWEEP_RANGE = 1000000000 /* maximum number of values of a range */
 };
-#define SWEEP_POINTS 1e15 /* of a product at most: they fit a long with room to spare */
+#define SWEEP_POINTS 1e15 /* maximum of a product: the sum of all products fits a long */
 
-struct sweep_end { /* of a range */
-  bool is_formula; /* of what is set further out */
+struct sweep_end { /* an end of a range */
+  bool is_formula; /* of parameters of slower groups */
   double number;
   struct formula formula;
 };
 
 struct sweep_variable {
-  const char *name, *sets; /* as of a parameter, or the name of a label */
+  const char *name, *sets; /* as in struct parameter; for a label its name */
   enum target target;
-  int place;          /* of the number that it sets, of a label among the labels */
-  long count;         /* values; 1: the same throughout its group */
-  const char **texts; /* a list of values as they were written, in one piece of memory; NULL: a range */
-  bool is_log;        /* a range */
-  bool is_sampled;    /* a range: count is that of the samples of its group */
+  int place;          /* of the number that it sets, or of the label among the labels */
+  long count;         /* number of values; 1: constant in its group */
+  const char **texts; /* a list of values as given, in one block of memory; NULL: a range */
+  bool is_log;        /* a range with equal ratios */
+  bool is_sampled;    /* a range that the samples of its group cover */
   struct sweep_end from, to;
 };
 
-/* Samples of all variables of a group at once: points of a Sobol sequence, as GSL has it, or random ones, of which
- * number d of point i is the output i n + d of splitmix64, n being how many numbers a point has. */
+/* Samples of all variables of a group: points of GSL's Sobol sequence, or random points, where coordinate d of point i
+ * is output i n + d of splitmix64 for n coordinates. */
 enum sampling { SAMPLING_NONE, SAMPLING_SOBOL, SAMPLING_RANDOM };
-/* Sobol sequences in so many dimensions (sobol.c); begin NULL: this build has none. */
+/* Sobol sequences (sobol.c); begin NULL: not in this build */
 extern struct sweep_sobol {
   void *(*begin)(int dimensions);
   void (*next)(void *generator, double *x);
@@ -46,66 +46,66 @@ extern struct sweep_sobol {
 } sweep_sobol;
 
 struct sweep {
-  int products; /* at least one, which may have no groups: one point */
+  int products; /* 0: one point; a product without groups is one point, too */
   struct sweep_product {
     int groups;
     struct sweep_group {
       int variables;
       struct sweep_variable variable[SWEEP_VARIABLES];
       long count;
-      enum sampling sampling; /* of its ranges that are sampled */
+      enum sampling sampling; /* of its sampled ranges */
       uint64_t seed;
     } group[SWEEP_GROUPS];
   } * product;
 };
 
-/* One without values yet. False: there is none of that name, but for labels. */
+/* Sets a variable without values. Returns false if name is not a parameter; it may be a label. */
 bool sweep_variable_of_name(struct sweep_variable *variable, const char *name);
-/* NULL, or what is wrong with a value of the variable, at the point. Lives until the next call. */
+/* Returns NULL or the error of a value of the variable at the point, valid until the next call. */
 const char *sweep_wrong(const struct sweep_variable *variable, const struct point *point, const char *text);
-/* The variable of the product that sets the same as another one, or NULL. */
+/* Returns a variable of the product that sets the same parameter as another one, or NULL. */
 const struct sweep_variable *sweep_set_twice(const struct sweep_product *product);
-/* The variables of all products, one after another: number i, or NULL after the last. */
+/* Returns variable i = 0, 1, ... of all products, or NULL after the last. */
 const struct sweep_variable *sweep_variable(const struct sweep *sweep, int i);
-long sweep_points(const struct sweep *sweep); /* 1 where nothing varies */
+long sweep_points(const struct sweep *sweep); /* number of points */
 void sweep_free(struct sweep *sweep);
 
-/* A point of a sweep or of a file, and what is beside its parameters */
+/* A point of a sweep or of a file, with its labels and other cells */
 struct sweep_place {
   struct point point;
-  const char *label[SWEEP_LABELS];          /* NULL: none */
-  const char *const *carried;               /* the cells of a row of a file that are no parameters */
-  char why[POINT_STATUS];                   /* why the parameters are no point, or "" */
-  bool is_unread;                           /* then they are not even known */
-  bool ends_group;                          /* it is the last of a group that varies fastest */
-  char written[POINT_NUMBERS][DIGITS_TEXT]; /* what values of ranges are written as */
+  const char *label[SWEEP_LABELS];          /* NULL: no label */
+  const char *const *carried;               /* the cells of a row of a file that are not parameters */
+  char why[POINT_STATUS];                   /* why the parameters are invalid, or "" */
+  bool is_unread;                           /* the parameters could not be read */
+  bool ends_group;                          /* the last point of the fastest group */
+  char written[POINT_NUMBERS][DIGITS_TEXT]; /* texts of values of ranges */
 };
-/* Goes to a point that has nothing beside it. */
+/* Sets the point, without labels and cells. */
 void sweep_place_set(struct sweep_place *place, const struct point *point);
-/* What the copy's point was written as is in the copy. */
+/* Copies a place; texts of the copied point lie in the copy. */
 void sweep_place_copy(struct sweep_place *copy, const struct sweep_place *place);
 
-/* Sets a variable that takes numbers at the place, and what follows from it. */
+/* Sets a numeric variable, and the parameters that depend on it. */
 void sweep_set(struct sweep_place *place, const struct sweep_variable *variable, double value);
 
-/* The value of a formula at the point as it is so far */
+/* A function that evaluates a formula of the parameters set so far */
 typedef double sweep_formula(void *context, const struct sweep_place *place, const struct formula *formula);
-/* A way through the points of a sweep, in any order; a step to the next is quickest. */
+/* A walk through the points of a sweep, in any order; fastest in the order of the points */
 struct sweep_walk {
-  const struct sweep_product *product;        /* of the point where it is; NULL: it is nowhere yet */
-  long first;                                 /* the number of that product's first point          */
-  long value[SWEEP_GROUPS];                   /* of each group                                     */
-  struct sweep_place place[SWEEP_GROUPS + 1]; /* in front of the groups, behind the first, ... */
-  const struct sweep_group *sampled;          /* a group of samples, and the one that was drawn last, its numbers: */
-  long drawn;
-  double sample[SWEEP_VARIABLES]; /* from 0 to 1 */
-  void *generator;                /* of GSL      */
+  const struct sweep_product *product;        /* of the current point; NULL: before the first step */
+  long first;                                 /* index of the product's first point                */
+  long value[SWEEP_GROUPS];                   /* index of the value of each group                  */
+  struct sweep_place place[SWEEP_GROUPS + 1]; /* [g]: groups before g are set                      */
+  const struct sweep_group *sampled;          /* the group of the current sample                   */
+  long drawn;                                 /* index of the current sample                       */
+  double sample[SWEEP_VARIABLES];             /* its coordinates, from 0 to 1                      */
+  void *generator;                            /* of GSL */
 };
 void sweep_walk_end(struct sweep_walk *walk);
-/* The point of that number, from 0, of what varies about a point. */
+/* Returns point `number`, from 0, of the sweep; `about` has the parameters that do not vary. */
 const struct sweep_place *sweep_point(struct sweep_walk *walk, const struct sweep *sweep, const struct point *about,
                                       long number, sweep_formula *value, void *context);
-/* Value i of a variable of a group that takes numbers, and whose ends, if it is a range, are no formulas. */
+/* Returns value i of a numeric variable of a group; the ends of a range must not be formulas. */
 double sweep_number(struct sweep_walk *walk, const struct sweep_group *group, int variable, long i);
 
 #endif

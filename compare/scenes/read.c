@@ -1,4 +1,4 @@
-/* A scene: its crawler, start and tables, and where the tables of these and their pictures go. */
+/* Reading of a scene: its crawler, start, list of tables, and the output files of these. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,9 +16,9 @@ static bool read_parameter(struct scene *s, const config_setting_t *at)
   int place = crawler_place(name);
   bool is_gait = place == CRAWLER_NUMBERS;
   if (!name_among(crawler_parameters, name))
-    return refuse_at(&s->config, at, "there is no '%s' in a crawler%s", name,
+    return refuse_at(&s->config, at, "a crawler has no parameter '%s'%s", name,
                      did_you_mean(nearest(name, crawler_parameters)));
-  if (is_gait ? base->has_gait : base->written[place] != NULL) /* on the command line */
+  if (is_gait ? base->has_gait : base->written[place] != NULL) /* given on the command line */
     return true;
   if (text && is_gait)
     text = gait_beside(&s->config, text);
@@ -43,14 +43,14 @@ static bool read_start(struct scene *s, const config_setting_t *start)
   const char *text = start ? text_of(&s->config, start) : "rest";
   struct point *base = &s->request.point;
   base->has_v0 = false;
-  s->request.asked->from_steady = text && strcmp(text, "steady") == 0;
-  if (s->request.asked->from_steady || (text && strcmp(text, "rest") == 0))
+  s->request.required->from_steady = text && strcmp(text, "steady") == 0;
+  if (s->request.required->from_steady || (text && strcmp(text, "rest") == 0))
     return true;
   return (text && !point_set(base, "v0", text))
          || refuse_at(&s->config, start, "start is \"rest\", \"steady\" or a velocity");
 }
 
-/* The head of a table, and its picture, show them as they are. */
+/* Checks title and notes: heads and pictures show them unchanged. */
 static bool are_lines(const struct scene *s, const config_setting_t *root)
 {
   bool fine = !s->head.title || is_shown(s->head.title);
@@ -77,7 +77,7 @@ static bool read_root(struct scene *s, const config_setting_t *root)
 {
   static const char *const phases[] = { "extension", "contraction", NULL };
   static const struct member members[] = { MEMBER(TEXT, "title", scene, head.title, ),
-                                           MEMBER(TEXTS, "notes", scene, head.note, .high = MOST_NOTES,
+                                           MEMBER(TEXTS, "notes", scene, head.note, .high = MAX_NOTES,
                                                   .count = offsetof(struct scene, head.notes)),
                                            MEMBER(WORD, "phase", scene, request.point.phase, .words = phases),
                                            MEMBER(TEXT, "formulas", scene, formulas, ),
@@ -109,7 +109,7 @@ static char *name_of(const char *path)
 void scene_free(struct scene *s)
 {
   sweep_free(&s->request.sweep);
-  asked_free(s->request.asked);
+  requirements_free(s->request.required);
   free(s->name);
   config_close(&s->config);
   *s = (struct scene){ .name = NULL };
@@ -120,12 +120,12 @@ enum exit_code scene_read(struct scene *s, const struct scene_source *source, co
   *s = (struct scene){
     .name = name_of(source->path),
     .head.given = &given->point,
-    .request = { .style = given->style, .point = given->point, .asked = asked_nothing(given->style.command) }
+    .request = { .style = given->style, .point = given->point, .required = requirements_new(given->style.command) }
   };
   s->head.scene = s->name;
   s->request.scene = &s->head;
   enum exit_code code = config_open(&s->config, given->style.command, source->path, source->text, shipped_scenes);
-  if (code == EXIT_DONE && (!s->name || !s->request.asked)) {
+  if (code == EXIT_DONE && (!s->name || !s->request.required)) {
     refuse_at(&s->config, NULL, "out of memory");
     return EXIT_UNSOLVED;
   }
@@ -142,12 +142,12 @@ const char *scene_text_of_list(struct scene *s, const config_setting_t *at)
   return text;
 }
 
-/* A script is a file beside the scene or, with a name that has neither '/' nor '.', comes with the tool. */
+/* Finds the plot script: a name without '/' and '.' is a script of the tool, another one a file beside the scene. */
 static bool find_script(struct scene *s, const config_setting_t *at, struct plot *p)
 {
   if (strpbrk(p->script, "/.")) {
     p->script = path_beside(&s->config, p->script);
-    FILE *script = p->script ? file_read(p->script) : NULL; /* and no table takes its place */
+    FILE *script = p->script ? file_read(p->script) : NULL; /* prevents a table from replacing it */
     return script ? fclose(script) == 0
                   : p->script && refuse_at(&s->config, at, "cannot read the plot script %s", p->script);
   }
@@ -162,7 +162,7 @@ static bool find_script(struct scene *s, const config_setting_t *at, struct plot
   return true;
 }
 
-/* A member is what an option says: x_range what --plot-x-range does. */
+/* Sets a member of the plot by the option of the same meaning: x_range by --plot-x-range. */
 static bool take_member(struct scene *s, struct plot *p, const config_setting_t *at)
 {
   const char *name = config_setting_name(at), *text = scene_text_of_list(s, at);

@@ -1,13 +1,13 @@
-/* vary = ( { F1 = [2.0, 4.0]; }, { T = { from = 0.01; to = 1.0; count = 21; spacing = "log"; }; } ): every combination
- * of the groups, the first slowest; what stands in one group goes on together. A list of such lists: one after the
- * other. */
+/* Reading of vary = ( { F1 = [2.0, 4.0]; }, { T = { from = 0.01; to = 1.0; count = 21; spacing = "log"; }; } ): every
+ * combination of the groups, the first slowest; variables of a group advance together. A list of such lists is a sweep
+ * of several products. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "compare/answers/vary.h"
 #include "compare/scenes/scene.h"
 
-/* Given on the command line, which then holds throughout */
+/* Returns true if the command line sets the parameter, as a constant. */
 static bool is_overridden(const struct scene *s, const struct sweep_variable *v)
 {
   const struct point *given = s->head.given;
@@ -35,7 +35,7 @@ static const char *read_list(struct scene *s, const config_setting_t *at, const 
   return wrong;
 }
 
-/* NULL, or what is wrong; "": it has been said. */
+/* Reads a range. Returns NULL or the error; "": it has been printed. */
 static const char *read_range(struct scene *s, const config_setting_t *at, const struct sweep_variable *v)
 {
   static const char *const spacings[] = { "linear", "log", NULL };
@@ -106,7 +106,7 @@ static bool read_group(struct scene *s, const config_setting_t *group)
       return false;
   }
   struct sweep_product *product = &s->request.sweep.product[s->request.sweep.products - 1];
-  product->groups -= product->group[product->groups - 1].variables == 0; /* all of it is given on the command line */
+  product->groups -= product->group[product->groups - 1].variables == 0; /* the command line overrides all of it */
   return true;
 }
 
@@ -124,8 +124,8 @@ static bool read_product(struct scene *s, const config_setting_t *at)
 
 bool scene_read_vary(struct scene *s, const config_setting_t *vary)
 {
-  bool one_after_the_other = vary && element_count(vary) > 0 && config_setting_is_list(element_at(vary, 0));
-  if (!one_after_the_other)
+  bool has_products = vary && element_count(vary) > 0 && config_setting_is_list(element_at(vary, 0));
+  if (!has_products)
     return !vary || read_product(s, vary);
   for (int i = 0; i < element_count(vary); i++)
     if (!read_product(s, element_at(vary, i)))

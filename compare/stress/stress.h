@@ -18,8 +18,8 @@
 
 struct stress_options {
   struct request request;
-  const char *family;             /* the only one, or NULL */
-  struct given_count cases, seed; /* of each family, 0: as many as is usual; of their parameters */
+  const char *family;                /* the only one, or NULL */
+  struct optional_count cases, seed; /* of each family, 0: as many as is usual; of their parameters */
   bool check, full, stiff, quick;
 };
 /* The table of families, and that of one point. */

@@ -116,16 +116,16 @@ static void write_velocities(const struct page *p)
 
 static void write_stretches(const struct page *p)
 {
-  struct stretch stretch[MOST_STRETCHES];
+  struct segment stretch[MAX_SEGMENTS];
   char words[MODE_WORDS];
-  int count = stretches_of(stretch, &p->at->solved[STEADY_STATE].motion, p->answer);
-  for (int i = 0; i < count && i < MOST_STRETCHES; i++) {
+  int count = motion_segments(stretch, &p->at->solved[STEADY_STATE].motion, p->answer);
+  for (int i = 0; i < count && i < MAX_SEGMENTS; i++) {
     bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
     fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? phase_names[stretch[i].phase] : "",
             mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
   }
-  if (count > MOST_STRETCHES)
-    fprintf(p->file, "  %-12s and %d more changes of mode\n", "", count - MOST_STRETCHES);
+  if (count > MAX_SEGMENTS)
+    fprintf(p->file, "  %-12s and %d more changes of mode\n", "", count - MAX_SEGMENTS);
 }
 
 static void write_motion(const struct page *p)
@@ -315,14 +315,14 @@ static void write_breakdown(const struct page *p)
         p->file);
 }
 
-/* To people a page, else a row. not_held: parameters that are left out */
-static void visit(struct rows *rows, struct at *at, const char *const *not_held, void (*write)(const struct page *))
+/* To people a page, else a row. excluded: parameters that are left out */
+static void visit(struct rows *rows, struct at *at, const char *const *excluded, void (*write)(const struct page *))
 {
   enum { DIGITS = 6 };
   int digits = (int)rows->request->style.digits;
   char parameters[PARAMETERS_TEXT];
-  struct page p = { table_page(&rows->table),       digits > 0 ? digits : DIGITS,     at,
-                    &rows->sheet.asked->quantities, &at->solved[STEADY_STATE].answer, .formulas = 0 };
+  struct page p = { table_page(&rows->table),          digits > 0 ? digits : DIGITS,     at,
+                    &rows->sheet.required->quantities, &at->solved[STEADY_STATE].answer, .formulas = 0 };
   if (!p.file) {
     sheet_row(&rows->sheet, &rows->table, at);
     return;
@@ -335,7 +335,7 @@ static void visit(struct rows *rows, struct at *at, const char *const *not_held,
     fprintf(p.file, "\nThis crawler has no page: %s.\n", at->why);
     return;
   }
-  parameters_text(parameters, &at->place.point, not_held, true);
+  parameters_text(parameters, &at->place.point, excluded, true);
   fprintf(p.file, "\nCrawler:%s\n", parameters);
   write(&p);
 }
@@ -352,8 +352,8 @@ static void page_of_breakdown(struct rows *rows, struct at *at)
 /* False: the formulas that was given has none of the page's formulas, and the message is on stderr. */
 static bool serves(const struct request *request)
 {
-  return formula_file_serves(request->style.command, request->formulas, is_told, NULL,
-                             "the steady v_start or displacement");
+  return formula_file_applies(request->style.command, request->formulas, is_told, NULL,
+                              "the steady v_start or displacement");
 }
 
 const char *summary_plan(struct rows *rows)

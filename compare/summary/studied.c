@@ -13,7 +13,7 @@ struct at_study { /* of one crawler */
   struct study study;
   struct claim_table claims; /* rows as they are asked for */
   /* It does not depend on T, so that it is looked for once where T varies fastest; 0: not yet, or it is soon found */
-  double reach[MOST_QUANTITIES];
+  double reach[MAX_QUANTITIES];
 };
 
 static void clear(struct at_study *s)
@@ -47,7 +47,7 @@ struct study *study_of(struct at *at)
   if (s->study.places && same_crawler(&s->study.motion.crawler, &motion.crawler))
     return &s->study;
   clear(s);
-  const char *why = study_begin(&s->study, &motion, most_order(&at->asked->quantities));
+  const char *why = study_begin(&s->study, &motion, most_order(&at->required->quantities));
   return why ? at_fail(at, why), NULL : &s->study;
 }
 
@@ -80,7 +80,7 @@ static double value_of(const struct comparison *c, double T)
 /* Of the series that the quantity is about, beside the exact motion; nan: there is none. */
 static double compared(struct at *at, const struct quantity *q)
 {
-  const struct quantity *series = &at->asked->quantities.item[q->of];
+  const struct quantity *series = &at->required->quantities.item[q->of];
   const struct scallop_formula *f = series->formula;
   const struct study *s = study_of(at);
   const double T = at->place.point.crawler.T;
@@ -100,7 +100,7 @@ static double reach(struct at *at, const struct quantity *q)
 {
   if (!study_of(at))
     return NAN;
-  double *kept = &at->study->reach[q - at->asked->quantities.item];
+  double *kept = &at->study->reach[q - at->required->quantities.item];
   *kept = *kept == 0 ? compared(at, q) : *kept;
   return *kept;
 }
@@ -122,7 +122,7 @@ static double number(struct at *at, const struct quantity *q)
   case STUDIED_VALUE:
   case STUDIED_DEVIATION:
   case STUDIED_ERROR_LIMIT: return compared(at, q);
-  case STUDIED_ORDER: return order_of(claim_of(at, at->asked->quantities.item[q->of].formula));
+  case STUDIED_ORDER: return order_of(claim_of(at, at->required->quantities.item[q->of].formula));
   case STUDIED_TRANSITION_T: return s && study_transitions(s)->count > 0 ? s->transitions.transition[0].T : NAN;
   default: return best(at, q->which == STUDIED_BEST_ORDER);
   }
@@ -145,7 +145,7 @@ static const char *text(struct at *at, const struct quantity *q)
   if (!s)
     return "-";
   if (q->which == STUDIED_VERDICT)
-    return claim_verdict_text(claim_of(at, at->asked->quantities.item[q->of].formula)->verdict);
+    return claim_verdict_text(claim_of(at, at->required->quantities.item[q->of].formula)->verdict);
   const struct transitions *e = study_transitions(s);
   return q->which == STUDIED_REVERSALS ? reversals_text(at->text, e) : e->count > 0 ? e->transition[0].what : "-";
 }

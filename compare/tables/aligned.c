@@ -30,14 +30,14 @@ static int longer(int width, const char *text)
   return length > width ? length : width;
 }
 
-/* Numbers are on the right of their columns */
+/* Returns true for a number; numbers are right-aligned. */
 static bool is_number(const char *text)
 {
   return isdigit((unsigned char)*text) || (*text == '-' && text[1] != '\0') || strcmp(text, "nan") == 0
          || strcmp(text, "inf") == 0;
 }
 
-/* Widens the columns to what is kept. The first block, of names and first rows, finds what the columns are. */
+/* Widens the columns to the kept cells. The first block, with the names, decides which columns are numbers. */
 static void measure(struct aligned *a, const char *const *cells, column_meaning *meaning)
 {
   const bool first = !a->has_begun;
@@ -46,8 +46,8 @@ static void measure(struct aligned *a, const char *const *cells, column_meaning 
     for (long k = 0; k < a->rows; k++) {
       const char *cell = cells[k * a->columns + i]; /* NOLINT(clang-analyzer-core.uninitialized.Assign): all are set */
       if (first && k == 0) {
-        const struct column_meaning none = { .unit = "", .sentence = "" }, *known = meaning ? meaning(cell) : NULL;
-        *c = (struct aligned_column){ .meaning = known ? *known : none, .is_number = a->rows > 1 };
+        const struct column_meaning unknown = { .unit = "", .sentence = "" }, *known = meaning ? meaning(cell) : NULL;
+        *c = (struct aligned_column){ .meaning = known ? *known : unknown, .is_number = a->rows > 1 };
         c->width = longer(longer(0, c->meaning.unit), cell);
         continue;
       }
@@ -58,7 +58,7 @@ static void measure(struct aligned *a, const char *const *cells, column_meaning 
   }
 }
 
-/* A long text goes on in another line behind each "; " and " | ", from column `left` on. */
+/* Prints a text, a long one with a line break behind each "; " and " | ", indented to column `left`. */
 static void print_text(FILE *file, const char *text, int left)
 {
   enum { LONGEST = 60 };
@@ -72,22 +72,22 @@ static void print_text(FILE *file, const char *text, int left)
   }
 }
 
-/* What a column is, and what stands between the parts of its texts */
+/* Prints the description of a column, and the meaning of " | " in it. */
 static void print_meaning(FILE *file, const struct aligned_column *c)
 {
   const char *between = c->meaning.between && c->has_parts ? c->meaning.between : "";
   fprintf(file, "%s%s%s\n", c->meaning.sentence, *between ? "; " : "", between);
 }
 
-/* One a line: name, value and unit, and what it is */
+/* Prints a row upright, a cell on each line: name, value, unit and description. */
 static void print_upright(const struct aligned *a, const char *const *names, const char *const *values, FILE *file)
 {
-  enum { MOST = 40 }; /* of a value beside which the others' meanings are aligned */
+  enum { LONGEST = 40 }; /* longer values are not aligned with the descriptions */
   int name = 0, value = 0;
   for (int i = 0; i < a->columns; i++) {
     int length = (int)(strlen(values[i]) + strlen(a->column[i].meaning.unit));
     name = longer(name, names[i]);
-    value = length > value && length < MOST ? length : value;
+    value = length > value && length < LONGEST ? length : value;
   }
   for (int i = 0; i < a->columns; i++) {
     const char *unit = a->column[i].meaning.unit;
@@ -105,7 +105,7 @@ static void print_upright(const struct aligned *a, const char *const *names, con
   }
 }
 
-/* cells: NULL, the units, which stand below the names */
+/* Prints a row; cells NULL: the units, below the names. */
 static void print_row(const struct aligned *a, FILE *file, const char *const *cells)
 {
   for (int i = 0; i < a->columns; i++) {
@@ -138,7 +138,7 @@ static void print_legend(const struct aligned *a, const char *const *names, FILE
     }
 }
 
-/* In lines of 80 columns, and what their symbols are */
+/* Prints the constant columns in lines of 80 columns, and the legend of their symbols. */
 static void print_constants(const struct aligned *a, const char *const *cells, const bool *varies, FILE *file)
 {
   enum { WIDE = 80 };
@@ -162,7 +162,7 @@ static void print_constants(const struct aligned *a, const char *const *cells, c
     }
 }
 
-/* Columns with the same cell in every row go into the head; the cells of the others move together. */
+/* Moves columns with equal cells in all rows to the head, and removes their cells. */
 static void gather(struct aligned *a, const char **cells, FILE *file)
 {
   const int columns = a->columns;

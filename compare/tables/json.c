@@ -4,11 +4,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char no_object[] = "this line is no JSON object of texts and numbers";
+static const char no_object[] = "this line is not a JSON object of texts and numbers";
 
 static char *skip_blanks(char *at) { return at + strspn(at, " \t"); }
 
-/* Writes the character of \uXXXX in UTF-8 (halves of a pair: a question mark). Where it ends, or NULL: it is none. */
+/* Writes the character of \uXXXX in UTF-8, a question mark for half of a surrogate pair. Returns the end of the output,
+ * or NULL if digits are not hexadecimal. */
 static char *put_character(char *to, const char *digits)
 {
   char four[5] = "", *end;
@@ -25,7 +26,7 @@ static char *put_character(char *to, const char *digits)
   return to;
 }
 
-/* Reads the text that begins with a quote at *at, in place, and goes behind it. NULL: it is none. */
+/* Reads a text in quotes in place and moves *at behind it. Returns NULL if it is not a text. */
 static char *read_text(char **at)
 {
   static const char escaped[] = "\"\\/bfnrt", meant[] = "\"\\/\b\f\n\r\t";
@@ -48,7 +49,7 @@ static char *read_text(char **at)
   return *from == '"' ? (*to = '\0', text) : NULL;
 }
 
-/* The same for any value, and goes behind *stop, the character between it and the next member. */
+/* Reads any value in place and moves *at behind *stop, the character that follows it. Returns NULL for other values. */
 static char *read_value(char **at, char *stop)
 {
   static char nothing[] = "";
@@ -66,13 +67,13 @@ static char *read_value(char **at, char *stop)
   return !is_text && strcmp(value, "null") == 0 ? nothing : value;
 }
 
-const char *json_split(char *line, struct json_member *members, int *count, int most)
+const char *json_split(char *line, struct json_member *members, int *count, int max)
 {
   char *at = line + (*line == '{'), stop = ',';
   if (*line != '{')
     return no_object;
   for (*count = 0; stop == ','; ++*count) {
-    if (*count == most)
+    if (*count == max)
       return "this object has more than 256 members";
     struct json_member *m = &members[*count];
     at = skip_blanks(at);

@@ -11,7 +11,7 @@
 #include "compare/text/digits.h"
 #include "compare/text/values.h"
 
-enum { LEAST_TEXT = 8, LEAST_MIXED = 32, LONGEST_DOUBLE = 24, MOVED = 4096, ALIGNMENT = 64, WIDEST = 1 << 30 };
+enum { MIN_TEXT = 8, MIN_MIXED = 32, LONGEST_DOUBLE = 24, MOVED = 4096, ALIGNMENT = 64, WIDEST = 1 << 30 };
 
 void npy_begin(struct npy *n, int columns)
 {
@@ -27,13 +27,13 @@ void npy_free(struct npy *n)
 
 static size_t bytes_of(int width) { return width > 0 ? (size_t)width : sizeof(double); }
 
-/* The width of a column that has to hold what two others hold */
+/* Returns the width of a column for the cells of two others. */
 static int joint(int a, int b)
 {
   const int wider = a > b ? a : b;
   if (a == b || a < 0 || b < 0)
     return wider;
-  return (a == 0 || b == 0) && wider < LEAST_MIXED ? LEAST_MIXED : wider;
+  return (a == 0 || b == 0) && wider < MIN_MIXED ? MIN_MIXED : wider;
 }
 
 static void put_double(char *to, int width, double x)
@@ -47,7 +47,7 @@ static void put_double(char *to, int width, double x)
     memcpy(to, &x, sizeof x);
 }
 
-/* Records of one form as those of a wider one; to is zero. */
+/* Converts records to wider columns; `to` must be zero. */
 static void recode(const struct npy *from, const char *records, long rows, const int *width, char *to)
 {
   for (; rows > 0; rows--)
@@ -63,7 +63,7 @@ static void recode(const struct npy *from, const char *records, long rows, const
     }
 }
 
-/* The joint widths and the size of a record; do they differ from what n has? */
+/* Computes the joint widths and the size of a record. Returns true if they differ from n. */
 static bool widens(const struct npy *n, const int *other, int *width, size_t *size)
 {
   bool differs = false;
@@ -103,7 +103,7 @@ static bool has_room(struct npy *n, long rows)
   return true;
 }
 
-/* A cell of another table is a number where a double holds all that is written. */
+/* Returns true for a number; a cell of another table is a number if it fits a double. */
 static bool is_number(const struct table_cell *c, double *x)
 {
   *x = c->value;
@@ -115,7 +115,7 @@ static bool is_number(const struct table_cell *c, double *x)
 static int width_of(const char *text)
 {
   const size_t length = strlen(text);
-  int width = LEAST_TEXT;
+  int width = MIN_TEXT;
   while (width < WIDEST && (size_t)width < length)
     width *= 2;
   return width;
@@ -168,7 +168,7 @@ static int write_at(FILE *to, const char *bytes, size_t size, off_t at)
   return 0;
 }
 
-/* From the last rows on, as each moves back. */
+/* Widens the records of a file, the last rows first, because rows move towards the end. */
 static int widen_file(struct npy *file, FILE *to, long head, const int *width, size_t size)
 {
   char *before = malloc(MOVED * file->size), *after = malloc(MOVED * size);
@@ -176,9 +176,9 @@ static int widen_file(struct npy *file, FILE *to, long head, const int *width, s
   for (long left = file->rows, rows; left > 0 && error == 0; left -= rows) {
     rows = left < MOVED ? left : MOVED;
     const off_t was = head + (left - rows) * (off_t)file->size, is = head + (left - rows) * (off_t)size;
-    const ssize_t wanted = (ssize_t)((size_t)rows * file->size);
+    const ssize_t expected = (ssize_t)((size_t)rows * file->size);
     memset(after, 0, (size_t)rows * size);
-    if (pread(fileno(to), before, (size_t)wanted, was) != wanted)
+    if (pread(fileno(to), before, (size_t)expected, was) != expected)
       error = errno != 0 ? errno : EIO;
     recode(file, before, rows, width, after);
     error = error != 0 ? error : write_at(to, after, (size_t)rows * size, is);
@@ -205,7 +205,7 @@ int npy_move(struct npy *file, FILE *to, long head, struct npy *from)
   return error;
 }
 
-/* The dictionary and the '#' lines behind it */
+/* Writes the dictionary and the '#' lines. */
 static void put_head(FILE *to, const char *const *names, const int *width, int columns, long rows, const char *notes)
 {
   static const struct escapes quoted = { "'\\", { "\\'", "\\\\" } };
@@ -223,7 +223,7 @@ static void put_head(FILE *to, const char *const *names, const int *width, int c
 }
 
 static const unsigned char magic[] = { 0x93, 'N', 'U', 'M', 'P', 'Y', 3, 0 }; /* version 3: names in UTF-8 */
-enum { FRONT = sizeof magic + 4 };                                            /* with the length of what follows */
+enum { FRONT = sizeof magic + 4 };                                            /* includes the length of the head */
 
 long npy_head_size(const char *const *names, int columns, const char *notes)
 {

@@ -10,7 +10,7 @@
 
 enum { FRONT_1 = 10, FRONT_2 = 12, LONGEST_HEAD = 1 << 20, ANY_SIZE = 1 << 20 };
 
-/* A text of Python, in quotes: it is cut off and *rest moved behind it. NULL: there is none. */
+/* Reads a Python string in place and moves *rest behind it. Returns NULL if it is not a string. */
 static char *quoted(char **rest)
 {
   char *from = *rest + strspn(*rest, " "), quote = *from, *text = from + 1, *to = text;
@@ -25,22 +25,22 @@ static char *quoted(char **rest)
   return text;
 }
 
-static bool skip(char **rest, char wanted)
+static bool skip(char **rest, char expected)
 {
   char *at = *rest + strspn(*rest, " ");
-  const bool found = *at == wanted;
+  const bool found = *at == expected;
   *rest = at + found;
   return found;
 }
 
-/* What is behind 'NAME': in the dictionary */
+/* Returns the text behind 'NAME': in the dictionary, or NULL. */
 static char *value_of(char *head, const char *name)
 {
   char *at = strstr(head, name);
   return at ? at + strlen(name) : NULL;
 }
 
-/* NULL, or what is wrong with the type of a column */
+/* Reads the type of a column. Returns NULL or the error. */
 static const char *read_type(struct npy_column *c, const char *type)
 {
   const bool has_order = *type && strchr("<>|=", *type);
@@ -56,14 +56,14 @@ static const char *read_type(struct npy_column *c, const char *type)
   return fine ? NULL
          : c->kind == 'O'
              ? "holds pickled objects, which are not read"
-             : "is of a type that is not read: floats of 4 or 8 bytes, whole numbers, and texts (S, U) are";
+             : "is of a type that is not read; allowed are floats of 4 or 8 bytes, integers, and texts (S, U)";
 }
 
 static const char *read_columns(struct npy_file *n, char *at)
 {
   const char *wrong = NULL;
   if (!at || !skip(&at, '['))
-    return "this array has no named columns: a structured array is wanted, with a name for each parameter";
+    return "this array has no named columns: it must be a structured array with a name for each parameter";
   while (!wrong && skip(&at, '(')) {
     struct npy_column *c = &n->column[n->columns];
     c->name = quoted(&at);
@@ -71,7 +71,8 @@ static const char *read_columns(struct npy_file *n, char *at)
     if (n->columns == TABLE_COLUMNS - 1)
       return "there are too many columns";
     if (!type || !skip(&at, ')'))
-      return wrong_text("column '%.80s' is no number and no text, but an array or has a title", c->name ? c->name : "");
+      return wrong_text("column '%.80s' is neither a number nor a text: it is an array or has a title",
+                        c->name ? c->name : "");
     wrong = read_type(c, type);
     if (wrong)
       return wrong_text("column '%.80s' %s", c->name, wrong);
@@ -89,12 +90,12 @@ static const char *read_head(struct npy_file *n)
   n->rows = shape && skip(&end, '(') ? strtol(end, &end, 10) : -1;
   skip(&end, ',');
   if (n->rows < 0 || !skip(&end, ')'))
-    return "this array has not one dimension";
+    return "this array does not have one dimension";
   const char *wrong = read_columns(n, descr);
   struct stat is;
   if (!wrong && fstat(fileno(n->file), &is) == 0 && S_ISREG(is.st_mode)
       && (double)is.st_size < (double)n->head_size + (double)n->rows * (double)n->size)
-    wrong = wrong_text("the file is cut off: its head tells of %ld rows, which %.0f bytes cannot hold", n->rows,
+    wrong = wrong_text("the file is cut off: its head states %ld rows, too many for %.0f bytes", n->rows,
                        (double)is.st_size);
   return wrong;
 }
@@ -106,14 +107,14 @@ const char *npy_open(struct npy_file *n, FILE *file, bool is_begun)
   size_t got = is_begun + fread(front + is_begun, 1, FRONT_1 - (size_t)is_begun, file);
   const bool is_first = front[6] == 1;
   if (got < FRONT_1 || memcmp(front, "\x93NUMPY", 6) != 0 || front[6] < 1 || front[6] > 3)
-    return "this is no file of numpy.save, of format 1, 2 or 3";
+    return "this is not a file of numpy.save, of format 1, 2 or 3";
   got += is_first ? 0 : fread(front + FRONT_1, 1, 2, file);
   unsigned long length = front[8] | (unsigned long)front[9] << 8;
   length |= is_first ? 0 : (unsigned long)front[10] << 16 | (unsigned long)front[11] << 24;
   n->head_size = (long)(got + length);
   n->head = length <= LONGEST_HEAD ? calloc(1, length + 1) : NULL;
   if (!n->head || fread(n->head, 1, length, file) != length)
-    return "the file is cut off within its head, or that is longer than a million characters";
+    return "the file ends within its head, or the head is longer than a million characters";
   const char *wrong = read_head(n);
   n->record = wrong ? NULL : malloc(n->size + sizeof(double));
   return wrong || n->record ? wrong : "out of memory";
@@ -126,7 +127,7 @@ void npy_close(struct npy_file *n)
   n->head = n->record = NULL;
 }
 
-/* A number of any of the types, as its text */
+/* Writes a number of any type as text. */
 static void number_of(char *to, const struct npy_column *c, const unsigned char *bytes)
 {
   uint64_t bits = 0, sign = c->kind == 'i' ? UINT64_C(1) << (8 * c->size - 1) : 0;
@@ -147,7 +148,7 @@ static void number_of(char *to, const struct npy_column *c, const unsigned char 
     snprintf(to, NUMBER_TEXT, "%llu", (unsigned long long)bits);
 }
 
-/* A text of bytes, or of ASCII in characters of 4 bytes; others become '?'. */
+/* Writes a text of bytes, or of characters of 4 bytes, of which those beyond ASCII become question marks. */
 static void text_of(char *to, const struct npy_column *c, const unsigned char *bytes)
 {
   const int step = c->kind == 'U' ? 4 : 1;

@@ -47,7 +47,7 @@ static bool is_size(const char *text)
 #define LIST is_list, "one to eight columns, with commas between"
 #define RANGE is_range, "FROM:TO, FROM:TO:log or FROM:TO:linear, with FROM < TO, of log > 0"
 #define TEXT(member) #member, offsetof(struct plot, member)
-/* What the script is handed as PLOT_NAME, and what an option takes */
+/* The environment variables PLOT_NAME of the script, and the values that options take */
 static const struct text {
   const char *option, *name;
   size_t at;
@@ -78,15 +78,15 @@ const char *plot_set(struct plot *p, const char *option, const char *text)
   return *text && t->takes(text) ? NULL : not_allowed(text, t->allowed);
 }
 
-static bool give(const char *name, const char *value)
+static bool set(const char *name, const char *value)
 {
   char variable[40];
   snprintf(variable, sizeof variable, "PLOT_%.30s", name);
   return setenv(variable, value ? value : "", 1) == 0;
 }
 
-/* A line for each column of the table that has a unit, which stands behind a tab */
-static bool give_units(const struct plot *p)
+/* Sets PLOT_units: a line "name<tab>unit" for each known column of the table. Returns false on failure. */
+static bool set_units(const struct plot *p)
 {
   char *line = NULL, *units = NULL, *rest = NULL;
   size_t room = 0, size;
@@ -98,7 +98,7 @@ static bool give_units(const struct plot *p)
     if (meaning)
       fprintf(lines, "%s\t%s\n", name, meaning->unit);
   }
-  bool given = lines && fclose(lines) == 0 && give("units", units);
+  bool given = lines && fclose(lines) == 0 && set("units", units);
   if (table)
     fclose(table);
   free(line);
@@ -106,14 +106,14 @@ static bool give_units(const struct plot *p)
   return given;
 }
 
-static bool give_all(const struct plot *p, const char *command, const char *output)
+static bool set_all(const struct plot *p, const char *command, const char *output)
 {
-  bool given = give("command", command) && give("output", output) && give("log_x", p->log_x ? "1" : NULL)
-               && give("log_y", p->log_y ? "1" : NULL) && give_units(p);
+  bool given = set("command", command) && set("output", output) && set("log_x", p->log_x ? "1" : NULL)
+               && set("log_y", p->log_y ? "1" : NULL) && set_units(p);
   for (const struct text *t = texts; t < texts + TEXTS; t++)
-    given = given && give(t->name, *(const char *const *)(const void *)((const char *)p + t->at));
+    given = given && set(t->name, *(const char *const *)(const void *)((const char *)p + t->at));
   for (const struct shipped *part = shipped_scripts; part->name; part++)
-    given = given && give(part->name, part->text);
+    given = given && set(part->name, part->text);
   return given;
 }
 
@@ -126,7 +126,7 @@ bool plot_draw(const struct plot *p, const char *command)
   int error = file_open(&picture, p->file), code = EXIT_FILE;
   progress_clear();
   if (error == 0) {
-    if (picture.temporary && give_all(p, command, picture.temporary))
+    if (picture.temporary && set_all(p, command, picture.temporary))
       code = file_run(shipped_text(shipped_scripts, "plot"), "plot");
     is_refused = is_refused || code == EXIT_USAGE;
     error = file_close(&picture, code == EXIT_DONE);

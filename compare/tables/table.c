@@ -15,8 +15,8 @@
 
 const char *const format_names[FORMATS + 1] = { "tsv", "json", "csv", "markdown", "table", "npy", NULL };
 
-/* What stands around the cells of a row; what means something in a text; a text with one of which stands in quotes,
- * NULL: each does; and what goes out of texts of other tables as it is */
+/* The marks of the formats: around the cells of a row; escapes of special characters; characters for which a text is
+ * quoted (NULL: always); the bytes of cells of other tables that are written unchanged; whether notes are written */
 static const struct {
   const char *begin, *between, *end;
   const struct escapes *escapes;
@@ -30,22 +30,20 @@ static const struct {
                      [FORMAT_TABLE] = { "", "", "", &in_plain, "", SHOWS_CHARACTERS, true },
                      [FORMAT_NPY] = { .has_notes = false } };
 
-/* People read what goes to a terminal. */
+/* Returns the format: on a terminal FORMAT_TABLE, unless another one is given. */
 static enum format format_of(const struct style *style)
 {
   bool to_people = !style->output && !style->has_format && style->format == FORMAT_TSV && isatty(STDOUT_FILENO);
   return to_people ? FORMAT_TABLE : style->format;
 }
 
-bool table_is_for_people(const struct style *style) { return format_of(style) == FORMAT_TABLE; }
+bool table_is_aligned(const struct style *style) { return format_of(style) == FORMAT_TABLE; }
 
-const char no_npy_to_pipe[] =
-    "--format npy needs -o FILE, the name of a file that is no pipe or device: the head of the "
-    "file is completed behind its last row";
+const char no_npy_to_pipe[] = "--format npy needs -o FILE, not a pipe or device: the head of the file is written last";
 
 static const char *name_of(const char *output) { return output ? output : "standard output"; }
 
-/* The first error is the one to tell of. */
+/* Stores an error if it is the first. */
 static void note_error(struct sink *s, int error) { s->error = s->error != 0 ? s->error : error; }
 
 static bool open_sink(struct table *t, const char *output)
@@ -66,7 +64,7 @@ bool table_open(struct table *t, const struct style *style)
   s->format = format_of(style);
   s->aligned.upright = style->upright;
   s->aligned.gathers = !style->chosen;
-  s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? PEOPLE_DIGITS
+  s->digits = style->digits == 0 && s->format == FORMAT_TABLE ? ALIGNED_DIGITS
               : style->digits <= DBL_DECIMAL_DIG              ? style->digits
                                                               : 0;
   bool open = open_sink(t, style->output) && (!style->plot.file || open_sink(t, style->plot.file));
@@ -119,7 +117,7 @@ void table_columns(struct table *t, const char *const *names)
     t->columns[t->count++] = *names++;
 }
 
-/* Short texts: a call of fputs takes longer. */
+/* Writes a text; faster than fputs for short texts. */
 static void put(FILE *to, const char *text)
 {
   for (; *text; text++)
@@ -135,7 +133,7 @@ static void put_text(FILE *to, enum format format, const char *text, bool carrie
   put(to, quote);
 }
 
-/* The text of a number, which is that of the row before where the number is */
+/* Returns the text of a number, reused from the previous row if the number is the same. */
 static const char *number_in(struct sink *s, int column, double x)
 {
   if (!s->last[column].is_there || !(s->last[column].value == x) || signbit(s->last[column].value) != signbit(x))
@@ -157,7 +155,7 @@ static void put_cell(FILE *to, struct sink *s, const struct table_cell *c, int c
     put(to, text);
 }
 
-/* Rows are moved to the file in blocks. */
+/* Moves the kept rows to the file. */
 static void store(struct sink *s) { note_error(s, npy_move(&s->stored, s->out.stream, s->head, &s->kept)); }
 
 static void keep_record(const struct table *t, struct sink *s, const struct table_cell *cells)
@@ -244,7 +242,7 @@ static void end_row(struct table *t)
     emit(t, s, choice ? shown : t->row, choice ? choice->count : t->count);
 }
 
-/* Keeps a cell of the row, with a copy of its text. */
+/* Adds a cell to the row, with a copy of its text. */
 static void keep(struct table *t, enum cell_kind kind, double value, const char *text)
 {
   struct table_cell *c = &t->row[t->at];
@@ -300,7 +298,7 @@ bool table_part(struct table *part, const struct table *t)
   return part->sinks == t->sinks;
 }
 
-/* The cells of a part, each with a NUL behind it, as rows for people */
+/* Adds the cells of a part, each followed by a NUL, to the aligned rows. */
 static void join_aligned(struct table *t, struct sink *s, const struct sink *part)
 {
   const int count = t->style->choice ? t->style->choice->count : t->count;
@@ -369,7 +367,7 @@ void table_row(struct table *t, const struct table_column *c, const void *row, b
       table_text(t, c->blank);
 }
 
-bool table_begin_anew(struct table *t)
+bool table_restart_columns(struct table *t)
 {
   bool may = t->sink[0].format == FORMAT_JSON && !t->style->choice;
   t->count = may ? 0 : t->count;
@@ -415,7 +413,7 @@ static bool draw(const struct table *t)
   return plot_draw(&plot, t->style->command);
 }
 
-/* Gives up the sinks from this one on, and the memory. */
+/* Closes the sinks from index `from` on without keeping them, and frees the memory. */
 static void release(struct table *t, int from)
 {
   free(t->notes);

@@ -14,14 +14,14 @@
 
 static const char too_many[] = "this line has more than 256 columns";
 
-/* Reads a line into the buffer, without its end: LF, CR, or CRLF, whose LF ends another line, which is empty and does
- * not count, as a terminal may send CR alone and then wait. False: there is none. */
+/* Reads a line without its end: LF, CR or CRLF. Because a terminal may send CR alone and then wait, the LF of CRLF ends
+ * another, empty line that does not count. Returns false at the end of the file, or after an error. */
 static bool read_line(struct tsv *tsv)
 {
   const bool after_return = tsv->ended_by_return;
   int c = 0;
   char *to = tsv->buffer, *const stop = to + LONGEST_LINE;
-  if (tsv->length == LONGEST_LINE) /* what comes is the rest of it */
+  if (tsv->length == LONGEST_LINE) /* the rest of that line follows */
     tsv->error = EFBIG;
   while (tsv->error == 0 && to < stop && (c = getc_unlocked(tsv->file)) != EOF && c != '\n' && c != '\r')
     *to++ = (char)c;
@@ -43,7 +43,7 @@ static char *trimmed(char *text, const char *around)
   return text;
 }
 
-/* Is each comma of a line between two digits, in a line of several words? Then it is a decimal comma. */
+/* Returns true if commas are decimal: the line has several words, and each comma is between two digits. */
 static bool has_decimal_commas(const char *line)
 {
   for (const char *c = line; (c = strchr(c, ',')); c++)
@@ -63,8 +63,7 @@ static char separator_of(const char *line)
   return found ? *found : ' ';
 }
 
-/* Of a cell that begins with a quote: its end is put behind the text in it, in which two quotes are one. Where the cell
- * goes on. */
+/* Removes the quotes of a cell that begins with one, in which two quotes mean one. Returns the rest of the line. */
 static char *unquote(char *cell)
 {
   char *from = cell + 1, *to = cell;
@@ -75,26 +74,26 @@ static char *unquote(char *cell)
   return rest;
 }
 
-/* Takes a cell off the rest of the line, which is NULL behind the last one. */
+/* Returns the next cell and moves *rest behind it, NULL behind the last cell. */
 static char *take_cell(const struct tsv *tsv, char **rest)
 {
   const char stop[] = { tsv->separator, tsv->separator == ' ' ? '\t' : '\0', '\0' };
-  const bool as_it_is = tsv->style == TSV_POINTS && tsv->separator == '\t';
-  char *cell = as_it_is ? *rest : *rest + strspn(*rest, " "), *end = cell;
-  bool is_quoted = *cell == '"' && !as_it_is;
+  const bool is_exact = tsv->style == TSV_POINTS && tsv->separator == '\t';
+  char *cell = is_exact ? *rest : *rest + strspn(*rest, " "), *end = cell;
+  bool is_quoted = *cell == '"' && !is_exact;
   if (is_quoted)
     end = unquote(cell);
   while (*(end += strcspn(end, stop)) == '|' && end > cell && end[-1] == '\\')
     memmove(end - 1, end, strlen(end) + 1);
   *rest = *end ? end + 1 : NULL;
   *end = '\0';
-  return as_it_is || is_quoted ? cell : trimmed(cell, " ");
+  return is_exact || is_quoted ? cell : trimmed(cell, " ");
 }
 
 static void split(struct tsv *tsv, char *line)
 {
   const char separator = tsv->separator;
-  if (separator == '\t' && tsv->style == TSV_ANY && !strchr(line, '\t')) /* in this line blanks do */
+  if (separator == '\t' && tsv->style == TSV_ANY && !strchr(line, '\t')) /* blanks separate the cells of this line */
     tsv->separator = ' ';
   if (tsv->separator == '|') {
     line += *line == '|';
@@ -116,7 +115,7 @@ static void split(struct tsv *tsv, char *line)
   tsv->separator = separator;
 }
 
-/* The members of the first object name the columns; another one may lack some. NULL, or what is wrong. */
+/* Splits a JSON object. The first one names the columns; others may lack some. Returns NULL or the error. */
 static const char *split_object(struct tsv *tsv, char *line)
 {
   static char nothing[] = "";
@@ -131,23 +130,23 @@ static const char *split_object(struct tsv *tsv, char *line)
   for (int i = 0; i < count && !wrong; i++) {
     int place = word_place(members[i].name, tsv->column);
     if (place < 0)
-      return "this object has a member that the first one has not";
+      return "this object has a member that the first one lacks";
     tsv->cell[place] = members[i].value;
   }
   return wrong;
 }
 
-/* The line of dashes below the names in a table in Markdown, or a line that is drawn */
+/* Returns true for a line of dashes, as below the names in a Markdown table. */
 static bool is_rule(const struct tsv *tsv, const char *line)
 {
   return tsv->separator == '|' && strchr(line, '-') && line[strspn(line, "|-+:= ")] == '\0';
 }
 
-/* The line, without what surrounds it; NULL: it is no row. */
+/* Returns the current line, trimmed; NULL: it is not a row. */
 static char *row_of(struct tsv *tsv)
 {
   char *line = tsv->buffer;
-  if (tsv->number == 1 && strncmp(line, "\xef\xbb\xbf", 3) == 0) /* a mark that some programs write before UTF-8 */
+  if (tsv->number == 1 && strncmp(line, "\xef\xbb\xbf", 3) == 0) /* byte order mark */
     line += 3;
   tsv->fault = strlen(tsv->buffer) < tsv->length ? "this is not a text file"
                : tsv->length == LONGEST_LINE     ? "this line is too long: more than a million characters"
@@ -220,7 +219,7 @@ bool tsv_next(struct tsv *tsv)
   return true;
 }
 
-/* Without the quotes around it */
+/* Returns the name without quotes around it. */
 static char *unwrapped(char *name)
 {
   const size_t n = strlen(name);
@@ -230,12 +229,12 @@ static char *unwrapped(char *name)
   return name + is_quoted;
 }
 
-/* Takes the cells of the current row, or of a comment, as names. */
+/* Names the columns by the cells of the current row, or of a comment. */
 static void name_columns(struct tsv *tsv)
 {
   for (tsv->columns = 0; tsv->columns < tsv->count; tsv->columns++)
     tsv->column[tsv->columns] = unwrapped(trimmed(tsv->cell[tsv->columns], " "));
-  for (int i = 0, n = 0; tsv->separator == ' ' && i < tsv->count; i++) /* a unit between blanks is no name */
+  for (int i = 0, n = 0; tsv->separator == ' ' && i < tsv->count; i++) /* a cell in brackets is a unit */
     if (i == 0 || !strchr("[(", *tsv->column[i])) {
       tsv->column[n++] = tsv->column[i];
       tsv->columns = n;
@@ -243,8 +242,8 @@ static void name_columns(struct tsv *tsv)
   tsv->column[tsv->columns] = NULL;
 }
 
-/* "T [s]" and "T (s)" are T, but where there is another T */
-static void leave_out_units(struct tsv *tsv)
+/* Changes "T [s]" and "T (s)" to T, unless another column is T. */
+static void remove_units(struct tsv *tsv)
 {
   for (int i = 0; i < tsv->columns; i++) {
     char *name = (char *)tsv->column[i], *unit = strpbrk(name, "[(");
@@ -267,7 +266,7 @@ static bool is_number(struct tsv *tsv, int column)
   return end != text && *end == '\0';
 }
 
-/* Keeps the buffer for the names that lie in it. */
+/* Keeps the buffer with the names, and allocates another one. */
 static bool keep_names(struct tsv *tsv)
 {
   tsv->header = tsv->buffer;
@@ -276,7 +275,7 @@ static bool keep_names(struct tsv *tsv)
   return tsv->buffer != NULL;
 }
 
-/* The first row is given as one of data, the comment above it being its names where it has as many words. */
+/* Names the columns by the comment above the first row of data, if it has a word for each cell. */
 static void name_by_comment(struct tsv *tsv)
 {
   struct tsv of_comment = { .style = TSV_ANY };
@@ -294,8 +293,8 @@ static void name_by_comment(struct tsv *tsv)
   memcpy(tsv->column, of_comment.column, sizeof tsv->column);
 }
 
-/* Is the current row one of names? Its first cell is no number (of points: one of them is not); an empty one does not
- * tell, as pandas gives the index no name. */
+/* Returns true if the current row has names: its first cell is not a number (of points: any cell). Empty cells do not
+ * count, because pandas gives the index no name. */
 static bool is_of_names(struct tsv *tsv)
 {
   int i = 0;
@@ -304,7 +303,7 @@ static bool is_of_names(struct tsv *tsv)
   return i < tsv->count && !is_number(tsv, i);
 }
 
-/* The file begins as one of NumPy: its columns are named in its head. */
+/* Opens an array of NumPy; its head names the columns. */
 static bool begin_npy(struct tsv *tsv, const char *name, enum tsv_style style, FILE *file)
 {
   *tsv = (struct tsv){ .name = name, .style = style, .file = file, .buffer = calloc(1, LONGEST_LINE + 1) };
@@ -337,7 +336,7 @@ static bool begin(struct tsv *tsv, const char *name, enum tsv_style style, FILE 
   else if (!names_itself)
     name_by_comment(tsv);
   if (!names_itself)
-    leave_out_units(tsv);
+    remove_units(tsv);
   if ((has_names || names_itself) && !keep_names(tsv))
     return false;
   tsv->waits = !has_names || (style == TSV_ANY && tsv_next(tsv));
@@ -358,7 +357,7 @@ bool tsv_open(struct tsv *tsv, const char *file, enum tsv_style style)
 
 bool tsv_open_text(struct tsv *tsv, const char *name, const char *text)
 {
-  const char *some = *text ? text : "\n"; /* a stream of nothing need not open */
+  const char *some = *text ? text : "\n"; /* fmemopen may refuse size 0 */
   return begin(tsv, name, TSV_ANY, fmemopen((void *)some, strlen(some), "r"));
 }
 
@@ -411,14 +410,14 @@ const char *tsv_number(struct tsv *tsv, int column)
 
 bool tsv_is_missing(const char *cell)
 {
-  static const char *const none[] = { "-", "na", "n/a", "null", NULL };
+  static const char *const missing[] = { "-", "na", "n/a", "null", NULL };
   int i = 0;
-  while (*cell && none[i] && strcasecmp(cell, none[i]) != 0)
+  while (*cell && missing[i] && strcasecmp(cell, missing[i]) != 0)
     i++;
-  return none[i] != NULL;
+  return missing[i] != NULL;
 }
 
-const char *tsv_taken_for(const struct tsv *tsv, char text[80])
+const char *tsv_format_text(const struct tsv *tsv, char text[80])
 {
   static const char separators[] = "\t,; |{", *const names[] = { "tabs", "commas", "semicolons", "blanks", "|" };
   const char *at = tsv->separator ? strchr(separators, tsv->separator) : NULL;

@@ -11,15 +11,15 @@ _Static_assert(FLT_RADIX == 2 && DBL_MANT_DIG == 53 && DBL_MAX_EXP == 1024 && si
 
 __extension__ typedef unsigned __int128 wide;
 
-enum { LEAST_POWER = -48, MOST_POWER = 48 };
+enum { MIN_POWER = -48, MAX_POWER = 48 };
 
-/* 10^k = 2^two g with 2^127 <= g < 2^128: g is exact for k >= 0, where 5^k has at most 112 bits, else too small by less
- * than 2^10, as each step cuts off less than 16. */
+/* 10^k = 2^two g with 2^127 <= g < 2^128. g is exact for k >= 0, because 5^k has at most 112 bits; else it is too small
+ * by less than 2^10, because each step truncates less than 16. */
 struct power {
   wide g;
   int two;
 };
-static struct power powers[MOST_POWER - LEAST_POWER + 1];
+static struct power powers[MAX_POWER - MIN_POWER + 1];
 
 static struct power normal(wide g, int two)
 {
@@ -31,28 +31,28 @@ static struct power normal(wide g, int two)
 static void make_powers(void)
 {
   struct power up = { (wide)1 << 127, -127 }, down = up;
-  for (int k = 0; k <= MOST_POWER; k++) {
-    powers[k - LEAST_POWER] = up;
-    powers[-k - LEAST_POWER] = down;
+  for (int k = 0; k <= MAX_POWER; k++) {
+    powers[k - MIN_POWER] = up;
+    powers[-k - MIN_POWER] = down;
     up = normal(up.g / 8 * 5, up.two + 4);
     down = normal(down.g / 5, down.two - 1);
   }
 }
 
-/* NULL: beyond the table */
+/* Returns 10^k, or NULL beyond the table. */
 static const struct power *power(long k)
 {
   if (powers[0].g == 0)
     make_powers();
-  return k < LEAST_POWER || k > MOST_POWER ? NULL : &powers[k - LEAST_POWER];
+  return k < MIN_POWER || k > MAX_POWER ? NULL : &powers[k - MIN_POWER];
 }
 
-/* factor g / 2^64: too small by less than that of g, and 1. */
+/* Returns factor g / 2^64, too small by less than the error of g plus 1. */
 static wide times(uint64_t factor, wide g) { return (g >> 64) * factor + ((wide)(uint64_t)g * factor >> 64); }
 
-static const wide error = 1 << 11; /* of a product, in its last place: less than that, also of twice the product */
+static const wide error = 1 << 11; /* bound of the error of a product, in its last place, also of twice the product */
 
-/* w 10^k to the nearest, 0 < w < 10^19. False: beyond the table, or too near a tie of *x and the next double */
+/* Rounds w 10^k to the nearest double, 0 < w < 10^19. Returns false beyond the table, or too near a tie. */
 static bool nearest_double(uint64_t w, long k, double *x)
 {
   const int below = 128 - DBL_MANT_DIG, length = 64 - __builtin_clzll(w);
@@ -62,27 +62,27 @@ static bool nearest_double(uint64_t w, long k, double *x)
     return false;
   const struct power v = normal(times(w << (64 - length), p->g), p->two + length);
   const wide rest = v.g & (2 * half - 1);
-  const int exponent = v.two + 127 + 1022; /* of the first bit; what is carried into it is right */
+  const int exponent = v.two + 127 + 1022; /* biased, minus 1: the leading bit of v.g adds 1; a carry stays correct */
   const uint64_t bits = ((uint64_t)exponent << 52) + (uint64_t)(v.g >> below) + (rest >= half);
   memcpy(x, &bits, sizeof bits);
   return rest + error < half || rest > half + error;
 }
 
-enum { MOST_DIGITS = 17 };
+enum { MAX_DIGITS = 17 };
 
-/* Digits, the first of them worth 10^exponent, as "%.*g" lays them out. Behind the count of them there are zeros. */
+/* Writes digits, the first of which is worth 10^exponent, in the layout of "%.*g". digits is padded by zeros. */
 static void lay_out(char *to, const char *digits, int count, int exponent, int precision)
 {
   const bool has_exponent = exponent < -4 || exponent >= precision;
   const int point = has_exponent ? 1 : exponent + 1; /* digits before it, or 0 and less: zeros behind it */
   if (point > 0) {
-    memcpy(to, digits, MOST_DIGITS);
+    memcpy(to, digits, MAX_DIGITS);
     to[point] = '.';
-    memcpy(to + point + 1, digits + point, MOST_DIGITS);
+    memcpy(to + point + 1, digits + point, MAX_DIGITS);
     to += count > point ? count + 1 : point;
   } else {
     memcpy(to, "0.000", sizeof "0.000");
-    memcpy(to + 2 - point, digits, MOST_DIGITS);
+    memcpy(to + 2 - point, digits, MAX_DIGITS);
     to += 2 - point + count;
   }
   *to = '\0';
@@ -90,11 +90,11 @@ static void lay_out(char *to, const char *digits, int count, int exponent, int p
     snprintf(to, sizeof "e+99", "e%+03d", exponent);
 }
 
-/* n 10^(exponent - 16), 10^16 <= n <= 10^17 */
+/* Writes n 10^(exponent - 16), 10^16 <= n <= 10^17. */
 static void write_digits(char *text, uint64_t n, int exponent, int precision)
 {
-  char digits[2 * MOST_DIGITS];
-  int count = MOST_DIGITS;
+  char digits[2 * MAX_DIGITS];
+  int count = MAX_DIGITS;
   if (n == 100000000000000000U) {
     n /= 10;
     exponent++;
@@ -103,14 +103,14 @@ static void write_digits(char *text, uint64_t n, int exponent, int precision)
   uint32_t left = (uint32_t)(n / 100000000), right = (uint32_t)(n % 100000000); /* 9 digits and 8: faster than 17 */
   for (int i = 8; i >= 0; i--, left /= 10)
     digits[i] = (char)('0' + left % 10);
-  for (int i = MOST_DIGITS; right > 0; right /= 10)
+  for (int i = MAX_DIGITS; right > 0; right /= 10)
     digits[--i] = (char)('0' + right % 10);
   while (digits[count - 1] == '0')
     count--;
   lay_out(text, digits, count, exponent, precision);
 }
 
-/* floor(log10(2^n)), |n| <= 1024 */
+/* Returns floor(log10(2^n)), |n| <= 1024. */
 static int power_of_ten_in(int n) { return (int)((n * 315653L + (1024L << 20)) >> 20) - 1024; }
 
 bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits)
@@ -123,7 +123,7 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits)
     *text++ = '-';
   if (size == 0)
     return memcpy(text, "0", 2) != NULL;
-  /* What has not this form, subnormal numbers, infinities and nan, has an exponent beyond the table. */
+  /* Subnormal numbers, infinities and nan have other forms and an exponent beyond the table. */
   const int exponent = (int)(bits >> 52) - 1075, first = power_of_ten_in(exponent + DBL_MANT_DIG - 1);
   const struct power *p = power(16 - first);
   if (!p)
@@ -137,15 +137,15 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits)
   const wide least_half = mantissa == hidden ? half_ulp / 2 : half_ulp; /* doubles below a power of 2 are nearer */
   int precision = digits > 0 ? (int)digits : 15;
   uint64_t step = unit;
-  for (int i = precision; i < MOST_DIGITS; i++)
+  for (int i = precision; i < MAX_DIGITS; i++)
     step *= 10;
   for (; step >= unit; precision++, step /= 10) {
     const uint64_t rest = step <= 1000 ? (uint32_t)(whole % 1000) % (uint32_t)step : whole % step;
     const wide over = (wide)rest << 64 | (uint64_t)V, half = (wide)step << 63;
-    const wide off = over < half ? over : 2 * half - over; /* of the number of so many digits that is nearest to V */
+    const wide off = over < half ? over : 2 * half - over; /* distance of V from the nearest number of these digits */
     if (half - off < error || (digits == 0 && off + error >= least_half && off < half_ulp + error))
       return false;
-    if (digits > 0 || off < least_half) { /* it reads back, as one of 17 digits always does */
+    if (digits > 0 || off < least_half) { /* it reads back; with 17 digits always */
       write_digits(text, (whole - rest + (over < half ? 0 : step)) / unit, first + (unit > 1), precision);
       return true;
     }
@@ -156,7 +156,7 @@ bool digits_write_quickly(char text[NUMBER_TEXT], double x, long digits)
 void number_text(char text[NUMBER_TEXT], double x, long digits)
 {
   int precision = digits > 0 ? (int)digits : 15;
-  if (digits <= MOST_DIGITS && digits_write_quickly(text, x, digits))
+  if (digits <= MAX_DIGITS && digits_write_quickly(text, x, digits))
     return;
   do
     snprintf(text, NUMBER_TEXT, "%.*g", precision, isnan(x) ? NAN : x); /* nan of either sign */
@@ -166,13 +166,13 @@ void number_text(char text[NUMBER_TEXT], double x, long digits)
 int digits_known(double x, double unknown)
 {
   const double first = x == 0 ? -DBL_MAX_10_EXP : floor(log10(fabs(x))), known = first - floor(log10(unknown)) + 2;
-  const double digits = fmax(known, first + 1); /* not fewer than stand before the point */
+  const double digits = fmax(known, first + 1); /* at least the digits before the point */
   return !(digits > 1) ? 1 : digits < 6 ? (int)digits : 6;
 }
 
 bool digits_read(const char *text, double *x)
 {
-  enum { MOST_READ = 19, MOST_OF_EXPONENT = 4 };
+  enum { MAX_READ = 19, MAX_EXPONENT = 4 };
   const bool negative = *text == '-';
   bool point = false;
   uint64_t w = 0;
@@ -187,12 +187,12 @@ bool digits_read(const char *text, double *x)
       k -= point;
     }
   }
-  if (w == 0 || count > MOST_READ)
+  if (w == 0 || count > MAX_READ)
     return false;
   if (*text == 'e' || *text == 'E') {
     const char *digits = text + 1 + (text[1] == '-' || text[1] == '+');
     const size_t length = strspn(digits, "0123456789");
-    k += length > 0 && length <= MOST_OF_EXPONENT ? strtol(text + 1, NULL, 10) : MOST_POWER + count;
+    k += length > 0 && length <= MAX_EXPONENT ? strtol(text + 1, NULL, 10) : MAX_POWER + count;
     text = digits + length;
   }
   if (*text != '\0' || !nearest_double(w, k, &size))

@@ -19,5 +19,5 @@ struct stopwatch_spread stopwatch_spread(double *samples, int count)
                                     .repetitions = count };
 }
 
-/* GSL's own handler of errors ends the program. A build without GSL leaves this file out. */
+/* Turns off GSL's error handler, because it ends the program. A build without GSL omits this file. */
 static void __attribute__((constructor)) begin(void) { gsl_set_error_handler_off(); }

@@ -44,7 +44,7 @@ const char *wrong_text(const char *format, ...)
   return text[turn % 4];
 }
 
-/* Levenshtein's, upper and lower case being the same */
+/* Returns the Levenshtein distance, ignoring case. */
 static int distance(const char *a, const char *b)
 {
   enum { LONGEST = 40 };
@@ -109,7 +109,7 @@ const char *nearest(const char *word, const char *const *names) { return nearest
 
 const char *did_you_mean(const char *near) { return near ? wrong_text(": did you mean '%.120s'?", near) : ""; }
 
-const char *instead_of(const char *word, const char *const *names)
+const char *name_hint(const char *word, const char *const *names)
 {
   char list[400];
   const char *near = nearest(word, names);
@@ -118,7 +118,7 @@ const char *instead_of(const char *word, const char *const *names)
 
 size_t shown_character(const char *text)
 {
-  static const unsigned least[] = { 0, 0x20, 0xa0, 0x800, 0x10000 }; /* without controls and what a shorter one says */
+  static const unsigned least[] = { 0, 0x20, 0xa0, 0x800, 0x10000 }; /* excludes controls and overlong forms */
   const unsigned char *c = (const unsigned char *)text;
   size_t length = *c < 0x80 ? 1 : *c < 0xc0 ? 0 : *c < 0xe0 ? 2 : *c < 0xf0 ? 3 : *c < 0xf8 ? 4 : 0;
   unsigned point = length > 1 ? *c & (0x7fU >> length) : *c;
@@ -143,7 +143,7 @@ const struct escapes in_plain = { "", { NULL } }, in_json = { "\"\\", { "\\\"", 
                      in_csv = { "\"", { "\"\"" } }, in_xml = { "&<>\"", { "&amp;", "&lt;", "&gt;", "&quot;" } },
                      in_markdown = { "|\\<`*", { "\\|", "\\\\", "&lt;", "\\`", "\\*" } };
 
-/* Bytes that go out together; 0: that must not */
+/* Returns the number of bytes that may be written unchanged; 0: the byte must be replaced. */
 static size_t shown_bytes(const char *text, enum shown shown)
 {
   bool ascii = *text >= 0x20 && *text <= 0x7e;

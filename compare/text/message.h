@@ -1,4 +1,4 @@
-/* Messages: exit codes, what is printed on stderr, and the name that a mistyped one was meant to be. */
+/* Messages: exit codes, texts on stderr, nearest names to a mistyped one, and escaped output. */
 #ifndef SCALLOP_COMPARE_TEXT_MESSAGE_H
 #define SCALLOP_COMPARE_TEXT_MESSAGE_H
 
@@ -9,47 +9,47 @@
 
 enum exit_code { EXIT_DONE = 0, EXIT_CHECK_FAILED = 1, EXIT_USAGE = 2, EXIT_UNSOLVED = 3, EXIT_FILE = 4 };
 
-/* What printf writes, to be freed; control characters, but for those that are kept, become '?': a terminal would listen
- * to them. NULL: out of memory. */
+/* Returns the text that printf would write; the caller frees it. Control characters, except those in `kept`, become
+ * question marks, because a terminal would obey them. NULL: out of memory. */
 char *printed_line(const char *format, va_list arguments, const char *kept) __attribute__((format(printf, 1, 0)));
 
-/* "scallop NAME: message" on stderr. Returns false. */
+/* Prints "scallop NAME: message" to stderr. Returns false. */
 bool complain(const char *command, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* What is wrong, or another short text, as printf makes it, also of the last three such texts: until four calls later,
- * and in one thread. */
+/* Formats an error or another short text like printf; arguments may be earlier such texts. The text is valid until four
+ * calls later in the same thread. */
 const char *wrong_text(const char *format, ...) __attribute__((format(printf, 1, 2), returns_nonnull));
 
-/* The place of a word in a list of words (NULL-terminated), or -1. */
+/* Returns the index of a word in a NULL-terminated list, or -1. */
 int word_place(const char *word, const char *const *words);
-/* "a, b or c", where last is " or ". Returns text. */
+/* Writes "a, b or c" if last is " or ". Returns text. */
 const char *joined(char *text, size_t size, const char *const *words, const char *last);
 
-/* The one of names (NULL-terminated) nearest to a mistyped word, or NULL if none is near. */
+/* Returns the name (of a NULL-terminated list) nearest to a mistyped word, or NULL if all differ much. */
 const char *nearest(const char *word, const char *const *names);
-/* The same of rows of so many bytes that begin with a name; that of the last is NULL. */
+/* Returns the nearest name of a list of rows of `size` bytes that begin with a name; the last name is NULL. */
 const char *nearest_in(const char *word, const void *list, size_t size);
 
-/* ": did you mean 'NEAR'?", or "" for NULL: what ends a message about a name (a wrong_text). */
+/* Returns the end of a message about a name, ": did you mean 'NEAR'?", or "" for NULL (a wrong_text). */
 const char *did_you_mean(const char *near);
 
-/* What ends a message about a word that is none of names (NULL-terminated): did_you_mean of the nearest, or ": there
- * are A, B, C". */
-const char *instead_of(const char *word, const char *const *names);
+/* Returns the end of a message about an unknown word: did_you_mean of the nearest name (of a NULL-terminated list), or
+ * the list of names. */
+const char *name_hint(const char *word, const char *const *names);
 
-/* Bytes of the character in UTF-8 that text begins with: 1 to 4; 0 where it begins with none, with a control character,
- * or ends. What consists of such characters can be shown on a terminal and in XML. */
+/* Returns the number of bytes, 1 to 4, of the first character of a text in UTF-8; 0 at its end, for invalid bytes and
+ * for a control character. A terminal and XML can show all other characters. */
 size_t shown_character(const char *text);
-bool is_shown(const char *text);
+bool is_shown(const char *text); /* all characters are such */
 
-/* Characters that mean something in a format, and what is written instead of each */
+/* The special characters of a format, and the replacement of each */
 struct escapes {
   const char *special, *instead[8];
 };
 extern const struct escapes in_plain, in_json, in_csv, in_xml, in_markdown;
 
-/* What goes out as it is: printable ASCII, what can be shown, or any bytes. Of the rest a control character
- * becomes a blank, each other byte '?'. */
+/* The bytes that are written unchanged: printable ASCII, characters that can be shown, or all bytes. Of the other bytes
+ * a control character becomes a blank, each other byte a question mark. */
 enum shown { SHOWS_ASCII, SHOWS_CHARACTERS, SHOWS_BYTES };
 void put_escaped(FILE *to, const char *text, const struct escapes *escapes, enum shown shown);
 

@@ -10,11 +10,11 @@
 
 #include "compare/text/stopwatch.h"
 
-enum { LEAST = 2 };              /* seconds, of work that is told of */
-static const double again = 0.5; /* seconds, from one line to the next */
+enum { DELAY = 2 };                 /* seconds before the first line */
+static const double interval = 0.5; /* seconds between lines */
 
 static struct {
-  double begun, next; /* when the next line may be written */
+  double begun, next; /* next: the earliest time of the next line */
   char what[100];
   long done, all;
 } work;
@@ -23,10 +23,10 @@ static volatile sig_atomic_t is_written;
 static void put(const char *line)
 {
   ssize_t written = write(STDERR_FILENO, line, strlen(line));
-  (void)written; /* there is no other place to say it */
+  (void)written; /* an error cannot be reported */
 }
 
-/* In a signal handler: of whole numbers and a text, snprintf neither allocates nor waits. */
+/* Writes the line; a signal handler: for integers and a text snprintf neither allocates nor waits. */
 static void tick(int signal)
 {
   const int error = errno;
@@ -34,7 +34,7 @@ static void tick(int signal)
   const long done = work.done, all = work.all;
   char line[300], count[50] = "", left[80] = "";
   (void)signal;
-  if (passed < LEAST || time < work.next)
+  if (passed < DELAY || time < work.next)
     return;
   if (done > 0 && done <= all) {
     snprintf(count, sizeof count, " %ld of %ld,", done, all);
@@ -45,7 +45,7 @@ static void tick(int signal)
            left);
   put(line);
   is_written = true;
-  work.next = time + again;
+  work.next = time + interval;
   errno = error;
 }
 
@@ -58,7 +58,7 @@ void progress_begin(bool quiet)
     setitimer(ITIMER_VIRTUAL, &timer, NULL);
 }
 
-/* A line that comes while these change is made of old and new, and soon replaced. */
+/* The handler may read a text that is partly changed; the next line corrects it. */
 void progress_show(const char *format, ...)
 {
   va_list arguments;
@@ -81,7 +81,7 @@ void progress_clear(void)
     return;
   put("\r\033[K");
   is_written = false;
-  work.next = stopwatch_now() + again;
+  work.next = stopwatch_now() + interval;
 }
 
 void progress_end(void)

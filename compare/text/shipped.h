@@ -1,5 +1,5 @@
-/* Texts that are part of the program, each under the name of its file without folder and ending. scripts/dev/embed.sh
- * writes them. */
+/* Texts that are part of the program, each named like its file without folder and ending. scripts/dev/embed.sh
+ * generates them. */
 #ifndef SCALLOP_COMPARE_TEXT_SHIPPED_H
 #define SCALLOP_COMPARE_TEXT_SHIPPED_H
 
@@ -9,10 +9,10 @@ struct shipped {
 /* The last of each list has name NULL. */
 extern const struct shipped shipped_scenes[];     /* data/scenes/ */
 extern const struct shipped shipped_scripts[];    /* gnuplot scripts of scripts/plots/ */
-extern const struct shipped shipped_completion[]; /* scripts/dev/completion.bash alone */
+extern const struct shipped shipped_completion[]; /* scripts/dev/completion.bash */
 extern const struct shipped shipped_help[];       /* docs/help/ */
 
-/* The text called name ("figure4"), or NULL: message.c. */
+/* Returns the text called name ("figure4"), or NULL; in message.c. */
 const char *shipped_text(const struct shipped *list, const char *name);
 
 #endif

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <time.h>
 
-static volatile double sink; /* results go here */
+static volatile double sink; /* consumes results */
 
 double stopwatch_now(void)
 {
@@ -48,8 +48,8 @@ double stopwatch_long_enough(const struct stopwatch_clock *clock)
   return fmax(2e-4, 1e3 * fmax(clock->cost, clock->step));
 }
 
-bool stopwatch_lasts(void *context)
+bool stopwatch_is_running(void *context)
 {
   struct stopwatch_limit *limit = context;
-  return limit->answers++ % 16 != 0 || stopwatch_now() < limit->end;
+  return limit->checks++ % 16 != 0 || stopwatch_now() < limit->end;
 }

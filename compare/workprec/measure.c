@@ -86,7 +86,7 @@ static bool is_infinite(const struct setting_answer *a, int quantity)
 static void try_once(struct setting *s, double seconds)
 {
   struct stopwatch_limit limit = { .end = stopwatch_now() + seconds };
-  const struct scallop_patience patience = { stopwatch_lasts, &limit };
+  const struct scallop_patience patience = { stopwatch_is_running, &limit };
   s->first = NAN;
   if (!s->solve)
     return;

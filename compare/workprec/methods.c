@@ -75,7 +75,7 @@ static bool is_compared(const void *context, const struct scallop_formula *f)
 
 bool methods_serve(const char *formulas)
 {
-  return formula_file_serves("workprec", formulas, is_compared, NULL, "the steady v_start or displacement");
+  return formula_file_applies("workprec", formulas, is_compared, NULL, "the steady v_start or displacement");
 }
 
 static void add_formulas(struct settings *settings, const struct reference *reference)

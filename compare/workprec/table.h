@@ -9,7 +9,7 @@
 struct workprec_options {
   struct request request;
   bool quick;
-  struct given_number limit; /* seconds for each setting; 0: not given */
+  struct optional_number limit; /* seconds for each setting; 0: not given */
 };
 enum exit_code workprec_table(const struct workprec_options *options);
 

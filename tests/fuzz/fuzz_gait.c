@@ -67,7 +67,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     return 0;
   }
   char *text = fuzz_text(data + 1, size - 1);
-  struct gait_answer a = { .wrong = "a file, which is not for this" };
+  struct gait_result a = { .wrong = "a file, which is not for this" };
   if (strncmp(text, "measured:", 9) != 0)
     a = gait_of_text(text);
   if (!a.gait == !a.wrong || (a.wrong && *a.wrong == '\0'))

@@ -58,8 +58,8 @@ static void judge(const struct arguments *a, const char *text)
     fuzz_fail("%s = %g was taken from\n%s", wrong.name, wrong.given, text);
   for (const struct option *o = a->command->options; o->name; o++) {
     const void *field = a->options.room + o->field;
-    const struct given_count *count = field;
-    const struct given_number *number = field;
+    const struct optional_count *count = field;
+    const struct optional_number *number = field;
     if (o->read == read_digits && (r->style.digits < 0 || r->style.digits > o->most))
       fuzz_fail("%ld digits from\n%s", r->style.digits, text);
     if (o->read == read_whole && count->given && (count->value < o->least || count->value > o->most))

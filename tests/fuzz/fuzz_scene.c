@@ -13,7 +13,7 @@ static void judge(const struct wanted *all)
   for (int t = 0; t < all->tables; t++)
     for (int i = 0; i < all->rows[t].sheet.columns.count; i++) {
       const struct column *c = &all->rows[t].sheet.columns.item[i];
-      if (!c->name || (c->place >= 0) == (c->formula != NULL) || c->place >= r->asked->quantities.count)
+      if (!c->name || (c->place >= 0) == (c->formula != NULL) || c->place >= r->required->quantities.count)
         fuzz_fail("column %d of table %d: quantity %d", i, t, c->place);
     }
 }

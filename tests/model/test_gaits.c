@@ -398,7 +398,7 @@ TEST(the_same_laws)
                 { "polynomial:0,0.5,0,-0.25", true, false },
                 { "polynomial:0,-0.1,0.4,-0.25", true, false } };
   for (size_t i = 0; i < sizeof gaits / sizeof *gaits; i++) {
-    struct gait_answer a = gait_of_text(gaits[i].text);
+    struct gait_result a = gait_of_text(gaits[i].text);
     if (!a.gait)
       fail_msg("%s: %s", gaits[i].text, a.wrong);
     if (scallop_gait_mirrors(a.gait) != gaits[i].mirrors || scallop_gait_is_reversible(a.gait) != gaits[i].reversible)
@@ -445,7 +445,7 @@ static const char *choice = ":monotone"; /* behind the name of the file */
 static char text[64];
 
 /* The gait measured in a file of these bytes. Each has another name: what was read once is not read again. */
-static struct gait_answer measured(const char *bytes, size_t size)
+static struct gait_result measured(const char *bytes, size_t size)
 {
   static int number;
   char name[24];
@@ -455,12 +455,12 @@ static struct gait_answer measured(const char *bytes, size_t size)
   assert_int_equal(fwrite(bytes, 1, size, file), size);
   assert_int_equal(fclose(file), 0);
   snprintf(text, sizeof text, "measured:%s%s", name, choice);
-  struct gait_answer answer = gait_of_text(text);
+  struct gait_result answer = gait_of_text(text);
   assert_int_equal(remove(name), 0);
   return answer;
 }
 
-static struct gait_answer measured_text(const char *table) { return measured(table, strlen(table)); }
+static struct gait_result measured_text(const char *table) { return measured(table, strlen(table)); }
 
 TEST(bad_files)
 {
@@ -471,10 +471,10 @@ TEST(bad_files)
               { "t l\n0 0\n", ": fewer than four rows" },
               { "0 0\n1 1\n2 0\n", ": fewer than four rows" },
               { "0 0\n1 1\n2 0\n2 1\n", ": fewer than four rows" },
-              { "0 0\n1 inf\n2 0.5\n3 0\n", ":2: column 2, 'inf', is not allowed" },
-              { "0 0\n1 1e999\n2 0.5\n3 0\n", ":2: column 2, '1e999', is not allowed" },
-              { "0 0\n1 1\n2 x\n3 0\n", ":3: column 2, 'x', is not allowed" },
-              { "t l\n0 0\n1 1\ny 0.5\n3 0\n", ":4: column 1, 'y', is not allowed" },
+              { "0 0\n1 inf\n2 0.5\n3 0\n", ":2: column 2, 'inf', is not a finite number" },
+              { "0 0\n1 1e999\n2 0.5\n3 0\n", ":2: column 2, '1e999', is not a finite number" },
+              { "0 0\n1 1\n2 x\n3 0\n", ":3: column 2, 'x', is not a finite number" },
+              { "t l\n0 0\n1 1\ny 0.5\n3 0\n", ":4: column 1, 'y', is not a finite number" },
               { "0 0 1\n1 1 7\n2 0.5 1\n3 0 1\n", ":1: 3 columns without a header" },
               { "t x\n0 0\n1 1\n2 0.5\n3 0\n", ": no columns are named t and l, or t, x1 and x2" },
               { "t x1\n0 0\n1 1\n2 0.5\n3 0\n", ": no columns are named t and l, or t, x1 and x2" },
@@ -482,19 +482,19 @@ TEST(bad_files)
               { "0 1\n1 1\n2 1\n3 1\n", ": l is the same throughout" },
               { "0 0\n1 1\n2 -1e308\n3 1e308\n4 0\n", ": the range" } };
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    struct gait_answer a = measured_text(bad[i].table);
+    struct gait_result a = measured_text(bad[i].table);
     assert_null(a.gait);
     assert_int_equal(a.fault, GAIT_UNKNOWN);
     if (!strstr(a.wrong, path) || !strstr(a.wrong, bad[i].says))
       fail_msg("%s, and not %s", a.wrong, bad[i].says);
   }
-  struct gait_answer binary = measured("0 0\n1 1\0\n2 0\n", 12);
+  struct gait_result binary = measured("0 0\n1 1\0\n2 0\n", 12);
   assert_non_null(strstr(binary.wrong, ":2: this is not a text file"));
 }
 
 TEST(files_that_cannot_be_read)
 {
-  struct gait_answer none = gait_of_text("measured:/nowhere/at/all"), folder = gait_of_text("measured:/tmp");
+  struct gait_result none = gait_of_text("measured:/nowhere/at/all"), folder = gait_of_text("measured:/tmp");
   assert_int_equal(none.fault, GAIT_UNREADABLE);
   assert_null(none.gait);
   assert_int_equal(folder.fault, GAIT_UNREADABLE);
@@ -510,7 +510,7 @@ TEST(too_long_a_file)
   assert_non_null(table);
   for (int i = 0; i < ROWS; i++)
     size += (size_t)snprintf(table + size, 16, "%d %d\n", i, i % 2);
-  struct gait_answer a = measured(table, size);
+  struct gait_result a = measured(table, size);
   assert_null(a.gait);
   assert_non_null(strstr(a.wrong, ":100001: more than 100000 rows"));
   free(table);
@@ -520,7 +520,7 @@ TEST(too_long_a_file)
 TEST(a_good_file)
 {
   double l, l_later;
-  struct gait_answer a = measured_text(
+  struct gait_result a = measured_text(
       "# a comment\r\n\r\nt\tl\r\n 1 3\n2 \t 5\n# more\n3 2\n5 1\n6 2\n11 3.0000000001\n");
   if (!a.gait) {
     fail_msg("%s", a.wrong);
@@ -553,7 +553,7 @@ TEST(other_tables)
                                         "t,l\n0,3\n1,5\n1.5,\n2,2\n3,NaN\n4,1\n5,2\n10,3\n", /* without a number */
                                         "t l\n0 3\n1 4\n1 6\n2 2\n4 1\n5 2\n10 3\n" };       /* twice at 1 */
   for (size_t i = 0; i < sizeof tables / sizeof *tables; i++) {
-    struct gait_answer a = measured_text(tables[i]);
+    struct gait_result a = measured_text(tables[i]);
     if (!a.gait)
       fail_msg("%s: %s", tables[i], a.wrong);
     const struct gait_file *file = gait_file_of(a.gait);
@@ -575,7 +575,7 @@ TEST(choices)
   };
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
     choice = all[i].choice;
-    struct gait_answer a = measured_text(
+    struct gait_result a = measured_text(
         "0 0\n.3 .5\n.7 1\n1 1.3\n1.3 1.7\n1.7 1.9\n2 2\n2.3 1.6\n2.6 1.2\n3 .6\n3.4 .4\n"
         "3.7 .2\n3.9 .1\n4 0\n");
     choice = ":monotone";
@@ -599,13 +599,13 @@ TEST(texts)
     { "polynomial:0,", "'' is not a number" }
   };
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    struct gait_answer a = gait_of_text(bad[i].text);
+    struct gait_result a = gait_of_text(bad[i].text);
     assert_null(a.gait);
     if (!strstr(a.wrong, bad[i].says))
       fail_msg("%s, and not %s", a.wrong, bad[i].says);
   }
   assert_ptr_equal(gait_of_text("quadratic").gait, &scallop_gait_quadratic);
-  struct gait_answer a = gait_of_text("trapezoidal"), b = gait_of_text("trapezoidal:0.25,0.25");
+  struct gait_result a = gait_of_text("trapezoidal"), b = gait_of_text("trapezoidal:0.25,0.25");
   assert_ptr_equal(gait_of_text("trapezoidal").gait, a.gait);
   check_same_motions(a.gait, b.gait, 0);
   check_same_motions(gait_of_text("skewed").gait, gait_of_text("skewed:0.25,0.25").gait, 0);
@@ -619,7 +619,7 @@ static const struct scallop_gait *sampled(double (*l)(double s), int n)
   for (int i = 0; i <= 2 * n; i++)
     size += (size_t)snprintf(table + size, sizeof table - size, "%d %.17g\n", i,
                              l(i <= n ? (double)i / n : 2 - (double)i / n));
-  struct gait_answer a = measured(table, size);
+  struct gait_result a = measured(table, size);
   assert_non_null(a.gait);
   return a.gait;
 }

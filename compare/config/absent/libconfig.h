@@ -1,5 +1,5 @@
-/* What the program uses of libconfig, for a build without it (WITH_LIBCONFIG=0). config_read_string refuses every text,
- * with a message that says why: such a program reads no scenes and no formula files, and has no setting to ask of. */
+/* The functions of libconfig that the program uses, for a build without it (WITH_LIBCONFIG=0). config_read_string
+ * refuses every text and explains why: such a program reads no scenes and no formula files, and has no settings. */
 #ifndef SCALLOP_COMPARE_CONFIG_ABSENT_LIBCONFIG_H
 #define SCALLOP_COMPARE_CONFIG_ABSENT_LIBCONFIG_H
 
@@ -18,7 +18,7 @@ static inline const char *config_error_text(const config_t *config)
   return config->root ? "" : "this program reads no scenes and no formula files: it was built without libconfig";
 }
 
-/* 0, which the compiler does not know: else it would complain of texts that are NULL. */
+/* 0, unknown to the compiler: else it would warn of texts that are NULL. */
 static volatile long config_nothing;
 #define CONFIG_NOTHING(TYPE, NAME) \
   static inline TYPE NAME(const void *of, ...) { return (void)of, (TYPE)config_nothing; }

@@ -10,7 +10,7 @@
 /* Texts of options: what stays of them, in which order they vary, and which are one value. */
 TEST(lists_and_ranges_of_options)
 {
-  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  struct request r = { .point = point_initial(NULL), .required = requirements_new("test") };
   static const struct {
     const char *name, *text;
     bool many;
@@ -48,30 +48,30 @@ TEST(lists_and_ranges_of_options)
   struct sweep_walk walk = { .product = NULL };
   const struct point *p = &sweep_point(&walk, &r.sweep, &r.point, 7, NULL, NULL)->point;
   assert_true(p->v0 == 0 && p->crawler.T == 0.1);
-  asked_free(r.asked);
+  requirements_free(r.required);
   sweep_free(&r.sweep);
   assert_int_equal(sweep_points(&r.sweep), 1);
 }
 
 TEST(no_lists_and_ranges)
 {
-  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  struct request r = { .point = point_initial(NULL), .required = requirements_new("test") };
   static const struct {
     const char *name, *text, *message;
-  } texts[] = { { "F1", "1:10:0", "'1:10:0' is no range: FROM:TO:COUNT" },
+  } texts[] = { { "F1", "1:10:0", "'1:10:0' is not a range: FROM:TO:COUNT" },
                 { "F1", "1:10:1", "COUNT is from 2 to 1000000000" },
                 { "F1", "1:10:-3", "COUNT is" },
                 { "F1", "1:10:2.5", "COUNT is" },
                 { "F1", "1:10:1000000001", "COUNT is" },
                 { "F1", "1:10:", "COUNT is" },
-                { "F1", "1:10:5:log:", "is no range" },
-                { "F1", "1:10:5:Log", "is no range" },
-                { "F1", "1:2:3,4", "is no range" },
+                { "F1", "1:10:5:log:", "is not a range" },
+                { "F1", "1:10:5:Log", "is not a range" },
+                { "F1", "1:2:3,4", "is not a range" },
                 { "F1", "0:1:5:log", "'0' is not allowed here: it takes a finite number > 0" },
                 { "v0", "0:1:5:log", "log spacing is > 0" },
                 { "v0", "-1:1:5:log", "log spacing is > 0" },
-                { "F1", "nan:1:5", "'nan' is no number, nor a formula" },
-                { "F1", "1:inf:5", "'inf' is no number, nor a formula" },
+                { "F1", "nan:1:5", "'nan' is neither a number nor a formula" },
+                { "F1", "1:inf:5", "'inf' is neither a number nor a formula" },
                 { "alpha", "0.5:1:5", "between 0 and 1" },
                 { "alpha", "0.5,", "'' is not allowed" },
                 { "alpha", ",", "'' is not allowed" },
@@ -88,14 +88,14 @@ TEST(no_lists_and_ranges)
   assert_null(vary_text(&r, "m1", "1:2:100000000"));
   assert_non_null(strstr(vary_text(&r, "m2", "1:2:10000001"), "more than 1e+15"));
   assert_null(vary_text(&r, "m2", "1:2:10000000"));
-  asked_free(r.asked);
+  requirements_free(r.required);
   sweep_free(&r.sweep);
 }
 
 /* A copy is written as its origin was, in memory of its own, and so is a copy of the copy. */
 TEST(copies_stand_alone)
 {
-  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  struct request r = { .point = point_initial(NULL), .required = requirements_new("test") };
   struct sweep_walk walk = { .product = NULL };
   struct sweep_place place, copy[2];
   assert_null(vary_text(&r, "F2", "0.3:7:4"));
@@ -113,7 +113,7 @@ TEST(copies_stand_alone)
     assert_string_equal(copy[i].point.written[5], "0.0416179145029");
     assert_true(copy[i].point.written[5] == copy[i].written[5] && copy[i].point.written[6] == origin.written[6]);
   }
-  asked_free(r.asked);
+  requirements_free(r.required);
   sweep_free(&r.sweep);
 }
 
@@ -121,7 +121,7 @@ TEST(copies_stand_alone)
  * another. */
 TEST(what_no_point_has_of_itself)
 {
-  struct request r = { .point = point_initial(NULL), .asked = asked_nothing("test") };
+  struct request r = { .point = point_initial(NULL), .required = requirements_new("test") };
   struct sweep_variable label;
   assert_null(vary_text(&r, "F1_over_F2", "2.5"));
   assert_null(vary_text(&r, "label", "panel=A"));
@@ -131,7 +131,7 @@ TEST(what_no_point_has_of_itself)
   assert_null(vary_text(&r, "label", "panel=B"));
   assert_null(vary_text(&r, "froude", "0.5,2"));
   assert_int_equal(sweep_points(&r.sweep), 5);
-  assert_int_equal(r.asked->quantities.labels, 1);
+  assert_int_equal(r.required->quantities.labels, 1);
   assert_non_null(strstr(vary_text(&r, "T", "v_start:2:3"), "not of v_start"));
   assert_non_null(strstr(vary_text(&r, "label", "panel"), "NAME=TEXT"));
   assert_non_null(strstr(vary_label(&r, "displacement", &label), "which is a quantity"));
@@ -140,7 +140,7 @@ TEST(what_no_point_has_of_itself)
   assert_null(vary_list(&r, label, (const char *const[]){ "1", "2" }, 2));
   assert_true(sweep_variable_of_name(&label, "m2"));
   assert_non_null(
-      strstr(vary_list(&r, label, (const char *const[]){ "1", "2", "3" }, 3), "have 2: they go on together"));
-  asked_free(r.asked);
+      strstr(vary_list(&r, label, (const char *const[]){ "1", "2", "3" }, 3), "have 2: they advance together"));
+  requirements_free(r.required);
   sweep_free(&r.sweep);
 }

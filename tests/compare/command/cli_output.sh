@@ -323,7 +323,7 @@ for version in 'int other;' 'const char *const flint_part[] = { "0.1" };'; do
   echo "$version" | "${CC:-cc}" -shared -fPIC -x c -o $part - || note "no shared object is made of $version"
   case $version in
     int*) cannot 'the table of claims needs FLINT: .*/bin/scallop-flint.so: undefined symbol: flint_part' ;;
-    *) cannot 'the table of claims needs FLINT, and .*/bin/scallop-flint.so is that of scallop 0.1$' ;;
+    *) cannot 'the table of claims needs FLINT, and .*/bin/scallop-flint.so belongs to scallop 0.1$' ;;
   esac
 done
 finish "a scallop-flint.so that cannot be loaded"

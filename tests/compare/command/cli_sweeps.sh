@@ -128,15 +128,15 @@ while IFS='|' read -r name message; do
   run 2 steady --points "$name.npy"
   grep -qF "scallop steady: $name.npy: $message" err || note "$name: $(cat err)"
 done <<'END'
-matrix|this array has not one dimension
-deep|this array has not one dimension
+matrix|this array does not have one dimension
+deep|this array does not have one dimension
 plain|this array has no named columns
-nested|column 'm1' is no number and no text
+nested|column 'm1' is neither a number nor a text
 complex|column 'm1' is of a type that is not read
 pickled|column 'x' holds pickled objects
-cut-row|the file is cut off: its head tells of 3 rows
-cut-head|the file is cut off within its head
-cut-front|this is no file of numpy.save
+cut-row|the file is cut off: its head states 3 rows
+cut-head|the file ends within its head
+cut-front|this is not a file of numpy.save
 END
 finish "--points: files of NumPy, of any byte order; others are refused"
 
@@ -182,7 +182,7 @@ done <<'END'
 --sample: 'sobol:2000000000' is not allowed here|--m1 1:2 --sample sobol:2000000000
 --sample: 'random:5' is not allowed here|--m1 1:2 --sample random:5
 --sample: 'random:5:-1' is not allowed here|--m1 1:2 --sample random:5:-1
---m1: 'nan' is no number|--m1 nan:2 --sample sobol:4
+--m1: 'nan' is neither a number|--m1 nan:2 --sample sobol:4
 --alpha: '1' is not allowed here|--alpha 0.5:1 --sample sobol:4
 END
 finish "--sample: points of ranges by Sobol and at random"
@@ -240,7 +240,7 @@ refused 'part-1.tsv and part-5.tsv are of different sweeps' part-*.tsv
 refused 'part-1.tsv and part-5.tsv are of different sweeps, of different numbers of shards' part-*.tsv
 head -c 5000 five.tsv >part-5.tsv
 refused 'part-5.tsv: it is cut off' part-*.tsv
-refused 'whole.tsv: it is no shard' whole.tsv
+refused 'whole.tsv: it is not a shard' whole.tsv
 refused 'nothing.tsv: No such file' nothing.tsv
 "$tool" steady --m1 0.5:2:100 --F1 2:6:100 --shard 5/16 --format npy -o part-5.npy
 refused 'part-5.npy and part-1.tsv are of different' part-5.npy part-1.tsv

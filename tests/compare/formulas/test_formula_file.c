@@ -47,7 +47,7 @@ TEST(the_papers_file_in_both_readers)
       assert_ptr_equal(formula_named(f->name), user_formula(n)); /* before the one that comes with the tool */
     }
   assert_null(user_formula(n));
-  formula_files_forget();
+  formula_files_free();
   assert_ptr_equal(formula_named("eq14_dT"), scallop_formula_named("eq14_dT"));
   assert_null(user_formula(0));
 }
@@ -101,18 +101,18 @@ TEST(formula_files_forgotten_and_read_again)
       taken[] =
           "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; }, { name = \"dT\"; of = \"t1\"; text = \"1\"; } );";
   struct said said;
-  formula_files_forget();
+  formula_files_free();
   for (int i = 0; i < 3; i++) {
     assert_int_equal(formula_file_read("test", "x.cfg", good, NULL), EXIT_DONE);
     assert_int_equal(formula_read_once(formula_named("a"))->count, 1);
-    formula_files_forget();
+    formula_files_free();
     said_begin(&said);
     enum exit_code code = formula_file_read("test", "x.cfg", taken, is_dT);
     said_end(&said);
     assert_int_equal(code, EXIT_USAGE);
     assert_non_null(
         strstr(said.text, "x.cfg:1: 'dT' cannot be the name of a formula: there is a quantity of this name"));
-    formula_files_forget();
+    formula_files_free();
     assert_null(user_formula(0));
   }
 }

@@ -162,7 +162,7 @@ TEST(columns_join_name_and_value)
     table_begin_rows(&t);
     table_row(&t, joined, &rows[0], true);
     table_row(&t, joined, &rows[1], false);
-    if (table_begin_anew(&t)) {
+    if (table_restart_columns(&t)) {
       table_columns(&t, (const char *const[]){ "all", NULL });
       table_count(&t, 2);
     }

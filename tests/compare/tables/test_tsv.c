@@ -51,8 +51,8 @@ TEST(separators_and_names)
     { "% h err\n1 2\n% more\n3 4\n", "h,err: 1,2; 3,4;" },
     { "{\"h\": 1, \"err\": null, \"of\": \"a\\\"\\u00e4\\ud83d\"}\n{\"of\": \"b\", \"h\": 2}\n",
       "h,err,of: 1,,a\"\xc3\xa4?; 2,,b;" },
-    { "{\"h\": 1}\n{\"g\": 2}\n", "h: 1; ;this object has a member that the first one has not" },
-    { "{\"h\": [1]}\n", ":;this line is no JSON object of texts and numbers" },
+    { "{\"h\": 1}\n{\"g\": 2}\n", "h: 1; ;this object has a member that the first one lacks" },
+    { "{\"h\": [1]}\n", ":;this line is not a JSON object of texts and numbers" },
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
     assert_string_equal(read_all(cases[i][0], TSV_ANY), cases[i][1]);
@@ -72,7 +72,7 @@ TEST(what_it_was_taken_for)
   assert_true(tsv_open_text(&t, "x", "a;b\n1,5;2\n"));
   assert_true(tsv_next(&t));
   assert_string_equal(tsv_number(&t, 0), "1.5");
-  assert_string_equal(tsv_taken_for(&t, text), "columns between semicolons, decimal commas");
+  assert_string_equal(tsv_format_text(&t, text), "columns between semicolons, decimal commas");
   tsv_close(&t);
   assert_true(tsv_is_missing("") && tsv_is_missing("N/A") && tsv_is_missing("-") && !tsv_is_missing("nan"));
 }

@@ -102,7 +102,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     written_free(&written);
     for (int i = 0; code == EXIT_DONE && user_formula(i); i++)
       judge(user_formula(i), &values);
-    formula_files_forget();
+    formula_files_free();
   }
   free(text);
   return 0;

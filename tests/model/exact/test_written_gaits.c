@@ -9,7 +9,7 @@ enum { DIGITS = 50, WORD = 1200, TRIES = 24 };
 
 static const struct scallop_gait *gait_of(const char *text)
 {
-  struct gait_answer answer = gait_of_text(text);
+  struct gait_result answer = gait_of_text(text);
   if (!answer.gait)
     print_error("%s\n", answer.wrong);
   assert_non_null(answer.gait);

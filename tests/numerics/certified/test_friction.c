@@ -118,7 +118,7 @@ TEST(double_is_right)
     double unit[NAMED];
     assert_true(answer_in_double(&a, &m));
     assert_true(isnan(a.value[Q_FRICTION_WORK].high));
-    assert_int_equal(answer_by_second_walk(&a, &m), SCALLOP_OK);
+    assert_int_equal(answer_complete(&a, &m), SCALLOP_OK);
     in_binary128(&exact, &c);
     units_of(unit, &c, &exact);
     bool has_cost = a.value[Q_DISPLACEMENT].high != 0;

@@ -62,7 +62,7 @@ static double largest_bend(const struct scallop_interval *i)
 }
 
 /* A stuck body has to be held against -m_other (acceleration of the other) - its friction; l'' is monotone. */
-static void is_held(const struct law_phase *p, const struct scallop_interval *i)
+static void is_constant(const struct law_phase *p, const struct scallop_interval *i)
 {
   int stuck = i->mode.s1 == 0 ? 0 : 1, other = 1 - stuck;
   const double ends[] = { i->u_begin, i->u_end };
@@ -206,7 +206,7 @@ static void check_phase(const struct scallop_crawler *crawler, enum scallop_phas
   for (const struct scallop_interval *i = p->interval; i < p->interval + p->count; i++) {
     REQUIRE(i == p->interval || i[-1].c_end == i->c_begin);
     if (glued(i))
-      is_held(p, i);
+      is_constant(p, i);
     sliding_sign(p, i, 0);
     sliding_sign(p, i, 1);
   }
