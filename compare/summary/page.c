@@ -255,7 +255,7 @@ static void write_transition(const struct page *p, const struct transition *e)
   fprintf(p->file, "  T = %.*g%s", digits_of(p, e->T, e->error), e->T, p->is_recorded ? ", " : "");
   if (p->is_recorded)
     write_interval(p, e->T - e->error, e->T + e->error);
-  fprintf(p->file, " (Froude %.3g): %s\n", motion_froude(&p->study->motion, e->T), e->what);
+  fprintf(p->file, " (Froude %.3g): %s\n", motion_froude(&p->study->motion, e->T), e->causes);
 }
 
 static void write_transitions(const struct page *p)
@@ -287,12 +287,12 @@ static void write_summary(const struct page *p)
   for (int i = 0; i < p->formulas; i++)
     write_formula(p, &p->told[i]);
   if (p->study->derived.status != SCALLOP_OK)
-    fprintf(p->file, "  There is no derived series: %s.\n", study_why_none(p->study));
+    fprintf(p->file, "  There is no derived series: %s.\n", study_no_series_text(p->study));
   for (int i = 0; i < TERMS; i++)
     write_best(p, terms[i].of);
   write_transitions(p);
   if (p->study->transitions.count > 0)
-    fprintf(p->file, "  T = %.*g is %s.\n", p->digits, T, study_where(p->study, T));
+    fprintf(p->file, "  T = %.*g is %s.\n", p->digits, T, study_position_text(p->study, T));
   fputs("\nMore: scallop steady --certified       proven digits\n"
         "      scallop claims                   the claims of the paper\n"
         "      scallop series --source derived  the expansion\n"

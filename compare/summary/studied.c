@@ -147,7 +147,7 @@ static const char *text(struct at *at, const struct quantity *q)
   if (q->which == STUDIED_VERDICT)
     return claim_verdict_text(claim_of(at, at->asked->quantities.item[q->of].formula)->verdict);
   const struct transitions *e = study_transitions(s);
-  return q->which == STUDIED_REVERSALS ? reversals_text(at->text, e) : e->count > 0 ? e->transition[0].what : "-";
+  return q->which == STUDIED_REVERSALS ? reversals_text(at->text, e) : e->count > 0 ? e->transition[0].causes : "-";
 }
 
 static const struct at_study_functions functions = { end, number, text };
