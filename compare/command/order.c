@@ -57,7 +57,7 @@ static const char *read_per(void *options, const struct option *o, const char *t
   return NULL;
 }
 
-/* Reads --y, which adds columns each time. */
+/* Reads --y; each one adds columns. */
 static const char *read_columns(void *options, const struct option *o, const char *text)
 {
   struct order_columns *columns = (struct order_columns *)((char *)options + o->field);
