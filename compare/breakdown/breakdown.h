@@ -14,7 +14,7 @@ struct breakdown_options {
   struct given_count order;      /* derived terms are those below T^order */
   const char *map[2], *range[2]; /* variables along x and y; FROM:TO:COUNT, or NULL */
   struct given_number tolerance;
-  bool all; /* the whole table, without --reach, --map or the like */
+  bool all; /* the table in place of the page */
   bool boundaries;
 };
 

@@ -17,7 +17,7 @@ struct condition {
   bool inside;       /* assumed by the paper */
   double v0;         /* in units of sqrt(L (F1 + F2)/M) */
   bool equal_forces; /* F2 = F1 */
-  bool reversed;     /* the bodies have each other's roles in the paper */
+  bool reversed;     /* the roles of the bodies are exchanged, compared with the paper */
   /* In place of a motion, l' (as REAR_AT_END) and l (as FRONT_AT_END) at the time T before the end of an extension of
    * duration 1, with L = 1. A claim that holds for one crawler holds for all. */
   bool at_end;
@@ -75,7 +75,7 @@ double middle(const arb_t x);
 struct question;
 struct statement {
   const char *name, *place, *quantity; /* place: in the paper */
-  const char *conditions; /* a format: %s is "the paper's crawler" or the default; set_conditions reads numbers */
+  const char *conditions; /* a format: %s is "the paper's crawler" or the default; set_conditions reads its numbers */
   void (*test)(struct question *q, struct scallop_crawler c);
   const void *data;           /* further input of the function */
   enum scallop_regime regime; /* of the steady state in question */

@@ -25,7 +25,7 @@ struct reader {
   char name[MAX_Y][COLUMN_NAME]; /* of y; its number without a header */
 };
 
-/* Reads a number as in C, unlike options with nan and inf. */
+/* Reads a number as in C; nan and inf are allowed, unlike in options. */
 static bool read_cell(struct tsv *t, int place, double *value)
 {
   const char *text = tsv_number(t, place);
@@ -34,7 +34,7 @@ static bool read_cell(struct tsv *t, int place, double *value)
   return end != text && *end == '\0';
 }
 
-/* The functions below return NULL, or an error with the file and the line (tsv_at). */
+/* Functions that return a text return NULL, or an error with file and line (tsv_at). */
 
 /* Finds the place of the only column with this name; -1: no column has it. An option that names the column may give its
  * number from 1, too, and the column must exist. */

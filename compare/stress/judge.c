@@ -209,9 +209,9 @@ static struct answer solve_again(struct stress_case *s, const struct motion *m, 
   return there;
 }
 
-/* Adds to units the change of the numbers for each parameter, moved by `places` doubles up and down, over places. With
- * 1 place, the result in double is perturbed too; with STRESS_BOUND places, a kink at that distance counts in
- * proportion. */
+/* Raises units to the sum over the parameters of the change of a number if one is moved by `places` doubles up or down,
+ * over places. With 1 place, the result in double is perturbed too; with STRESS_BOUND places, a kink at that distance
+ * counts in proportion. */
 static void move_parameters(struct stress_case *s, int places, const struct answers *f)
 {
   double unit[QUANTITIES] = { 0 };
