@@ -1,3 +1,4 @@
+/* Motion as a function of T: its answer, Froude number, and the T of permanent rest. */
 #include "compare/breakdown/motion.h"
 
 #include <math.h>
@@ -34,22 +35,21 @@ double motion_froude(const struct motion *s, double T)
 
 double motion_natural_time(const struct motion *s) { return sqrt(motion_froude(s, 1)); }
 
-/* max |l''| of a phase of duration 1: l'' is monotone within a piece. Sets *jumps where l' jumps. */
-static double most_acceleration(const struct scallop_shape *shape, bool *jumps)
+/* Returns max |l''| of a phase of duration 1: l'' is monotone within a piece. Sets *jumps if l' jumps. */
+static double max_acceleration(const struct scallop_shape *shape, bool *jumps)
 {
-  double most = 0;
+  double max = 0;
   for (const struct scallop_piece *p = shape->pieces; p < shape->pieces + shape->count; p++) {
-    most = fmax(most, fmax(fabs(p->curve->acceleration(p, p->begin)), fabs(p->curve->acceleration(p, p->end))));
+    max = fmax(max, fmax(fabs(p->curve->acceleration(p, p->begin)), fabs(p->curve->acceleration(p, p->end))));
     *jumps |= p->jump;
   }
-  return most;
+  return max;
 }
 
-/* A body i that rests is held there while m_j |l''| + F_j <= F_i: for every T from sqrt(m_j max|l''| L/(F_i - F_j)) on,
- * l'' here being that of a phase of duration 1. With equal forces nothing depends on how they differ, and m_j |l''| is
- * to be compared with them. A start velocity is used up after |v0| M/(F1 + F2). Where l' jumps it throws the bodies
- * into motion; the velocity of the centre of mass comes to the level of one of them at the rate |F1 - F2|/M at least,
- * from as far as the fastest motions of both phases are apart. */
+/* A body i at rest stays at rest while m_j |l''| + F_j <= F_i: for every T from sqrt(m_j max|l''| L/(F_i - F_j)) on, if
+ * l'' is taken of a phase of duration 1. Equal forces F take the place of their difference here. Friction stops a start
+ * velocity after |v0| M/(F1 + F2). A jump of l' sets both bodies in motion; the centre of mass then approaches the
+ * velocity of one of them at a rate of |F1 - F2|/M or more, from at most the sum of the largest |l'| of both phases. */
 double motion_last_time(const struct motion *s)
 {
   const struct scallop_crawler *c = &s->crawler;
@@ -59,9 +59,9 @@ double motion_last_time(const struct motion *s)
   if (c->F1 == c->F2)
     difference = c->F1;
   double a = s->of == OF_STEADY ? c->alpha : 1, b = s->of == OF_STEADY ? 1 - c->alpha : 1;
-  double most = fmax(most_acceleration(&phase[0], &jumps) / (a * a), most_acceleration(&phase[1], &jumps) / (b * b));
-  double thrown = jumps ? (phase[0].peak / a + phase[1].peak / b) / fmin(a, b) : 0;
-  double rest = sqrt(fmax(fmax(c->m1, c->m2) * most, M * thrown) * c->L / difference);
+  double most = fmax(max_acceleration(&phase[0], &jumps) / (a * a), max_acceleration(&phase[1], &jumps) / (b * b));
+  double jump = jumps ? (phase[0].peak / a + phase[1].peak / b) / fmin(a, b) : 0;
+  double rest = sqrt(fmax(fmax(c->m1, c->m2) * most, M * jump) * c->L / difference);
   double stop = s->of == OF_STEADY ? 0 : fabs(s->v0) * M / (c->F1 + c->F2);
   return 2 * fmax(rest, 16 * stop);
 }

@@ -1,5 +1,5 @@
-/* The radius of convergence of a series: from its coefficients, where they are those of a rational function; else from
- * the singularities of the branch. */
+/* Radius of convergence of a series: from the coefficients of a rational function, else from singularities of the
+ * branch. */
 #include <limits.h>
 #include <math.h>
 #include <stdio.h>
@@ -7,19 +7,19 @@
 #include "compare/breakdown/motion.h"
 #include "compare/text/progress.h"
 
-enum { MOST_POLES = 12, CONFIRMED = 4 };
+enum { MAX_POLES = 12, CONFIRMED = 4 };
 
-/* Euclid's algorithm for z^count and the polynomial with `count` coefficients: of the Pade approximants p/q, which have
- * these coefficients, the one with p and q about as long. The denominator q, and how many coefficients determine it;
- * false: those beyond do not confirm it. */
-static bool denominator(fmpz_poly_t denominator, slong *taken, const fmpz_poly_t coefficients)
+/* Finds the denominator q of the Pade approximant p/q with p and q of about the same length, by Euclid's algorithm for
+ * z^count and the polynomial with `count` coefficients. used: number of coefficients that determine q; false: further
+ * coefficients do not confirm it. */
+static bool find_denominator(fmpz_poly_t denominator, slong *used, const fmpz_poly_t coefficients)
 {
   const slong count = fmpz_poly_length(coefficients);
   SCOPED(fmpq_poly, p, before, q, last, quotient);
   fmpq_poly_set_fmpz_poly(p, coefficients);
   fmpq_poly_set_coeff_si(before, count, 1);
   fmpq_poly_one(q);
-  while (2 * fmpq_poly_length(p) > count && fmpq_poly_degree(q) <= MOST_POLES) {
+  while (2 * fmpq_poly_length(p) > count && fmpq_poly_degree(q) <= MAX_POLES) {
     fmpq_poly_divrem(quotient, before, before, p);
     fmpq_poly_swap(before, p);
     fmpq_poly_mul(quotient, quotient, q);
@@ -28,14 +28,13 @@ static bool denominator(fmpz_poly_t denominator, slong *taken, const fmpz_poly_t
   }
   slong length = FLINT_MAX(fmpq_poly_length(p), fmpq_poly_degree(q));
   fmpq_poly_get_numerator(denominator, q);
-  *taken = 2 * length;
-  return length <= MOST_POLES && count >= *taken + CONFIRMED;
+  *used = 2 * length;
+  return length <= MAX_POLES && count >= *used + CONFIRMED;
 }
 
 enum { PLACE = 120, PLACE_DIGITS = 10, PLACE_BITS = 128 };
 
-/* "T^2 = 3.0+-4.0 i": the equations are real, so the conjugate is a singularity too, and so is minus both if
- * mirrored. */
+/* Writes "T^2 = 3.0+-4.0 i": the equations are real, so the conjugate is singular too, and minus both if mirrored. */
 static void place_text(char text[PLACE], const acb_t z, slong power, bool mirrored)
 {
   char *re = arb_get_str(acb_realref(z), PLACE_DIGITS, ARB_STR_NO_RADIUS),
@@ -65,20 +64,20 @@ static void set_bounds(struct radius *r, const arb_t low, const arb_t high)
   r->high = arf_get_d(end, ARF_RND_CEIL);
 }
 
-/* Of a series of fractions, from its first term on. Of its terms those that are 0 by symmetry are left out: it is a
- * polynomial in z = T^stride. The root of its denominator with the least |z| is the nearest pole. */
-static bool by_poles(struct radius *r, const struct series *s, slong first, slong order)
+/* Finds the nearest pole of a series of fractions: without its first powers, and terms that are 0 by symmetry, it is a
+ * polynomial in z = T^stride; the pole is the root of its denominator with the least |z|. */
+static bool find_pole(struct radius *r, const struct series *s, slong first, slong order)
 {
   char place[PLACE];
-  slong taken, best = 0;
+  slong used, best = 0;
   SCOPED(fmpz_poly, a, q, common);
   SCOPED(arb, size, least);
-  fmpq_poly_get_numerator(a, s->rational); /* a factor is of no matter */
+  fmpq_poly_get_numerator(a, s->rational); /* a factor does not change the poles */
   fmpz_poly_truncate(a, order - s->first);
   fmpz_poly_shift_right(a, a, first - s->first);
   ulong stride = fmpz_poly_deflation(a);
   fmpz_poly_deflate(a, a, stride);
-  if (!denominator(q, &taken, a))
+  if (!find_denominator(q, &used, a))
     return false;
   fmpz_poly_derivative(common, q);
   fmpz_poly_gcd(common, common, q);
@@ -96,7 +95,7 @@ static bool by_poles(struct radius *r, const struct series *s, slong first, slon
   _acb_vec_clear(roots, fmpz_poly_degree(q));
   snprintf(r->note, sizeof r->note,
            "a pole at %s: the series is that of a rational function, with %ld coefficients more than that takes", place,
-           (long)(fmpz_poly_length(a) - taken));
+           (long)(fmpz_poly_length(a) - used));
   arb_root_ui(least, least, stride, PLACE_BITS);
   set_bounds(r, least, least);
   return true;
@@ -108,12 +107,12 @@ bool radius_from_poles(struct radius *r, const struct series *s, slong order)
   slong first = s->first;
   while (first < end && series_coefficient_is_zero(s, first))
     first++;
-  *r = (struct radius){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY, .status = "exact" };
+  *r = (struct radius){ .method = "poles", .T = INFINITY, .low = INFINITY, .high = INFINITY, .evidence = "exact" };
   snprintf(r->note, sizeof r->note, "every coefficient below T^%ld is 0", (long)order);
-  return first >= end || (s->kind == SERIES_FRACTIONS && by_poles(r, s, first, end));
+  return first >= end || (s->kind == SERIES_FRACTIONS && find_pole(r, s, first, end));
 }
 
-/* What of the branch a quantity is */
+/* Returns the value on the branch that gives the quantity. */
 static enum continued_value continued(enum quantity_id q)
 {
   return q == Q_V_START                 ? AT_START
@@ -122,7 +121,7 @@ static enum continued_value continued(enum quantity_id q)
                                         : TRAVEL;
 }
 
-/* A phase is followed over its crossings; t1 depends on the first alone. */
+/* Follows a phase over its crossings; t1 depends on the first alone. */
 static bool find_singularity(struct study *s, int crossings)
 {
   const struct motion *m = &s->motion;
@@ -147,7 +146,7 @@ bool radius_from_branch(struct radius *r, struct study *study, enum quantity_id 
   if (s->found)
     place_text(place, s->place, s->power, s->even);
   bool shows = s->found && s->shows[continued(quantity)];
-  *r = (struct radius){ .method = shows ? "singularity" : "bound", .status = "certified" };
+  *r = (struct radius){ .method = shows ? "singularity" : "bound", .evidence = "certified" };
   set_bounds(r, s->low, shows ? s->T : s->low);
   if (!shows)
     snprintf(r->note, sizeof r->note, "the series converges at least below this T; %s%s",

@@ -1,3 +1,4 @@
+/* Study of one motion, and the series of its quantities. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -54,17 +55,17 @@ const struct transitions *study_transitions(struct study *s)
 
 const struct series *study_many(struct study *s, enum quantity_id quantity)
 {
-  if (!s->many.modes) /* not yet */
+  if (!s->many.modes)
     expand(&s->many, s, STUDY_MANY, STUDY_MANY_BITS);
   return s->many.value[quantity];
 }
 
-const char *study_why_none(const struct study *s)
+const char *study_no_series_text(const struct study *s)
 {
   return s->derived.why ? s->derived.why : scallop_status_text(s->derived.status);
 }
 
-const char *study_where(const struct study *s, double T)
+const char *study_position_text(const struct study *s, double T)
 {
   const struct transition *e = s->transitions.transition, *modes = e;
   if (s->transitions.count == 0 || T <= e->T)
@@ -112,12 +113,11 @@ const char *series_name(const struct series_item *item)
   return item->formula ? item->formula->name : item->source == FROM_DERIVED ? "derived" : "limit";
 }
 
-int series_items(struct series_item items[MOST_ITEMS], const struct study *study, enum quantity_id quantity,
-                 slong order)
+int series_items(struct series_item items[MAX_ITEMS], const struct study *study, enum quantity_id quantity, slong order)
 {
   const struct scallop_formula *f;
   int count = 0;
-  for (int i = 0; (f = listed_formula(i)) && count < MOST_ITEMS - 2; i++)
+  for (int i = 0; (f = listed_formula(i)) && count < MAX_ITEMS - 2; i++)
     if (series_is_about(f, &study->motion, quantity))
       items[count++] = series_of_formula(f, quantity);
   if (study->derived.value[quantity]) {
@@ -139,8 +139,7 @@ void series_item_value(arb_t value, const struct series_item *item, const struct
     series_value(value, s, x, item->source == FROM_LIMIT ? series_first_power(s) + 1 : item->before, BREAKDOWN_BITS);
     return;
   }
-  /* where l'' = 0 at an end of a phase the paper's formulas divide by 0, whatever remains of them, and there is no
-   * L_kin */
+  /* if l'' = 0 at an end of a phase, the paper's formulas divide by 0 and have no value, and L_kin does not exist */
   bool divides = item->source == FROM_PUBLISHED || formula_takes(f, SCALLOP_SYMBOL_L_kin);
   scallop_rational_set_double(time, T);
   if ((divides && !gait_has_ends(m->crawler.gait))

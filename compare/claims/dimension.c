@@ -1,4 +1,4 @@
-/* Dimensions of formulas, from what changes of the units of mass, length and time do to their values. */
+/* Dimensions of formulas, from their values before and after a change of the units of mass, length and time. */
 #include <math.h>
 #include <string.h>
 
@@ -7,7 +7,7 @@
 
 enum { UNITS = 3, TEXT = 100 };
 
-/* The formula, or what it is about, after a change of one unit */
+/* Returns the value of the formula, or the exact value of its quantity, after a change of one unit. */
 static double value_in(const struct scallop_formula *f, struct motion m, bool exact, int unit, double factor)
 {
   struct scallop_crawler *c = &m.crawler;
@@ -22,7 +22,7 @@ static double value_in(const struct scallop_formula *f, struct motion m, bool ex
   return exact ? a.value[quantity_of_formula(f, m.phase)].high : published_value(f, &m, &a);
 }
 
-/* "mass length/time^2", "a pure number"; "": a sum of unlike quantities has none. Returns text; NULL: not known */
+/* Returns "mass length/time^2", "a pure number", "" for a sum of unlike quantities, NULL if undecided. */
 static const char *dimension(char text[TEXT], const struct scallop_formula *f, const struct motion *m, bool exact)
 {
   static const char *const names[] = { "mass", "length", "time" };
@@ -50,15 +50,15 @@ static const char *dimension(char text[TEXT], const struct scallop_formula *f, c
 bool dimension_refutes(char why[DIMENSION_WHY], const struct trial *trial, const struct scallop_formula *f)
 {
   struct motion m = { trial_is_steady(trial) ? OF_STEADY : OF_PHASE, .phase = trial->condition->kind };
-  struct scallop_rational_crawler c = trial->crawler; /* to read */
+  struct scallop_rational_crawler c = trial->crawler;
   char texts[2][TEXT];
   for (int i = 0; i < CRAWLER_NUMBERS; i++)
     *crawler_field(&m.crawler, i) = fmpq_get_d(rational_field(&c, i));
   m.crawler.gait = c.gait;
   m.v0 = fmpq_get_d(trial->v0);
-  const char *is = dimension(texts[0], f, &m, false), *wanted = dimension(texts[1], f, &m, true);
-  if (!is || !wanted || !*wanted || strcmp(is, wanted) == 0)
+  const char *is = dimension(texts[0], f, &m, false), *expected = dimension(texts[1], f, &m, true);
+  if (!is || !expected || !*expected || strcmp(is, expected) == 0)
     return false;
-  snprintf(why, DIMENSION_WHY, "by dimension: %s and not %s", *is ? is : "a sum of unlike quantities", wanted);
+  snprintf(why, DIMENSION_WHY, "by dimension: %s and not %s", *is ? is : "a sum of unlike quantities", expected);
   return true;
 }

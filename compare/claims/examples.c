@@ -1,5 +1,4 @@
-/* Statements that one certified example decides: single phases, steady states, and what the appendices say beside
- * orders. */
+/* Statements that one certified example decides: single phases, steady states, and the appendices except orders. */
 #include <math.h>
 #include <string.h>
 
@@ -9,16 +8,16 @@
 
 static void equal_forces_centre(struct question *q, struct scallop_crawler c)
 {
-  const struct printed by_8 = printed(c, "eq8_dxC");
+  const struct printed_value by_8 = evaluate_printed(c, "eq8_dxC");
   conclude(q, is_zero(by_8.error),
            "certified: dx1/L = %.6f, dxC/L = %.6f, and (8) gives %.6f; (1 - m1/m2)/2 dx1 is right",
-           extension(q, c, 0).dx1 / c.L, by_8.exact / c.L, by_8.value / c.L);
-  show(q, "scallop phase --certified%s --columns dx1,dxC", options(q, c));
+           solve_extension(q, c, 0).dx1 / c.L, by_8.exact / c.L, by_8.value / c.L);
+  show(q, "scallop phase --certified%s --columns dx1,dxC", write_options(q, c));
 }
 
 static void keeps_the_centre(struct question *q, struct scallop_crawler c)
 {
-  const double forth = extension(q, c, 0).dxC, back = contraction(q, c, 0).dxC;
+  const double forth = solve_extension(q, c, 0).dxC, back = solve_contraction(q, c, 0).dxC;
   const int stays = is_zero(fabs(forth) + fabs(back));
   conclude(q, stays, "by (6) xC' = (m1-m2)/(2M) l'; certified: %s",
            stays > 0 ? "|dxC| < 2^-80 in both phases" : "dxC is not 0");
@@ -26,25 +25,25 @@ static void keeps_the_centre(struct question *q, struct scallop_crawler c)
 
 static void velocity_rises(struct question *q, struct scallop_crawler c)
 {
-  const double v0 = 20, v_end = extension(q, c, v0).v_end;
+  const double v0 = 20, v_end = solve_extension(q, c, v0).v_end;
   conclude(q, compare(v_end, v0), "certified: v_end = %.6f", v_end);
-  show(q, "scallop phase --certified --v0 20%s --columns v0,v_end", options(q, c));
+  show(q, "scallop phase --certified --v0 20%s --columns v0,v_end", write_options(q, c));
 }
 
 static void moves_forward(struct question *q, struct scallop_crawler c)
 {
-  const struct solved p = extension(q, c, 0);
+  const struct solved p = solve_extension(q, c, 0);
   conclude(q, compare(p.dxC, 0), "certified: dxC/L = %.6f, dx1/L = %.6f, dx2/L = %.6f", p.dxC / c.L, p.dx1 / c.L,
            p.dx2 / c.L);
-  show(q, "scallop phase --certified%s --columns dx1,dx2,dxC", options(q, c));
+  show(q, "scallop phase --certified%s --columns dx1,dx2,dxC", write_options(q, c));
 }
 
 static void moves_backward(struct question *q, struct scallop_crawler c)
 {
-  const double v_mid = steady(q, c).v_mid, dxC = contraction(q, c, v_mid).dxC;
+  const double v_mid = solve_steady_state(q, c).v_mid, dxC = solve_contraction(q, c, v_mid).dxC;
   conclude(q, compare(0, dxC), "certified: from v_mid T/L = %.6f the centre moves by dxC/L = %.6f in the contraction",
            v_mid * c.T / c.L, dxC / c.L);
-  show(q, "scallop phase --phase contraction%s --v0 %.7g --columns v0,dxC", options(q, c), v_mid);
+  show(q, "scallop phase --phase contraction%s --v0 %.7g --columns v0,dxC", write_options(q, c), v_mid);
 }
 
 static void longer_extension_is_faster(struct question *q, struct scallop_crawler c)
@@ -53,12 +52,12 @@ static void longer_extension_is_faster(struct question *q, struct scallop_crawle
   const double back = c.L / scallop_phase_duration(&c, SCALLOP_CONTRACTION);
   conclude(q, compare(forth, back),
            "mean |l'| is L over the duration: %.6g in the longer extension, %.6g in the contraction", forth, back);
-  show(q, "scallop trajectory --start rest --periods 1 --samples 4%s --columns t,l", options(q, c));
+  show(q, "scallop trajectory --start rest --periods 1 --samples 4%s --columns t,l", write_options(q, c));
 }
 
 static void first_interval_accelerates(struct question *q, struct scallop_crawler c)
 {
-  const double before = extension(q, c, 0).dT / scallop_phase_duration(&c, SCALLOP_EXTENSION);
+  const double before = solve_extension(q, c, 0).dT / scallop_phase_duration(&c, SCALLOP_EXTENSION);
   double rate;
   scallop_gait_at(c.gait, SCALLOP_EXTENSION, 1 - before, NULL, NULL, &rate);
   conclude(q, compare(rate, 0),
@@ -67,7 +66,7 @@ static void first_interval_accelerates(struct question *q, struct scallop_crawle
   show(q,
        "the steps of l, the last column, shrink while v1 < 0: scallop trajectory --start rest --periods 1 --samples "
        "8%s --columns t,v1,l",
-       options(q, c));
+       write_options(q, c));
 }
 
 /* |v1| < |v2|, v1 < 0 < v2: from rest M v1 = (F1 - F2) t - m2 l' and M v2 = (F1 - F2) t + m1 l' */
@@ -78,34 +77,34 @@ static void body_1_is_slower(struct question *q, struct scallop_crawler c)
   scallop_gait_at(c.gait, SCALLOP_EXTENSION, 0.25, NULL, &rate, NULL);
   const double v1 = (gained - c.m2 * rate * c.L / (4 * t)) / (c.m1 + c.m2);
   const double v2 = (gained + c.m1 * rate * c.L / (4 * t)) / (c.m1 + c.m2);
-  const bool in_first = extension(q, c, 0).t1 > t;
+  const bool in_first = solve_extension(q, c, 0).t1 > t;
   conclude(q, in_first ? compare(v2, -v1) : 0,
            "v1 + v2 = [2 (F1-F2) t - (m2-m1) l']/M; certified at a quarter of the duration: v1 T/L = %.6f, v2 T/L = "
            "%.6f",
            v1 * c.T / c.L, v2 * c.T / c.L);
   show(q, "scallop trajectory --start rest --periods 1 --samples 16%s --columns t,v1,v2 | grep '^0.1875'",
-       options(q, c));
+       write_options(q, c));
 }
 
-/* Without the last interval, the friction of the first one acting to the end, the centre would come as far as (21) has
- * it. */
+/* With the friction of the first interval up to the end the displacement would be (21). */
 static void last_interval_carries(struct question *q, struct scallop_crawler c)
 {
-  const double duration = scallop_phase_duration(&c, SCALLOP_EXTENSION), dxC = extension(q, c, 0).dxC;
+  const double duration = scallop_phase_duration(&c, SCALLOP_EXTENSION), dxC = solve_extension(q, c, 0).dxC;
   const double by_21 = (c.F1 - c.F2) * duration * duration / (2 * (c.m1 + c.m2));
   conclude(q, compare(dxC, by_21),
            "certified: dxC/L = %.9f; with the friction of the first interval to the end it would be %.9f", dxC / c.L,
            by_21 / c.L);
-  show(q, "dxC is below (F1-F2) 0.75^2/(2M) = 0.421875: scallop phase --certified%s --columns dxC", options(q, c));
+  show(q, "dxC is below (F1-F2) 0.75^2/(2M) = 0.421875: scallop phase --certified%s --columns dxC",
+       write_options(q, c));
 }
 
 static void contraction_is_opposite(struct question *q, struct scallop_crawler c)
 {
-  const double forth = extension(q, c, 1).v_end - 1, back = contraction(q, c, 1).v_end - 1;
+  const double forth = solve_extension(q, c, 1).v_end - 1, back = solve_contraction(q, c, 1).v_end - 1;
   conclude(q, -(compare(forth, -back) != 0),
            "certified: the velocity changes by %.6f in the extension and by %.6f in the contraction", forth, back);
   show(q, "for p in extension contraction; do scallop phase --v0 1%s --phase $p --columns v0,v_end | tail -n 1; done",
-       options(q, c));
+       write_options(q, c));
 }
 
 /* Steady states */
@@ -114,45 +113,45 @@ static void conclude_steady(struct question *q, struct scallop_crawler c, const 
 {
   conclude(q, verdict, "certified: Froude %.6g, v_start T/L = %.6f, displacement/L = %.6f, modes %s", s->froude,
            s->v_start * c.T / c.L, s->displacement / c.L, s->modes);
-  show(q, "scallop steady --certified%s --columns froude,v_start,displacement,regime,modes", options(q, c));
+  show(q, "scallop steady --certified%s --columns froude,v_start,displacement,regime,modes", write_options(q, c));
 }
 
-/* Body 2 sticks at some time, and body 1 never */
+/* Refuted if body 2 sticks at some time, and body 1 never. */
 static void body_2_sticks(struct question *q, struct scallop_crawler c)
 {
-  const struct solved s = steady(q, c);
+  const struct solved s = solve_steady_state(q, c);
   const char *end = s.modes + strlen(s.modes) - 1;
   const bool body_1 = *s.modes == '0' || strstr(s.modes, " 0"), body_2 = *end == '0' || strstr(s.modes, "0 ");
   conclude_steady(q, c, &s, -(body_2 && !body_1));
 }
 
-/* There is such a motion; at rest, or not */
-static void there_is(struct question *q, struct scallop_crawler c)
+/* The motion has the stated regime, and moves unless at rest. */
+static void has_regime(struct question *q, struct scallop_crawler c)
 {
-  const struct solved s = steady(q, c);
-  const bool moves = compare(s.displacement, 0) != 0, as_said = moves != (q->claim->regime == SCALLOP_AT_REST);
-  conclude_steady(q, c, &s, s.regime != q->claim->regime || !as_said ? 0 : q->claim->shows ? 1 : -1);
+  const struct solved s = solve_steady_state(q, c);
+  const bool moves = compare(s.displacement, 0) != 0, as_stated = moves != (q->claim->regime == SCALLOP_AT_REST);
+  conclude_steady(q, c, &s, s.regime != q->claim->regime || !as_stated ? 0 : q->claim->shows ? 1 : -1);
 }
 
 static void opposes_motion(struct question *q, struct scallop_crawler c)
 {
-  const struct solved s = steady(q, c);
+  const struct solved s = solve_steady_state(q, c);
   conclude_steady(q, c, &s, -(s.regime == SCALLOP_SLIDING && s.v_start < 0 && s.displacement < 0));
 }
 
-/* Both asymmetries, sliding, and no displacement: it is continuous, so where it changes its sign it is 0. */
+/* Both asymmetries, sliding, and no displacement: it is continuous, hence 0 at a change of sign. */
 static void two_asymmetries_suffice(struct question *q, struct scallop_crawler c)
 {
-  const char *others = options(q, c);
+  const char *others = write_options(q, c);
   double F1 = 70, beyond = 94; /* the displacement is positive, and is not */
   for (double x; halfway(&x, F1, beyond);) {
     c.F1 = x;
-    *(steady(NULL, c).displacement > 0 ? &F1 : &beyond) = x;
+    *(solve_steady_state(NULL, c).displacement > 0 ? &F1 : &beyond) = x;
   }
   struct scallop_crawler d = c;
   c.F1 = short_number(F1 * (1 - 1e-10), 12);
   d.F1 = short_number(F1 * (1 + 1e-10), 12);
-  const struct solved s = steady(q, c), t = steady(q, d);
+  const struct solved s = solve_steady_state(q, c), t = solve_steady_state(q, d);
   const bool slide = s.regime == SCALLOP_SLIDING && t.regime == SCALLOP_SLIDING && strcmp(s.modes, t.modes) == 0;
   const bool changes = slide && s.displacement * t.displacement < 0;
   conclude(q, -changes, "certified: displacement/L %.2e at F1 = %.12g, %.2e at %.12g%s%s", s.displacement / c.L, c.F1,
@@ -163,7 +162,7 @@ static void two_asymmetries_suffice(struct question *q, struct scallop_crawler c
        c.F1, d.F1, others);
 }
 
-/* v_start where the change of velocity from rest, v_end, rises or falls with the duration, wherever that is compared */
+/* Sign of v_start if the change of velocity from rest, v_end, rises (or falls) between all durations compared */
 static void where_dvC_changes(struct question *q, struct scallop_crawler c)
 {
   const double *duration = q->claim->data;
@@ -175,21 +174,21 @@ static void where_dvC_changes(struct question *q, struct scallop_crawler c)
     struct scallop_crawler one = c;
     one.alpha = 0.5;
     one.T = 2 * duration[count];
-    dv[count] = extension(q, one, 0).v_end;
+    dv[count] = solve_extension(q, one, 0).v_end;
     changes = changes && (count == 0 || compare(dv[count], dv[count - 1]) == claimed);
   }
-  const struct solved s = steady(q, c);
+  const struct solved s = solve_steady_state(q, c);
   conclude(q, changes && s.displacement > 0 ? claimed * compare(s.v_start, 0) : 0,
            "certified: from duration %g to %g dvC changes by %.6f; v_start T/L = %.6f, displacement/L = %.6f",
            duration[0], duration[1], dv[1] - dv[0], s.v_start * c.T / c.L, s.displacement / c.L);
-  show(q, "scallop steady --certified%s --columns froude,v_start,displacement,regime,modes", options(q, c));
+  show(q, "scallop steady --certified%s --columns froude,v_start,displacement,regime,modes", write_options(q, c));
 }
 
 static void two_regimes(struct question *q, struct scallop_crawler c)
 {
   struct scallop_crawler d = c;
   d.F1 = 40;
-  const struct solved s = steady(q, c), t = steady(q, d);
+  const struct solved s = solve_steady_state(q, c), t = solve_steady_state(q, d);
   const bool both = s.regime == SCALLOP_SLIDING && t.regime == SCALLOP_SLIDING && s.displacement > 0
                     && t.displacement > 0 && s.v_start > 0 && t.v_start < 0;
   conclude(q, both,
@@ -203,11 +202,11 @@ static void kinematic_length(struct question *q, struct scallop_crawler c)
 {
   const char *excess = c.gait == &scallop_gait_sinusoidal ? "l0*lT/(2*(lT - l0)) - pi^2/8*L"
                                                           : "l0*lT/(2*(lT - l0)) - L";
-  conclude(q, is_zero(printed(c, excess).value), "certified: l0 lT/[2 (lT - l0)] = %.12f L",
-           printed(c, "l0*lT/(2*(lT - l0))").value / c.L);
+  conclude(q, is_zero(evaluate_printed(c, excess).value), "certified: l0 lT/[2 (lT - l0)] = %.12f L",
+           evaluate_printed(c, "l0*lT/(2*(lT - l0))").value / c.L);
 }
 
-/* From v0, or from the steady state, whose start velocity goes as 1/T */
+/* From v0, or from the steady state: its start velocity goes as 1/T */
 static void t1_is_small(struct question *q, struct scallop_crawler c)
 {
   static const double T[] = { 1e-10, 1e-20 };
@@ -215,23 +214,23 @@ static void t1_is_small(struct question *q, struct scallop_crawler c)
   double part[2], start = 0;
   for (int i = 0; i < 2; i++) {
     c.T = T[i];
-    start = v0 ? *v0 : steady(q, c).v_start;
-    part[i] = extension(q, c, start).t1 / scallop_phase_duration(&c, SCALLOP_EXTENSION);
+    start = v0 ? *v0 : solve_steady_state(q, c).v_start;
+    part[i] = solve_extension(q, c, start).t1 / scallop_phase_duration(&c, SCALLOP_EXTENSION);
   }
   conclude(q, compare(1e-6 * part[0], part[1]),
            "certified: t1 is %.4g of the duration at T = 1e-10 and %.4g at T = 1e-20", part[0], part[1]);
-  show(q, "scallop phase%s --v0 %.7g --columns T,t1", options(q, c), start);
+  show(q, "scallop phase%s --v0 %.7g --columns T,t1", write_options(q, c), start);
 }
 
 static void exceeds_its_remainder(struct question *q, struct scallop_crawler c)
 {
-  const char *others = options(q, c);
+  const char *others = write_options(q, c);
   static const double T[] = { 1e-10, 1e-20 };
-  double term[2]; /* over the duration squared, which is what the remainder goes as */
+  double term[2]; /* over the duration squared; the remainder goes as this square */
   for (int i = 0; i < 2; i++) {
     c.T = T[i];
     double duration = scallop_phase_duration(&c, SCALLOP_CONTRACTION);
-    term[i] = contraction(q, c, 1).at_first / (duration * duration);
+    term[i] = solve_contraction(q, c, 1).at_first / (duration * duration);
   }
   conclude(q, term[0] > 0 ? compare(fabs(term[1] / term[0] - 1), 1e-6) : 0,
            "certified: the term, x2(t1) - x2(0), is %.6f tau^2 at T = 1e-10 and %.6f tau^2 at 1e-20, tau the duration: "
@@ -243,14 +242,14 @@ static void exceeds_its_remainder(struct question *q, struct scallop_crawler c)
        others);
 }
 
-/* A formula that is printed with "=" and no remainder */
+/* A formula printed with "=" and no remainder */
 static void without_remainder(struct question *q, struct scallop_crawler c)
 {
   const struct scallop_formula *f = formula_named(q->claim->data);
-  const struct printed p = printed(c, f->name);
+  const struct printed_value p = evaluate_printed(c, f->name);
   conclude(q, is_zero(p.error), "certified: %s = %.12f; the formula gives %.12f%s", q->claim->quantity, p.exact,
            p.value, p.error == 0 ? ", the same to 30 digits" : "");
-  show(q, "scallop phase --certified%s --v0 %d --phase %s --columns %s", options(q, c),
+  show(q, "scallop phase --certified%s --v0 %d --phase %s --columns %s", write_options(q, c),
        f->setting != SCALLOP_AT_REST_START, f->setting == SCALLOP_MOVING_CONTRACTION ? "contraction" : "extension",
        q->claim->quantity);
 }
@@ -280,19 +279,19 @@ const struct statement statements_by_example[] = {
 
   { "only_body_1_sticks", "2", "modes", body_2_sticks_for, .test = body_2_sticks },
   { "with_one_body_stuck_that_of_less_friction_moves", "2", "modes", body_2_sticks_for, .test = body_2_sticks },
-  { froude, "2, 5", "displacement", "%s, F1 = 34.9776: sliding", .test = there_is },
-  { froude, "2, 5", "displacement", "%s, T = 6", .test = there_is, .regime = SCALLOP_STICK_SLIP, .outside = true },
-  { froude, "2, 5", "displacement", "%s, T = 14", .test = there_is, .regime = SCALLOP_STICK_SLIP, .outside = true },
-  { "one_degree_of_freedom_can_move", "3, 5", "displacement", "%s", .test = there_is, .shows = true },
-  { "one_degree_of_freedom_can_move", "3, 5", "displacement", "%s, F1 = 300", .test = there_is,
+  { froude, "2, 5", "displacement", "%s, F1 = 34.9776: sliding", .test = has_regime },
+  { froude, "2, 5", "displacement", "%s, T = 6", .test = has_regime, .regime = SCALLOP_STICK_SLIP, .outside = true },
+  { froude, "2, 5", "displacement", "%s, T = 14", .test = has_regime, .regime = SCALLOP_STICK_SLIP, .outside = true },
+  { "one_degree_of_freedom_can_move", "3, 5", "displacement", "%s", .test = has_regime, .shows = true },
+  { "one_degree_of_freedom_can_move", "3, 5", "displacement", "%s, F1 = 300", .test = has_regime,
     .regime = SCALLOP_STICK_SLIP, .shows = true },
   { suffice, "3 (c), abstract", "displacement", "%s, alpha = 0.55; F1 varied", .test = two_asymmetries_suffice },
-  { suffice, "3 (c), abstract", "displacement", "%s, F1 = 1000", .test = there_is, .regime = SCALLOP_AT_REST,
+  { suffice, "3 (c), abstract", "displacement", "%s, F1 = 1000", .test = has_regime, .regime = SCALLOP_AT_REST,
     .outside = true },
   { "the_forces_must_differ_not_the_coefficients", "4.3.3", "displacement", "%s, m1 = 4: F1/m1 = F2/m2",
-    .test = there_is, .shows = true },
+    .test = has_regime, .shows = true },
   { "kinematic_length", "4.3.3", "L_kin", "L_kin = L for the quadratic gait, pi^2 L/8 for the sinusoidal one",
-    .test = kinematic_length, .of_its_gaits_alone = true },
+    .test = kinematic_length, .only_paper_gaits = true },
   { "start_velocity_is_forward_where_dvC_rises", "4.4", "v_start",
     "%s, alpha = 0.51: dvC rises at both durations, 0.51 T and 0.49 T", .test = where_dvC_changes,
     .data = (const double[]){ 0.485, 0.49, 0.51, 0.515, 0 } },

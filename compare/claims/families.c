@@ -1,6 +1,6 @@
-/* Statements about families of crawlers that differ in one number. Somewhere in a family the start velocity vanishes:
- * "the maximum average velocity occurs at the boundary" (sections 4.4 and 5), mean velocity "increases to a maximum and
- * then decays to zero" (section 4.5), and more is said to be extreme there. */
+/* Statements about families of crawlers that differ in one number. One member has start velocity 0: "the maximum
+ * average velocity occurs at the boundary" (sections 4.4 and 5), mean velocity "increases to a maximum and then decays
+ * to zero" (section 4.5), and further quantities are claimed to be extreme there. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,37 +11,36 @@
 
 enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD }; /* F1/F2, by F1; F2, with F1/F2 kept; T */
 
-struct place { /* speed: mean velocity in L/T, T of the family's crawler; nan where there is no steady state */
+struct place { /* speed: mean velocity in L/T, T of the family's crawler; nan without a steady state */
   double x, speed, v_start;
   bool sliding;
 };
 
-enum { PLACES_MOST = 1150, PEAKS_MOST = 6, SHORT = 6 };
+enum { MAX_PLACES = 1150, MAX_PEAKS = 6, SHORT_DIGITS = 6 };
 
 struct family {
   struct scallop_crawler crawler;
   enum varied varied;
   int count;
-  struct place scan[PLACES_MOST]; /* from the smallest x; in doubles                                         */
-  /* Where v_start vanishes, in the first place from the left; nan: nowhere. found: it is proven to be positive at
-   * boundary (1 - 2^-60) and not to be at boundary (1 + 2^-60). before, after: the certified derivative of speed by ln
-   * x between (1 - 2^-39) and (1 - 2^-40), and between (1 + 2^-40) and (1 + 2^-39); speed: at the latter */
+  struct place scan[MAX_PLACES]; /* from the smallest x; in doubles */
+  /* x at the first zero of v_start; nan: it has no zero. found: v_start is proven to be positive at boundary (1 -
+   * 2^-60) and not positive at boundary (1 + 2^-60). before, after: the certified derivative of speed by ln x between
+   * (1 - 2^-39) and (1 - 2^-40), and between (1 + 2^-40) and (1 + 2^-39); speed: at (1 + 2^-40) */
   double boundary, before, after, speed;
   bool found;
-  int maxima, highest; /* local maxima of speed that are proven to be higher than 1 % to either side */
-  struct place maximum[PEAKS_MOST];
+  int maxima, highest; /* local maxima of speed, proven to be higher than 1 % to either side */
+  struct place maximum[MAX_PEAKS];
 };
 
-/* What conditions say of it; x, speed, and the parameters that vary, as columns and as printf(1) takes them */
+/* Words of the conditions; x, speed, and the parameters that vary, as columns and for printf(1) */
 static const struct {
-  const char *said, *x, *speed, *columns, *names;
+  const char *condition, *x, *speed, *columns, *names;
 } texts[] = {
   [VARY_RATIO] = { "F1/F2", "F1/F2", "<U> T/L", "F1", "F1\\n" },
   [VARY_FORCES] = { "F1 and F2 together", "F2", "<U> T/L", "F1,F2", "F1\\tF2\\n" },
   [VARY_PERIOD] = { "T alone", "T", "<U> T0/L", "T", "T\\n" },
 };
 
-/* Does the number at this place among the crawler's? */
 static bool varies(const struct family *f, int place)
 {
   return strstr(texts[f->varied].columns, crawler_parameters[place]) != NULL;
@@ -63,7 +62,7 @@ static struct scallop_crawler member(const struct family *f, double x)
 
 static struct place place_at(const struct family *f, double x)
 {
-  const struct solved s = steady(NULL, member(f, x));
+  const struct solved s = solve_steady_state(NULL, member(f, x));
   const double speed = s.mean_velocity * f->crawler.T / f->crawler.L;
   return (struct place){ x, speed, s.v_start, isfinite(speed) && s.regime == SCALLOP_SLIDING };
 }
@@ -78,7 +77,7 @@ static void scan(struct family *f)
   double x = f->varied == VARY_RATIO    ? 1.01
              : f->varied == VARY_FORCES ? M_L / (c->T * c->T) / (1 + c->F1 / c->F2)
                                         : sqrt(M_L / (c->F1 + c->F2));
-  f->count = f->varied == VARY_RATIO ? 900 : f->varied == VARY_FORCES ? PLACES_MOST : PLACES_MOST / 2;
+  f->count = f->varied == VARY_RATIO ? 900 : f->varied == VARY_FORCES ? MAX_PLACES : MAX_PLACES / 2;
   for (int i = 0; i < f->count; i++, x *= 1.01)
     f->scan[i] = place_at(f, x);
   f->boundary = NAN;
@@ -95,12 +94,12 @@ static void scan(struct family *f)
 
 static double velocity(struct question *q, const struct family *f, double x)
 {
-  return steady(q, member(f, x)).mean_velocity;
+  return solve_steady_state(q, member(f, x)).mean_velocity;
 }
 
 static void find_maxima(struct family *f, struct question *q)
 {
-  for (int i = 1; i + 1 < f->count && f->maxima < PEAKS_MOST; i++) {
+  for (int i = 1; i + 1 < f->count && f->maxima < MAX_PEAKS; i++) {
     if (!(f->scan[i].speed > f->scan[i - 1].speed && f->scan[i].speed > f->scan[i + 1].speed))
       continue;
     const double low = f->scan[i - 1].x, high = f->scan[i + 1].x;
@@ -114,7 +113,7 @@ static void find_maxima(struct family *f, struct question *q)
   }
 }
 
-/* The steady state of the member at boundary root (1 + side 2^-bits) */
+/* Solves the steady state of the member at boundary root (1 + side 2^-bits). */
 static bool solve_beside(struct ball_answer *a, const struct family *f, const fmpq_t root, slong side, ulong bits)
 {
   const struct scallop_crawler at = member(f, f->boundary);
@@ -131,7 +130,7 @@ static bool solve_beside(struct ball_answer *a, const struct family *f, const fm
   return answer_in_balls(a, &c, OF_STEADY, SCALLOP_EXTENSION, NULL, EVIDENCE_DIGITS);
 }
 
-/* d speed/d ln x on one side of the root, between the members 2^-39 and 2^-40 from it */
+/* Sets slope to d speed/d ln x on one side of the root, between the members 2^-39 and 2^-40 from it. */
 static bool slope_beside(double *slope, struct ball_answer *far, struct ball_answer *near, const struct family *f,
                          const fmpq_t root, slong side)
 {
@@ -140,11 +139,11 @@ static bool slope_beside(double *slope, struct ball_answer *far, struct ball_ans
     return false;
   arb_sub(rise, far->value[Q_MEAN_VELOCITY], near->value[Q_MEAN_VELOCITY], EVIDENCE_BITS);
   arb_mul_2exp_si(rise, rise, 40);
-  *slope = certain(rise) * (double)side * f->crawler.T / f->crawler.L;
+  *slope = round_certified(rise) * (double)side * f->crawler.T / f->crawler.L;
   return true;
 }
 
-/* The boundary in doubles is refined, by the zero of the line through the two members before it. */
+/* Refines the boundary in doubles, by the zero of the line through the two members before it, and proves it. */
 static void prove_boundary(struct family *f)
 {
   SCOPED(ball_answer, far, near);
@@ -152,23 +151,23 @@ static void prove_boundary(struct family *f)
   fmpq_one(root);
   if (isnan(f->boundary) || !slope_beside(&f->before, &far, &near, f, root, -1))
     return;
-  const double v_far = certain(far.value[Q_V_START]), v_near = certain(near.value[Q_V_START]);
+  const double v_far = round_certified(far.value[Q_V_START]), v_near = round_certified(near.value[Q_V_START]);
   scallop_rational_set_double(step, v_near / (v_far - v_near) - 1);
   fmpq_div_2exp(step, step, 40);
   fmpq_add(root, root, step);
   if (!slope_beside(&f->after, &far, &near, f, root, 1))
     return;
-  f->speed = certain(near.value[Q_MEAN_VELOCITY]) * f->crawler.T / f->crawler.L;
+  f->speed = round_certified(near.value[Q_MEAN_VELOCITY]) * f->crawler.T / f->crawler.L;
   f->found = solve_beside(&far, f, root, -1, 60) && arb_is_positive(far.value[Q_V_START])
              && solve_beside(&near, f, root, 1, 60) && arb_is_nonpositive(near.value[Q_V_START]);
 }
 
-/* The family of a row. Others of it come later: the last ones are kept. */
+/* Returns the family of a row. Later rows need it again: the last family of each kind is kept. */
 static const struct family *survey(struct question *q, struct scallop_crawler c)
 {
   static struct family kept[VARY_PERIOD + 1];
   enum varied varied = VARY_RATIO;
-  while (!strstr(q->claim->conditions, texts[varied].said))
+  while (!strstr(q->claim->conditions, texts[varied].condition))
     varied++;
   struct family *f = &kept[varied];
   if (f->count == 0 || !same_crawler(&f->crawler, &c)) {
@@ -181,7 +180,7 @@ static const struct family *survey(struct question *q, struct scallop_crawler c)
   return f;
 }
 
-/* Where T is varied, speeds are in L/T0. */
+/* Speeds are in L/T0 if T varies. */
 static const char *unit_of_speed(const struct family *f)
 {
   static char text[32];
@@ -189,14 +188,14 @@ static const char *unit_of_speed(const struct family *f)
   return f->varied == VARY_PERIOD ? text : "";
 }
 
-/* A command that prints the members at x */
+/* Shows a command that prints the members at x; does nothing without a boundary. */
 static void show_members(struct question *q, const struct family *f, const double *x, int count, const char *what,
                          const char *quantities)
 {
   const struct scallop_crawler usual = scallop_crawler_default();
   struct scallop_crawler others = f->crawler;
   char rows[240] = "";
-  if (isnan(x[0])) /* there is no boundary */
+  if (isnan(x[0]))
     return;
   for (int k = 0; k < count; k++)
     for (int i = 0, cells = 0; i < CRAWLER_NUMBERS; i++)
@@ -206,7 +205,7 @@ static void show_members(struct question *q, const struct family *f, const doubl
         append(rows, sizeof rows, "%s%.10g", cells++ > 0 ? "\\t" : k > 0 ? "\\n" : "", crawler_number(&c, i));
       }
   show(q, "%s: printf '%s%s\\n' | scallop steady --points -%s --columns %s,%s", what, texts[f->varied].names, rows,
-       options(q, others), texts[f->varied].columns, quantities);
+       write_options(q, others), texts[f->varied].columns, quantities);
 }
 
 /* Statements */
@@ -220,7 +219,7 @@ static void changes_sign(struct question *q, struct scallop_crawler c)
   show(q, "no change of sign was proven");
 }
 
-/* Proven: mean velocity rises up to the boundary and falls behind, and is nowhere in the scan higher. Refuted: it is
+/* Proven: mean velocity rises up to the boundary and falls beyond it; no higher value is in the scan. Refuted: it is
  * higher on the highest peak, or at the first point. */
 static void peaks_at_boundary(struct question *q, struct scallop_crawler c)
 {
@@ -228,7 +227,7 @@ static void peaks_at_boundary(struct question *q, struct scallop_crawler c)
   const char *speed = texts[f->varied].speed;
   const struct place *peak = &f->maximum[f->highest];
   const struct place top = f->maxima > 0 && peak->speed > f->scan[0].speed ? *peak : f->scan[0];
-  const double x[] = { short_number(f->boundary, SHORT), short_number(top.x, SHORT) };
+  const double x[] = { short_number(f->boundary, SHORT_DIGITS), short_number(top.x, SHORT_DIGITS) };
   const bool peaks = f->maxima > 0 && fabs(peak->x / f->boundary - 1) < 1e-5;
   const bool proven = f->found && f->before > 0 && f->after < 0 && peaks;
   q->by = proven ? MEASURED : CERTIFIED_CRAWLER; /* by the scan */
@@ -240,11 +239,11 @@ static void peaks_at_boundary(struct question *q, struct scallop_crawler c)
   show_members(q, f, x, 2, "mean_velocity is lower at the boundary, the first row", "mean_velocity");
 }
 
-/* Not if there are several: the last two are shown, with the lowest place between them. */
+/* Refuted by several maxima: the last two are shown, with the lowest place between them. */
 static void has_one_maximum(struct question *q, struct scallop_crawler c)
 {
   const struct family *f = survey(q, c);
-  char list[PEAKS_MOST * 32] = "";
+  char list[MAX_PEAKS * 32] = "";
   for (int i = 0; i < f->maxima; i++)
     append(list, sizeof list, "%s %.6f at %.4g", i > 0 ? "," : "", f->maximum[i].speed, f->maximum[i].x);
   conclude(q, f->maxima == 1 ? 1 : -(f->maxima > 1), "certified maxima of <U> T/L: %d;%s", f->maxima, list);
@@ -255,11 +254,12 @@ static void has_one_maximum(struct question *q, struct scallop_crawler c)
   for (int i = 0; i < f->count; i++)
     if (f->scan[i].x > first && f->scan[i].x < second && f->scan[i].speed < low.speed)
       low = f->scan[i];
-  const double x[] = { short_number(first, SHORT), short_number(low.x, SHORT), short_number(second, SHORT) };
+  const double x[] = { short_number(first, SHORT_DIGITS), short_number(low.x, SHORT_DIGITS),
+                       short_number(second, SHORT_DIGITS) };
   show_members(q, f, x, 3, "mean_velocity falls and rises again", "mean_velocity");
 }
 
-/* The two places behind the onset of sticking between which the mean velocity rises most; false: it never rises. */
+/* Finds the two places beyond the onset of sticking between which mean velocity rises most; false: it never rises. */
 static bool largest_rise(const struct family *f, double x[2])
 {
   int i = 0;
@@ -270,8 +270,8 @@ static bool largest_rise(const struct family *f, double x[2])
     low = at->speed < low->speed ? at : low;
     if (at->speed - low->speed > most) {
       most = at->speed - low->speed;
-      x[0] = short_number(low->x, SHORT);
-      x[1] = short_number(at->x, SHORT);
+      x[0] = short_number(low->x, SHORT_DIGITS);
+      x[1] = short_number(at->x, SHORT_DIGITS);
     }
   }
   return most > 0;
@@ -293,12 +293,12 @@ static void decays_once_sticking(struct question *q, struct scallop_crawler c)
   show_members(q, f, x, 2, "mean_velocity rises, in stick-slip", "mean_velocity");
 }
 
-/* Solves members before the boundary, at it and behind it, 1 % apart. Does v_start change its sign? */
+/* Solves members before the boundary, at it and beyond it, 1 % apart. True: v_start changes its sign. */
 static bool pass_boundary(struct question *q, const struct family *f, double x[3], struct solved s[3])
 {
   for (int i = 0; i < 3; i++) {
-    x[i] = short_number(f->boundary * (0.99 + 0.01 * i), SHORT);
-    s[i] = steady(q, member(f, x[i]));
+    x[i] = short_number(f->boundary * (0.99 + 0.01 * i), SHORT_DIGITS);
+    s[i] = solve_steady_state(q, member(f, x[i]));
   }
   return s[0].v_start > 0 && s[2].v_start < 0;
 }
@@ -324,15 +324,15 @@ void contraction_loses_least(struct question *q, struct scallop_crawler c)
   double x[3], forth[3], back[3];
   bool crosses = pass_boundary(q, f, x, s);
   for (int i = 0; i < 3; i++) {
-    forth[i] = extension(q, member(f, x[i]), s[i].v_start).dxC / c.L;
-    back[i] = contraction(q, member(f, x[i]), s[i].v_mid).dxC / c.L;
+    forth[i] = solve_extension(q, member(f, x[i]), s[i].v_start).dxC / c.L;
+    back[i] = solve_contraction(q, member(f, x[i]), s[i].v_mid).dxC / c.L;
   }
   conclude(q, crosses ? compare(back[1], fmax(back[0], back[2])) : 0,
            "certified: dxC/L of the contraction is %.6f, %.6f, %.6f there; of the extension %.6f, %.6f, %.6f", back[0],
            back[1], back[2], forth[0], forth[1], forth[2]);
   if (!isnan(f->boundary))
     show(q, "dxC of the contraction at the boundary: scallop phase --phase contraction%s --v0 %.6g --columns dxC",
-         options(q, member(f, x[1])), s[1].v_mid);
+         write_options(q, member(f, x[1])), s[1].v_mid);
 }
 
 #define BY_RATIO "%s; F1/F2 from 1.01 to 7838 by 1 %%"
@@ -341,7 +341,7 @@ void contraction_loses_least(struct question *q, struct scallop_crawler c)
 static const char changes[] = "start_velocity_changes_sign", peaks[] = "mean_velocity_peaks_where_v_start_is_0";
 static const char decays[] = "mean_velocity_decays_once_sticking_begins", speed[] = "mean velocity";
 
-/* Only of F1/F2 does the paper say without restriction to sliding that it decays. */
+/* The paper claims a decay without restriction to sliding for F1/F2 alone. */
 const struct statement statements_of_families[] = {
   { changes, "4.4", "v_start", BY_RATIO, .test = changes_sign },
   { peaks, "4.4", speed, BY_RATIO, .test = peaks_at_boundary },

@@ -1,5 +1,5 @@
 /* Statements about the figures and the steady state: one extension against its duration (figure 4), mean velocity
- * against F1/F2, alpha and T (figure 5), (27) for which alpha, and when the steady state is reached. */
+ * against F1/F2, alpha and T (figure 5), range of alpha for (27), and number of periods to the steady state. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -14,12 +14,12 @@ static const double ratios[] = { 2, 10, 40 };
 static struct solved extension_at(struct scallop_crawler c, double T)
 {
   c.T = T;
-  return extension(NULL, c, 0);
+  return solve_extension(NULL, c, 0);
 }
 
 static double minus_v_end(void *c, double T) { return -extension_at(*(struct scallop_crawler *)c, T).v_end; }
 
-/* The least d(dxC) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking */
+/* Returns the least d(dxC) over d((F1-F2)T^2/(2M)) from one duration to the next, up to sticking. */
 static double least_growth(const struct scallop_crawler *c)
 {
   enum { STEPS = 400 };
@@ -60,19 +60,18 @@ static void velocity_change_peaks(struct question *q, struct scallop_crawler c)
            "dvC peaks at %.6f, %.6f, %.6f of the duration at which sticking begins", x[0], x[1], x[2]);
 }
 
-/* Of the displacement of an extension from v0, between two periods */
-struct fall {
+struct fall { /* decrease of the displacement of an extension from v0, between two periods */
   double size, v0, F1, T[2];
 };
 
-/* The largest one, T from 0.05 on by 2 % */
+/* Sets fall to the largest decrease, if larger; T from 0.05 by 2 % */
 static void find_fall(struct fall *fall, struct scallop_crawler c, double v0)
 {
   enum { PERIODS = 260 };
   double most = -INFINITY, at = 0.05;
   c.T = at;
   for (int i = 0; i < PERIODS; i++, c.T *= 1.02) {
-    double x = extension(NULL, c, v0).dxC / c.L;
+    double x = solve_extension(NULL, c, v0).dxC / c.L;
     if (most - x > fall->size)
       *fall = (struct fall){ most - x, v0, c.F1, { short_number(at, 4), short_number(c.T, 4) } };
     if (x > most) {
@@ -100,7 +99,7 @@ static void never_falls(struct question *q, struct scallop_crawler c)
   c.F1 = fall.F1;
   for (int i = 0; i < 2; i++) {
     c.T = fall.T[i];
-    dxC[i] = extension(q, c, fall.v0).dxC / c.L;
+    dxC[i] = solve_extension(q, c, fall.v0).dxC / c.L;
     duration[i] = scallop_phase_duration(&c, SCALLOP_EXTENSION);
   }
   conclude(q, compare(dxC[1], dxC[0]),
@@ -110,7 +109,7 @@ static void never_falls(struct question *q, struct scallop_crawler c)
   show(q,
        "dxC falls from the first row to the second: printf 'T\\n%.4g\\n%.4g\\n' | scallop phase --points - --F1 %.6g "
        "--v0 %.6g%s --columns T,dxC",
-       fall.T[0], fall.T[1], fall.F1, fall.v0, options(q, q->crawler));
+       fall.T[0], fall.T[1], fall.F1, fall.v0, write_options(q, q->crawler));
 }
 
 /* Figure 5 */
@@ -118,7 +117,7 @@ static void never_falls(struct question *q, struct scallop_crawler c)
 static void vanishes_at_ratio_1(struct question *q, struct scallop_crawler c)
 {
   c.F1 = c.F2;
-  const int zero = is_zero(steady(q, c).mean_velocity);
+  const int zero = is_zero(solve_steady_state(q, c).mean_velocity);
   conclude(q, zero, "|mean velocity| T/L at F1/F2 = 1: %s 1e-14", zero > 0 ? "below" : "above");
 }
 
@@ -128,7 +127,7 @@ static void vanishes_at_large_ratio(struct question *q, struct scallop_crawler c
   double v[3];
   for (int i = 0; i < 3; i++) {
     c.F1 = large[i] * c.F2;
-    v[i] = steady(q, c).mean_velocity * c.T / c.L;
+    v[i] = solve_steady_state(q, c).mean_velocity * c.T / c.L;
   }
   conclude(q, is_zero(v[2]), "mean velocity T/L at F1/F2 = 1e2, 1e4, 1e6: %.3g, %.3g, %.3g", v[0], v[1], v[2]);
 }
@@ -139,7 +138,7 @@ static void grows_with_alpha(struct question *q, struct scallop_crawler c)
   q->by = MEASURED;
   for (int i = 50; i < 100; i++) {
     c.alpha = i / 100.0;
-    double v = steady(q, c).mean_velocity * c.T / c.L;
+    double v = solve_steady_state(q, c).mean_velocity * c.T / c.L;
     if (v - before < least) {
       least = v - before;
       at = c.alpha;
@@ -158,7 +157,7 @@ static void goes_as_1_over_T(struct question *q, struct scallop_crawler c)
   int count = POINTS;
   q->by = MEASURED;
   for (int k = 0; k < POINTS; k++, c.T /= 2) {
-    double v = steady(q, c).mean_velocity;
+    double v = solve_steady_state(q, c).mean_velocity;
     points[k] = (struct scallop_order_point){ .h = c.T, .err = v, .noise = 8 * DBL_EPSILON * fabs(v) };
   }
   scallop_order(points, &count, &wanted, &q->row.fit);
@@ -171,10 +170,10 @@ static void goes_as_1_over_T(struct question *q, struct scallop_crawler c)
 
 static double velocity_by_27(struct scallop_crawler c, bool mirrored)
 {
-  return mirrored ? -velocity_by_27(exchanged(c), false) : printed(c, "eq27_v_start").value;
+  return mirrored ? -velocity_by_27(exchange_bodies(c), false) : evaluate_printed(c, "eq27_v_start").value;
 }
 
-/* alpha in hundredths, by 8 from what the conditions say; the fourth is named. In a mirror bodies are exchanged. */
+/* alpha in hundredths, seven by steps of 8 from the start in the conditions; the summary has the fourth */
 static void in_the_limit(struct question *q, struct scallop_crawler c)
 {
   const bool mirrored = strstr(q->claim->name, "mirrored");
@@ -182,7 +181,7 @@ static void in_the_limit(struct question *q, struct scallop_crawler c)
   double largest = 0, at = 0, shown = 0;
   for (int i = first; i <= first + 48; i += 8) {
     c.alpha = i / 100.;
-    const double error = velocity_by_27(c, mirrored) / steady(q, c).v_start - 1;
+    const double error = velocity_by_27(c, mirrored) / solve_steady_state(q, c).v_start - 1;
     if (i == named)
       shown = error;
     if (!(fabs(error) <= fabs(largest))) {
@@ -198,17 +197,17 @@ static void in_the_limit(struct question *q, struct scallop_crawler c)
   } else
     conclude(q, -1, "relative error, certified: %.6f at alpha = %.2f, largest %.6f at alpha = %.2f", shown,
              named / 100., largest, at);
-  q->crawler.T = scallop_crawler_default().T; /* the command has its own */
+  q->crawler.T = scallop_crawler_default().T; /* the command sets T */
   if (q->of_the_paper)
     show(q, "published against exact: scallop series --T 1e-6 --alpha %.2f%s | grep '^eq27_v_start.(27)'", named / 100.,
-         options(q, q->crawler));
+         write_options(q, q->crawler));
 }
 
 /* The steady state */
 
 static void is_reached(struct question *q, struct scallop_crawler c)
 {
-  const double multiplier = steady(q, c).multiplier;
+  const double multiplier = solve_steady_state(q, c).multiplier;
   if (multiplier == 0)
     conclude(q, 1, "certified multiplier 0; from rest the velocity is the steady one after %d period",
              periods_from_rest(&c, 1e-15, 1000));
@@ -217,7 +216,7 @@ static void is_reached(struct question *q, struct scallop_crawler c)
              "certified multiplier %.10f > 0: the distance shrinks by that and is never 0; within 1e-6 L/T after %d "
              "periods",
              multiplier, periods_from_rest(&c, 1e-6, 1000));
-  show(q, "the multiplier is not 0: scallop steady --certified%s --columns multiplier", options(q, c));
+  show(q, "the multiplier is not 0: scallop steady --certified%s --columns multiplier", write_options(q, c));
 }
 
 static const char grows[] = "displacement_grows_with_duration", reached[] = "steady_state_is_reached";
@@ -234,16 +233,16 @@ const struct statement statements_of_figures[] = {
   { limit, "(27)", "v_start", "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08", .test = in_the_limit },
   { "eq27_v_start_mirrored_in_the_limit", "(27)", "v_start",
     "%s, T = 1e-20, alpha from 0.01 to 0.49 by 0.08; with F1 m1 and F2 m2 exchanged below the line",
-    .test = in_the_limit, .of_its_crawler = true },
+    .test = in_the_limit, .only_paper_crawler = true },
   { grows, "4.4", "dxC", "%s, F1/F2 = 2, 4, 10, 40, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
-    .test = never_falls, .data = (const double[]){ 2, 4, 10, 40, 0 }, .outside = true, .of_its_crawler = true },
+    .test = never_falls, .data = (const double[]){ 2, 4, 10, 40, 0 }, .outside = true, .only_paper_crawler = true },
   { grows, "4.4", "dxC", "%s, F1/F2 = 1/4, 1/2, from v0 = 0.5, 1, 2, 5, 10, 20; T from 0.05 to 8.4 by 2 %%",
-    .test = never_falls, .data = (const double[]){ 0.25, 0.5, 0 }, .outside = true, .of_its_crawler = true },
+    .test = never_falls, .data = (const double[]){ 0.25, 0.5, 0 }, .outside = true, .only_paper_crawler = true },
   { "steady_state_is_unique", "5", "v_start", "l' continuous, any masses, forces > 0 and alpha", .test = at_random,
-    .data = &steady_state_is_unique, .proven = true, .of_its_crawler = true },
+    .data = &steady_state_is_unique, .proven = true, .only_paper_crawler = true },
   { reached, "5", "v", "%s, T = 2, from rest; read as: after finitely many periods", .test = is_reached,
-    .of_its_crawler = true },
+    .only_paper_crawler = true },
   { reached, "5", "v", "%s, T = 4, from rest; read as: after finitely many periods", .test = is_reached,
-    .of_its_crawler = true },
+    .only_paper_crawler = true },
   { .name = NULL },
 };

@@ -1,5 +1,5 @@
-/* The claims "... + O(T^n)": decided by the derived expansion, and measured with the certified solver as T falls. The
- * claims are the rows of asymptotics' lists of formulas, each under every condition of its setting. */
+/* Claims "... + O(T^n)": decided by the derived expansion, and measured with the certified solver as T decreases. They
+ * are the rows of asymptotics' lists of formulas, each under every condition of its setting. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -29,8 +29,8 @@ static const struct condition conditions[] = {
 };
 enum { CONDITIONS = sizeof conditions / sizeof *conditions, AT_END = CONDITIONS - 1 };
 
-/* Claims that no text of asymptotics stands for: that x1(t1) is of order 2; the limit of the steady state as it is
- * derived; and l' and l near the end of an extension, h = T before it */
+/* Claims without a row in asymptotics: x1(t1) is of order 2; the derived limit of the steady state; l' and l near the
+ * end of an extension, at the time h = T before it */
 static const struct scallop_formula size_of_first_switch = {
   "eqA7_x1_first_switch_size", "(A.7)", SCALLOP_MOVING_EXTENSION, SCALLOP_REAR_AT_FIRST, 2, .text = "0"
 };
@@ -47,20 +47,19 @@ static const struct scallop_formula ends[] = {
     .when = when },
 };
 
-/* A formula that is not the paper's, and is for an extension, has rows about contractions too, the bodies exchanged;
- * any formula may be seen in a mirror, where the bodies have exchanged their roles. */
+/* Names the row. A formula of ours for an extension also has rows for contractions, with the bodies exchanged; any
+ * formula may be mirrored. */
 static void name_row(char name[CLAIM_NAME], const struct scallop_formula *f, bool of_contraction, bool mirrored)
 {
   snprintf(name, CLAIM_NAME, "%s%s%s", f->name, of_contraction ? ":contraction" : "", mirrored ? ":mirrored" : "");
 }
 
-/* One gait's part of the table of claims while it is filled */
+/* Rows of one gait, and their motions */
 struct part {
   const struct scallop_rational_crawler *crawler; /* with the gait                                */
   const char *only;                               /* the requested rows, NULL for all             */
   struct claim_table *claims;
-  /* Each motion is solved once, and serves all the formulas about it; [1]: in a mirror */
-  struct trial trial[CONDITIONS][2];
+  struct trial trial[CONDITIONS][2]; /* each motion is solved once for all its formulas; [1]: mirrored */
 };
 
 static struct trial *solve(struct part *part, const struct condition *condition, bool mirrored)
@@ -71,18 +70,17 @@ static struct trial *solve(struct part *part, const struct condition *condition,
   return trial;
 }
 
-/* Does a body turn in both phases of the limit? Seen in a mirror if the condition is reversed. */
+/* Returns the phases of the limit in which a body turns; mirrored if the condition is reversed. */
 static enum scallop_turns turns_in_limit(struct part *part, const struct condition *condition)
 {
   const struct trial *trial = solve(part, condition, condition->reversed);
   return turns_in_modes(trial->series.status == SCALLOP_OK ? trial->series.modes : "");
 }
 
-/* The paper's formulas for the steady state are for a gait of constant acceleration, half of each phase up and half of
- * it down. */
+/* The paper's formulas for the steady state assume constant |l''|, with opposite signs in the halves of each phase. */
 static bool has_closed_limit(const struct part *part) { return part->crawler->gait == &scallop_gait_quadratic; }
 
-/* What holds where the formula may not */
+/* Names the formula to use if f is refuted. */
 static void name_correction(char name[CLAIM_NAME], struct part *part, const struct scallop_formula *f,
                             const struct condition *condition)
 {
@@ -104,7 +102,7 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
   bool steady = f->setting == SCALLOP_STEADY, contraction = condition->kind == SCALLOP_CONTRACTION;
   struct claim_row row = row_of_formula(f, part->crawler->gait, condition);
   row.source = of_paper && !mirrored ? OF_PAPER : OF_CORRECTED;
-  if (mirrored) /* the other body is the one that turns */
+  if (mirrored) /* the other body turns */
     row.quantity = formula_quantity_text(f, contraction ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION);
   if (condition->at_end)
     row.quantity = f->quantity == SCALLOP_REAR_AT_END ? "l'(T-h)" : "l(T-h)";
@@ -121,62 +119,61 @@ static void add_row(struct part *part, const struct scallop_formula *f, const st
   claim_table_decide(part->claims, &row, trial, f, trial->series.status == SCALLOP_OK ? NULL : "");
 }
 
-/* Is the formula for such a motion? One of ours for an extension is for a contraction too. */
+/* Returns true if the formula applies to the motion. A formula of ours for an extension applies to a contraction too.
+ * The paper's only other condition is F1 = F2. */
 static bool is_for(const struct scallop_formula *f, const struct condition *condition, bool ours)
 {
   bool turns_over = ours && f->setting == SCALLOP_MOVING_EXTENSION && condition->setting == SCALLOP_MOVING_CONTRACTION;
-  /* the paper's only other condition is F1 = F2 */
   return (condition->setting == f->setting || turns_over) && condition->equal_forces == (f->when != NULL);
 }
 
-/* A formula under all conditions that it is for; `turned`: only where the bodies' roles are reversed, in a mirror;
- * corrected: one of ours that takes the place of another, where it claims to hold, there in a mirror too. */
-enum seen { AS_IT_STANDS, TURNED, CORRECTED };
+/* Form of a formula: unchanged, under all its conditions; mirrored, under the reversed ones; or a formula of ours in
+ * place of another, under all its conditions, mirrored under the reversed ones. */
+enum form { UNCHANGED, MIRRORED, CORRECTED };
 
-static void add_formula(struct part *part, const struct scallop_formula *f, enum seen seen)
+static void add_formula(struct part *part, const struct scallop_formula *f, enum form form)
 {
-  bool of_paper = f->text && seen != CORRECTED;
-  if (f->remainder == 0 && seen != CORRECTED)
+  bool of_paper = f->text && form != CORRECTED;
+  if (f->remainder == 0 && form != CORRECTED)
     return;
   for (const struct condition *c = conditions; c < conditions + AT_END; c++)
-    if (is_for(f, c, seen == CORRECTED) && (seen != TURNED || c->reversed))
-      add_row(part, f, c, of_paper, seen != AS_IT_STANDS && c->reversed);
+    if (is_for(f, c, form == CORRECTED) && (form != MIRRORED || c->reversed))
+      add_row(part, f, c, of_paper, form != UNCHANGED && c->reversed);
 }
 
 static void fill(struct part *part)
 {
   for (const struct scallop_formula *f = scallop_published; f->name; f++) {
-    add_formula(part, f, AS_IT_STANDS);
+    add_formula(part, f, UNCHANGED);
     if (strcmp(f->name, "eqA7_x1_first_switch") == 0)
-      add_formula(part, &size_of_first_switch, AS_IT_STANDS);
+      add_formula(part, &size_of_first_switch, UNCHANGED);
   }
   for (int i = 0; i < 3; i++)
     add_row(part, &ends[i], &conditions[AT_END], i < 2, false);
   for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
     if (f->setting != SCALLOP_STEADY || has_closed_limit(part))
       add_formula(part, f, CORRECTED);
-  add_formula(part, &limits[0], AS_IT_STANDS);
-  add_formula(part, &limits[1], AS_IT_STANDS);
+  add_formula(part, &limits[0], UNCHANGED);
+  add_formula(part, &limits[1], UNCHANGED);
   for (const struct scallop_formula *f = scallop_published; f->name; f++)
     if (!f->corrected && (f->setting != SCALLOP_STEADY || has_closed_limit(part)))
-      add_formula(part, f, TURNED);
+      add_formula(part, f, MIRRORED);
 }
 
-/* Every row from `first` on that is refuted names a formula in its place, whose row for the same conditions holds; if
- * not, that is noted. */
+/* Records a contradiction unless every refuted row from `first` on names a formula that has a row for the same
+ * conditions, and it holds. */
 static void check_corrections(struct claim_table *claims, int first)
 {
   for (int i = first; i < claims->count; i++) {
     const struct claim_row *wrong = &claims->rows[i];
-    bool stands = wrong->verdict != CLAIM_REFUTED;
-    for (int j = first; j < claims->count && !stands; j++) {
+    bool replaced = wrong->verdict != CLAIM_REFUTED;
+    for (int j = first; j < claims->count && !replaced; j++) {
       const struct claim_row *row = &claims->rows[j];
-      stands = row->verdict <= CLAIM_SHARPER && strcmp(row->claim, wrong->corrected) == 0
-               && strcmp(row->conditions, wrong->conditions) == 0;
+      replaced = row->verdict <= CLAIM_SHARPER && strcmp(row->claim, wrong->corrected) == 0
+                 && strcmp(row->conditions, wrong->conditions) == 0;
     }
-    if (!stands)
-      claim_table_contradict(claims, wrong, "'%s', which is to take its place, has no row that holds",
-                             wrong->corrected);
+    if (!replaced)
+      claim_table_contradict(claims, wrong, "its correction, '%s', has no row that holds", wrong->corrected);
   }
 }
 

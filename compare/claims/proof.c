@@ -1,4 +1,4 @@
-/* What a formula leaves out, the derived expansion minus the formula, by numbers and in names; and the verdict. */
+/* Error of a formula, the derived expansion minus the formula, in numbers and in symbols; and the verdict. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -10,17 +10,17 @@
 #include "compare/points/point_flint.h"
 #include "compare/text/progress.h"
 
-enum { MANY_TERMS = 48, PRECISION = 1400, MOST_OF_EQUALITY = 11, DIGITS = 12 };
+enum { MANY_TERMS = 48, PRECISION = 1400, MAX_POWER_OF_EQUALITY = 11, DIGITS = 12 };
 
 struct proof {
-  struct claim_row *row; /* which gets the order: of the first coefficient that is not exactly 0                    */
+  struct claim_row *row; /* derived_order: of the first coefficient that is not exactly 0 */
   struct trial *m;
   const struct scallop_formula *f;
   struct series *left_out;
-  slong general;             /* that order for all parameters with these modes; the row's where that is not known   */
-  bool for_all;              /* general is known, and the row's                                                     */
-  slong for_all_below;       /* where nothing was found: lower coefficients vanish for all parameters; 0: not known */
-  char why[FORMULA_MESSAGE]; /* there is no expansion: what a series cannot do                                      */
+  slong general;             /* order for all parameters with these modes; if unknown, the row's */
+  bool for_all;              /* general is known, and equals the row's */
+  slong for_all_below;       /* coefficients below this power vanish for all parameters; 0: unknown */
+  char why[FORMULA_MESSAGE]; /* reason why the formula has no expansion */
 };
 
 __attribute__((format(printf, 2, 3))) static void add_reason(struct claim_row *row, const char *format, ...)
@@ -33,7 +33,7 @@ __attribute__((format(printf, 2, 3))) static void add_reason(struct claim_row *r
   append(row->reason, sizeof row->reason, "%s%s", *row->reason ? "; " : "", reason);
 }
 
-/* derived - formula, of so many terms. False: the formula has no expansion. */
+/* Sets left_out to derived - formula, both with the given number of terms. False: the formula has no expansion. */
 static bool set_left_out(struct series *left_out, struct proof *p, slong terms)
 {
   const struct trial *m = p->m;
@@ -62,12 +62,12 @@ static bool set_left_out(struct series *left_out, struct proof *p, slong terms)
   return true;
 }
 
-/* One coefficient that is a ball makes balls of all. What vanishes among fewer terms, without that one, is 0. */
-static void set_zeros(struct proof *p, slong most)
+/* Sets exact zeros: one coefficient that is a ball turns all into balls, but fewer terms without it may be exact. */
+static void set_zeros(struct proof *p, slong max)
 {
   const struct series *all = p->left_out;
   SCOPED(series, fewer);
-  for (slong terms = 1; terms < most; terms++) {
+  for (slong terms = 1; terms < max; terms++) {
     if (!set_left_out(&fewer, p, terms) || series_first_power(&fewer) < fewer.known)
       return;
     for (slong k = all->first, end = k + series_terms(all); k < end && k < fewer.known; k++)
@@ -75,7 +75,7 @@ static void set_zeros(struct proof *p, slong most)
   }
 }
 
-static bool look_for_order(struct proof *p)
+static bool find_order(struct proof *p)
 {
   const slong terms = p->m->terms + 8;
   SCOPED(arb, x);
@@ -92,7 +92,7 @@ static bool look_for_order(struct proof *p)
   return true;
 }
 
-/* False: p->why says why not. */
+/* Finds the order; false: p->why has the reason why not. */
 static bool prove(struct proof *p)
 {
   if (!trial_series(p->m, p->f->quantity)) {
@@ -100,14 +100,14 @@ static bool prove(struct proof *p)
              scallop_quantity_words[p->f->quantity]);
     return false;
   }
-  if (!look_for_order(p))
+  if (!find_order(p))
     return false;
-  /* perhaps further on; of a gait that is not rational the zeros are shown so far and no further */
+  /* a later coefficient may differ from 0; zeros of further coefficients can be shown for a rational gait only */
   const bool further = scallop_gait_is_rational(p->m->crawler.gait) && p->m->terms < MANY_TERMS;
-  return !p->row->exact || !further || (trial_expand(p->m, MANY_TERMS) && look_for_order(p));
+  return !p->row->exact || !further || (trial_expand(p->m, MANY_TERMS) && find_order(p));
 }
 
-/* Is there an equality among the conditions, other than F1 = F2? In names it would not hold. */
+/* Returns true if a condition is an equality other than F1 = F2: independent symbols do not satisfy it. */
 static bool has_equality(const struct scallop_formula *f)
 {
   bool has = false;
@@ -122,29 +122,29 @@ static bool is_of_paper(const struct scallop_formula *f)
   return own && own->text && strcmp(own->text, f->text) == 0 && (!f->parts || !f->parts->name);
 }
 
-/* The same in names. Where nothing was found, up to the order that is claimed, and some powers more. An equality of
- * finite sums is proven so, and one of the paper's formulas for the quadratic gait, whose degree in T is low
- * (docs/background/theory.md, The proofs of claims). False: the two contradict each other. */
+/* Finds the order in symbols, for all parameters; if all coefficients vanish, up to the claimed order and some powers
+ * more. This proves an equality of finite sums, and of the paper's formulas for the quadratic gait, of low degree in T
+ * (docs/background/theory.md, The proofs of claims). False: symbols and numbers contradict each other. */
 static bool prove_for_all(struct proof *p)
 {
   const struct scallop_formula *f = p->f;
   const struct scallop_rational_crawler *crawler = &p->m->crawler;
   const slong order = p->row->derived_order, known = p->left_out->known;
-  const slong looked = f->remainder > MOST_OF_EQUALITY ? f->remainder : MOST_OF_EQUALITY;
-  const slong most = !p->row->exact ? order : looked < known ? looked : known - 1;
+  const slong claimed = f->remainder > MAX_POWER_OF_EQUALITY ? f->remainder : MAX_POWER_OF_EQUALITY;
+  const slong max = !p->row->exact ? order : claimed < known ? claimed : known - 1;
   ENDED_BY(left_out_clear) struct left_out l;
   SCOPED(fmpq, coefficient);
   left_out_init(&l);
   p->for_all = p->m->condition->at_end;
-  if (!f->text || has_equality(f) || most >= SYMBOLIC_ORDERS
-      || symbolic_left_out(&l, f, crawler, p->m->condition->kind, p->m->v0, most, p->why))
+  if (!f->text || has_equality(f) || max >= SYMBOLIC_ORDERS
+      || symbolic_left_out(&l, f, crawler, p->m->condition->kind, p->m->v0, max, p->why))
     return true;
-  const bool vanishes = l.order > most;
+  const bool vanishes = l.order > max;
   const bool low_degree = is_of_paper(f) && crawler->gait == &scallop_gait_quadratic;
   const bool all = f->remainder != SCALLOP_EQUALITY || known >= SERIES_ALL || low_degree;
   p->general = vanishes ? order : l.order;
   p->for_all = p->row->exact ? vanishes && all : l.order == order;
-  p->for_all_below = vanishes ? most + 1 : l.order;
+  p->for_all_below = vanishes ? max + 1 : l.order;
   if (p->for_all) {
     p->row->leading_error = l.term;
     l.term = NULL;
@@ -155,8 +155,8 @@ static bool prove_for_all(struct proof *p)
   return p->row->exact || (!vanishes && same);
 }
 
-/* Of the motion itself again: positions and velocities change their sign in a mirror, times do not. */
-static void see_in_mirror(struct proof *p)
+/* Reflects errors back: positions and velocities change their sign in a reflection, times do not. */
+static void reflect(struct proof *p)
 {
   if (p->f->quantity == SCALLOP_LAG || p->f->quantity == SCALLOP_FIRST_SWITCH)
     return;
@@ -171,7 +171,7 @@ static void set_coefficient(struct claim_row *row, const struct proof *p)
   SCOPED(arb, x);
   bool is_rational = series_rational_coefficient(q, p->left_out, row->derived_order);
   series_coefficient(x, p->left_out, row->derived_order, 128);
-  if (!is_rational && arb_is_exact(x)) { /* a ball of no radius: a number all the same */
+  if (!is_rational && arb_is_exact(x)) { /* a ball of radius 0 is a number */
     arf_get_fmpq(q, arb_midref(x));
     is_rational = true;
   }
@@ -182,11 +182,12 @@ static void set_coefficient(struct claim_row *row, const struct proof *p)
   flint_free(ball);
 }
 
-/* Finitely many coefficients prove an order up to them, and no equality but of finite sums, or of known degree. */
+/* Sets the verdict. Finitely many coefficients prove an order up to them; they prove an equality only of finite sums,
+ * or of known degree. */
 static void judge(struct claim_row *row, const struct proof *p)
 {
   if (!row->proven) {
-    add_reason(row, "the coefficient of T^%ld cannot be told from 0", row->derived_order);
+    add_reason(row, "the coefficient of T^%ld cannot be distinguished from 0", row->derived_order);
     return;
   }
   const long order = row->derived_order;
@@ -230,7 +231,7 @@ void claim_table_add(struct claim_table *claims, const struct claim_row *row)
 {
   claims->rows = flint_realloc(claims->rows, (size_t)(claims->count + 1) * sizeof *row);
   claims->rows[claims->count++] = *row;
-  if (claims->expected > 0) /* a table of its own, and no row of another */
+  if (claims->expected > 0) /* a whole table, after its forecast */
     progress_count(claims->count, claims->expected);
 }
 
@@ -271,7 +272,7 @@ struct claim_row row_of_formula(const struct scallop_formula *f, const struct sc
   return row;
 }
 
-/* The points, from the smallest T on, at which 0 is within the error */
+/* Counts the points, from the smallest T on, at which the error may be 0. */
 static int points_at_0(const struct claim_row *row)
 {
   int count = 0;
@@ -280,7 +281,7 @@ static int points_at_0(const struct claim_row *row)
   return count;
 }
 
-/* The order is fitted over the smallest T. */
+/* Fits the order over the smallest T. */
 static void fit(struct claim_row *row)
 {
   struct scallop_order_point *points = row->points;
@@ -296,7 +297,7 @@ static void fit(struct claim_row *row)
   scallop_order(points + row->count - tail, &tail, &wanted, &row->fit);
 }
 
-/* Fits the order to the points of the row, and holds it against the derived one. */
+/* Fits the order to the points of the row, compares it with the derived one, and adds the row. */
 static void enter(struct claim_table *claims, struct claim_row *row)
 {
   fit(row);
@@ -305,14 +306,15 @@ static void enter(struct claim_table *claims, struct claim_row *row)
     row->evidence = CERTIFIED_CRAWLER;
     add_reason(row, "but the certified error is not 0 at every T");
   }
-  const bool beyond = row->fit.order > (double)row->derived_order - CLAIM_TOLERANCE; /* of what was looked at */
-  /* the measured error is what is left out; of what vanishes below a power it is 0 at the smallest T, or of that */
+  /* the measured error is the sum of the terms left out; if those below a power vanish, it is 0 at the smallest T, or
+   * of this power or higher */
+  const bool beyond = row->fit.order > (double)row->derived_order - CLAIM_TOLERANCE;
   if (row->proven && row->count == 0)
     claim_table_contradict(claims, row, "no exact motion has the modes of the expansion");
   else if (row->proven && row->exact && points_at_0(row) == 0 && !beyond)
     claim_table_contradict(claims, row, "nothing is left out, and the certified error is not 0");
   if (row->proven && !row->exact && fabs(row->fit.order - (double)row->derived_order) > CLAIM_TOLERANCE)
-    add_reason(row, "at the T that were measured it goes as T^%.3g", row->fit.order);
+    add_reason(row, "at the T measured it goes as T^%.3g", row->fit.order);
   if (row->verdict != CLAIM_REFUTED)
     *row->corrected = '\0';
   claim_table_add(claims, row);
@@ -326,16 +328,16 @@ void claim_table_decide(struct claim_table *claims, struct claim_row *row, struc
   row->verdict = CLAIM_UNDECIDED;
   if (!why && prove(&p)) {
     if (row->proven && !prove_for_all(&p))
-      claim_table_contradict(claims, row, "the coefficients in names are other ones than in numbers");
+      claim_table_contradict(claims, row, "the coefficients in symbols differ from those in numbers");
     const double mismatch = trial_measure(row, m, f, &left_out);
-    if (row->proven && !row->exact && mismatch > 1e-6) /* the next terms at such T, many times over */
+    if (row->proven && !row->exact && mismatch > 1e-6) /* many times the next terms at such T */
       claim_table_contradict(claims, row, "the sum of what is left out differs from the certified error by %.1e of it",
                              mismatch);
     if (m->mirrored)
-      see_in_mirror(&p);
+      reflect(&p);
     judge(row, &p);
   } else {
-    char place[FORMULA_PLACE]; /* of what is wrong with the text */
+    char place[FORMULA_PLACE]; /* of an error in the text */
     why = why ? why : p.why;
     add_reason(row, "%s%s", strncmp(why, "character", 9) == 0 ? formula_place(place, f) : "",
                *why ? why : "no expansion in powers of T is known for this motion");

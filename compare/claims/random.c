@@ -1,6 +1,5 @@
-/* Statements about every crawler: held against random ones, masses and forces within a factor of 10, 0.05 < alpha <
- * 0.95, Froude from 0.1. Those that hold have their proofs in docs/background/theory.md, The motion in words; here
- * stands how far each is from failing. */
+/* Statements about every crawler, tested with random ones: masses and forces from 0.1 to 10, 0.05 < alpha < 0.95,
+ * Froude number from 0.1. Proofs are in docs/background/theory.md, The motion in words; the numbers are margins. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -11,7 +10,7 @@
 
 enum { RANDOM_CRAWLERS = 400 };
 
-/* Of a crawler: the steady state, or an extension from rest */
+/* Numbers of a crawler's steady state, and from FIRST_FROM_REST on of an extension from rest */
 enum number {
   MULTIPLIER,
   SETTLES_LATE,
@@ -35,15 +34,15 @@ enum number {
   LAST_SHRINKS
 };
 
-/* The number is at most the limit where the statement holds. Said is, where it holds for all, a format of how many they
- * are; or, whether it holds or not, one of the largest number. */
+/* The statement holds for a crawler if its number is at most the limit. The summary is `found`, a format for the
+ * largest number; if NULL, and the statement holds for all, `holds`, a format for the count of crawlers. */
 struct fact {
   enum number number;
   double limit;
   const char *holds, *found;
 };
 
-/* 10^x, rounded once: pow of one C library differs from that of another in the last bit. */
+/* Returns 10^x, rounded once: pow differs between C libraries in the last bit. */
 static double power_of_10(double x)
 {
   SCOPED(arb, ten, power);
@@ -53,7 +52,7 @@ static double power_of_10(double x)
   return middle(power);
 }
 
-/* Of a Sobol sequence: L = 1, eps from 0.01 to 10 */
+/* Returns the next crawler of a Sobol sequence: L = 1, eps from 0.01 to 10 */
 static struct scallop_crawler next_crawler(gsl_qrng *sequence, const struct scallop_gait *gait)
 {
   double u[6];
@@ -65,7 +64,7 @@ static struct scallop_crawler next_crawler(gsl_qrng *sequence, const struct scal
   return c;
 }
 
-/* What the statement is about; -INFINITY where it is about others */
+/* Returns the number of the statement; -INFINITY if the statement excludes this crawler. */
 static double number_of(struct question *q, struct scallop_crawler c)
 {
   const enum number number = ((const struct fact *)q->claim->data)->number;
@@ -73,19 +72,19 @@ static double number_of(struct question *q, struct scallop_crawler c)
   c.alpha = number == EQUAL_TIMES_MOVE ? 0.5 : c.alpha;
   if (number == QUICK_STARTS_BACKWARD) /* Froude number 1e8 */
     c.T = 1e-4 * sqrt((c.m1 + c.m2) / (c.F1 + c.F2) * c.L);
-  const struct solved s = number < FIRST_FROM_REST ? steady(q, c) : extension(q, c, 0);
+  const struct solved s = number < FIRST_FROM_REST ? solve_steady_state(q, c) : solve_extension(q, c, 0);
   const bool slides = s.regime == SCALLOP_SLIDING;
   const double forwards = c.F1 > c.F2 ? 1 : -1, backwards = forwards * (c.alpha > 0.5 ? -1 : 1);
   const double v0 = 0.1 * c.L / c.T, half = scallop_phase_duration(&c, SCALLOP_EXTENSION) / 2;
   struct scallop_crawler longer = c;
   longer.T *= 1.01;
-  const struct solved l = number == LAST_SHRINKS ? extension(q, longer, 0) : s;
+  const struct solved l = number == LAST_SHRINKS ? solve_extension(q, longer, 0) : s;
   switch (number) {
   case MULTIPLIER: return s.multiplier;
   case SETTLES_LATE: return periods_from_rest(&c, 1e-6, 20000) == 0;
   case SEVERAL_STATES: return !s.single;
   case BOTH_REST: return strstr(s.modes, "00") != NULL;
-  case EXCHANGE_CHANGES: return fabs(s.displacement + steady(q, exchanged(c)).displacement);
+  case EXCHANGE_CHANGES: return fabs(s.displacement + solve_steady_state(q, exchange_bodies(c)).displacement);
   case EQUAL_FORCES_MOVE:
   case EQUAL_TIMES_MOVE: return fabs(s.displacement);
   case EQUAL_FORCES_DIFFER: return strcmp(s.modes, "-+ | +-") == 0 ? fabs(s.v_start) * c.T : 1;
@@ -94,8 +93,8 @@ static double number_of(struct question *q, struct scallop_crawler c)
   case SLIDES_BACKWARD: return slides ? backwards * s.displacement : -INFINITY;
   case STICKS_BACKWARD: return slides ? -INFINITY : backwards * s.displacement;
   case VELOCITY_FALLS: return slides ? s.v_start - s.v_mid : -INFINITY;
-  case V0_TAKES_WAY: return s.dxC - extension(q, c, v0).dxC;
-  case V0_ADDS_CHANGE: return extension(q, c, v0).v_end - v0 - s.v_end;
+  case V0_TAKES_WAY: return s.dxC - solve_extension(q, c, v0).dxC;
+  case V0_ADDS_CHANGE: return solve_extension(q, c, v0).v_end - v0 - s.v_end;
   case CENTRE_BACKWARD: return -s.dxC;
   case TURNS_OTHERWISE: return slides ? strcmp(s.modes, "-+ ++") != 0 : -INFINITY;
   case LAST_OVER_HALF: return slides ? s.dT - half : -INFINITY;
@@ -104,7 +103,7 @@ static double number_of(struct question *q, struct scallop_crawler c)
   return NAN;
 }
 
-/* The counterexample as it is printed, with four digits, certified; or, if that is none, in doubles */
+/* Certifies the counterexample with the four digits printed; returns `largest`, in doubles, if this fails. */
 static double certify(struct question *q, double largest, double limit)
 {
   struct scallop_crawler c = q->crawler;

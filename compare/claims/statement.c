@@ -1,3 +1,4 @@
+/* Solutions of motions, comparisons and texts for claims in words. */
 #include "compare/claims/decide.h"
 
 #include <float.h>
@@ -22,8 +23,7 @@ _Static_assert(offsetof(struct solved, multiplier) == Q_MULTIPLIER * sizeof(doub
 
 double middle(const arb_t x) { return arf_get_d(arb_midref(x), ARF_RND_NEAR); }
 
-/* A certified number as a double: 0 if it may be 0 and is small enough; nan if its sign is not known, otherwise. */
-double certain(const arb_t x)
+double round_certified(const arb_t x)
 {
   if (!arb_contains_zero(x))
     return middle(x);
@@ -42,7 +42,7 @@ static bool solve_in_balls(struct solved *s, const struct motion *m)
   }
   const bool done = possible && answer_in_balls(&a, &c, m->of, m->phase, v0, EVIDENCE_DIGITS);
   for (int k = 0; k < ALL_QUANTITIES; k++)
-    s->of[k] = done && a.value[k] ? certain(a.value[k]) : NAN;
+    s->of[k] = done && a.value[k] ? round_certified(a.value[k]) : NAN;
   s->regime = a.regime;
   motion_modes_text(s->modes, m->of, a.modes);
   return done;
@@ -68,22 +68,22 @@ static struct solved solve(struct question *q, const struct motion *m)
   return s;
 }
 
-struct solved steady(struct question *q, struct scallop_crawler c)
+struct solved solve_steady_state(struct question *q, struct scallop_crawler c)
 {
   return solve(q, &(struct motion){ .of = OF_STEADY, .crawler = c });
 }
 
-struct solved extension(struct question *q, struct scallop_crawler c, double v0)
+struct solved solve_extension(struct question *q, struct scallop_crawler c, double v0)
 {
   return solve(q, &(struct motion){ .of = OF_PHASE, .crawler = c, .phase = SCALLOP_EXTENSION, .v0 = v0 });
 }
 
-struct solved contraction(struct question *q, struct scallop_crawler c, double v0)
+struct solved solve_contraction(struct question *q, struct scallop_crawler c, double v0)
 {
   return solve(q, &(struct motion){ .of = OF_PHASE, .crawler = c, .phase = SCALLOP_CONTRACTION, .v0 = v0 });
 }
 
-struct scallop_crawler exchanged(struct scallop_crawler c)
+struct scallop_crawler exchange_bodies(struct scallop_crawler c)
 {
   return (struct scallop_crawler){ c.m2, c.m1, c.F2, c.F1, c.L, c.T, c.alpha, c.gait };
 }
@@ -120,17 +120,17 @@ double short_number(double x, int digits)
   return strtod(text, NULL);
 }
 
-int periods_from_rest(const struct scallop_crawler *c, double near, int most)
+int periods_from_rest(const struct scallop_crawler *c, double near, int max)
 {
-  const double v = steady(NULL, *c).v_start;
+  const double v = solve_steady_state(NULL, *c).v_start;
   struct scallop_period_result p = { .v_end = 0 };
-  for (int n = 1; n <= most && scallop_period(c, p.v_end, &p) >= 0; n++)
+  for (int n = 1; n <= max && scallop_period(c, p.v_end, &p) >= 0; n++)
     if (fabs(p.v_end - v) <= near * c->L / c->T)
       return n;
   return 0;
 }
 
-struct printed printed(struct scallop_crawler c, const char *formula)
+struct printed_value evaluate_printed(struct scallop_crawler c, const char *formula)
 {
   const struct scallop_formula *known = formula_named(formula);
   const struct scallop_formula f = known ? *known
@@ -148,9 +148,9 @@ struct printed printed(struct scallop_crawler c, const char *formula)
   answer_in_balls(&a, &exact, steady ? OF_STEADY : OF_PHASE, kind, v0, EVIDENCE_DIGITS);
   const arb_struct *right = a.value[quantity_of_formula(&f, kind)];
   if (!right)
-    return (struct printed){ certain(value), NAN, NAN };
+    return (struct printed_value){ round_certified(value), NAN, NAN };
   arb_sub(error, value, right, EVIDENCE_BITS);
-  return (struct printed){ certain(value), certain(right), certain(error) };
+  return (struct printed_value){ round_certified(value), round_certified(right), round_certified(error) };
 }
 
 /* Texts */
@@ -164,7 +164,7 @@ void append(char *text, size_t size, const char *format, ...)
   va_end(values);
 }
 
-const char *options(struct question *q, struct scallop_crawler c)
+const char *write_options(struct question *q, struct scallop_crawler c)
 {
   const struct scallop_crawler usual = scallop_crawler_default();
   char number[NUMBER_TEXT];

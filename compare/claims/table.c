@@ -1,4 +1,4 @@
-/* The table of claims as a table; and its rows in words. */
+/* Output of the table of claims, summaries, and rows of claims in words. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -6,28 +6,28 @@
 #include "compare/claims/decide.h"
 #include "compare/points/point_flint.h"
 
-/* What a row of a table is about: a row of the table of claims, one error behind it, or all checks of a claim of the
- * paper under its conditions. Of these row is the first one that is refuted, or else undecided, or else that with the
- * weakest evidence; its verdict is that of all, which is refuted if one check is. */
+/* Content of one row of output: a row of the table of claims, one of its errors, or all checks of a claim of the paper
+ * under its conditions. For the last, `row` is the first refuted check, else the first undecided one, else the one with
+ * the weakest evidence; then its verdict is the verdict on all. */
 struct line {
   struct claim_row row;
   struct scallop_order_point point;
   int checks, count[CLAIM_REFUTED + 1]; /* by verdict */
 };
 
-/* The tables, and which of them have a column */
+/* Sets of tables that have a column */
 enum { PAPER = 1, USER = 2, ROWS = PAPER | USER, SUMMARY = 4, ERRORS = 8, ALL = ROWS | SUMMARY | ERRORS };
 
-struct report {
+struct claims_output {
   const struct claims_options *options;
   struct claim_table claims;
   struct table table;
-  unsigned of;  /* which table it is */
-  bool heading; /* its head is written */
+  unsigned of;  /* the table that is requested */
+  bool heading; /* names of columns are written, in place of cells */
 };
 
-/* A column: its name, or its cell, as `cell` writes it */
-static void put_as(struct report *r, unsigned tables, const char *name, const char *text,
+/* Writes the name of a column, or its cell by `cell`. */
+static void put_as(struct claims_output *r, unsigned tables, const char *name, const char *text,
                    void (*cell)(struct table *table, const char *text))
 {
   if (!(tables & r->of))
@@ -38,12 +38,12 @@ static void put_as(struct report *r, unsigned tables, const char *name, const ch
     cell(&r->table, text && *text ? text : "-");
 }
 
-static void put(struct report *r, unsigned tables, const char *name, const char *text)
+static void put(struct claims_output *r, unsigned tables, const char *name, const char *text)
 {
   put_as(r, tables, name, text, table_text);
 }
 
-static void put_number(struct report *r, unsigned tables, const char *name, double x, const char *format)
+static void put_number(struct claims_output *r, unsigned tables, const char *name, double x, const char *format)
 {
   if (!(tables & r->of) || r->heading)
     put(r, tables, name, NULL);
@@ -60,9 +60,9 @@ static const char *evidence_text(const struct claim_row *row)
   return row->evidence == SAMPLED ? wrong_text("sampled: %d cases, no seed", row->sampled) : texts[row->evidence];
 }
 
-/* A long formula, for people, as far as it fits into a line */
+/* Truncates a long formula in a table for people. */
 enum { SHORT_TEXT = 100, SHORT_FORMULA = 30 };
-static const char *short_text(const struct report *r, char text[SHORT_TEXT], const char *formula)
+static const char *short_text(const struct claims_output *r, char text[SHORT_TEXT], const char *formula)
 {
   if (!formula || strlen(formula) <= 64 || !table_is_aligned(&r->options->request.style))
     return formula;
@@ -70,7 +70,7 @@ static const char *short_text(const struct report *r, char text[SHORT_TEXT], con
   return text;
 }
 
-static void write_line(struct report *r, const struct line *line)
+static void write_line(struct claims_output *r, const struct line *line)
 {
   static const char *const sources[] = { "paper", "corrected", "user" };
   const struct claim_row *row = &line->row;
@@ -88,7 +88,7 @@ static void write_line(struct report *r, const struct line *line)
   put_number(r, SUMMARY, "checks", line->checks, "%.0f");
   put_number(r, SUMMARY, "failed", line->count[CLAIM_REFUTED], "%.0f");
   put(r, SUMMARY, "condition", row->conditions);
-  /* a number, or none: every coefficient that was looked at vanishes */
+  /* "none": every coefficient that was computed vanishes */
   put_as(r, ROWS, "derived_order",
          !row->proven ? NULL
          : row->exact ? "none"
@@ -120,7 +120,7 @@ static bool is_worse(const struct claim_row *row, const struct claim_row *than)
   return row->evidence > than->evidence;
 }
 
-/* Sums up the claim of the row at i, if that is the first of its rows that counts. */
+/* Sums up the claim of the row at i; false unless this is the first of its rows that counts. */
 static bool sum_up(struct line *sum, const struct claim_table *claims, int i)
 {
   const struct claim_row *rows = claims->rows, *worst = &rows[i];
@@ -148,7 +148,7 @@ static bool sum_up(struct line *sum, const struct claim_table *claims, int i)
   return true;
 }
 
-/* Checks of remainders, and one verdict for each statement in words */
+/* Prints counts of checks of remainders, and of verdicts on statements in words. */
 static void summarise(const struct claim_table *claims)
 {
   int asserted[2] = { 0 }, count[2][CLAIM_REFUTED + 1] = { { 0 } }, known[MEASURED + 1] = { 0 };
@@ -176,7 +176,7 @@ static void summarise(const struct claim_table *claims)
       known[CERTIFIED_CRAWLER], known[SAMPLED], known[MEASURED]);
 }
 
-/* A formula is not refuted by a crawler that it is not for; but then it is not proven, either. */
+/* Prints counts. A crawler outside of a formula's conditions neither refutes nor proves it. */
 static enum exit_code summarise_user(const struct claim_table *claims, bool quiet)
 {
   int rows[2] = { 0 }, count[2][4] = { { 0 } }; /* outside and inside of the conditions of the formulas */
@@ -187,7 +187,7 @@ static enum exit_code summarise_user(const struct claim_table *claims, bool quie
   for (int inside = 1; inside >= 0 && !quiet; inside--)
     if (inside || rows[0] > 0)
       fprintf(stderr, "%s%d hold, %d are sharper than claimed, %d refuted, %d undecided\n",
-              inside ? "" : "where the conditions of a formula are not met: ", count[inside][CLAIM_HOLDS],
+              inside ? "" : "outside of the conditions of a formula: ", count[inside][CLAIM_HOLDS],
               count[inside][CLAIM_SHARPER], count[inside][CLAIM_REFUTED], count[inside][CLAIM_UNDECIDED]);
   return count[1][CLAIM_REFUTED] > 0               ? EXIT_CHECK_FAILED
          : rows[0] + count[1][CLAIM_UNDECIDED] > 0 ? EXIT_UNSOLVED
@@ -223,8 +223,8 @@ static void add_rows(struct claim_table *claims, const struct statement *claim, 
                      bool of_the_paper)
 {
   for (; claim->name; claim++)
-    if ((of_the_paper || !claim->of_its_crawler)
-        && (scallop_gait_named(crawler->gait->name) || !claim->of_its_gaits_alone) && !claim_table_expects(claims))
+    if ((of_the_paper || !claim->only_paper_crawler)
+        && (scallop_gait_named(crawler->gait->name) || !claim->only_paper_gaits) && !claim_table_expects(claims))
       add_row(claims, claim, crawler, of_the_paper);
 }
 
@@ -232,7 +232,7 @@ void claim_table_add_words(struct claim_table *claims, const struct scallop_craw
 {
   struct scallop_crawler paper = scallop_crawler_default(), own = *crawler;
   paper.gait = crawler->gait;
-  own.T = 0.5 * sqrt((own.m1 + own.m2) / (own.F1 + own.F2) * own.L); /* half of that at which the Froude number is 1 */
+  own.T = 0.5 * sqrt((own.m1 + own.m2) / (own.F1 + own.F2) * own.L); /* Froude number 4 */
   add_rows(claims, statements_at_random, &paper, true);
   add_rows(claims, statements_by_example, &paper, true);
   add_rows(claims, statements_of_families, &paper, true);
@@ -243,9 +243,9 @@ void claim_table_add_words(struct claim_table *claims, const struct scallop_craw
 
 /* The rows */
 
-/* All rows, or those about the requested errors, for the gait given or those of the paper: first the formulas of all
- * gaits, then the statements */
-static void fill(struct report *r)
+/* Fills the table with all rows, or only the rows with requested errors, for the given gait or the paper's: first the
+ * formulas of all gaits, then the statements. */
+static void fill(struct claims_output *r)
 {
   const struct claims_options *o = r->options;
   const struct point *p = &o->request.point;
@@ -253,7 +253,7 @@ static void fill(struct report *r)
   bool has_crawler = false; /* given on the command line */
   SCOPED(scallop_rational, exact);
   rational_point(&exact, NULL, p);
-  for (int i = 0; i < CRAWLER_NUMBERS; i++) /* of the claims T is not a part */
+  for (int i = 0; i < CRAWLER_NUMBERS; i++) /* claims do not depend on T */
     has_crawler = has_crawler || (p->written[i] && strcmp(crawler_parameters[i], "T") != 0);
   for (int words = 0; words < (o->errors || is_of_user(o) ? 1 : 2); words++)
     for (int g = 0; p->has_gait ? g == 0 : scallop_gait_name(g) != NULL; g++) {
@@ -268,7 +268,7 @@ static void fill(struct report *r)
     }
 }
 
-static void begin(struct report *r)
+static void begin(struct claims_output *r)
 {
   static const char *const varied[] = { "T", "gait", NULL };
   const struct claims_options *o = r->options;
@@ -295,12 +295,12 @@ static void begin(struct report *r)
   table_begin_rows(&r->table);
 }
 
-static void write_errors(struct report *r, const struct claim_row *row)
+static void write_errors(struct claims_output *r, const struct claim_row *row)
 {
   struct line line = { .row = *row };
   for (int i = 0; i < row->count; i++) {
     line.point = row->points[i];
-    if (row->exact) { /* proven: what is left of err is rounding */
+    if (row->exact) { /* proven: err is rounding alone */
       line.point.err = 0;
       line.point.use = SCALLOP_ORDER_ZERO;
     }
@@ -308,7 +308,7 @@ static void write_errors(struct report *r, const struct claim_row *row)
   }
 }
 
-static void write_rows(struct report *r)
+static void write_rows(struct claims_output *r)
 {
   const struct claims_options *o = r->options;
   for (int i = 0; i < r->claims.count; i++) {
@@ -321,7 +321,7 @@ static void write_rows(struct report *r)
   }
 }
 
-/* Nothing to write */
+/* Reports that no row matches. */
 static enum exit_code refuse(const struct claims_options *o)
 {
   const char *instead = o->errors ? formula_hint(o->errors) : "";
@@ -334,7 +334,7 @@ static enum exit_code refuse(const struct claims_options *o)
   return EXIT_USAGE;
 }
 
-static enum exit_code end(struct report *r)
+static enum exit_code end(struct claims_output *r)
 {
   const bool quiet = r->options->request.style.quiet || r->options->errors;
   if (!table_close(&r->table))
@@ -352,7 +352,7 @@ static enum exit_code end(struct report *r)
 
 enum exit_code claims_table(const struct claims_options *o)
 {
-  struct report r = { .options = o };
+  struct claims_output r = { .options = o };
   if (!table_open(&r.table, &o->request.style))
     return EXIT_FILE;
   r.claims.is_forecast = true;

@@ -1,5 +1,5 @@
-/* One motion that claims about an order are about: its expansion as T -> 0, and certified samples of it as T falls,
- * with the errors of formulas there. */
+/* Motion of claims about an order: its expansion as T -> 0, certified samples as T decreases, and the errors of
+ * formulas at them. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,7 +13,7 @@ static enum quantity_of answered(const struct trial *m) { return trial_is_steady
 
 const struct series *trial_series(const struct trial *m, enum scallop_quantity quantity)
 {
-  /* the series of a change is that of the velocity */
+  /* v_end and v_end - v0 have one series */
   const struct scallop_formula about = { .quantity = quantity == SCALLOP_VELOCITY_CHANGE ? SCALLOP_VELOCITY_AT_END
                                                                                          : quantity };
   return m->series.value[quantity_of_formula(&about, m->condition->kind)];
@@ -27,7 +27,7 @@ bool trial_expand(struct trial *m, slong terms)
   return answer_in_series(&m->series, &m->crawler, answered(m), m->condition->kind, m->v0, terms, PRECISION);
 }
 
-/* x to two significant digits: fractions stay readable, and nothing depends on a library's square root. */
+/* Sets x to two significant digits: fractions stay readable, and do not depend on a library's square root. */
 static void set_rounded(fmpq_t x, double value)
 {
   char text[32];
@@ -35,7 +35,7 @@ static void set_rounded(fmpq_t x, double value)
   scallop_rational_parse(x, text);
 }
 
-/* The crawler under its condition */
+/* Changes the crawler as its condition states. */
 static void set_condition(struct trial *m)
 {
   const struct condition *condition = m->condition;
@@ -43,7 +43,7 @@ static void set_condition(struct trial *m)
   if (strstr(condition->text, "F1 < F2") || strstr(condition->text, "F2 > F1"))
     fmpq_swap(r->F1, r->F2);
   if (condition->equal_forces)
-    fmpq_mul_si(r->F2, r->F1, 1); /* not by fmpq_set, which is inline: gcc 12 then warns of reads beyond F1 */
+    fmpq_mul_si(r->F2, r->F1, 1); /* not fmpq_set: it is inline, and gcc 12 then warns of reads beyond F1 */
   if (strstr(condition->text, "m1 a hundredth"))
     fmpq_div_fmpz(r->m1, r->m1, (fmpz[]){ 100 });
   if (strstr(condition->text, "alpha < 1/2"))
@@ -61,7 +61,7 @@ static void set_condition(struct trial *m)
 
 struct sample {
   fmpq_t T;    /* of the phase, or the period */
-  bool solved; /* and the modes are those of the limit */
+  bool solved; /* with the modes of the limit */
   long digits;
   struct ball_answer exact;
 };
@@ -91,8 +91,8 @@ static void solve_sample(struct sample *s, const struct trial *m)
               && strcmp(motion_modes_text(modes, answered(m), s->exact.modes), m->series.modes) == 0;
 }
 
-/* T0 is the duration at which the Froude number is 1. The expansion is one in T^2 over the smaller mass and the
- * difference of the forces: where these are far apart, T is smaller. */
+/* Takes samples from T0, the duration at which the Froude number is 1, or less: the expansion is in T^2 over the
+ * smaller mass and the difference of the forces, so very different masses or forces need a smaller T. */
 static void take_samples(struct trial *m)
 {
   const struct scallop_rational_crawler *c = &m->crawler;
@@ -101,7 +101,7 @@ static void take_samples(struct trial *m)
   double apart = fmin(m1, m2) / (m1 + m2) * force / (F1 + F2), decades = apart < 0.001 ? ceil(-log10(apart)) : 0;
   SCOPED(fmpq, T0);
   set_rounded(T0, sqrt((m1 + m2) * fmpq_get_d(c->L) / (F1 + F2)) * pow(10, -decades));
-  for (int k = 0; k < CLAIM_POINTS; k++) /* of c T^p, p <= 9 or so, c of size 1, ten digits are left */
+  for (int k = 0; k < CLAIM_POINTS; k++) /* an error c T^p, p <= 9 or so, c of size 1, keeps ten digits */
     solve_sample(sample_at(m, T0, k, 40 + (long)(10 * (0.602 * k + 1.5 * decades))), m);
 }
 
@@ -148,7 +148,7 @@ static void begin_at_end(struct trial *m)
   m->series.value[Q_DX1] = speed;
   m->series.value[Q_DX2] = length;
   m->series.status = SCALLOP_OK;
-  m->terms = SCALLOP_MOST_TERMS; /* no more to be had */
+  m->terms = SCALLOP_MOST_TERMS; /* further terms do not exist */
   for (int k = 1; k < CLAIM_POINTS; k++)
     sample_end(sample_at(m, m->crawler.L, k, (PRECISION - 64) / 4), last);
 }
@@ -174,7 +174,7 @@ void trial_begin(struct trial *m, const struct scallop_rational_crawler *crawler
 
 /* Errors */
 
-/* exact - formula at one T, enclosed */
+/* Encloses exact - formula at one T; false: one of them has no value. */
 static bool error_at(arb_t error, const struct sample *s, const struct trial *m, const struct scallop_formula *f)
 {
   const slong precision = 4 * s->digits + 64;
@@ -192,7 +192,7 @@ static bool error_at(arb_t error, const struct sample *s, const struct trial *m,
   return true;
 }
 
-/* How far the sum of what is left out is from the error, over the error */
+/* Returns the difference between the sum of the terms left out and the error, over the error. */
 static double mismatch_at(const arb_t error, const struct series *left_out, const arb_t T, slong precision)
 {
   SCOPED(arb, sum);
@@ -205,7 +205,7 @@ static double mismatch_at(const arb_t error, const struct series *left_out, cons
 double trial_measure(struct claim_row *row, const struct trial *m, const struct scallop_formula *f,
                      const struct series *left_out)
 {
-  enum { ACCURATE = 20, SMALL = 20 }; /* from SMALL on the sum has nothing to add to what it has */
+  enum { ACCURATE = 20, SMALL = 20 }; /* from the sample SMALL on the terms of the sum suffice */
   SCOPED(arb, error, T);
   double mismatch = NAN;
   for (const struct sample *s = m->samples; s < m->samples + CLAIM_POINTS; s++)

@@ -1,5 +1,5 @@
-/* The claims of a formula file, `claims --formulas` and `claims --formula`: each formula for each gait, at one
- * crawler, or at one that its conditions allow. */
+/* Claims of a formula file, `claims --formulas` and `claims --formula`: each formula for each gait, for the given
+ * crawler or one that meets its conditions. */
 #define _GNU_SOURCE /* asprintf */
 #include <math.h>
 #include <stdint.h>
@@ -20,7 +20,7 @@ static enum scallop_phase_kind phase_of(const struct scallop_formula *f)
   return f->setting == SCALLOP_MOVING_CONTRACTION ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
 }
 
-/* One side of a condition, a constant, for the crawler as it is written. False: it has no value, as 1/0 */
+/* Evaluates one side of a condition, a constant, for the crawler. False: it has no value, as 1/0 */
 static bool side_value(struct series *value, const char *text, const struct scallop_formula *f,
                        const struct scallop_rational_crawler *c)
 {
@@ -33,7 +33,7 @@ static bool side_value(struct series *value, const char *text, const struct scal
   return !scallop_formula_expand(value, &side, &symbols, phase_of(f), &ring, message);
 }
 
-/* Sets a parameter that a condition says to be equal to something, "F1 = F2"; what is no fraction is not set. */
+/* Sets the parameter left of an equality, "F1 = F2", if the value is a fraction. */
 static void set_equality(struct scallop_rational_crawler *c, const char *when, const struct scallop_formula *f)
 {
   struct scallop_sides sides;
@@ -54,7 +54,7 @@ static void set_equalities(const struct scallop_formula *f, struct scallop_ratio
       set_equality(c, *when, f);
 }
 
-/* Does LEFT < RIGHT, > or = hold, proven? What depends on a function can be equal to nothing. */
+/* Returns true if LEFT < RIGHT, > or = is proven; never for an equality with values of functions. */
 static bool is_met(const char *when, const struct scallop_formula *f, const struct scallop_rational_crawler *c)
 {
   const struct ring ring = { 1, PRECISION };
@@ -71,7 +71,7 @@ static bool is_met(const char *when, const struct scallop_formula *f, const stru
                        : series_coefficient_is_zero(&left, 0);
 }
 
-/* Is the limit of the steady state the one that the formula is for? Not where it has no expansion */
+/* Returns true if the limit of the steady state has the turns that the formula assumes; false without an expansion. */
 static bool turns_there(const struct scallop_formula *f, const struct scallop_rational_crawler *c)
 {
   SCOPED(scallop_expansion, limit);
@@ -104,8 +104,8 @@ static void random_crawler(struct scallop_rational_crawler *c, uint64_t *state)
   fmpq_set_si(c->alpha, (slong)(1 + random_bits(state) % 996), 997);
 }
 
-/* Changes the crawler so that the formula is for it: parameters that are to equal something are set, and where that
- * does not do, another crawler is taken. False: none was found. */
+/* Changes the crawler to meet the formula's conditions: sets parameters as equalities require; if this fails, tries
+ * random crawlers. False: no crawler was found. */
 static bool fit(const struct scallop_formula *f, struct scallop_rational_crawler *c)
 {
   enum { TRIES = 10000 };
@@ -131,7 +131,7 @@ static struct condition condition_of(const struct scallop_formula *f)
 static const char *const turns_text[] = { "a body turns in both phases", "no body turns in the contraction",
                                           "no body turns in the extension" };
 
-/* "alpha > 1/2, F1 > F2", behind the motion */
+/* Appends the conditions, ", alpha > 1/2, F1 > F2". */
 static void write_conditions(struct claim_row *row, const struct scallop_formula *f)
 {
   for (const char *const *when = f->when; when && *when; when++)
@@ -140,7 +140,7 @@ static void write_conditions(struct claim_row *row, const struct scallop_formula
     append(row->conditions, sizeof row->conditions, ", %s", turns_text[f->turns]);
 }
 
-/* v0, and the numbers of the crawler that the conditions have changed, as "v0=8/5 F1=3/2 F2=1/2" */
+/* Writes v0 and the numbers of the crawler that were changed, "v0=8/5 F1=3/2 F2=1/2". */
 static void write_change(struct claim_row *row, struct scallop_rational_crawler *now,
                          struct scallop_rational_crawler *before, const fmpq_t v0)
 {
@@ -155,7 +155,7 @@ static void write_change(struct claim_row *row, struct scallop_rational_crawler 
   }
 }
 
-/* Why nothing can be said of the claim, or NULL */
+/* Returns the reason why the claim cannot be decided, or NULL. */
 static const char *undecided(const struct scallop_formula *f, const struct trial *trial, bool is_met)
 {
   static _Thread_local char text[240];
@@ -168,27 +168,27 @@ static const char *undecided(const struct scallop_formula *f, const struct trial
   enum scallop_turns found = turns_in_modes(trial->series.modes);
   if (!trial_is_steady(trial) || !f->turns || found == f->turns)
     return NULL;
-  snprintf(text, sizeof text, "the formula is for crawlers of which, as T -> 0, %s; of this crawler %s",
-           turns_text[f->turns], turns_text[found]);
+  snprintf(text, sizeof text, "the formula assumes that, as T -> 0, %s; for this crawler, %s", turns_text[f->turns],
+           turns_text[found]);
   return text;
 }
 
-/* The derived terms below the power of T that is claimed, in names: what is to be pasted in the place of the formula.
- * NULL: they are not known as a formula. */
+/* Returns the derived terms below the claimed power of T, as a formula that can replace the given one; NULL if they are
+ * not known as a formula. */
 static char *derived_text(const struct scallop_formula *f, const struct trial *trial)
 {
   struct scallop_formula sum = *f;
   char *text = strdup("0"), *more, message[FORMULA_MESSAGE];
-  bool is_known = f->remainder > 0, goes_on = is_known;
-  for (int terms = 0; goes_on && text; terms++) {
+  bool is_known = f->remainder > 0, has_next = is_known;
+  for (int terms = 0; has_next && text; terms++) {
     ENDED_BY(left_out_clear) struct left_out l;
     left_out_init(&l);
     sum.text = text;
     is_known = !symbolic_left_out(&l, &sum, &trial->crawler, trial->condition->kind, trial->v0, f->remainder - 1,
                                   message);
-    goes_on = is_known && l.order < f->remainder;
-    const bool minus = goes_on && *l.term == '-';
-    if (!goes_on
+    has_next = is_known && l.order < f->remainder;
+    const bool minus = has_next && *l.term == '-';
+    if (!has_next
         || asprintf(&more, "%s%s%s", terms > 0 ? text : "",
                     terms == 0 ? ""
                     : minus    ? " - "
@@ -204,7 +204,7 @@ static char *derived_text(const struct scallop_formula *f, const struct trial *t
   return is_known ? text : NULL;
 }
 
-/* derived: becomes the derived terms, if the formula is refuted; NULL: a verdict alone is asked for */
+/* Adds a row. derived: set to the derived terms if the formula is refuted; NULL: only the verdict is requested */
 static void add_row(struct claim_table *claims, const struct scallop_rational_crawler *crawler, bool is_given,
                     const struct scallop_formula *f, enum claim_source source, char **derived)
 {
@@ -233,7 +233,7 @@ void claim_table_add_formula(struct claim_table *claims, const struct scallop_ra
   add_row(claims, crawler, is_given, f, OF_USER, NULL);
 }
 
-/* Behind a formula that is refuted the one that holds to the claimed order */
+/* Adds a row, and after a refuted formula a row of the derived terms below the claimed order. */
 static void add_with_correction(struct claim_table *claims, const struct scallop_rational_crawler *crawler,
                                 bool is_given, const struct scallop_formula *f)
 {

@@ -1,3 +1,4 @@
+/* Options of `scallop breakdown`: table, page, map and boundaries. */
 #include <stdio.h>
 #include <string.h>
 
@@ -6,7 +7,7 @@
 #include "compare/breakdown/breakdown.h"
 #include "compare/command/commands.h"
 
-/* What an axis may be, as maps and as scenes call it, and what varies where nothing is said */
+/* Axes of maps: name in --map, variable of a sweep, default range */
 static const struct axis_choice {
   const char *name, *variable, *range;
 } axes[] = { { "F1/F2", "F1_over_F2", "0.01:100:41" },    { "m1/m2", "m1_over_m2", "0.01:100:41" },
@@ -62,7 +63,7 @@ static const struct breakdown_options initial = { .source = { "published", false
                                                   .order = { 8, false },
                                                   .tolerance = { 0.1, false } };
 
-/* Adds a group of what varies. With :log unless it is said, but for alpha. NULL, or what is wrong */
+/* Adds the group of an axis to the sweep, by default with :log except for alpha. Returns NULL, or an error. */
 static const char *add_axis(struct breakdown_options *o, int i)
 {
   const struct axis_choice *axis = axes;
@@ -88,7 +89,7 @@ static const char *add_axis(struct breakdown_options *o, int i)
   return wrong ? wrong_text("--%s: %s", o->range[i] ? option : "map", wrong) : NULL;
 }
 
-/* Is it the page about transitions and reach? A scene, whose files are tables, sets a format. */
+/* Returns true for the page about transitions and reach. A scene sets a format, hence it has no page. */
 static bool is_page(const struct breakdown_options *o)
 {
   const struct request *r = &o->request;
@@ -97,7 +98,7 @@ static bool is_page(const struct breakdown_options *o)
   return !narrows && !r->style.has_format && !r->style.choice && !r->style.plot.file;
 }
 
-/* The axes are what varies, x fastest; a page is for people. */
+/* Adds the axes to the sweep, x fastest; sets the format of a page. */
 static const char *complete(void *options)
 {
   struct breakdown_options *o = options;
@@ -106,7 +107,7 @@ static const char *complete(void *options)
   if (!o->map[0])
     return NULL;
   struct plot *plot = &o->request.style.plot;
-  if (plot->file && !plot->y && !o->boundaries) /* three regions; the sequences of modes are many */
+  if (plot->file && !plot->y && !o->boundaries) /* three regimes, but many sequences of modes */
     plot->y = "regime";
   const char *wrong = add_axis(o, 1);
   wrong = wrong ? wrong : add_axis(o, 0);

@@ -1,3 +1,4 @@
+/* Options of `scallop claims`. */
 #include <stddef.h>
 
 #include "compare/command/commands.h"
@@ -24,17 +25,17 @@ static const struct option_rule rules[] = {
   { "summary", RULE_WITH, "errors verdict formulas formula", "sums up the whole table: leave the other option out" },
   { "formulas", RULE_WITH, "formula", "and --formula exclude each other" },
   { "T", RULE_WITHOUT, "formulas formula",
-    "is of no claim: it is for --formula and --formulas, whose errors are told at T" },
+    "is of no claim: it is for --formula and --formulas, which print errors at T" },
   { "T", RULE_WITH, "errors", "is none of the T of --errors" },
   { "of claimed start phase", RULE_WITHOUT, "formula", NULL },
   { "formula", RULE_WITHOUT, "of", "takes --of QUANTITY: what the formula gives" },
   { "formula", RULE_WITHOUT, "claimed", "takes --claimed N: the power of T in the claim + O(T^N)" },
   { NULL, RULE_WITH, NULL, NULL },
 };
-/* Numbers without a coincidence: equal masses would make coefficients vanish that in general do not. */
+/* Default crawler with arbitrary numbers: with equal masses, coefficients vanish that in general do not. */
 static const struct scallop_crawler generic = { 1.3, 0.9, 3.7, 1.1, 9.7, 1, 0.7, &scallop_gait_quadratic };
 
-/* The claims of a formula file, or of --formula */
+/* Decides the claims of a formula file, or of --formula. */
 static enum exit_code prove(const struct claims_options *o)
 {
   const struct formula_option given = { o->formula, o->of.value, o->start.value, o->phase.value, o->claimed };
@@ -54,7 +55,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
     return prove(o);
   if (!(c->F1 > c->F2) || !(c->alpha > 0.5)) {
     complain("claims",
-             "a crawler with F1 > F2 and alpha > 1/2 is wanted (the rows exchange them where they say so): "
+             "the crawler must have F1 > F2 and alpha > 1/2 (rows with other conditions exchange them): "
              "F1 = %.17g, F2 = %.17g, alpha = %.17g",
              c->F1, c->F2, c->alpha);
     return EXIT_USAGE;
@@ -74,7 +75,7 @@ static enum exit_code run(const struct arguments *arguments, const void *options
   return flint ? flint->claims_table(o) : EXIT_UNSOLVED;
 }
 
-/* One formula is a few rows, which people read one by one. */
+/* Prints the few rows of --formula upright, to read one by one. */
 static const char *complete(void *options)
 {
   struct claims_options *o = options;

@@ -1,8 +1,9 @@
+/* Expansions of a motion in powers of T, in numbers and in formulas. */
 #include "compare/command/expansion_flint.h"
 
 #include <string.h>
 
-/* Is every coefficient exact, or has it the digits? */
+/* Returns true if every coefficient is exact or has the requested digits. */
 static bool is_precise(const struct expansion *e)
 {
   bool precise = true;
@@ -17,24 +18,24 @@ static bool is_precise(const struct expansion *e)
   return precise;
 }
 
-/* Have the exact values the digits that the errors of all sums take? */
-static bool errors_are_seen(const struct expansion *e)
+/* Returns true if the exact values have enough digits for the errors of all sums. */
+static bool errors_are_resolved(const struct expansion *e)
 {
-  bool seen = true;
+  bool resolved = true;
   SCOPED(arb, error);
   for (int q = 0; q < QUANTITIES; q++)
     if (e->derived.value[q] && e->exact.value[q]) {
       series_value(error, e->derived.value[q], e->at, e->order, e->precision);
       arb_sub(error, error, e->exact.value[q], e->precision);
-      seen = seen && (arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12);
+      resolved = resolved && (arb_is_zero(error) || arb_rel_accuracy_bits(error) > 12);
     }
-  return seen;
+  return resolved;
 }
 
-/* Returns how many digits of a sum at T lie before its last term: the errors of the sums take about as many. */
+/* Returns the digits of a sum at T before its last term; the errors of the sums require about as many. */
 static long digits_before_last_terms(const struct expansion *e)
 {
-  slong most = 0;
+  slong bits = 0;
   SCOPED(arb, sum, last, power);
   for (int q = 0; q < QUANTITIES; q++) {
     const struct series *s = e->derived.value[q];
@@ -47,13 +48,13 @@ static long digits_before_last_terms(const struct expansion *e)
     series_coefficient(last, s, k, e->precision);
     arb_pow_ui(power, e->at, (ulong)k, e->precision);
     arb_mul(last, last, power, e->precision);
-    most = FLINT_MAX(most, arf_abs_bound_lt_2exp_si(arb_midref(sum)) - arf_abs_bound_lt_2exp_si(arb_midref(last)));
+    bits = FLINT_MAX(bits, arf_abs_bound_lt_2exp_si(arb_midref(sum)) - arf_abs_bound_lt_2exp_si(arb_midref(last)));
   }
-  return (long)(0.302 * (double)most);
+  return (long)(0.302 * (double)bits);
 }
 
-/* Is the series, whose modes are those for T -> 0, about the motion? */
-static void say_status(struct expansion *e)
+/* Sets the status: the series is of this motion if the modes are those for T -> 0. */
+static void set_status(struct expansion *e)
 {
   char modes[MOTION_MODES_TEXT];
   if (e->exact.status != SCALLOP_OK)
@@ -65,11 +66,11 @@ static void say_status(struct expansion *e)
     snprintf(e->status, sizeof e->status, "ok");
 }
 
-/* With as many digits as the coefficients and the errors of certified values require, within reason. Of a long series
- * the first FEW terms tell how fast the last terms fall, and with it the digits of the errors. */
+/* Increases the precision until coefficients and errors have their digits, up to a limit. The first FEW terms of a long
+ * series give the decrease of the last terms, and thus the digits of the errors. */
 void expand_numbers(struct expansion *e)
 {
-  enum { TRIES = 9, MOST_FAILURES = 6, MOST = 10000, FEW = 64 };
+  enum { TRIES = 9, MAX_FAILURES = 6, MAX_DIGITS = 10000, FEW = 64 };
   int main_quantity = e->of == OF_STEADY ? Q_V_START : Q_V_END;
   bool derived = false, enough = false;
   const long order = e->order;
@@ -80,24 +81,24 @@ void expand_numbers(struct expansion *e)
   else
     scallop_rational_duration(e->T, e->crawler, e->kind);
   for (long i = 0, more = e->digits + 20; i < TRIES && !enough; i++) {
-    long digits = more < MOST ? more : MOST;
+    long digits = more < MAX_DIGITS ? more : MAX_DIGITS;
     const bool is_trial = i == 0 && e->is_certified && order > 2 * FEW;
     e->order = is_trial ? FEW : order;
     e->precision = 4 * digits + 128 + e->order;
     arb_set_fmpq(e->at, e->T, e->precision);
     if (!derived || e->derived.value[main_quantity]->kind == SERIES_BALLS)
       derived = answer_in_series(&e->derived, e->crawler, e->of, e->kind, e->v0, e->order, e->precision);
-    if (!derived && (e->derived.status == SCALLOP_EDOMAIN || i + 1 == MOST_FAILURES))
+    if (!derived && (e->derived.status == SCALLOP_EDOMAIN || i + 1 == MAX_FAILURES))
       break;
     more = is_trial && derived ? more + digits_before_last_terms(e) * order / FEW : 2 * more;
     derived = derived && !is_trial;
     enough = derived && (is_precise(e) || i + 1 == TRIES)
              && (!e->is_certified || !answer_in_balls(&e->exact, e->crawler, e->of, e->kind, e->v0, digits)
-                 || digits == MOST || errors_are_seen(e));
+                 || digits == MAX_DIGITS || errors_are_resolved(e));
   }
   e->order = order;
   if (derived)
-    say_status(e);
+    set_status(e);
 }
 
 static void expand_phase(struct expansion *e)
@@ -114,7 +115,7 @@ static void expand_phase(struct expansion *e)
   memcpy(e->derived.value + Q_T1, values, sizeof values);
 }
 
-/* As series in T, or in closed form */
+/* Expands the steady state as series in T, or in closed form. */
 static void expand_steady(struct expansion *e)
 {
   struct series *const series[] = { &e->derived.steady.v_start, &e->derived.steady.v_mid,

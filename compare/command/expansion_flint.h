@@ -1,5 +1,5 @@
-/* A motion in powers of T: its quantities as series, whose coefficients are numbers, beside certified values, or
- * formulas. Needs FLINT. */
+/* Expansion of a motion in powers of T: its quantities as series with coefficients that are numbers, with certified
+ * values, or formulas. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_COMMAND_EXPANSION_FLINT_H
 #define SCALLOP_COMPARE_COMMAND_EXPANSION_FLINT_H
 
@@ -7,27 +7,25 @@
 #include "compare/answers/answer_flint.h"
 
 struct expansion {
-  /* Of what: the crawler as it was written, its period or a phase from v0, or the limit T -> 0 in powers of a
-   * parameter; the terms below T^order */
+  /* Input: the crawler in decimals as typed; its period, a phase from v0, or the limit T -> 0 in powers of a parameter;
+   * the terms are those below T^order */
   const struct scallop_rational_crawler *crawler;
   enum quantity_of of;
   enum scallop_phase_kind kind;
   const fmpq *v0;
   enum limit_parameter in;
   long order;
-  /* Of numbers: the digits of those that are no fractions, and whether the values are certified */
+  /* Numbers: digits of coefficients that are not fractions; certified values are computed */
   long digits;
   bool is_certified;
-  /* Of formulas of the steady state: as closed forms, each the term of T^0 */
-  bool is_closed;
-  struct symbols
-      *symbols; /* of the coefficients, from symbols_init on: it ends after the expansion; of numbers T alone */
+  bool is_closed;          /* formulas of the steady state: closed forms, each as the term of T^0 */
+  struct symbols *symbols; /* of the coefficients, initialised, and freed after the expansion; for numbers T alone */
 
-  /* What it is: series_answer, of which the status, why, the quantities and the modes hold */
+  /* Result: status, why, quantities and modes */
   struct series_answer derived;
   struct symbolic_steady closed;
   struct symbolic_limit limit; /* U = v_start T, in the place of v_start */
-  /* Of numbers: T, what the sums there should be, with as many bits as their errors take, and what is to be said */
+  /* Result in numbers: T, exact values with the precision that errors of the sums require, and their status */
   fmpq_t T;
   arb_t at;
   struct ball_answer exact;
@@ -41,7 +39,7 @@ SCOPED_PARTS(expansion, struct expansion, EXPANSION)
 typedef void expander(struct expansion *e);
 expander expand_numbers, expand_formulas, expand_limit;
 
-/* Bits that so many digits take */
+/* Returns the bits of a number of decimal digits. */
 static inline slong bits_of_digits(long digits) { return (slong)(3.33 * (double)digits); }
 
 #endif

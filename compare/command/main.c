@@ -1,3 +1,4 @@
+/* Program: the command of the first argument, help, version and completion. */
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -11,7 +12,7 @@
 #include "compare/text/progress.h"
 #include "compare/text/shipped.h"
 
-/* A message that is about no command */
+/* Prints a message without the name of a command. */
 static enum exit_code refuse(const char *what)
 {
   fprintf(stderr, "scallop: %s\n", what);
@@ -26,7 +27,7 @@ static enum exit_code refuse_name(const char *what, const char *name, const char
   return refuse(wrong_text("unknown %s '%.400s'%s (see scallop --help)", what, name, did_you_mean(near)));
 }
 
-/* Help and version are output too: a full device is an error. */
+/* Flushes help or version; a full device is an error. */
 static enum exit_code flushed(void)
 {
   if (fflush(stdout) == 0 && !ferror(stdout))
@@ -35,9 +36,8 @@ static enum exit_code flushed(void)
   return EXIT_FILE;
 }
 
-/* Where standard output or error is closed, a file that is opened would take its place, and messages would be written
- * into it. What stands there instead cannot be written to either. */
-static void keep_places(void)
+/* Opens closed standard output or error for reading: otherwise the next file would get its number, and messages. */
+static void reserve_streams(void)
 {
   for (int place = STDOUT_FILENO; place <= STDERR_FILENO; place++) {
     if (fcntl(place, F_GETFD) >= 0)
@@ -55,7 +55,7 @@ static bool is_help(const char *word)
   return strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || strcmp(word, "help") == 0;
 }
 
-/* What does not begin with a command. next: the argument behind it, or NULL */
+/* Handles arguments that do not begin with a command. next: the second argument, or NULL */
 static enum exit_code answer(const char *first, const char *next)
 {
   char option[OPTION_VALUE];
@@ -91,7 +91,7 @@ static enum exit_code run(const struct arguments *a)
   print_recording(&r->point, &r->style);
   progress_begin(r->style.quiet);
   counts_are_printed = r->stats;
-  if (r->threads.given) { /* for what is parallel by OpenMP, which is loaded later */
+  if (r->threads.given) { /* before OpenMP is loaded */
     char number[24];
     snprintf(number, sizeof number, "%ld", r->threads.value);
     setenv("OMP_NUM_THREADS", number, true);
@@ -101,14 +101,14 @@ static enum exit_code run(const struct arguments *a)
     print_decimal_commas(&r->sweep, &r->style);
   if (r->stats)
     counts_print();
-  /* columns may have been named that the table has not */
+  /* a name in --columns or --plot may not be a column of the table */
   return plot_refused() || (r->style.choice && r->style.choice->refused) ? EXIT_USAGE : code;
 }
 
 int main(int count, char **arguments)
 {
-  keep_places();
-  /* A closed pipe and a file that may not grow are failed writes, with a message: half a table is an error. */
+  reserve_streams();
+  /* A closed pipe and a file at its size limit are failed writes, with a message: half a table is an error. */
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   static char rows[1 << 16];

@@ -1,4 +1,4 @@
-/* merge: the table of a sweep from its shards. */
+/* Command merge: the table of a sweep from its shards. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,18 +7,18 @@
 #include "compare/command/commands.h"
 #include "compare/text/file.h"
 
-enum { BLOCK = 4096, MOST_NAMED = 8 };
+enum { BLOCK = 4096, MAX_NAMED = 8 };
 
 struct merge {
   const char *command, *const *names; /* of the files */
   int count;
-  struct shard first;  /* that of the first file */
-  bool is_array;       /* likewise               */
-  const char **shards; /* by their parts: the file of each */
+  struct shard first;  /* of the first file */
+  bool is_array;       /* the first file is in npy format */
+  const char **shards; /* file name of each part, or NULL */
 };
 
-/* NULL, or what is wrong with file i beside those before it */
-static const char *place(struct merge *m, const struct shard_file *s, int i)
+/* Adds file i; returns NULL, or an error, such as a conflict with an earlier file. */
+static const char *add_shard(struct merge *m, const struct shard_file *s, int i)
 {
   const char *name = m->names[i];
   if (!m->shards) {
@@ -32,40 +32,40 @@ static const char *place(struct merge *m, const struct shard_file *s, int i)
     return wrong_text(
         "%.200s and %.200s are of different sweeps, of different numbers of shards, or of different formats",
         m->names[0], name);
-  const char **there = &m->shards[s->shard.part - 1];
-  if (*there)
-    return wrong_text("%.200s and %.200s are both shard %ld of %ld", *there, name, s->shard.part, s->shard.parts);
-  *there = name;
+  const char **shard = &m->shards[s->shard.part - 1];
+  if (*shard)
+    return wrong_text("%.200s and %.200s are both shard %ld of %ld", *shard, name, s->shard.part, s->shard.parts);
+  *shard = name;
   return NULL;
 }
 
-/* Looks at all files. NULL, or what is wrong */
-static const char *look(struct merge *m)
+/* Reads the heads of all files. Returns NULL, or an error. */
+static const char *read_heads(struct merge *m)
 {
   const char *wrong = NULL;
   for (int i = 0; i < m->count && !wrong; i++) {
     struct shard_file s;
     const char *why = shard_open(&s, file_read(m->names[i]));
-    wrong = why ? wrong_text("%.200s: %s", m->names[i], why) : place(m, &s, i);
+    wrong = why ? wrong_text("%.200s: %s", m->names[i], why) : add_shard(m, &s, i);
     shard_close(&s);
   }
   return wrong;
 }
 
-/* NULL, or which shards are missing */
-static const char *missing(const struct merge *m)
+/* Returns NULL, or an error with the missing shards. */
+static const char *missing_text(const struct merge *m)
 {
-  char list[MOST_NAMED * 24] = "";
+  char list[MAX_NAMED * 24] = "";
   size_t used = 0;
   long count = 0;
   if (!m->shards)
     return "no shard is given";
   for (long part = 1; part <= m->first.parts; part++)
-    if (!m->shards[part - 1] && count++ < MOST_NAMED)
+    if (!m->shards[part - 1] && count++ < MAX_NAMED)
       used += (size_t)snprintf(list + used, sizeof list - used, " %ld", part);
   return count == 0 ? NULL
                     : wrong_text("of the %ld shards of this sweep %ld are missing:%s%s", m->first.parts, count, list,
-                                 count > MOST_NAMED ? " ..." : "");
+                                 count > MAX_NAMED ? " ..." : "");
 }
 
 static int copy_lines(struct shard_file *s, FILE *to, bool is_first)
@@ -84,7 +84,7 @@ static int copy_lines(struct shard_file *s, FILE *to, bool is_first)
   return 0;
 }
 
-/* Moves the records of a shard behind those that are written. */
+/* Appends the records of a shard to the output. */
 static int copy_records(struct npy_file *from, struct npy *file, FILE *to, long head)
 {
   struct npy block;
@@ -139,8 +139,8 @@ static enum exit_code run(const struct arguments *a, const void *options)
   const struct style *style = &((const struct request *)options)->style;
   struct merge m = { .command = style->command, .names = a->operands, .count = a->operand_count };
   struct file out;
-  const char *wrong = look(&m);
-  wrong = wrong ? wrong : missing(&m);
+  const char *wrong = read_heads(&m);
+  wrong = wrong ? wrong : missing_text(&m);
   enum exit_code code = EXIT_USAGE;
   if (!wrong && m.is_array && !style->output)
     wrong = no_npy_to_pipe;

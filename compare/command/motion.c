@@ -1,4 +1,4 @@
-/* steady and phase: the quantities of one motion, a row for each point; trajectory: the motion in time. */
+/* Commands steady and phase: the quantities of one motion, a row for each point; trajectory: the motion in time. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,7 +18,7 @@ static const struct motion_options of_steady = { .of = OF_STEADY }, of_phase = {
 
 #define OPTIONS_OF_ROWS \
   OPTION_FLAG("certified", motion_options, certified), OPTION_FLAG("error", motion_options, error), OPTION_POINTS, \
-      OPTION_FORMAT, OPTION_DIGITS(DIGITS_PROVEN("with --certified"), MOST_DIGITS), OPTIONS_VARY, OPTIONS_ERRORS, \
+      OPTION_FORMAT, OPTION_DIGITS(DIGITS_PROVEN("with --certified"), MAX_DIGITS), OPTIONS_VARY, OPTIONS_ERRORS, \
       OPTIONS_PLOT, OPTION_STATS, OPTIONS_LAST
 
 static const struct option steady_options[] = { OPTIONS_CRAWLER, OPTIONS_OF_ROWS };
@@ -29,7 +29,7 @@ static bool is_certified(const struct motion_options *o)
   return o->certified || (o->request.style.digits > DIGITS_OF_DOUBLE && !o->request.style.choice);
 }
 
-/* The modes in words are a column of a single answer for people, and of any table whose columns are chosen by name. */
+/* Returns true if modes in words are a column: of a single answer for people, and of any table with --columns. */
 static bool has_words(const struct request *r)
 {
   return r->style.choice || (!r->scene && !has_many_points(r) && table_is_aligned(&r->style));
@@ -107,14 +107,14 @@ static const char *read_start(void *options, const struct option *option, const 
   return point_set(&o->request.point, "v0", text) ? no_number(text, "rest, steady or a velocity") : NULL;
 }
 
-enum { MOST_PERIODS = 1000000000 };
+enum { MAX_PERIODS = 1000000000 };
 
 static const struct option options_of_trajectory[] = {
   OPTIONS_CRAWLER,
   OPTIONS_VARY,
   OPTION("start", read_start, ),
-  OPTION_COUNT("periods", trajectory_options, periods, 1, MOST_PERIODS),
-  OPTION_COUNT("samples", trajectory_options, samples, 1, MOST_PERIODS),
+  OPTION_COUNT("periods", trajectory_options, periods, 1, MAX_PERIODS),
+  OPTION_COUNT("samples", trajectory_options, samples, 1, MAX_PERIODS),
   OPTION_TEXT("until", trajectory_options, until, "a time"),
   OPTIONS_PLOT,
   OPTION_STATS,
@@ -122,7 +122,7 @@ static const struct option options_of_trajectory[] = {
 };
 static const struct trajectory_options of_trajectory = { .periods = { 10, false }, .samples = { 40, false } };
 
-struct trajectory {     /* that is being written */
+struct trajectory {     /* state of the output */
   struct sweep_end end; /* the last time, of each point */
   struct rows *rows;
   struct at *at;
@@ -179,7 +179,7 @@ static void head(struct rows *rows)
                o->samples.value);
 }
 
-/* What varies tells the curves apart. */
+/* Plans a row for each sample; the columns of varied parameters distinguish the curves. */
 static const char *plan_trajectory(const void *options, struct rows *rows)
 {
   const struct trajectory_options *o = options;

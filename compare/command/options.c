@@ -1,4 +1,4 @@
-/* The arguments of a command: read, completed, and held against its rules. */
+/* Arguments of a command: reading, completion, rules. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,8 +18,8 @@ const struct option *option_of(const struct command *command, const char *name)
   return o->name ? o : NULL;
 }
 
-/* What has left since the last version: an option, or "NAME VALUE", a value of one; of which command, NULL of all. An
- * option or a value that a command still has is found before it. */
+/* Options, or values as "NAME VALUE", removed since the last version; command NULL: of all commands. Existing options
+ * and values are found first. */
 #define AWK \
   "`LC_ALL=C awk -f cheapest.awk FILE` summarises a table; the script is in scripts/plots/ of the sources, and " \
   "installed in share/scallop/"
@@ -47,15 +47,15 @@ static const struct removed_option {
 
 const char *option_instead(const char *command, const char *name, const char *value)
 {
-  char asked[OPTION_VALUE];
-  snprintf(asked, sizeof asked, "%s%s%s", name, value ? " " : "", value ? value : "");
+  char both[OPTION_VALUE];
+  snprintf(both, sizeof both, "%s%s%s", name, value ? " " : "", value ? value : "");
   for (const struct removed_option *r = removed; r < removed + sizeof removed / sizeof *removed; r++)
-    if (strcmp(r->name, asked) == 0 && (!r->command || strcmp(r->command, command) == 0))
+    if (strcmp(r->name, both) == 0 && (!r->command || strcmp(r->command, command) == 0))
       return r->instead;
   return NULL;
 }
 
-/* The option that a mistyped name is near to, or that is called so elsewhere; NULL: none */
+/* Returns the option that resembles a mistyped name, or has this name in other programs; else NULL. */
 static const char *near_option(const struct command *command, const char *name)
 {
   static const char *const elsewhere[][2] = { { "mass1", "m1" },     { "mass2", "m2" }, { "friction1", "F1" },
@@ -66,7 +66,7 @@ static const char *near_option(const struct command *command, const char *name)
   return nearest_in(name + strspn(name, "-"), command->options, sizeof *command->options);
 }
 
-static const struct command *const *all_commands; /* as options_read was given them: options are below the list */
+static const struct command *const *all_commands; /* from options_read */
 
 const char *option_unknown(const struct arguments *a, const char *name, const char *argument)
 {
@@ -99,7 +99,7 @@ const char *option_take(struct arguments *a, const struct option *o, const char 
   return wrong ? wrong_text("--%s: %s", o->name, wrong) : NULL;
 }
 
-/* The recording that is the gait is read once, with the value of --smooth, wherever that stands. NULL: there is none */
+/* Returns the value of --smooth, before or after --gait, or NULL: the recording of a gait is read once, with it. */
 static const char *smooth_of(const struct arguments *a)
 {
   double sigma;
@@ -121,10 +121,10 @@ static const char *take_gait(struct arguments *a, const struct option *o, const 
                                       : "--smooth is the noise of one recording: --gait measured:FILE";
 }
 
-/* An option, and its values: of the first the text behind '=', if there is one. NULL, or what is wrong */
+/* Reads an option and its values; the first may follow '='. Returns NULL, or an error. */
 static const char *read_option(struct arguments *a)
 {
-  const char *argument = a->all[a->place], *texts[MOST_VALUES] = { NULL };
+  const char *argument = a->all[a->place], *texts[MAX_VALUES] = { NULL };
   bool two_dashes = argument[0] == '-' && argument[1] == '-' && argument[2] != '-', is_o = strcmp(argument, "-o") == 0;
   char before[2 * OPTION_VALUE]; /* the value behind '=' */
   size_t length = strcspn(argument, two_dashes ? "=" : "");
@@ -169,11 +169,11 @@ static enum reading read_all(struct arguments *a)
   return wrong ? complain(c->name, "%s", wrong), READ_REFUSED : READ_RUN;
 }
 
-/* Is the option in a list of names, or of NAME=VALUE with the value that it has? */
+/* Returns true if a list has the option's NAME, or NAME=VALUE with its value. */
 static bool is_listed(const struct arguments *a, const struct option *o, const char *names)
 {
   char both[2 * OPTION_VALUE];
-  const struct optional_word *word = o->read == read_word ? (const void *)(a->options.room + o->field) : NULL;
+  const struct optional_word *word = o->read == read_word ? (const void *)(a->options.bytes + o->field) : NULL;
   snprintf(both, sizeof both, "%s=%s", o->name, word && word->value ? word->value : "");
   for (size_t length; *names; names += length + (names[length] == ' ')) {
     length = strcspn(names, " ");
@@ -191,7 +191,7 @@ const struct option *given_option(const struct arguments *a, const char *names)
   return NULL;
 }
 
-/* NULL, or what is wrong: an option that has no effect beside another, or without it */
+/* Returns NULL, or an error: an option without effect, with or without another option */
 static const char *broken_rule(const struct arguments *a, const struct option_rule *rules)
 {
   for (const struct option_rule *r = rules; r && r->names; r++) {
@@ -206,7 +206,7 @@ static const char *broken_rule(const struct arguments *a, const struct option_ru
   return NULL;
 }
 
-/* Lists and ranges are for commands that take many points, and stand in place of a file of them. */
+/* Returns NULL, or an error: a list or a range for a command of one point, or with --points */
 static const char *idle_sweep(const struct arguments *a)
 {
   const struct request *r = &a->options.request;
@@ -220,7 +220,7 @@ static const char *idle_sweep(const struct arguments *a)
                     v->name);
 }
 
-/* The name of the sweep: of all that is asked for, but for what is no matter of its rows */
+/* Names the sweep by a hash of all arguments and files that determine its rows. */
 static void name_sweep(struct arguments *a)
 {
   struct request *r = &a->options.request;
@@ -242,21 +242,21 @@ static void name_sweep(struct arguments *a)
   snprintf(r->shard.sweep, sizeof r->shard.sweep, "%016" PRIx64, name);
 }
 
-/* NULL, or why there is no such shard */
-static const char *no_shard(struct arguments *a)
+/* Names the shard's sweep; returns NULL, or the reason why a shard is not possible. */
+static const char *name_shard(struct arguments *a)
 {
   const struct request *r = &a->options.request;
   if (!command_has_rows(a->command, r))
     return "--shard: this table has no row for each point";
   if (r->style.format != FORMAT_TSV && r->style.format != FORMAT_NPY)
-    return "--shard: a shard is of the format tsv or npy, whose head says which part it is";
+    return "--shard: a shard is of the format tsv or npy, with its part in the head";
   if (r->points && strcmp(r->points, "-") == 0)
     return "--shard: standard input has no parts: --points FILE";
   name_sweep(a);
   return NULL;
 }
 
-bool options_are_sound(struct arguments *a)
+bool options_complete(struct arguments *a)
 {
   static const struct option_rule of_all[] = {
     { "smooth", RULE_WITHOUT, "gait", NULL },
@@ -276,7 +276,7 @@ bool options_are_sound(struct arguments *a)
   wrong = wrong ? wrong : vary_sample(&a->options.request);
   wrong = wrong ? wrong : broken_rule(a, of_all);
   if (!wrong && r->shard.parts > 0)
-    wrong = no_shard(a);
+    wrong = name_shard(a);
   if (!wrong && style->format == FORMAT_NPY && !style->output && option_of(c, "format"))
     wrong = no_npy_to_pipe;
   wrong = wrong ? wrong : broken_rule(a, c->rules);
@@ -290,7 +290,7 @@ void options_initial(struct arguments *a, const struct command *command)
   a->command = command;
   if (command->initial)
     memcpy(&a->options, command->initial, command->size);
-  const enum format format = a->options.request.style.format; /* of the command, where none is given */
+  const enum format format = a->options.request.style.format; /* default of the command */
   a->options.request =
       (struct request){ .style = { .command = command->name, .format = format, .meaning = quantity_meaning },
                         .point = point_initial(command->defaults) };
@@ -313,8 +313,8 @@ enum reading options_read(struct arguments *a, const struct command *command, co
   *code = reading == READ_HELP ? EXIT_DONE : r->point.unreadable ? EXIT_FILE : EXIT_USAGE;
   point_complete(&r->point);
   if (r->points && strcmp(r->points, "-") == 0)
-    r->style.has_format = true; /* each row appears when its point has come, on a terminal too */
-  return reading == READ_RUN && !options_are_sound(a) ? READ_REFUSED : reading;
+    r->style.has_format = true; /* each row appears after its point, on a terminal too */
+  return reading == READ_RUN && !options_complete(a) ? READ_REFUSED : reading;
 }
 
 bool command_has_rows(const struct command *c, const void *options)

@@ -1,3 +1,4 @@
+/* Options of `scallop order`. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -8,43 +9,43 @@
 
 struct order_options {
   struct request request;
-  struct orders_wanted orders;
+  struct expected_orders orders;
   struct optional_number tolerance;
-  struct columns_wanted columns;
+  struct order_columns columns;
   struct optional_word format;
   bool rows;
 };
 _Static_assert(sizeof(struct order_options) <= sizeof((struct arguments *)NULL)->options,
-               "arguments has room for them");
+               "the options fit into struct arguments");
 
 /* Reads "2", "2,3/2" or "L2=2,H1=1". */
 static const char *read_orders(void *options, const struct option *o, const char *text)
 {
-  struct orders_wanted *wanted = (struct orders_wanted *)((char *)options + o->field);
+  struct expected_orders *orders = (struct expected_orders *)((char *)options + o->field);
   static char item[NUMBER_LENGTH + COLUMN_NAME + 2];
   const char *rest = text, *at = text;
-  wanted->count = 0;
-  wanted->at_least = strcmp(o->name, "at-least") == 0;
+  orders->count = 0;
+  orders->at_least = strcmp(o->name, "at-least") == 0;
   for (; next_item(item, sizeof item, &rest); at = rest) {
     const char *number = strrchr(item, '=');
-    const int n = wanted->count++, length = number ? (int)(number - item) : 0;
-    if (n == MOST_ORDERS || length >= COLUMN_NAME)
-      return n == MOST_ORDERS ? "more than 32 orders" : "a name is too long";
-    wanted->of[n].name = number ? at + strspn(at, " ") : NULL;
-    wanted->of[n].length = length;
-    wanted->of[n].order = text_number(number ? number + 1 : item);
-    if (!isfinite(wanted->of[n].order))
+    const int n = orders->count++, length = number ? (int)(number - item) : 0;
+    if (n == MAX_ORDERS || length >= COLUMN_NAME)
+      return n == MAX_ORDERS ? "more than 32 orders" : "a name is too long";
+    orders->of[n].name = number ? at + strspn(at, " ") : NULL;
+    orders->of[n].length = length;
+    orders->of[n].order = text_number(number ? number + 1 : item);
+    if (!isfinite(orders->of[n].order))
       return no_number(number ? number + 1 : item, o->allowed);
-    if (!wanted->of[n].name != !wanted->of[0].name)
+    if (!orders->of[n].name != !orders->of[0].name)
       return "either each order has the name of its column, or none has";
   }
-  return wanted->count > 0 ? NULL : no_number(text, o->allowed);
+  return orders->count > 0 ? NULL : no_number(text, o->allowed);
 }
 
 /* Reads "cells", "cells:DIM" or "dofs:DIM". */
 static const char *read_per(void *options, const struct option *o, const char *text)
 {
-  struct columns_wanted *wanted = (struct columns_wanted *)((char *)options + o->field);
+  struct order_columns *columns = (struct order_columns *)((char *)options + o->field);
   const char *colon = strchr(text, ':');
   const size_t length = colon ? (size_t)(colon - text) : strlen(text);
   const bool is_cells = length == 5 && strncmp(text, "cells", length) == 0;
@@ -52,17 +53,17 @@ static const char *read_per(void *options, const struct option *o, const char *t
   if ((!is_cells && (length != 4 || strncmp(text, "dofs", length) != 0 || !colon))
       || (colon && !read_count(colon + 1, 1, 9, &dimension)))
     return not_allowed(text, o->allowed);
-  wanted->power = -1 / (double)dimension;
+  columns->power = -1 / (double)dimension;
   return NULL;
 }
 
-/* Each --y adds columns. */
+/* Reads --y; each one adds columns. */
 static const char *read_columns(void *options, const struct option *o, const char *text)
 {
-  struct columns_wanted *wanted = (struct columns_wanted *)((char *)options + o->field);
-  if (*text == '\0' || wanted->ys == MOST_LISTS)
-    return *text == '\0' ? "a column, or several with commas between, is wanted" : "not more than 16 times";
-  wanted->y[wanted->ys++] = text;
+  struct order_columns *columns = (struct order_columns *)((char *)options + o->field);
+  if (*text == '\0' || columns->lists == MAX_LISTS)
+    return *text == '\0' ? "it takes columns, separated by commas" : "not more than 16 times";
+  columns->y[columns->lists++] = text;
   return NULL;
 }
 
@@ -105,8 +106,8 @@ static enum exit_code run(const struct arguments *arguments, const void *options
 {
   const struct order_options *o = options;
   struct series_list list = { 0 };
-  struct orders_wanted orders = o->orders;
-  struct columns_wanted columns = o->columns;
+  struct expected_orders orders = o->orders;
+  struct order_columns columns = o->columns;
   orders.tolerance = o->tolerance.value;
   columns.orders = &orders;
   columns.quiet = o->request.style.quiet;

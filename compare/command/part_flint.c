@@ -1,3 +1,4 @@
+/* Functions of the part that needs FLINT, loaded on demand. */
 #include <flint/flint.h>
 #include <gsl/gsl_errno.h>
 
@@ -14,9 +15,9 @@ const struct flint_part flint_part = { SCALLOP_VERSION, series_report, claims_ta
                                        breakdown_table, breakdown_map, breakdown_boundaries, breakdown_page,
                                        summary_plan,    stress_table,  stress_point,         stress_stiff };
 
-/* For the functions of GSL that are linked into this part, too, an error is a status. */
+/* Makes an error in GSL's functions in this part a status. */
 static void __attribute__((constructor)) begin(void) { gsl_set_error_handler_off(); }
 
-/* At the end the memory that FLINT keeps for reuse is given back. A leak checker then sees what was forgotten, the
- * limbs of big integers too, which FLINT holds behind pointers that no checker can read. */
+/* Frees the memory that FLINT keeps for reuse. A leak checker then finds all leaks, also in the limbs of big integers,
+ * since FLINT's pointers to them are encoded. */
 static void __attribute__((destructor)) end(void) { flint_cleanup(); }

@@ -1,4 +1,4 @@
-/* How the values of options are read. */
+/* Readers of the values of options. */
 #include <limits.h>
 #include <stdio.h>
 #include <string.h>
@@ -40,7 +40,7 @@ const char *read_flag(void *options, const struct option *o, const char *text)
 const char *read_real(void *options, const struct option *o, const char *text)
 {
   double value;
-  if (!read_number(text, &value) || value < o->least || value > o->most)
+  if (!read_number(text, &value) || value < o->min || value > o->max)
     return no_number(text, o->allowed);
   *(struct optional_number *)field_of(options, o) = (struct optional_number){ value, true };
   return NULL;
@@ -49,12 +49,12 @@ const char *read_real(void *options, const struct option *o, const char *text)
 const char *read_whole(void *options, const struct option *o, const char *text)
 {
   struct optional_count *count = field_of(options, o);
-  count->given = read_count(text, (long)o->least, (long)o->most, &count->value);
-  return count->given ? NULL : not_allowed(text, wrong_text("a whole number from %.0f to %.0f", o->least, o->most));
+  count->given = read_count(text, (long)o->min, (long)o->max, &count->value);
+  return count->given ? NULL : not_allowed(text, wrong_text("a whole number from %.0f to %.0f", o->min, o->max));
 }
 
-/* The place of the word, or -1, and what is wrong */
-static int word_among(const char *const *words, const char *text, const char **wrong)
+/* Returns the place of the word, or -1, with an error. */
+static int find_word(const char *const *words, const char *text, const char **wrong)
 {
   char list[400];
   int place = word_place(text, words);
@@ -67,7 +67,7 @@ static int word_among(const char *const *words, const char *text, const char **w
 const char *read_word(void *options, const struct option *o, const char *text)
 {
   const char *wrong;
-  int place = word_among(o->words, text, &wrong);
+  int place = find_word(o->words, text, &wrong);
   if (!wrong)
     *(struct optional_word *)field_of(options, o) = (struct optional_word){ o->words[place], true };
   return wrong;
@@ -77,7 +77,7 @@ const char *read_format(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
   const char *wrong;
-  int place = word_among(format_names, text, &wrong);
+  int place = find_word(format_names, text, &wrong);
   (void)o;
   if (!wrong) {
     r->style.format = (enum format)place;
@@ -98,7 +98,7 @@ const char *read_text(void *options, const struct option *o, const char *text)
 const char *read_digits(void *options, const struct option *o, const char *text)
 {
   struct request *r = options;
-  bool fine = read_count(text, 1, (long)o->most, &r->style.digits);
+  bool fine = read_count(text, 1, (long)o->max, &r->style.digits);
   return fine ? NULL : not_allowed(text, wrong_text("a whole number %s", o->allowed));
 }
 

@@ -1,7 +1,7 @@
-/* The rows of options, and how their values are read. A command's options are a struct of its own that begins with
- * struct request (answers/request.h), and a row for each: its name, how it is read, and which field it sets; an
- * argument of the command line and a member of a scene are read by the same row. What it takes, what it is for and what
- * holds where it is not given stands in docs/help/COMMAND.txt. A new option is a field, a row and a line there. */
+/* Rows of options, and readers of their values. A command has a struct of options, with struct request
+ * (answers/request.h) as its first member, and a row for each option: its name, reader and field. One row reads an
+ * argument of the command line and a member of a scene. docs/help/COMMAND.txt has the allowed values, purpose and
+ * default. A new option is a field, a row and a line there. */
 #ifndef SCALLOP_COMPARE_COMMAND_READERS_H
 #define SCALLOP_COMPARE_COMMAND_READERS_H
 
@@ -11,47 +11,47 @@
 #include "compare/answers/rows.h"
 #include "compare/text/values.h"
 
-/* --digits: of doubles, and where they are proven. */
-enum { DOUBLE_DIGITS = 17, MOST_DIGITS = 10000, OPTION_VALUE = 48, MOST_VALUES = 2 };
+/* DOUBLE_DIGITS, MAX_DIGITS: the most of --digits, for doubles and for proven numbers */
+enum { DOUBLE_DIGITS = 17, MAX_DIGITS = 10000, OPTION_VALUE = 48, MAX_VALUES = 2 };
 
-/* Called for each value of an option. Returns NULL, or what is wrong; the message lives until the next call. */
+/* Reads one value of an option. Returns NULL, or an error, valid until the next call. */
 struct option;
 typedef const char *option_reader(void *options, const struct option *option, const char *text);
-option_reader read_parameter, /* of the point, or what varies, by its name                              */
-    read_product,             /* begins another product of what varies                                  */
-    read_flag,                /* bool                                                                   */
-    read_real,                /* struct optional_number, from least to most                                */
-    read_whole,               /* struct optional_count, likewise                                           */
-    read_word,                /* struct optional_word, one of words                                        */
-    read_text,                /* const char *, one for each value, not empty: allowed says what it is   */
-    read_format, read_output, /* of the style                                                           */
-    read_digits,              /* likewise, from 1 to most                                               */
-    read_plot,                /* likewise, of its plot, by its name                                     */
-    read_choice,              /* likewise: which columns                                                */
-    read_sample,              /* of the request: how many samples, and of which kind                    */
-    read_shard;               /* likewise: which part of the sweep                                      */
+option_reader read_parameter, /* a parameter, or its range, by the option's name */
+    read_product,             /* begins another product of a sweep */
+    read_flag,                /* bool */
+    read_real,                /* struct optional_number, from min to max */
+    read_whole,               /* struct optional_count, from min to max */
+    read_word,                /* struct optional_word, one of words */
+    read_text,                /* const char *, one for each value, not empty; allowed describes it in messages */
+    read_format, read_output, /* of the style */
+    read_digits,              /* of the style, from 1 to max */
+    read_plot,                /* of the plot in the style, by the option's name */
+    read_choice,              /* columns, in the style */
+    read_sample,              /* samples, their count and kind, in the request */
+    read_shard;               /* part of the sweep, in the request */
 
 struct option {
-  const char *name; /* without the dashes; NULL behind the last */
+  const char *name; /* without the dashes; the last row has NULL */
   option_reader *read;
   size_t field; /* in the struct of the command */
-  double least, most;
+  double min, max;
   const char *const *words; /* NULL-terminated */
   const char *allowed;
-  int values; /* how many it takes where it is more than one */
+  int values; /* count, if more than one */
 };
-/* How many values it takes. */
+/* Returns the count of values. */
 int option_values(const struct option *option);
 
-/* What two options have to do with each other: one that has no effect is refused. */
+/* Rule between options: one without effect is refused. */
 struct option_rule {
-  const char *names; /* separated by blanks, NAME, or NAME=VALUE for an option with that value: none may be given */
+  const char *names; /* separated by blanks, NAME, or NAME=VALUE for an option with this value: each is refused */
   enum { RULE_WITH, RULE_WITHOUT } when;
-  const char *others;  /* one of these, separated by blanks */
-  const char *message; /* behind "--NAME "; NULL: that it has nothing to do with the other, or without it */
+  const char *others;  /* separated by blanks: with, or without, any of these */
+  const char *message; /* after "--NAME "; NULL: "has nothing to do with" the other, or without it */
 };
 
-/* Rows that many commands have. */
+/* Rows of several commands */
 #define OPTION(named, reader, ...) \
   { \
     .name = named, .read = reader, __VA_ARGS__ \
@@ -71,9 +71,9 @@ struct option_rule {
 #define OPTION_TEXT(name, type, member, what) OPTION(name, read_text, OPTION_FIELD(type, member), .allowed = what)
 #define OPTION_WORD(name, type, member, list) OPTION(name, read_word, OPTION_FIELD(type, member), .words = list)
 #define OPTION_COUNT(name, type, member, low, high) \
-  OPTION(name, read_whole, OPTION_FIELD(type, member), .least = low, .most = high)
+  OPTION(name, read_whole, OPTION_FIELD(type, member), .min = low, .max = high)
 #define OPTION_NUMBER(name, type, member, ...) OPTION(name, read_real, OPTION_FIELD(type, member), __VA_ARGS__)
-#define FROM_TO(low, high, what) .least = low, .most = high, .allowed = what
+#define FROM_TO(low, high, what) .min = low, .max = high, .allowed = what
 #define FINITE FROM_TO(-DBL_MAX, DBL_MAX, "a finite number")
 #define POSITIVE FROM_TO(DBL_TRUE_MIN, DBL_MAX, "a finite number > 0")
 #define OPTIONS_ERRORS \
@@ -83,7 +83,7 @@ extern const char *const reference_words[];
 #define OPTION_POINTS OPTION_TEXT("points", request, points, "a file name")
 #define OPTION_FORMULAS OPTION_TEXT("formulas", request, formulas, "a file name")
 #define OPTION_FORMAT OPTION("format", read_format, )
-#define OPTION_DIGITS(range, high) OPTION("digits", read_digits, .most = high, .allowed = range)
+#define OPTION_DIGITS(range, high) OPTION("digits", read_digits, .max = high, .allowed = range)
 #define DIGITS_OF_DOUBLES "from 1 to 17"
 #define DIGITS_PROVEN(where) DIGITS_OF_DOUBLES "; " where " to 10000"
 #define OPTION_OUTPUT OPTION("output", read_output, )
@@ -93,7 +93,7 @@ extern const char *const reference_words[];
       OPTION_PLOT("plot-x-range"), OPTION_PLOT("plot-y-range"), OPTION_PLOT("plot-title"), OPTION_PLOT("plot-size")
 #define OPTION_STATS OPTION_FLAG("stats", request, stats)
 #define OPTION_QUIET OPTION_FLAG("quiet", request, style.quiet)
-/* The last rows: NO_MORE_OPTIONS ends each table, and those of a table of doubles end with OPTIONS_OF_DOUBLES. */
+/* Last rows: NO_MORE_OPTIONS ends each table of options, OPTIONS_OF_DOUBLES the options of a table of doubles. */
 #define NO_MORE_OPTIONS OPTION(NULL, NULL, )
 #define OPTIONS_LAST \
   OPTION("columns", read_choice, ), OPTION_OUTPUT, OPTION_COUNT("threads", request, threads, 1, MAX_THREADS), \

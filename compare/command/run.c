@@ -1,4 +1,4 @@
-/* run and figure: the tables of scenes, made. */
+/* Commands run and figure: the tables of scenes. */
 #include <limits.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,15 +16,15 @@ static const struct option options_of_run[] = {
   OPTION_TEXT("into", scene_options, folder, "a file name"),
   OPTION_OUTPUT,
   OPTION_FORMAT,
-  OPTION_DIGITS(DIGITS_PROVEN("where a scene has certified values"), MOST_DIGITS),
+  OPTION_DIGITS(DIGITS_PROVEN("where a scene has certified values"), MAX_DIGITS),
   OPTION_QUIET,
   NO_MORE_OPTIONS,
 };
 static const struct option_rule rules[] = { { "into", RULE_WITH, "output", "and -o exclude each other" },
                                             { NULL, RULE_WITH, NULL, NULL } };
 
-/* What tells files apart, however their paths are spelled: a file that is there, or a name in a folder. A device or a
- * pipe takes any number of tables, and that a folder is not there opening the file will say: name is NULL. */
+/* Identity of a file, independent of the spelling of its path: an existing file, or a name in a folder. name NULL: not
+ * compared, as a device or pipe takes any number of tables, and a missing folder is an error later. */
 struct place {
   dev_t device;
   ino_t number;
@@ -42,7 +42,7 @@ static struct place place_of(const char *path)
   return stat(folder, &at) == 0 ? (struct place){ at.st_dev, at.st_ino, name } : (struct place){ .name = NULL };
 }
 
-/* NULL is standard output. */
+/* Returns true if both paths are one file; NULL: standard output. */
 static bool is_same_file(const char *a, const char *b)
 {
   if (!a || !b)
@@ -52,14 +52,14 @@ static bool is_same_file(const char *a, const char *b)
          && strcmp(of_a.name, of_b.name) == 0;
 }
 
-/* Do tables and plots of all scenes go to different files, and none to one that is read? */
-static enum exit_code check_files(const struct wanted *all, int count, const char *command)
+/* Checks that tables and plots of all scenes go to different files, and not to an input file. */
+static enum exit_code check_files(const struct planned_scene *all, int count, const char *command)
 {
-  enum { MOST = 2 * SCENE_TABLES * 64 };
-  static const char *path[MOST + 2];
+  enum { MAX_FILES = 2 * SCENE_TABLES * 64 };
+  static const char *path[MAX_FILES + 2];
   int files = 0;
-  for (const struct wanted *s = all; s < all + count; s++)
-    for (const struct scene_table *w = s->table; w < s->table + s->scene.tables && files < MOST; w++) {
+  for (const struct planned_scene *s = all; s < all + count; s++)
+    for (const struct scene_table *w = s->table; w < s->table + s->scene.tables && files < MAX_FILES; w++) {
       path[files++] = w->files.table;
       if (w->files.has_plot)
         path[files++] = w->files.plot.file;
@@ -79,31 +79,31 @@ static enum exit_code check_files(const struct wanted *all, int count, const cha
 
 static enum exit_code worse(enum exit_code a, enum exit_code b) { return a > b ? a : b; }
 
-static void tell_written(const struct style *given, const char *file)
+static void print_written(const struct style *given, const char *file)
 {
   if (file && !given->quiet)
     fprintf(stderr, "scallop %s: wrote %s\n", given->command, file);
 }
 
-static enum exit_code draw_plots(const struct wanted *s, const struct style *given)
+static enum exit_code draw_plots(const struct planned_scene *s, const struct style *given)
 {
   enum exit_code code = EXIT_DONE;
   for (const struct scene_table *w = s->table; w < s->table + s->scene.tables; w++) {
     bool drawn = w->files.has_plot && plot_draw(&w->files.plot, given->command);
     code = drawn || !w->files.has_plot ? code : EXIT_FILE;
     count_add(COUNT_PLOTS, drawn);
-    tell_written(given, drawn ? w->files.plot.file : NULL);
+    print_written(given, drawn ? w->files.plot.file : NULL);
   }
   return code;
 }
 
-/* Of tables that are in their places: what is said of them, their pictures, and the exit code */
-static enum exit_code judge(const struct wanted *s, const struct rows_set *run, enum exit_code code,
+/* Prints messages about complete tables, draws their plots, and returns the exit code. */
+static enum exit_code judge(const struct planned_scene *s, const struct rows_set *run, enum exit_code code,
                             const struct style *given)
 {
   long failed = 0;
   for (int i = 0; i < s->scene.tables; i++)
-    tell_written(given, s->table[i].files.table);
+    print_written(given, s->table[i].files.table);
   for (int i = 0; i < run->count; i++)
     failed += run->rows[i].failed_checks;
   if (run->unsolved > 0)
@@ -117,14 +117,14 @@ static enum exit_code judge(const struct wanted *s, const struct rows_set *run, 
   return run->unsolved > 0 ? EXIT_UNSOLVED : failed > 0 ? worse(code, EXIT_CHECK_FAILED) : code;
 }
 
-/* Rows share their points; the table of another command is made, and in its place, when that command ends. All rows are
- * complete before the first table takes its place: where something goes wrong the earlier files stay. */
-static enum exit_code run_scene(struct wanted *s, const struct style *given)
+/* Writes the tables of a scene: tables of rows together, point by point, then the other ones by their commands. The
+ * tables of rows replace earlier files only after all are complete; after an error, earlier files stay. */
+static enum exit_code run_scene(struct planned_scene *s, const struct style *given)
 {
   struct rows_set run = { .count = s->tables, .rows = s->rows };
   enum exit_code code = run.count > 0 ? rows_visit(&run, NULL) : EXIT_DONE;
-  bool go_on = code == EXIT_DONE;
-  for (int i = 0; go_on && i < s->scene.tables && code != EXIT_FILE; i++)
+  bool is_fine = code == EXIT_DONE;
+  for (int i = 0; is_fine && i < s->scene.tables && code != EXIT_FILE; i++)
     if (!s->table[i].rows) {
       count_add(COUNT_COMMANDS, 1);
       code = worse(code, command_make(&s->table[i].arguments));
@@ -135,19 +135,19 @@ static enum exit_code run_scene(struct wanted *s, const struct style *given)
   return keep ? judge(s, &run, code, given) : code;
 }
 
-static enum exit_code run_all(struct wanted *all, int count, const struct scene_options *o)
+static enum exit_code run_all(struct planned_scene *all, int count, const struct scene_options *o)
 {
   const struct style *given = &o->request.style;
-  int wants = 0;
+  int tables = 0;
   for (int i = 0; i < count; i++)
-    wants += all[i].scene.tables;
-  if (given->has_output && wants > 1) {
-    complain(given->command, "-o names one file, and %d tables are requested: --into FOLDER says where they go", wants);
+    tables += all[i].scene.tables;
+  if (given->has_output && tables > 1) {
+    complain(given->command, "-o names one file, and %d tables are requested: use --into FOLDER", tables);
     return EXIT_USAGE;
   }
   enum exit_code code = check_files(all, count, given->command);
   bool is_fine = code == EXIT_DONE;
-  for (struct wanted *s = all; is_fine && s < all + count && code != EXIT_FILE; s++)
+  for (struct planned_scene *s = all; is_fine && s < all + count && code != EXIT_FILE; s++)
     if (!o->check_only)
       code = worse(code, run_scene(s, given));
     else if (!given->quiet)
@@ -156,23 +156,23 @@ static enum exit_code run_all(struct wanted *all, int count, const struct scene_
   return code;
 }
 
-/* Reads all scenes, and only then runs them. */
+/* Reads all scenes, then runs them. */
 static enum exit_code run_scenes(const struct scene_options *o, const char *const *names, int count)
 {
-  struct wanted *all = calloc((size_t)count, sizeof *all);
+  struct planned_scene *all = calloc((size_t)count, sizeof *all);
   enum exit_code code = EXIT_DONE;
   int read = 0;
   if (!all)
     return complain(o->request.style.command, "out of memory"), EXIT_UNSOLVED;
   for (; read < count && code == EXIT_DONE; read++) {
     const char *name = strcmp(names[read], "/dev/stdin") == 0 ? "-" : names[read];
-    code = wanted_read(&all[read], &(struct scene_source){ .path = name, .text = shipped_text(shipped_scenes, name) },
-                       o);
+    code = planned_scene_read(&all[read],
+                              &(struct scene_source){ .path = name, .text = shipped_text(shipped_scenes, name) }, o);
   }
   if (code == EXIT_DONE)
     code = run_all(all, count, o);
   while (read > 0)
-    wanted_free(&all[--read]);
+    planned_scene_free(&all[--read]);
   free(all);
   return code;
 }
@@ -196,8 +196,8 @@ static const struct option options_of_figure[] = {
   OPTIONS_PLOT,    OPTIONS_LAST,
 };
 
-/* The table behind a figure of the paper is that of a scene (data/scenes/), whatever file that names. Where columns are
- * named they are drawn, else the figure as it is in the paper. */
+/* Writes the table of a figure, from a scene of data/scenes/. The plot shows the named columns, or else the figure of
+ * the paper. */
 static enum exit_code run_figure(const struct arguments *arguments, const void *options)
 {
   struct scene_options o = *(const struct scene_options *)options;

@@ -1,8 +1,9 @@
+/* Tables of a scene: their options, columns and files. */
 #include "compare/command/scene_table.h"
 
 #include <string.h>
 
-/* The kinds of table that a scene can have, and the options that their names stand for */
+/* Kinds of table in a scene, with their commands and options */
 static const struct kind {
   const char *name;
   const struct command *command;
@@ -34,15 +35,15 @@ static const struct kind *find_kind(struct scene *s, const config_setting_t *at)
   return place < 0 ? NULL : &kinds[place];
 }
 
-/* A member with the value that the option of that name takes; true is that of a flag. NULL, or what is wrong */
+/* Sets the option with the name of a member; true sets a flag. Returns NULL, or an error. */
 static const char *take_member(struct scene_table *w, struct scene *s, const config_setting_t *at,
                                const struct option *o)
 {
-  const char *texts[MOST_VALUES] = { NULL };
+  const char *texts[MAX_VALUES] = { NULL };
   int values = option_values(o), count = values > 1 ? element_count(at) : 1;
   if (config_setting_type(at) == CONFIG_TYPE_BOOL)
     return config_setting_get_bool(at) ? option_take(&w->arguments, o, texts, 0) : NULL;
-  for (int i = 0; i < count && count <= MOST_VALUES; i++) {
+  for (int i = 0; i < count && count <= MAX_VALUES; i++) {
     texts[i] = values > 1 ? text_of(&s->config, element_at(at, i)) : scene_text_of_list(s, at);
     if (!texts[i] || !*texts[i])
       return wrong_text("%s takes what it takes on the command line: a number, a text, or true",
@@ -51,7 +52,7 @@ static const char *take_member(struct scene_table *w, struct scene *s, const con
   return option_take(&w->arguments, o, texts, count);
 }
 
-/* "of" names series where the command has no such option. */
+/* Sets options from all members; "of" is the option --only if the command has no option --of. */
 static bool take_members(struct scene_table *w, struct scene *s, const config_setting_t *at)
 {
   static const char *const read_elsewhere[] = { "kind", "file", "plot", NULL };
@@ -73,7 +74,7 @@ static bool take_members(struct scene_table *w, struct scene *s, const config_se
   return true;
 }
 
-/* What the scene says of its point; the rest is the command's own. */
+/* Copies the parameters that the scene gives; the command's defaults remain for the others. */
 static void take_parameters(struct point *p, const struct point *base)
 {
   for (int i = 0; i < POINT_NUMBERS; i++)
@@ -85,15 +86,14 @@ static void take_parameters(struct point *p, const struct point *base)
   point_complete(p);
 }
 
-/* An option of the kind of table */
+/* Sets an option of the kind of table. */
 static void take_named(struct scene_table *w, const char *name, const char *const *value)
 {
   const struct option *o = option_of(w->arguments.command, name);
   option_take(&w->arguments, o, value, option_values(o));
 }
 
-/* The options of the table's command, over what the scene and the command line say. rows: for the table, if it has any
- */
+/* Sets the options of the table's command, from the scene and the command line. rows: for a table of rows */
 static bool read_options(struct scene_table *w, struct scene *s, const config_setting_t *at, const struct kind *kind,
                          const struct style *given, struct rows *rows)
 {
@@ -123,11 +123,11 @@ static bool read_options(struct scene_table *w, struct scene *s, const config_se
                        "'vary', and run the command once for each value",
                        sweep_variable(&s->request.sweep, 0)->name, kind->name);
   }
-  return options_are_sound(&w->arguments)
+  return options_complete(&w->arguments)
          || refuse_at(&s->config, at, "the command behind kind = \"%s\" refuses these options", kind->name);
 }
 
-/* chosen: the columns that the command line names, or NULL */
+/* Plans rows and columns. chosen: the columns of the command line, or NULL */
 static bool plan_rows(struct scene_table *w, struct scene *s, const config_setting_t *at,
                       const struct table_choice *chosen)
 {
@@ -136,7 +136,7 @@ static bool plan_rows(struct scene_table *w, struct scene *s, const config_setti
   const struct table_choice *own = r->style.choice;
   *w->rows = (struct rows){ .request = r, .sheet.required = s->request.required };
   const char *wrong = w->arguments.command->plan(r, w->rows);
-  for (int i = 0; chosen && own && i < own->count && !wrong; i++) /* among the names that the scene gives, too */
+  for (int i = 0; chosen && own && i < own->count && !wrong; i++) /* from the names of columns in the scene too */
     wrong = rows_own(w->rows, "%s", own->names[i]);
   w->rows->choice = chosen;
   if (wrong)
@@ -147,7 +147,7 @@ static bool plan_rows(struct scene_table *w, struct scene *s, const config_setti
   return !wrong || refuse_at(&s->config, columns ? columns : at, "%s", wrong);
 }
 
-/* Does a path lead down from its folder? Links on its way are not looked at. */
+/* Returns true if a path stays below its folder; links are not followed. */
 static bool goes_down(const char *path)
 {
   bool up = *path == '/';
@@ -158,21 +158,21 @@ static bool goes_down(const char *path)
   return !up;
 }
 
-/* A file of the scene, below the folder that the command line names, if it does */
+/* Puts a file of the scene below the folder of the command line, if any. */
 static bool place(struct scene *s, const config_setting_t *group, const char *folder, const char **file)
 {
   if (!folder || !*file)
     return true;
   if (!goes_down(*file))
     return refuse_at(&s->config, config_setting_get_member(group, "file"),
-                     "'%.200s' may lie outside of %.200s, which --into names: a file is allowed that has no / in front "
-                     "and no folder .. in its path",
+                     "'%.200s' may lie outside of %.200s, the folder of --into: a path without / in front and without "
+                     ".. is allowed",
                      *file, folder);
   *file = keep(&s->config, "%s/%s", folder, *file);
   return *file != NULL;
 }
 
-/* Where the command line says that files go */
+/* Sets the files of table and plot, as the command line states. */
 static bool place_files(struct scene_table *w, struct scene *s, const config_setting_t *at,
                         const struct scene_options *o)
 {
@@ -183,13 +183,13 @@ static bool place_files(struct scene_table *w, struct scene *s, const config_set
   else if (!place(s, at, o->folder, &f->table) || !place(s, plot, o->folder, &f->plot.file))
     return false;
   f->has_plot &= f->table && !o->no_plots;
-  if (!f->plot.x || !f->plot.y) /* then the picture is that of such a table */
+  if (!f->plot.x || !f->plot.y) /* the kind of table determines the picture */
     f->plot.of = w->rows && w->rows->of ? w->rows->of : w->arguments.command->name;
   f->plot.table = w->arguments.options.request.style.output = f->table;
   return true;
 }
 
-static bool read_scene_table(struct wanted *all, struct scene_table *w, const config_setting_t *at,
+static bool read_scene_table(struct planned_scene *all, struct scene_table *w, const config_setting_t *at,
                              const struct scene_options *o)
 {
   struct scene *s = &all->scene;
@@ -198,19 +198,20 @@ static bool read_scene_table(struct wanted *all, struct scene_table *w, const co
     return refuse_at(&s->config, at, "tables is a list of groups: ( { kind = \"steady\"; file = \"steady.tsv\"; } )");
   const config_setting_t *what = config_setting_get_member(at, "kind");
   if (!what)
-    return refuse_at(&s->config, at, "which table? kind = \"steady\", for one");
+    return refuse_at(&s->config, at, "the kind of table is missing: kind = \"steady\", for example");
   const struct kind *kind = find_kind(s, what);
   if (!kind || !read_options(w, s, at, kind, &o->request.style, &all->rows[all->tables])
       || !scene_read_files(&w->files, s, at, style))
     return false;
   all->tables += w->rows != NULL;
-  style->plot = w->files.plot; /* the table has its columns, too */
+  style->plot = w->files.plot; /* the table gets its columns too */
   bool is_planned = !w->rows || plan_rows(w, s, at, o->request.style.choice);
   style->plot = o->request.style.plot; /* of figure */
   return is_planned && place_files(w, s, at, o);
 }
 
-enum exit_code wanted_read(struct wanted *all, const struct scene_source *source, const struct scene_options *o)
+enum exit_code planned_scene_read(struct planned_scene *all, const struct scene_source *source,
+                                  const struct scene_options *o)
 {
   enum exit_code code = scene_read(&all->scene, source, &o->request);
   for (int i = 0; i < all->scene.tables && code == EXIT_DONE; i++)
@@ -218,10 +219,10 @@ enum exit_code wanted_read(struct wanted *all, const struct scene_source *source
   return code;
 }
 
-void wanted_free(struct wanted *all)
+void planned_scene_free(struct planned_scene *all)
 {
   for (struct scene_table *w = all->table; w < all->table + all->scene.tables; w++) {
-    if (w->rows) /* whose points are the scene's, as what is asked of all */
+    if (w->rows) /* the scene owns the points, and the list of requested quantities */
       w->arguments.options.request.sweep = (struct sweep){ .products = 0 };
     w->arguments.options.request.required = NULL;
     options_free(&w->arguments);

@@ -1,4 +1,4 @@
-/* A table of a scene: a request of a command, whose members are read by the command's own option rows. */
+/* Table of a scene: a request of a command, with members that the rows of the command's options read. */
 #ifndef SCALLOP_COMPARE_COMMAND_SCENE_TABLE_H
 #define SCALLOP_COMPARE_COMMAND_SCENE_TABLE_H
 
@@ -7,25 +7,25 @@
 
 struct scene_options { /* of run and figure */
   struct request request;
-  const char *folder; /* below which all files go, or NULL */
+  const char *folder; /* for all files, or NULL */
   bool check_only, no_plots;
 };
 
 struct scene_table {
   struct arguments arguments;
-  struct rows *rows; /* planned, where the command makes rows: those of a scene share their points; else NULL */
+  struct rows *rows; /* of a command with rows for points (the tables of a scene share the points); else NULL */
   struct scene_files files;
 };
 
-struct wanted { /* a scene and its tables, scene.tables of them; begins with zeros */
+struct planned_scene { /* a scene and its tables, scene.tables of them; initially zero */
   struct scene scene;
   struct scene_table table[SCENE_TABLES];
   struct rows rows[SCENE_TABLES];
-  int tables; /* of these rows */
+  int tables; /* in rows */
 };
-/* The exit code, the message being on stderr. To be freed in either case. */
-enum exit_code wanted_read(struct wanted *wanted, const struct scene_source *source,
-                           const struct scene_options *options);
-void wanted_free(struct wanted *wanted);
+/* Reads and plans a scene. Returns an exit code, after a message on stderr. Call planned_scene_free in either case. */
+enum exit_code planned_scene_read(struct planned_scene *planned, const struct scene_source *source,
+                                  const struct scene_options *options);
+void planned_scene_free(struct planned_scene *planned);
 
 #endif

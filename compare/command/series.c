@@ -1,3 +1,4 @@
+/* Options of `scallop series`. */
 #include "compare/command/series_options.h"
 
 #include "compare/answers/flint.h"
@@ -25,7 +26,7 @@ static const struct option options_of_series[] = {
   OPTIONS_ERRORS,
   OPTION_STATS,
   OPTION_FORMAT,
-  OPTION_DIGITS(DIGITS_PROVEN("with --source derived or limit"), MOST_DIGITS),
+  OPTION_DIGITS(DIGITS_PROVEN("with --source derived or limit"), MAX_DIGITS),
   OPTIONS_PLOT,
   OPTIONS_LAST,
 };
@@ -40,14 +41,13 @@ static const struct option_rule rules[] = {
   { "bound digits points formulas only", RULE_WITH, "symbolic",
     "and --symbolic exclude each other: formulas are exact, and of one motion" },
   { "format plot columns", RULE_WITH, "emit=latex emit=python", "is for tables: with --emit it is of no use" },
-  { "symbolic", RULE_WITH, "source=published",
-    "is for the derived series: the published ones are formulas as they stand" },
+  { "symbolic", RULE_WITH, "source=published", "is for the derived series: the published ones are formulas already" },
   { "source=closed", RULE_WITHOUT, "symbolic", "closed needs --symbolic: it is the steady state as a formula" },
   { "emit=latex emit=python", RULE_WITHOUT, "source=derived symbolic",
     "is for derived series: give --source derived, or --symbolic" },
   { "order", RULE_WITH, "source=closed", "and --source closed exclude each other: a closed form has no terms" },
   { "order", RULE_WITHOUT, "source=derived bound symbolic",
-    "needs --source derived, or --bound: the published formulas end where they end, and the limit is one term" },
+    "needs --source derived, or --bound: the published formulas have a fixed order, and the limit is one term" },
   { "bound", RULE_WITH, "source=published source=limit", "is for the derived series: leave --source out" },
   { "only", RULE_WITH, DERIVED,
     "is for the published formulas, and names derived ones: leave --source and --bound out" },
@@ -68,19 +68,19 @@ static bool has_rows(const void *options)
   return series_are_rows(o) || (!o->symbolic && is_from(o, "published"));
 }
 
-/* What no rule says of the options */
+/* Checks that no rule covers */
 static const char *complete(void *options)
 {
   const struct series_options *o = options;
   /* bounds and formulas of higher orders take minutes */
-  long most = o->bound ? 60 : !o->symbolic ? o->order.value : is_from(o, "limit") ? 10 : 16;
+  long max = o->bound ? 60 : !o->symbolic ? o->order.value : is_from(o, "limit") ? 10 : 16;
   const char *what = o->bound ? "bound" : is_from(o, "limit") ? "symbolic --source limit" : "symbolic";
   const char *of_rows = o->parts                     ? "parts"
                         : o->request.accuracy.given  ? "accuracy"
                         : o->request.reference.given ? "reference"
                                                      : NULL;
-  if (o->order.value > most)
-    return wrong_text("--%s takes an --order from 1 to %ld", what, most);
+  if (o->order.value > max)
+    return wrong_text("--%s takes an --order from 1 to %ld", what, max);
   if (of_rows && !series_are_rows(o))
     return wrong_text("--%s is about rows of points: give --rows, or a list or a range", of_rows);
   return NULL;

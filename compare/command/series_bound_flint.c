@@ -1,4 +1,4 @@
-/* series --bound */
+/* Table of series --bound. */
 #include <math.h>
 
 #include "asymptotics/derived/scoped.h"
@@ -7,7 +7,7 @@
 
 enum { BOUND_PRECISION = 128 };
 
-/* Four digits, rounded away from what is claimed: C and the bound up, times down. */
+/* Writes four digits, rounded to the safe side: C and the bound up, times down. */
 static void write_rounded(struct table *t, const arb_t x, int direction)
 {
   enum { SPARE = 1000, DIGITS = 4 }; /* a thousandth is more than the fourth digit's rounding */

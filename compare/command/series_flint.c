@@ -1,5 +1,5 @@
-/* series --source derived|limit and --symbolic: a report of the quantities of motions as sums of terms is a table, or
- * for each quantity a function of T in Python or a formula in LaTeX. Each kind of report is a row of kinds[]. */
+/* Output of series --source derived|limit and --symbolic: quantities of motions as sums of terms, in a table, or each
+ * as a function of T in Python or a formula in LaTeX. Each kind of output is a row of kinds[]. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -19,7 +19,7 @@ static const char power_of_formulas[] = "power: of T, the duration of the phase,
 static const struct kind {
   bool symbolic;
   const char *source;
-  bool has_order, has_phases; /* not of the steady state alone */
+  bool has_order, has_phases; /* has_phases: single phases too, not only the steady state */
   const char *const *columns;
   const char *meaning; /* of the columns, or NULL */
   expander *expand;
@@ -31,29 +31,29 @@ static const struct kind {
   { true, "limit", true, false, of_limit, NULL, expand_limit },
 };
 
-struct report {
+struct output {
   const struct kind *kind;
   const struct series_options *options;
-  const struct scallop_rational_crawler *crawler; /* as it was written */
+  const struct scallop_rational_crawler *crawler; /* decimals as typed */
   long order, digits;                             /* terms below T^order; digits of decimal numbers */
   const struct language *language;                /* NULL: a table */
-  char why[240];                                  /* the first motion that has no series: the reason */
+  char why[240];                                  /* reason of the first motion without a series */
   struct table table;
   struct file out; /* of a language */
 };
 
 struct motion_in_rows {
-  const char *phase, *start; /* its names there */
+  const char *phase, *start; /* cells */
   enum quantity_of of;
-  int which;         /* the kind of phase; of the limit which parameter is small */
+  int which;         /* kind of phase; for the limit, the small parameter */
   bool from_v0;      /* else from rest */
-  const char *small; /* what the powers of the limit are of, which stand in its terms; else NULL */
+  const char *small; /* for the limit, the expression of its powers, a part of the terms; else NULL */
 };
 
-static bool is_python(const struct report *r) { return r->language == &language_python; }
+static bool is_python(const struct output *r) { return r->language == &language_python; }
 
-/* A line about what follows: a comment, or a note of the table. A name of a file in it ends no comment. */
-static void __attribute__((format(printf, 2, 3))) remark(struct report *r, const char *format, ...)
+/* Writes a comment of the language, or a note of the table; a line break in a file name does not end it. */
+static void __attribute__((format(printf, 2, 3))) remark(struct output *r, const char *format, ...)
 {
   va_list arguments;
   va_start(arguments, format);
@@ -72,7 +72,7 @@ static bool cannot_write(const struct style *style, int error)
                   file_error(error));
 }
 
-static void remark_names(struct report *r)
+static void remark_names(struct output *r)
 {
   const char *equation = r->kind->expand == expand_limit ? symbolic_limit_equation(r->crawler) : NULL;
   remark(
@@ -82,7 +82,7 @@ static void remark_names(struct report *r)
       equation ? " U is v_start T for T -> 0, the root of " : "", equation ? equation : "", equation ? "." : "");
 }
 
-static bool open_report(struct report *r)
+static bool open_output(struct output *r)
 {
   static const char *const varied[] = { "T", NULL };
   const struct request *request = &r->options->request;
@@ -113,8 +113,8 @@ static bool open_report(struct report *r)
   return true;
 }
 
-/* done: had everything a series? */
-static enum exit_code close_report(struct report *r, bool done)
+/* done: every motion has a series */
+static enum exit_code close_output(struct output *r, bool done)
 {
   int error = r->language ? file_close(&r->out, true) : 0;
   if (error != 0)
@@ -126,7 +126,7 @@ static enum exit_code close_report(struct report *r, bool done)
   return done ? EXIT_DONE : EXIT_UNSOLVED;
 }
 
-/* A number with so many digits; NULL: there is none */
+/* Writes a number with the given digits; NULL: nan */
 static void write_ball(struct table *t, const arb_struct *x, long digits)
 {
   char *text = x ? decimal_text(x, digits) : NULL;
@@ -134,8 +134,8 @@ static void write_ball(struct table *t, const arb_struct *x, long digits)
   flint_free(text);
 }
 
-/* power: NULL, there is none; last: the cell in the last column; sum and error: of numbers, or NULL */
-static void write_row(struct report *r, const struct motion_in_rows *m, const char *quantity, const char *power,
+/* Writes a row. power: NULL for a closed form; last: the last cell; sum and error: NULL for formulas */
+static void write_row(struct output *r, const struct motion_in_rows *m, const char *quantity, const char *power,
                       const char *term, const char *last, const arb_struct *sum, const arb_struct *error)
 {
   enum { ERROR_DIGITS = 3 };
@@ -155,17 +155,17 @@ static void write_row(struct report *r, const struct motion_in_rows *m, const ch
   table_text(t, last);
 }
 
-/* A motion of which nothing is known has its reason in the last column. */
-static void write_failure(struct report *r, const struct motion_in_rows *m, const struct series_answer *a)
+/* Writes the reason why a motion has no series, in the last column. */
+static void write_failure(struct output *r, const struct motion_in_rows *m, const struct series_answer *a)
 {
   const char *why = a->why ? a->why : scallop_status_text(a->status);
-  if (!*r->why) /* it may stand in what ends with the motion */
+  if (!*r->why) /* a copy: the reason may be freed with the motion */
     snprintf(r->why, sizeof r->why, "%s", why);
   if (!r->language)
     write_row(r, m, "-", NULL, "-", wrong_text("no %s: %s", r->kind->symbolic ? "formula" : "series", why), NULL, NULL);
 }
 
-struct sum { /* a quantity of a motion: its terms from the power first to below another */
+struct sum { /* terms of a quantity of a motion: powers from first to below - 1 */
   const struct motion_in_rows *motion;
   const char *quantity;
   const struct expansion *expansion;
@@ -174,17 +174,18 @@ struct sum { /* a quantity of a motion: its terms from the power first to below 
   const arb_struct *exact; /* NULL: it is not known */
 };
 
-/* As a fraction, where it is one and no digits are asked for. In a program both of its sides must be doubles. */
-static bool is_fraction(fmpq_t q, const struct report *r, const struct series *series, slong power)
+/* Returns true, with the fraction, if the coefficient is one and --digits is not given. In a program, numerator and
+ * denominator must be doubles. */
+static bool is_fraction(fmpq_t q, const struct output *r, const struct series *series, slong power)
 {
   enum { LONGEST = 900 }; /* bits of a double's range */
   return r->options->request.style.digits == 0 && series_rational_coefficient(q, series, power)
          && (!r->language || (fmpz_bits(fmpq_numref(q)) < LONGEST && fmpz_bits(fmpq_denref(q)) < LONGEST));
 }
 
-/* The coefficient of T^power in a table; in a function or a formula, times that power. Where a parameter is small, its
- * power is part of the term. */
-static struct written term_of(const struct report *r, const struct sum *s, slong power)
+/* Returns the coefficient of T^power for a table, or the term with this power for a function or a formula. A small
+ * parameter's power is already part of the term. */
+static struct written term_of(const struct output *r, const struct sum *s, slong power)
 {
   const struct language *language = r->language ? r->language : &language_text;
   struct symbols *symbols = s->expansion->symbols;
@@ -202,7 +203,7 @@ static struct written term_of(const struct report *r, const struct sum *s, slong
   return written;
 }
 
-static void write_term(struct report *r, const struct sum *s, slong power, struct written term)
+static void write_term(struct output *r, const struct sum *s, slong power, struct written term)
 {
   const struct expansion *e = s->expansion;
   char *text = flint_malloc(strlen(term.text) + 2);
@@ -217,7 +218,8 @@ static void write_term(struct report *r, const struct sum *s, slong power, struc
   flint_free(text);
 }
 
-/* A name with the arguments of a function, which are the symbols in it, or what M and beta are made of; and M */
+/* Writes the head of a function: its arguments are its symbols, with m1, m2 and alpha for M and beta; then defines
+ * M. */
 static void begin_function(FILE *out, const struct sum *s, bool is_symbolic)
 {
   static const enum symbol_meaning made[][2] = { { NAMED_M, NAMED_m1 },
@@ -264,7 +266,7 @@ static void begin_formula(FILE *out, const char *quantity)
   fprintf(out, "\\begin{align*}\n  %s &= ", name);
 }
 
-static void begin_sum(struct report *r, const struct sum *s)
+static void begin_sum(struct output *r, const struct sum *s)
 {
   const struct motion_in_rows *m = s->motion;
   char below[80] = "";
@@ -280,7 +282,7 @@ static void begin_sum(struct report *r, const struct sum *s)
     begin_formula(r->out.stream, s->quantity);
 }
 
-static void put_term(const struct report *r, struct written term, bool is_first)
+static void put_term(const struct output *r, struct written term, bool is_first)
 {
   const char *next = is_python(r) ? "\n           " : " \\\\\n  &\\quad", *sign = term.negative ? "-" : "";
   if (!is_first)
@@ -288,7 +290,7 @@ static void put_term(const struct report *r, struct written term, bool is_first)
   fprintf(r->out.stream, "%s%s%s", is_first ? "" : next, sign, term.text);
 }
 
-static void end_sum(const struct report *r, const struct sum *s, bool has_terms)
+static void end_sum(const struct output *r, const struct sum *s, bool has_terms)
 {
   fputs(has_terms ? "" : "0", r->out.stream);
   if (!s->expansion->is_closed && !s->motion->small && !is_python(r))
@@ -296,15 +298,15 @@ static void end_sum(const struct report *r, const struct sum *s, bool has_terms)
   fputs(is_python(r) ? ")\n" : "\n\\end{align*}\n", r->out.stream);
 }
 
-/* A row for each term that is not 0, or one row if all are; or a function or a formula */
-static void write_sum(struct report *r, const struct sum *s)
+/* Writes a row for each term other than 0, or one row if all are 0; or a function or a formula. */
+static void write_sum(struct output *r, const struct sum *s)
 {
   bool any = false;
   if (r->language)
     begin_sum(r, s);
   for (slong k = s->first; k < s->below; k++) {
-    bool is_zero = series_coefficient_is_zero(s->series, k), stands_alone = !any && !r->language && k == s->below - 1;
-    if (is_zero && !stands_alone)
+    bool is_zero = series_coefficient_is_zero(s->series, k), is_only_row = !any && !r->language && k == s->below - 1;
+    if (is_zero && !is_only_row)
       continue;
     struct written term = term_of(r, s, k);
     if (r->language)
@@ -318,8 +320,8 @@ static void write_sum(struct report *r, const struct sum *s)
     end_sum(r, s, any);
 }
 
-/* Has it a series? */
-static bool write_motion(struct report *r, const struct motion_in_rows *m, const fmpq *v0)
+/* Writes the quantities of a motion; false: it has no series. */
+static bool write_motion(struct output *r, const struct motion_in_rows *m, const fmpq *v0)
 {
   ENDED_BY(symbols_end) struct symbols symbols;
   symbols_init(&symbols);
@@ -350,8 +352,8 @@ static bool write_motion(struct report *r, const struct motion_in_rows *m, const
   return true;
 }
 
-/* What is asked for of each phase, from rest and from v0, and of the steady state. Had everything a series? */
-static bool write_motions(struct report *r, const fmpq *rest, const fmpq *v0)
+/* Writes all motions: each phase, from rest and from v0, and the steady state. False: one of them has no series. */
+static bool write_motions(struct output *r, const fmpq *rest, const fmpq *v0)
 {
   static const struct motion_in_rows usual[] = {
     { "extension", "rest", OF_PHASE, SCALLOP_EXTENSION, false, NULL },
@@ -382,7 +384,7 @@ enum exit_code series_report(const struct series_options *o)
     kind++;
   SCOPED(scallop_rational, crawler);
   SCOPED(fmpq, rest, v0);
-  struct report r = { .kind = kind,
+  struct output r = { .kind = kind,
                       .options = o,
                       .crawler = &crawler,
                       .order = kind->has_order ? o->order.value : 1,
@@ -393,5 +395,5 @@ enum exit_code series_report(const struct series_options *o)
   rational_point(&crawler, v0, &o->request.point);
   if (o->bound)
     return series_bound(o, &crawler);
-  return open_report(&r) ? close_report(&r, write_motions(&r, rest, v0)) : EXIT_FILE;
+  return open_output(&r) ? close_output(&r, write_motions(&r, rest, v0)) : EXIT_FILE;
 }

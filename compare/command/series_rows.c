@@ -1,5 +1,5 @@
-/* scallop series at points: a row for each point; for each series the order along T; or, at one point, a row for each
- * published formula. */
+/* Series at points: a row for each point; for each series the order along T; or, at one point, a row for each published
+ * formula. */
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -9,10 +9,10 @@
 #include "compare/command/series_options.h"
 #include "compare/points/counts.h"
 
-enum { MOST_SERIES = 96, SERIES_NAME = 2 * QUANTITY_NAME, MOST_TIMES = 4096 };
+enum { MAX_SERIES = 96, SERIES_NAME = 2 * QUANTITY_NAME, MAX_TIMES = 4096 };
 struct series_names {
   int count;
-  char name[MOST_SERIES][SERIES_NAME];
+  char name[MAX_SERIES][SERIES_NAME];
 };
 
 bool series_are_rows(const struct series_options *o)
@@ -20,8 +20,8 @@ bool series_are_rows(const struct series_options *o)
   return o->rows || o->orders || (has_many_points(&o->request) && !o->symbolic && !o->bound);
 }
 
-/* Of a scene that says nothing of a phase the formulas of the steady state, else those of its phase and its start that
- * take nothing as given */
+/* Returns true for formulas of the scene: of the steady state, or, for a scene about a phase, of this phase and its
+ * start, except formulas that take t1 and the like as given. */
 static bool is_of_scene(const struct request *r, const struct scallop_formula *f, bool of_contraction)
 {
   if (!r->scene->is_about_phase || f->setting == SCALLOP_STEADY)
@@ -31,12 +31,12 @@ static bool is_of_scene(const struct request *r, const struct scallop_formula *f
          && !formula_takes_given(f);
 }
 
-/* A formula of a phase from rest stands for both phases. */
+/* Adds a formula; one of a phase from rest is for both phases. */
 static void add_formula(struct series_names *list, const struct series_options *o, const struct scallop_formula *f)
 {
   const struct request *r = &o->request;
   int phases = f->setting == SCALLOP_AT_REST_START ? 2 : 1;
-  for (int i = 0; i < phases && list->count < MOST_SERIES; i++)
+  for (int i = 0; i < phases && list->count < MAX_SERIES; i++)
     if (!r->scene || is_of_scene(r, f, i == 1 || f->setting == SCALLOP_MOVING_CONTRACTION))
       snprintf(list->name[list->count++], SERIES_NAME, "%s%s", f->name, i == 1 ? ":contraction" : "");
 }
@@ -59,25 +59,25 @@ static bool has_name(const struct series_names *list, const char *name)
   return has;
 }
 
-/* The usual ones, or those of --only: in a scene as they stand, else first the formulas as they are listed. */
+/* Adds all series, or the series of --only: in a scene in the given order, else formulas of the list first. */
 static void add_names(struct series_names *list, const struct series_options *o)
 {
   const char *rest = o->only;
   const struct scallop_formula *f;
-  bool as_they_stand = o->only && o->request.scene;
+  bool in_given_order = o->only && o->request.scene;
   if (!is_from(o, "published"))
     add_derived(list, o);
   else
-    for (int i = 0; !as_they_stand && (f = listed_formula(i)); i++)
+    for (int i = 0; !in_given_order && (f = listed_formula(i)); i++)
       if (!o->only || formula_is_listed(o->only, f->name))
         add_formula(list, o, f);
-  while (list->count < MOST_SERIES && next_item(list->name[list->count], SERIES_NAME, &rest)) {
-    f = as_they_stand ? NULL : formula_named(list->name[list->count]);
+  while (list->count < MAX_SERIES && next_item(list->name[list->count], SERIES_NAME, &rest)) {
+    f = in_given_order ? NULL : formula_named(list->name[list->count]);
     list->count += !f || !has_name(list, f->name);
   }
 }
 
-/* NULL, or what is wrong: rows of points take any series, and the table of one point formulas. */
+/* Returns NULL, or an error: rows of points take any series, the table of one point formulas only. */
 static const char *no_series(const struct series_options *o, const char *name)
 {
   struct quantities *all = &o->request.required->quantities;
@@ -93,8 +93,8 @@ static const char *no_series(const struct series_options *o, const char *name)
                           name);
 }
 
-/* Which parts a row has of each series: its value alone, or of those of --only what they should be, too. NULL, or
- * what is wrong. */
+/* Reads the parts of each series in a row; the default is its value, with --only the exact value and the relative error
+ * too. Returns NULL, or an error. */
 static const char *read_parts(bool has[4], const struct series_options *o)
 {
   static const char *const parts[] = { "value", "exact", "error", "relative", NULL };
@@ -109,7 +109,6 @@ static const char *read_parts(bool has[4], const struct series_options *o)
   return NULL;
 }
 
-/* A row for each point */
 static const char *plan_points(const struct series_options *o, struct rows *rows, const struct series_names *list)
 {
   static const char *const prefixes[] = { "", "exact.", "error.", "relative." };
@@ -123,12 +122,12 @@ static const char *plan_points(const struct series_options *o, struct rows *rows
   return wrong ? wrong : rows_own(rows, "status");
 }
 
-/* Series whose rows are not those of points: for each the quantity that compares it with what it should be */
+/* State of tables with a row for each series: the quantity that compares it with its exact value */
 struct compared {
-  int count, quantity[MOST_SERIES];
-  int steady;                         /* v_start: without it no formula of the steady state is worth a row */
-  long times;                         /* T so far */
-  struct scallop_order_point point[]; /* of orders, MOST_TIMES of each series: its errors at these */
+  int count, quantity[MAX_SERIES];
+  int steady;                         /* v_start: without its value, no row is written */
+  long times;                         /* count of T so far */
+  struct scallop_order_point point[]; /* of orders, MAX_TIMES for each series: its errors */
 };
 
 static const char *begin_compared(struct rows *rows, const struct series_names *list, const char *kind, size_t times)
@@ -143,9 +142,9 @@ static const char *begin_compared(struct rows *rows, const struct series_names *
   return NULL;
 }
 
-/* The orders in T at which the errors fall, T being what varies fastest */
+/* Orders of errors in T, the variable that varies fastest */
 
-/* Doubles are wrong by some ulp of what they are the difference of. */
+/* Returns the rounding error of a difference of doubles, some ulp of them. */
 static double noise(const struct at *at, int error)
 {
   const struct series_error *c = &at->comparison[at->required->quantities.item[error].of];
@@ -162,8 +161,8 @@ static void write_order(struct rows *rows, struct at *at, int series)
   struct table *t = &rows->table;
   struct scallop_order_result result;
   int count = (int)all->times;
-  scallop_order(all->point + (size_t)series * MOST_TIMES, &count, &wanted, &result);
-  /* an error that is not told from 0 with this accuracy stands as 0 */
+  scallop_order(all->point + (size_t)series * MAX_TIMES, &count, &wanted, &result);
+  /* an error that this accuracy cannot distinguish from 0 is 0 */
   if (result.verdict <= SCALLOP_ORDER_MEASURED && isnan(result.order))
     result.verdict = SCALLOP_ORDER_FLOOR_LIMITED;
   sheet_row(&rows->sheet, t, at);
@@ -181,14 +180,14 @@ static void write_order(struct rows *rows, struct at *at, int series)
   count_add(COUNT_ORDERS, 1);
 }
 
-/* Keeps the errors of a point; after the last T come the rows. */
+/* Keeps the errors of a point; writes the rows after the last T. */
 static void visit_orders(struct rows *rows, struct at *at)
 {
   struct compared *all = rows->context;
   for (int i = 0; i < all->count; i++)
-    all->point[(long)i * MOST_TIMES + all->times] = (struct scallop_order_point){
-      .h = at->place.point.crawler.T, .err = at_number(at, all->quantity[i]), .noise = noise(at, all->quantity[i])
-    };
+    all->point[(long)i * MAX_TIMES + all->times] = (struct scallop_order_point){ .h = at->place.point.crawler.T,
+                                                                                 .err = at_number(at, all->quantity[i]),
+                                                                                 .noise = noise(at, all->quantity[i]) };
   all->times++;
   if (!at->place.ends_group)
     return;
@@ -197,7 +196,7 @@ static void visit_orders(struct rows *rows, struct at *at)
   all->times = 0;
 }
 
-/* T varies, alone, in the last group of each product: an order is one of a row of such points. */
+/* Returns true if T varies, alone, in the last group of each product. */
 static bool T_varies(const struct sweep *s)
 {
   bool fine = s->products > 0;
@@ -205,7 +204,7 @@ static bool T_varies(const struct sweep *s)
     const struct sweep_product *product = &s->product[p];
     const struct sweep_group *last = product->groups > 0 ? &product->group[product->groups - 1] : NULL;
     fine = last && last->variables == 1 && last->variable[0].target == TARGET_NUMBER && last->variable[0].name[0] == 'T'
-           && last->count >= 3 && last->count <= MOST_TIMES;
+           && last->count >= 3 && last->count <= MAX_TIMES;
   }
   return fine;
 }
@@ -215,9 +214,8 @@ static const char *plan_orders(const struct series_options *o, struct rows *rows
   static const char *const columns[] = { "series", "order",     "order_low", "order_high", "interval", "points",
                                          "expect", "tolerance", "verdict",   "reason",     NULL };
   if (!T_varies(&o->request.sweep))
-    return wrong_text("orders need T to vary, alone, in the last group of what varies, with 3 to %d values",
-                      MOST_TIMES);
-  const char *wrong = begin_compared(rows, list, "error", MOST_TIMES);
+    return wrong_text("orders need T to vary, alone, in the last group of what varies, with 3 to %d values", MAX_TIMES);
+  const char *wrong = begin_compared(rows, list, "error", MAX_TIMES);
   rows->has_errors = true;
   rows->visit = visit_orders;
   rows->behind = columns;
@@ -230,7 +228,6 @@ static const char *plan_orders(const struct series_options *o, struct rows *rows
 
 static void head(struct rows *rows)
 {
-  /* Where l'' = 0 at an end of a phase a formula that divides by it has no value, and no infinite one. */
   static const char no_ends[] = "l'' = 0 where a phase of this gait begins or ends: formulas that divide by it are nan";
   const struct point *point = &rows->request->point;
   char v0[80] = "the exact steady velocity at the start of each phase";

@@ -1,4 +1,4 @@
-/* The verdicts on series, in the formats that people and CI servers read. */
+/* Reports of the verdicts on series, in formats of tables and as JUnit. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -29,26 +29,26 @@ static const struct table_column of_grids[] = {
 };
 static const struct table_column of_verdict[] = {
   { TABLE_COLUMN("comparison", column_text, AT(test)) },
-  { TABLE_COLUMN("expected", column_number, AT(wanted.order)) },
-  { TABLE_COLUMN("tolerance", column_number, AT(wanted.tolerance)) },
+  { TABLE_COLUMN("expected", column_number, AT(expected.order)) },
+  { TABLE_COLUMN("tolerance", column_number, AT(expected.tolerance)) },
   { TABLE_COLUMN("verdict", column_text, AT(verdict)) },
   { TABLE_COLUMN("reason", column_text, AT(reason)) },
   { .name = NULL },
 };
 #undef AT
 
-/* "2 tables: 1 passed, 1 failed", or what was measured, and how many could not be read */
+/* Writes "2 tables: 1 passed, 1 failed", or counts of measured and unread ones. */
 static void write_counts(struct table *t, const struct series_list *list, bool expects)
 {
   static const char *const names[] = { "tables", "passed", "failed", "measured", "not_measured", "errors", NULL },
-                           *const said[] = { "passed", "failed", "measured", "not measured", "not read" };
+                           *const words[] = { "passed", "failed", "measured", "not measured", "not read" };
   char text[100];
   int used = 0;
   for (int outcome = 0; outcome < OUTCOMES; outcome++) {
     bool is_usual = expects ? outcome <= FAILED : outcome == MEASURED || outcome == NOT_MEASURED;
     if (is_usual || list->outcomes[outcome] > 0)
       used += snprintf(text + used, sizeof text - (size_t)used, "%s%d %s", used > 0 ? ", " : "",
-                       list->outcomes[outcome], said[outcome]);
+                       list->outcomes[outcome], words[outcome]);
   }
   table_note(t, "%d %s: %s", list->count, list->count == 1 ? "table" : "tables", text);
   if (!table_restart_columns(t))
@@ -113,7 +113,7 @@ enum exit_code report_rows(const struct series_list *list, const struct style *s
   return table_close(&t) ? EXIT_DONE : EXIT_FILE;
 }
 
-/* One case: its verdict as an element that says why, and that it is well as a text. */
+/* Writes one case: an element with the reason of a failure, or a text. */
 static void write_case(FILE *out, const struct series *s, bool required)
 {
   static const char *const elements[OUTCOMES] = { NULL, "failure", NULL, "skipped", "error" };
@@ -149,7 +149,7 @@ static void write_junit(FILE *out, const struct series_list *list, bool required
   fputs("</testsuite>\n</testsuites>\n", out);
 }
 
-enum exit_code report_write(const struct series_list *list, const struct orders_wanted *orders,
+enum exit_code report_write(const struct series_list *list, const struct expected_orders *orders,
                             const struct style *style, int format)
 {
   struct file file;
@@ -165,7 +165,7 @@ enum exit_code report_write(const struct series_list *list, const struct orders_
   return error == 0 ? EXIT_DONE : EXIT_FILE;
 }
 
-enum exit_code report_exit(const struct series_list *list, const struct orders_wanted *orders, bool to_file)
+enum exit_code report_exit(const struct series_list *list, const struct expected_orders *orders, bool to_file)
 {
   for (const struct series *s = list->series; to_file && s < list->series + list->count; s++)
     if (s->outcome != UNREAD)

@@ -1,4 +1,4 @@
-/* Tables of h and err as files hold them: which columns are which, and the rows with the same texts left of h. */
+/* Series of h and err in files: columns, and rows with the same texts left of h. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -9,23 +9,23 @@
 #include "compare/tables/tsv.h"
 #include "compare/text/values.h"
 
-enum { MOST_Y = 64 };
+enum { MAX_Y = 64 };
 static const char out_of_memory[] = "out of memory";
 
 struct reader {
   struct series_list *list;
-  const struct columns_wanted *wanted;
+  const struct order_columns *request;
   struct tsv t;
-  int first;                   /* series of this file                         */
-  long rows;                   /* of this file                                */
-  int columns;                 /* of a row; 0: the first one is still to come */
-  double power;                /* h = x^power                                 */
-  int x, noise, ys, y[MOST_Y]; /* places, -1: there is none; how many y       */
-  bool values[MOST_Y];
-  char name[MOST_Y][COLUMN_NAME]; /* of y; without a header its number          */
+  int first;                  /* series of this file */
+  long rows;                  /* of this file */
+  int columns;                /* of a row; 0: before the first row */
+  double power;               /* h = x^power */
+  int x, noise, ys, y[MAX_Y]; /* places of columns, -1: missing; ys: count of y */
+  bool values[MAX_Y];
+  char name[MAX_Y][COLUMN_NAME]; /* of y; its number without a header */
 };
 
-/* Reads a number as in C; unlike an option's it may be nan or inf. */
+/* Reads a number as in C; nan and inf are allowed, unlike in options. */
 static bool read_cell(struct tsv *t, int place, double *value)
 {
   const char *text = tsv_number(t, place);
@@ -34,10 +34,10 @@ static bool read_cell(struct tsv *t, int place, double *value)
   return end != text && *end == '\0';
 }
 
-/* What is wrong is said with the file and the line (tsv_at); NULL: nothing is. */
+/* Functions that return a text return NULL, or an error with file and line (tsv_at). */
 
-/* The place of a column by its name, of which there may be one; -1: there is none. option is what names it. With one it
- * has to be there, by its name or by its number from 1. */
+/* Finds the place of the only column with this name; -1: no column has it. An option that names the column may give its
+ * number from 1, too, and the column must exist. */
 static const char *find(int *place, struct tsv *t, const char *option, const char *name)
 {
   long number;
@@ -57,9 +57,9 @@ static const char *add_y(struct reader *r, int place, bool values)
   for (int i = 0; i < r->ys; i++)
     if (r->y[i] == place)
       return NULL;
-  if (r->ys == MOST_Y)
+  if (r->ys == MAX_Y)
     return tsv_at(t, "more than 64 columns of errors: choose some with --y");
-  r->values[r->ys] = values || r->wanted->values;
+  r->values[r->ys] = values || r->request->values;
   if (t->columns > 0)
     snprintf(r->name[r->ys], COLUMN_NAME, "%s", t->column[place]);
   else
@@ -86,10 +86,10 @@ static const char *add_list(struct reader *r, const char *list)
   return wrong;
 }
 
-/* The columns for which an order is expected by name */
+/* Adds the columns with an expected order by name. */
 static const char *add_expected(struct reader *r)
 {
-  const struct orders_wanted *o = r->wanted->orders;
+  const struct expected_orders *o = r->request->orders;
   const char *wrong = NULL;
   for (int i = 0; i < o->count && o->of[i].name && !wrong; i++) {
     char name[COLUMN_NAME];
@@ -99,7 +99,7 @@ static const char *add_expected(struct reader *r)
   return wrong;
 }
 
-/* Each column right of x that holds a number and is neither noise nor an order that the table brings along */
+/* Adds each column of numbers right of x except noise and orders. */
 static const char *add_others(struct reader *r)
 {
   static const char *const orders[] = { "noise", "order", "orders",   "rate",  "rates",
@@ -113,7 +113,7 @@ static const char *add_others(struct reader *r)
   return wrong || r->ys > 0 ? wrong : tsv_at(t, "right of h there is no column of numbers: name it with --y");
 }
 
-/* err, error or value; there may be one of them. */
+/* Adds the column err, error or value; two of them are an error. */
 static const char *add_named(struct reader *r)
 {
   static const char *const names[] = { "err", "error", "value", NULL };
@@ -122,23 +122,23 @@ static const char *add_named(struct reader *r)
     if (word_place(r->t.column[i], names) < 0)
       continue;
     if (named >= 0)
-      return tsv_at(&r->t, "one column 'err', 'error' or 'value' is wanted, not two: choose with --y");
+      return tsv_at(&r->t, "two columns are called 'err', 'error' or 'value': choose one with --y");
     named = i;
   }
   return named >= 0 && named != r->x ? add_y(r, named, r->t.column[named][0] == 'v') : add_others(r);
 }
 
-/* The column of h: the one that is wanted, h, or the first one, but for the index without a name that pandas writes */
+/* Finds the column of h: the requested one, h, or the first one except the unnamed index of pandas. */
 static const char *find_x(struct reader *r)
 {
   struct tsv *t = &r->t;
-  const char *wanted = r->wanted->x, *wrong;
-  r->power = r->wanted->power;
-  if (wanted && strncmp(wanted, "1/", 2) == 0 && word_place(wanted, t->column) < 0) {
-    wanted += 2;
+  const char *requested = r->request->x, *wrong;
+  r->power = r->request->power;
+  if (requested && strncmp(requested, "1/", 2) == 0 && word_place(requested, t->column) < 0) {
+    requested += 2;
     r->power = -1;
   }
-  wrong = wanted ? find(&r->x, t, "--x: ", wanted) : find(&r->x, t, "", "h");
+  wrong = requested ? find(&r->x, t, "--x: ", requested) : find(&r->x, t, "", "h");
   if (r->x < 0)
     r->x = t->columns > 1 && *t->column[0] == '\0';
   if (!wrong && r->x >= t->count)
@@ -148,18 +148,17 @@ static const char *find_x(struct reader *r)
   return wrong;
 }
 
-/* All columns, from the header of the table or, where it has none, from the number of columns; the current row is the
- * first one with data. */
+/* Finds all columns, by the header or, without one, by number; the current row is the first one with data. */
 static const char *find_columns(struct reader *r)
 {
-  const struct columns_wanted *wanted = r->wanted;
-  const struct orders_wanted *o = wanted->orders;
+  const struct order_columns *request = r->request;
+  const struct expected_orders *o = request->orders;
   struct tsv *t = &r->t;
   const char *wrong = find_x(r);
   wrong = wrong ? wrong : find(&r->noise, t, "", "noise");
-  for (int i = 0; i < wanted->ys && !wrong; i++)
-    wrong = add_list(r, wanted->y[i]);
-  if (wanted->ys == 0 && !wrong)
+  for (int i = 0; i < request->lists && !wrong; i++)
+    wrong = add_list(r, request->y[i]);
+  if (request->lists == 0 && !wrong)
     wrong = add_expected(r);
   if (r->ys == 0 && !wrong)
     wrong = add_named(r);
@@ -181,19 +180,19 @@ void series_free(struct series_list *list)
   *list = (struct series_list){ 0 };
 }
 
-/* The series of that name and the i-th y, a new one if there is none; NULL: out of memory, or too many */
-static struct series *series_named(struct reader *r, const char *name, int i)
+/* Returns the series of this name and the i-th y, a new one if necessary; NULL: out of memory, or too many series */
+static struct series *find_series(struct reader *r, const char *name, int i)
 {
   struct series_list *list = r->list;
   for (int k = list->count - 1; k >= r->first; k--)
     if (strcmp(list->series[k].name, name) == 0 && strcmp(list->series[k].y, r->name[i]) == 0)
       return &list->series[k];
-  struct series *all = list->count < MOST_SERIES ? list_grown(list->series, list->count, sizeof *all) : NULL;
+  struct series *all = list->count < MAX_SERIES ? list_grown(list->series, list->count, sizeof *all) : NULL;
   if (!all)
     return NULL;
   list->series = all;
   struct series *s = &all[list->count++];
-  *s = (struct series){ .file = r->t.name, .place = i, .wanted.values = r->values[i] };
+  *s = (struct series){ .file = r->t.name, .place = i, .expected.values = r->values[i] };
   snprintf(s->name, sizeof s->name, "%s", name);
   snprintf(s->y, sizeof s->y, "%s", r->name[i]);
   return s;
@@ -209,7 +208,7 @@ static bool append(struct series *s, struct scallop_order_point point)
   return true;
 }
 
-/* The cells left of x that are no numbers, joined */
+/* Joins the cells left of x that are not numbers. */
 static void read_name(char name[SERIES_NAME], struct reader *r)
 {
   size_t used = 0;
@@ -227,17 +226,17 @@ static const char *read_at(struct reader *r, int place, double *number)
   return tsv_at(&r->t, "column %d: '%.60s' is not a number", place + 1, r->t.cell[place]);
 }
 
-/* Of one y: point goes into its series, unless there is no value. */
+/* Adds the point of one y to its series; a missing value is counted. */
 static const char *add_point(struct reader *r, const char *name, int i, struct scallop_order_point point)
 {
   const bool is_missing = tsv_is_missing(r->t.cell[r->y[i]]);
   const char *wrong = is_missing ? NULL : read_at(r, r->y[i], &point.err);
   if (wrong)
     return wrong;
-  if (r->list->rows++ == MOST_ROWS)
+  if (r->list->rows++ == MAX_ROWS)
     return tsv_at(&r->t, "more than a million rows");
-  struct series *s = series_named(r, name, i);
-  if (!s && r->list->count == MOST_SERIES)
+  struct series *s = find_series(r, name, i);
+  if (!s && r->list->count == MAX_SERIES)
     return tsv_at(&r->t, "more than 4096 series: rows with the same text left of h are one");
   if (s && is_missing)
     s->missing++;
@@ -258,7 +257,7 @@ static const char *read_row(struct reader *r)
   return wrong || !r->t.fault ? wrong : tsv_at(&r->t, "%s", r->t.fault);
 }
 
-/* The first row settles which columns are read. */
+/* Reads a row; the first one determines the columns. */
 static const char *take_row(struct reader *r)
 {
   struct tsv *t = &r->t;
@@ -275,8 +274,8 @@ static const char *take_row(struct reader *r)
   return wrong ? wrong : read_row(r);
 }
 
-/* Says what the table was taken for. */
-static void tell(struct reader *r)
+/* Prints a note about the format and the columns. */
+static void note_columns(struct reader *r)
 {
   const struct tsv *t = &r->t;
   char format[80], errors[200], x[COLUMN_NAME + 60];
@@ -288,10 +287,10 @@ static void tell(struct reader *r)
   if (r->power != 0)
     snprintf(x + used, sizeof x - (size_t)used, " to the power %.3g", r->power);
   complain("order", "note: %s: %s; h is %s, %s: %s; rows: %ld", t->name, tsv_format_text(t, format), x,
-           r->wanted->values ? "values" : "errors", errors, r->rows);
+           r->request->values ? "values" : "errors", errors, r->rows);
 }
 
-/* Texts that are different in each row name no series: all rows of a column are one. False: out of memory */
+/* Joins series of one point each, with another text in every row, to one series a column. False: out of memory */
 static bool join_single_points(struct reader *r)
 {
   struct series *first = r->list->series + r->first;
@@ -310,14 +309,14 @@ static bool join_single_points(struct reader *r)
   return joined;
 }
 
-/* In place of the series of a file: one that says why there are none */
+/* Replaces the series of a file by one with the reason why it cannot be read. */
 static void add_unread(struct reader *r, const char *why)
 {
   while (r->list->count > r->first)
     free(r->list->series[--r->list->count].points);
   *r->name[0] = '\0';
   r->values[0] = false;
-  struct series *s = series_named(r, "", 0);
+  struct series *s = find_series(r, "", 0);
   if (!s)
     return;
   s->outcome = UNREAD;
@@ -325,9 +324,9 @@ static void add_unread(struct reader *r, const char *why)
   snprintf(s->result.reason, sizeof s->result.reason, "%s", why);
 }
 
-enum exit_code series_read(struct series_list *list, const char *file, const struct columns_wanted *columns)
+enum exit_code series_read(struct series_list *list, const char *file, const struct order_columns *columns)
 {
-  struct reader r = { .list = list, .wanted = columns, .first = list->count };
+  struct reader r = { .list = list, .request = columns, .first = list->count };
   const char *wrong = NULL;
   bool open = tsv_open(&r.t, file, TSV_ANY);
   while (open && !wrong && tsv_next(&r.t))
@@ -338,18 +337,18 @@ enum exit_code series_read(struct series_list *list, const char *file, const str
   if (code == EXIT_FILE)
     wrong = tsv_error(&r.t);
   else if (!wrong && code == EXIT_USAGE)
-    wrong = tsv_at_line(&r.t, 0, "no data: lines of 'h err' are wanted");
+    wrong = tsv_at_line(&r.t, 0, "no data: it needs lines of 'h err'");
   if (code != EXIT_DONE) {
     complain("order", "%s", wrong);
     add_unread(&r, wrong);
   } else if (!columns->quiet)
-    tell(&r);
+    note_columns(&r);
   tsv_close(&r.t);
   return code;
 }
 
-/* The order that is expected of a series; nan: none is */
-static double order_of(const struct orders_wanted *o, const struct series *s)
+/* Returns the expected order of a series, or nan. */
+static double order_of(const struct expected_orders *o, const struct series *s)
 {
   for (int i = 0; i < o->count && o->of[i].name; i++)
     if (strncmp(o->of[i].name, s->y, (size_t)o->of[i].length) == 0 && s->y[o->of[i].length] == '\0')
@@ -367,7 +366,7 @@ __attribute__((format(printf, 2, 3))) static void add_reason(struct series *s, c
   va_end(arguments);
 }
 
-/* Errors that grow with whole numbers are errors that fall with their inverse. */
+/* Returns true if h are whole numbers with which the error grows, as it does if they are numbers of cells. */
 static bool looks_like_cells(const struct series *s)
 {
   bool whole = s->result.order < -0.25;
@@ -378,8 +377,8 @@ static bool looks_like_cells(const struct series *s)
 
 static void judge(struct series *s, const char *x)
 {
-  const bool expects = !isnan(s->wanted.order);
-  scallop_order(s->points, &s->count, &s->wanted, &s->result);
+  const bool expects = !isnan(s->expected.order);
+  scallop_order(s->points, &s->count, &s->expected, &s->result);
   const enum scallop_order_verdict verdict = s->result.verdict;
   s->outcome = expects                             ? verdict == SCALLOP_ORDER_PASS ? PASSED : FAILED
                : verdict == SCALLOP_ORDER_MEASURED ? MEASURED
@@ -390,20 +389,20 @@ static void judge(struct series *s, const char *x)
     add_reason(s, "; h looks like a number of cells: --x 1/%s, or --per", x);
 }
 
-void series_judge(struct series_list *list, const struct orders_wanted *orders)
+void series_judge(struct series_list *list, const struct expected_orders *orders)
 {
   for (struct series *s = list->series; s < list->series + list->count; s++) {
-    s->wanted = (struct scallop_order_wanted){ order_of(orders, s), orders->tolerance, orders->at_least,
-                                               s->wanted.values };
+    s->expected = (struct scallop_order_wanted){ order_of(orders, s), orders->tolerance, orders->at_least,
+                                                 s->expected.values };
     if (s->outcome != UNREAD)
       judge(s, list->x);
     s->names[0] = s->name;
     s->names[1] = s->y;
     s->interval = scallop_order_interval_text(s->result.interval);
-    s->test = isnan(s->wanted.order) ? "none" : orders->at_least ? "at-least" : "equal";
+    s->test = isnan(s->expected.order) ? "none" : orders->at_least ? "at-least" : "equal";
     s->verdict = s->outcome == UNREAD ? "error" : scallop_order_verdict_text(s->result.verdict);
     s->reason = s->result.reason;
     list->outcomes[s->outcome]++;
-    list->values |= s->wanted.values;
+    list->values |= s->expected.values;
   }
 }

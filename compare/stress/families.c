@@ -1,4 +1,4 @@
-/* The cases of `stress`: families of crawlers, phases and trajectories for which digits are in danger. */
+/* Cases of `stress`: families of crawlers, phases and trajectories that may lose digits. */
 #include "compare/stress/stress.h"
 
 #include <math.h>
@@ -19,24 +19,24 @@ enum { NO_BOUNDARY, START_VELOCITY, STICKING, OTHER_MODES };                    
 static double decades(double x, double lo, double hi) { return pow(10, lo + (hi - lo) * x); }
 static double between(double x, double lo, double hi) { return lo + (hi - lo) * x; }
 
-/* 0 for a tenth of all x; else of either sign, from 1e-15 to 0.1 in size */
-static double small(double x)
+/* Returns 0 for a tenth of all x, else a number of either sign, from 1e-15 to 0.1 in size. */
+static double small_number(double x)
 {
   double sign = x < 0.55 ? -1 : 1, y = x < 0.55 ? (x - 0.1) / 0.45 : (x - 0.55) / 0.45;
   return x < 0.1 ? 0 : sign * decades(y, -15, -1);
 }
 
-/* T for which T^2 (F1 + F2)/(M L) is eps; the square roots one by one, as products may overflow */
+/* Returns T with T^2 (F1 + F2)/(M L) = eps, from single square roots, as products may overflow. */
 static double period_for(const struct scallop_crawler *c, double eps)
 {
   return sqrt(eps) * sqrt(c->m1 + c->m2) * sqrt(c->L) / sqrt(c->F1 + c->F2);
 }
 
-/* Each of m1, m2, F1, F2 and L times 10^-most to 10^most, by an x for so many of them. */
-static void scale(struct scallop_crawler *c, const double *x, int each, double most)
+/* Scales each of m1, m2, F1, F2 and L by 10^-size to 10^size; each x scales `each` of them. */
+static void scale(struct scallop_crawler *c, const double *x, int each, double size)
 {
   for (int i = 0; i < 5; i++)
-    *crawler_field(c, i) *= decades(x[i / each], -most, most);
+    *crawler_field(c, i) *= decades(x[i / each], -size, size);
 }
 
 /* Moves the ratio of two parameters by up to 12 decades either way. */
@@ -64,17 +64,17 @@ static void change(struct scallop_crawler *c, const double *x, int what)
                             : between(x[5], 0.01, 0.99);
     break;
   case SHORT_PERIOD: c->T = decades(x[6], -100, log10(period_for(c, 4 * fmin(c->alpha, 1 - c->alpha)))); break;
-  case ANY_PERIOD: /* nearly all of these crawlers over- or underflow somewhere, and must be refused or right */
+  case ANY_PERIOD: /* nearly all over- or underflow somewhere, and must be refused or right */
     c->T = period_for(c, x[6] < 0.5 ? decades(2 * x[6], -300, 300) : decades(2 * x[6] - 1, -6, 2.5));
     break;
   }
 }
 
-/* The phase and v0; a trajectory starts from the steady state or, where l' is made of ramps, from 1 % beside it. */
+/* Sets the phase and v0; a trajectory starts from the steady velocity, or 1 % off if l' consists of ramps. */
 static void start(struct motion *m, const double *x, int how)
 {
   struct scallop_steady_result r = { .froude = NAN };
-  bool beside = m->crawler.gait->phase[0].ramps && x[7] < 0.5;
+  bool is_off = m->crawler.gait->phase[0].ramps && x[7] < 0.5;
   double half = how == ANYWHERE || how == WILD ? 2 * fmod(x[7], 0.5) : x[7];
   m->phase = half < 0.5 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
   switch (how) {
@@ -83,7 +83,7 @@ static void start(struct motion *m, const double *x, int how)
   case MOVING: m->v0 = (x[8] < 0.5 ? -1 : 1) * decades(x[9], -100, 100); break;
   case ANYWHERE: m->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -300, 300); break;
   case WILD: m->v0 = x[8] < 0.2 ? 0 : (x[8] < 0.6 ? -1 : 1) * decades(x[9], -6, 1) * phase_velocity(m); break;
-  case STEADY: m->v0 = scallop_steady(&m->crawler, &r) == SCALLOP_OK ? r.period.v_start * (beside ? 1.01 : 1) : NAN;
+  case STEADY: m->v0 = scallop_steady(&m->crawler, &r) == SCALLOP_OK ? r.period.v_start * (is_off ? 1.01 : 1) : NAN;
   }
 }
 
@@ -140,7 +140,7 @@ static bool solve(const struct motion *m, struct answer *a)
   return solved;
 }
 
-/* Modes differ beyond boundaries of the first two kinds too. */
+/* Returns true if a boundary of the kind is between a and b. Modes change at boundaries of the first two kinds too. */
 static bool lies_between(int kind, const struct answer *a, const struct answer *b)
 {
   switch (kind) {
@@ -150,9 +150,8 @@ static bool lies_between(int kind, const struct answer *a, const struct answer *
   }
 }
 
-/* One parameter, or the start velocity, is moved from what it is to `other`; at the first boundary of that kind that
- * halving the interval finds it stays, 1e-3 to 1e-14 of its size away, on either side. False: there is none, or another
- * boundary is in the same place. */
+/* Moves one parameter, or the start velocity, towards `other` to the first boundary of the kind that bisection finds,
+ * 1e-3 to 1e-14 of its size away, on either side. False: no boundary, or another one in the same place. */
 static bool approach(const struct motion *m, double *moved, double other, int kind, double x)
 {
   enum { HALVINGS = 200 };
@@ -178,7 +177,7 @@ static bool approach(const struct motion *m, double *moved, double other, int ki
          || !(lies_between(START_VELOCITY, &first, &second) || lies_between(STICKING, &first, &second));
 }
 
-/* A phase from rest is moved by its duration, up to where another body sticks. */
+/* Moves a case near a boundary; a phase from rest by its duration, to the onset of sticking of another body. */
 static bool near_boundary(struct motion *m, const double *x, int kind)
 {
   struct scallop_crawler *c = &m->crawler;
@@ -196,8 +195,8 @@ static bool near_boundary(struct motion *m, const double *x, int kind)
   return approach(m, one, other, kind, x[9]);
 }
 
-/* First nothing extreme: ratios up to 100, from deep in the expansion to beyond the onset of sticking. False: x gives
- * no case. */
+/* Makes an ordinary case, with ratios up to 100, from deep in the expansion to beyond the onset of sticking, and
+ * applies the changes of the family. False: x gives no case. */
 static bool make(const struct stress_family *f, struct motion *m, const double *x)
 {
   struct scallop_crawler *c = &m->crawler;
@@ -210,9 +209,9 @@ static bool make(const struct stress_family *f, struct motion *m, const double *
   if (f->forces > 0)
     spread(&c->F1, &c->F2, x[f->forces]);
   if (f->equal_forces > 0)
-    c->F1 = c->F2 * (1 + small(x[f->equal_forces]));
+    c->F1 = c->F2 * (1 + small_number(x[f->equal_forces]));
   if (f->equal_phases > 0)
-    c->alpha = 0.5 + 0.5 * small(x[f->equal_phases]);
+    c->alpha = 0.5 + 0.5 * small_number(x[f->equal_phases]);
   if (f->scale > 0)
     scale(c, x + 7, 2, f->scale);
   if (f->eps[0] < f->eps[1])
@@ -228,7 +227,7 @@ static bool make(const struct stress_family *f, struct motion *m, const double *
          && scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
-/* The whole sequence is shifted, otherwise for each seed, family and gait (Cranley & Patterson 1976). */
+/* Shifts the whole sequence, differently for each seed, family and gait (Cranley & Patterson 1976). */
 int stress_make(const struct stress_family *family, const struct scallop_gait *gait, unsigned long seed, int count,
                 struct stress_case *cases)
 {

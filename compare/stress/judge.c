@@ -1,4 +1,4 @@
-/* The judgement of one case of `stress`: the numbers of its answer in double against certified ones. */
+/* Judgement of one case of `stress`: its answer in double against certified numbers. */
 #include <fenv.h>
 #include <float.h>
 #include <math.h>
@@ -10,9 +10,8 @@
 
 enum { DIGITS = 36 };
 
-/* The answers of a case. Of a trajectory they are the end, x as Q_DXC and v as Q_V_END, and the closed form stands for
- * both wider ones. */
-struct found {
+/* Answers of a case. For a trajectory, its end, x as Q_DXC and v as Q_V_END, with the closed form as both wider ones */
+struct answers {
   struct answer got, exact, wide[2];
 };
 
@@ -28,7 +27,7 @@ static double distance(struct scallop_wide a, struct scallop_wide b)
   return fabs((a.high - b.high) + (a.low - b.low));
 }
 
-/* The middle of a ball; 0 where the ball holds 0. */
+/* Returns the middle of a ball; 0 if the ball contains 0. */
 static struct scallop_wide ball_middle(const arb_t x)
 {
   double high = arb_contains_zero(x) ? 0 : arf_get_d(arb_midref(x), ARF_RND_NEAR);
@@ -38,7 +37,7 @@ static struct scallop_wide ball_middle(const arb_t x)
   return (struct scallop_wide){ high, high != 0 && isfinite(high) ? arf_get_d(low, ARF_RND_NEAR) : 0 };
 }
 
-/* Trajectories: where millions of periods end */
+/* Trajectories: the end of millions of periods */
 
 #if WIDE_HAS_FLOAT128
 __extension__ typedef __float128 real;
@@ -81,15 +80,15 @@ static real power(real x, long n)
   return y;
 }
 
-/* With v* the steady start velocity, lambda the multiplier and D(v) the displacement over a period from v, a motion
- * that keeps its modes obeys v_n - v* = lambda^n d exactly where l' is made of ramps, d = v_0 - v*, and D is then a
- * quadratic polynomial, D(v) = D(v*) + B (v - v*) + C (v - v*)^2. So
+/* Computes the end in closed form. With v* the steady start velocity, lambda the multiplier, d = v_0 - v* and D(v) the
+ * displacement over a period from v, a motion that keeps its modes obeys v_n - v* = lambda^n d exactly if l' consists
+ * of ramps, and D is then a quadratic polynomial, D(v) = D(v*) + B (v - v*) + C (v - v*)^2. So
  *
  *     x_n = n D(v*) + B d (1 - lambda^n)/(1 - lambda) + C d^2 (1 - lambda^(2 n))/(1 - lambda^2),
  *
- * B and C from periods that begin |d| below and above v*. For other gaits that holds but for terms of order d^3 and, in
- * v_n, d^2: d is then no more than the rounding of v* to a double. False: no answer, or the modes are not the same for
- * all velocities of the trajectory. */
+ * B and C from periods that begin |d| below and above v*. For other gaits this holds except for terms of order d^3 and,
+ * in v_n, d^2; d is then at most the rounding of v* to a double. False: no answer, or the modes differ between
+ * velocities of the trajectory. */
 static bool trajectory_closed_form(const struct stress_case *s, struct answer *end)
 {
   const struct scallop_crawler *c = &s->motion.crawler;
@@ -121,7 +120,7 @@ static bool fail(struct stress_case *s, enum stress_outcome outcome, const char 
   return false;
 }
 
-static bool solve_motion(struct stress_case *s, struct found *f)
+static bool solve_motion(struct stress_case *s, struct answers *f)
 {
   const struct motion *m = &s->motion;
   SCOPED(ball_answer, proven);
@@ -146,7 +145,7 @@ static bool solve_motion(struct stress_case *s, struct found *f)
   return true;
 }
 
-static bool solve_trajectory(struct stress_case *s, struct found *f)
+static bool solve_trajectory(struct stress_case *s, struct answers *f)
 {
   if (!trajectory_closed_form(s, &f->exact))
     return fail(s, STRESS_REFUSED, "no closed form: the modes change on the way");
@@ -163,7 +162,7 @@ static bool solve_widely(const struct stress_case *s, struct answer *a)
   return is_trajectory(s) ? trajectory_closed_form(s, a) : answer_in_wide(a, &s->motion, SCALLOP_BINARY128);
 }
 
-/* What a number is counted in: L, and as time tau, that of the phase or of the shorter one; the mean velocity L/T */
+/* Returns the natural unit of a quantity, from L and the duration of the phase, or of the shorter one; else 0. */
 static double natural_unit(const struct stress_case *s, int q)
 {
   const struct scallop_crawler *c = &s->motion.crawler;
@@ -178,26 +177,26 @@ static double natural_unit(const struct stress_case *s, int q)
                                        : c->L / (q == Q_MEAN_VELOCITY ? c->T : time);
 }
 
-/* Replaces a parameter by its place, v0 the last one, by the double so many places further. False: the case has no
- * such parameter, or the double is not allowed. */
+/* Moves a parameter, by its place with v0 last, by `places` doubles. False: the case has no such parameter, or the
+ * double is not allowed. */
 static bool neighbour(const struct stress_case *s, int parameter, double towards, int places, struct stress_case *out)
 {
   struct motion *m = &out->motion;
   struct scallop_crawler *c = &m->crawler;
   *out = *s;
   double *x = parameter == PLACE_OF_V0 ? &m->v0 : crawler_field(c, parameter);
-  if (parameter == PLACE_OF_V0 && (m->of == OF_STEADY || m->v0 == 0)) /* from rest is no rounded number */
+  if (parameter == PLACE_OF_V0 && (m->of == OF_STEADY || m->v0 == 0)) /* rest is exact */
     return false;
   for (int i = 0; i < places; i++)
     *x = nextafter(*x, towards);
   return scallop_crawler_check(c, NULL) == SCALLOP_OK;
 }
 
-/* The multiplier and the switching times jump where modes change, however small the change of a parameter. */
+/* Returns true for quantities that jump at a change of modes, however small the change of a parameter. */
 static bool may_jump(int q) { return q == Q_T1 || q == Q_DT || q == Q_MULTIPLIER; }
 
-/* The same motion, or nearly the same, once more in double; nan: there is no such number, or it may have jumped. The
- * motion may be out of range; any other failure breaks the promise. */
+/* Solves the motion, or a neighbour, again in double; nan: a missing number, or one that may have jumped. Any failure
+ * other than an input out of range is a broken bound. */
 static struct answer solve_again(struct stress_case *s, const struct motion *m, const struct answer *got,
                                  const char *why)
 {
@@ -210,21 +209,22 @@ static struct answer solve_again(struct stress_case *s, const struct motion *m, 
   return there;
 }
 
-/* What changes of each parameter, so many doubles up and down, do to the numbers, for each double: by one, which the
- * result in double is tried with too; or by as many as are promised, as a kink that far away counts in proportion. */
-static void move_parameters(struct stress_case *s, int places, const struct found *f)
+/* Raises units to the sum over the parameters of the change of a number if one is moved by `places` doubles up or down,
+ * over places. With 1 place, the result in double is perturbed too; with STRESS_BOUND places, a kink at that distance
+ * counts in proportion. */
+static void move_parameters(struct stress_case *s, int places, const struct answers *f)
 {
   double unit[QUANTITIES] = { 0 };
   struct stress_case next;
   struct answer there;
   for (int parameter = 0; parameter < POINT_NUMBERS; parameter++) {
-    double most[QUANTITIES] = { 0 };
+    double largest[QUANTITIES] = { 0 };
     for (int side = -1; side <= 1; side += 2) {
       if (!neighbour(s, parameter, side * INFINITY, places, &next))
         continue;
       if (solve_widely(&next, &there))
         for (int q = 0; q < QUANTITIES; q++)
-          most[q] = fmax(most[q], distance(there.value[q], f->wide[SCALLOP_BINARY128].value[q]));
+          largest[q] = fmax(largest[q], distance(there.value[q], f->wide[SCALLOP_BINARY128].value[q]));
       if (is_trajectory(s) || places > 1)
         continue;
       there = solve_again(s, &next.motion, &f->got, "no solution where a parameter is an ulp off");
@@ -232,14 +232,14 @@ static void move_parameters(struct stress_case *s, int places, const struct foun
         s->number[q].perturbed = fmax(s->number[q].perturbed, distance(there.value[q], f->got.value[q]));
     }
     for (int q = 0; q < QUANTITIES; q++)
-      unit[q] += most[q] / places;
+      unit[q] += largest[q] / places;
   }
   for (int q = 0; q < QUANTITIES; q++)
     s->number[q].unit = fmax(s->number[q].unit, unit[q]);
 }
 
-/* What the other three rounding modes do to the result in double */
-static void round_otherwise(struct stress_case *s, const struct answer *got)
+/* Finds the spread of the result in double over the four rounding modes. */
+static void spread_over_roundings(struct stress_case *s, const struct answer *got)
 {
   static const int directions[] = { FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO };
   struct answer low = *got, high = *got;
@@ -257,7 +257,7 @@ static void round_otherwise(struct stress_case *s, const struct answer *got)
     s->number[q].rounding = high.value[q].high - low.value[q].high;
 }
 
-/* The magnitudes of the parts that binary128 sums */
+/* Finds the magnitudes of the terms that binary128 sums. */
 static void find_sizes(const struct motion *m, double size[QUANTITIES])
 {
   struct scallop_wide_phase phase;
@@ -276,7 +276,7 @@ static void find_sizes(const struct motion *m, double size[QUANTITIES])
 
 const char *stress_broken(const struct stress_number *n)
 {
-  if (!(n->error <= STRESS_PROMISE * n->unit))
+  if (!(n->error <= STRESS_BOUND * n->unit))
     return "error";
   if (isnan(n->rounding)) /* a trajectory */
     return NULL;
@@ -284,16 +284,16 @@ const char *stress_broken(const struct stress_number *n)
     return "spread over the rounding modes";
   if (!(n->perturbed <= STRESS_PERTURBED * n->unit))
     return "spread over parameters an ulp apart";
-  bool known = !(n->unit > 0x1p50 * n->ulp); /* by 113 bits */
+  bool known = !(n->unit > 0x1p50 * n->ulp); /* 113 bits resolve the error */
   if (known && !(n->estimate >= n->error))
     return "estimate of the error too small";
-  /* a number may be 0 whatever the parameters: then its unit is nothing but rounding of 113 bits */
+  /* the unit of a number that is 0 for all parameters is rounding of 113 bits */
   double negligible = fmax(0x1p-7 * (n->ulp > 0 ? n->ulp : n->unit), n->resolved);
-  return n->estimate <= STRESS_GENEROUS * fmax(n->error, negligible) ? NULL : "estimate of the error too large";
+  return n->estimate <= STRESS_MAX_ESTIMATE * fmax(n->error, negligible) ? NULL : "estimate of the error too large";
 }
 
-/* Returns whether a promise is broken. */
-static bool measure(struct stress_case *s, const struct found *f, const double size[QUANTITIES])
+/* Sets the numbers of the case; returns true if a bound is exceeded. */
+static bool measure(struct stress_case *s, const struct answers *f, const double size[QUANTITIES])
 {
   bool any = false;
   s->other_modes = !same_modes(f->got.modes, f->wide[SCALLOP_BINARY128].modes);
@@ -312,7 +312,7 @@ static bool measure(struct stress_case *s, const struct found *f, const double s
     for (int w = 0; w < 3; w++)
       n->wide_error[w] = is_trajectory(s) ? NAN : w == 0 ? n->error : distance(f->wide[w - 1].value[q], exact);
     if (exists && fabs(y) > floor && !isnormal(y))
-      fail(s, STRESS_BROKEN, "a number beyond the range of doubles was not refused, or one is there that is not");
+      fail(s, STRESS_BROKEN, "a number beyond the range of doubles was not refused");
     n->broken = n->judged ? stress_broken(n) : NULL;
     any = any || n->broken;
   }
@@ -321,16 +321,16 @@ static bool measure(struct stress_case *s, const struct found *f, const double s
 
 void stress_judge(struct stress_case *s)
 {
-  struct found f;
+  struct answers f;
   double size[QUANTITIES] = { 0 };
   *s = (struct stress_case){ .motion = s->motion, .periods = s->periods };
   if (is_trajectory(s) ? solve_trajectory(s, &f) : solve_motion(s, &f)) {
     move_parameters(s, 1, &f);
     if (!is_trajectory(s))
-      round_otherwise(s, &f.got);
+      spread_over_roundings(s, &f.got);
     if (measure(s, &f, size) && !is_trajectory(s)) {
       find_sizes(&s->motion, size);
-      move_parameters(s, STRESS_PROMISE, &f);
+      move_parameters(s, STRESS_BOUND, &f);
       measure(s, &f, size);
     }
   }

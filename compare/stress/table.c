@@ -1,4 +1,4 @@
-/* The tables of `stress`: a row for each family of cases, or for each number of a single point. */
+/* Tables of `stress`: a row for each family of cases, or for each number of a single point. */
 #include <assert.h>
 #include <float.h>
 #include <limits.h>
@@ -15,14 +15,14 @@
 #include "model/exact/flint.h"
 #include "numerics/threads.h"
 
-/* Decimal digits of a type that an error takes away: its ulp is 2^(53 - bits) of a double's. nan stays nan. */
+/* Returns the decimal digits of a type that an error costs: its ulp is 2^(53 - bits) of a double's. nan stays nan. */
 static double lost(const struct stress_number *n, int wide, int bits)
 {
   double ulps = ldexp(n->wide_error[wide] / n->ulp, bits - DBL_MANT_DIG);
   return ulps > 1 ? log10(ulps) : 0 * ulps;
 }
 
-/* What is said of a number; nan: of an exact value of 0, or of a trajectory. */
+/* Measures of a number; nan for an exact value of 0, or a trajectory. */
 static double units(const struct stress_number *n) { return n->error / n->unit; }
 static double ulps(const struct stress_number *n) { return n->error / n->ulp; }
 static double condition(const struct stress_number *n) { return n->unit / n->ulp; }
@@ -38,7 +38,8 @@ static double lost_binary128(const struct stress_number *n)
 {
   return lost(n, 2, scallop_width_bits(SCALLOP_BINARY128));
 }
-/* The estimate of the error over it; an error below the 128th part of an ulp counts as that, or for nothing. */
+/* Return the estimate of the error over the error; an error below the 128th part of an ulp counts as this part, or
+ * nan. */
 static double estimate(const struct stress_number *n)
 {
   return n->ulp > 0 ? n->estimate / fmax(n->error, 0x1p-7 * n->ulp) : NAN;
@@ -49,8 +50,8 @@ enum { WORST = -1 };
 static const struct measure {
   const char *name, *format;
   double (*of)(const struct stress_number *number);
-  double quantile; /* over all numbers of a family; WORST: of the one with the largest error/unit */
-  bool of_many;    /* the row of a number does not have it */
+  double quantile; /* over all numbers of a family; WORST: the number with the largest error/unit */
+  bool of_many;    /* for a family, not for a single number */
 } measures[] = {
   { "error_units", "%.3g", units, WORST, false },
   { "ulp", "%.3g", ulps, WORST, false },
@@ -82,8 +83,8 @@ static const char *verdict(const char *broken, bool more)
   return broken ? wrong_text("broken: %s%s", broken, more ? ", and more" : "") : "holds";
 }
 
-/* How many cases of each kind, and how long a trajectory is: it takes as long as so many periods do. A check of all
- * gaits takes a few seconds: a phase is judged in less time than a steady state. */
+/* Counts of cases of each kind, and periods of a trajectory: its time is proportional to them. A check of all gaits
+ * takes a few seconds, with more phases, as a steady state takes longer. */
 enum { TRAJECTORIES = 4 };
 static const struct effort {
   int cases[3];
@@ -92,8 +93,8 @@ static const struct effort {
   quick = { { STRESS_CHECK_STEADY, STRESS_CHECK_PHASES, 2 }, 10000 },
   full = { { STRESS_FULL_CASES, STRESS_FULL_CASES, TRAJECTORIES }, 10000000 };
 
-/* The gait that is given; else that of the family, or those of the paper or, for a check, one of each kind. NULL after
- * the last. */
+/* Returns the i-th gait of a family: the given one, else the family's, else the paper's or, for a check, one of each
+ * kind. NULL after the last. */
 static const struct scallop_gait *gait_of_row(const struct stress_options *o, const struct stress_family *f, int i)
 {
   const struct point *p = &o->request.point;
@@ -104,91 +105,91 @@ static const struct scallop_gait *gait_of_row(const struct stress_options *o, co
   return name ? gait_of_text(name).gait : NULL;
 }
 
-/* A row: a family with a gait. Once its cases are judged: */
+/* Row of a family with a gait, and results of its cases */
 struct row {
   const struct stress_family *family;
   const struct scallop_gait *gait;
   int cases, refused, undecided, other_modes, broken;
-  const char *what;                  /* is broken first, or NULL */
+  const char *bound;                 /* the first one exceeded, or NULL */
   const struct stress_number *worst; /* or NULL                  */
   const struct stress_case *worst_at;
   const char *quantity;
 };
 
-enum { MOST_ROWS = 512 };
-struct run {
+enum { MAX_ROWS = 512 };
+struct output {
   const struct stress_options *options;
   const struct effort *effort;
-  struct row row[MOST_ROWS];
+  struct row row[MAX_ROWS];
   int rows;
   long judged, to_judge; /* cases */
-  size_t most;           /* in a row, at least 1 */
+  size_t max_cases;      /* of a row, at least 1 */
   struct stress_case *stressed;
-  double *values; /* room for one measure of all numbers */
+  double *values; /* memory for one measure of all numbers of a row */
   struct table table;
 };
 
-/* The rows, and room for the cases of the largest. EXIT_DONE, or why not; the message is on stderr. */
-static enum exit_code plan(struct run *run)
+/* Plans the rows, and allocates memory for the cases of the largest. Prints a message to stderr if this fails. */
+static enum exit_code plan(struct output *out)
 {
-  const struct stress_options *o = run->options;
+  const struct stress_options *o = out->options;
   const struct scallop_gait *gait;
   for (const struct stress_family *f = stress_families; f->name; f++) {
-    int most = f->kind == STRESS_TRAJECTORY ? TRAJECTORIES : INT_MAX, given = (int)o->cases.value;
-    int cases = given > most ? most : given > 0 ? given : run->effort->cases[f->kind];
+    int max = f->kind == STRESS_TRAJECTORY ? TRAJECTORIES : INT_MAX, given = (int)o->cases.value;
+    int cases = given > max ? max : given > 0 ? given : out->effort->cases[f->kind];
     for (int g = 0; (!o->family || strcmp(f->name, o->family) == 0) && (gait = gait_of_row(o, f, g)); g++) {
-      assert(run->rows < MOST_ROWS);
-      run->row[run->rows++] = (struct row){ .family = f, .gait = gait, .cases = cases };
-      run->to_judge += cases;
-      run->most = (size_t)cases > run->most ? (size_t)cases : run->most;
+      assert(out->rows < MAX_ROWS);
+      out->row[out->rows++] = (struct row){ .family = f, .gait = gait, .cases = cases };
+      out->to_judge += cases;
+      out->max_cases = (size_t)cases > out->max_cases ? (size_t)cases : out->max_cases;
     }
   }
-  if (run->rows == 0) {
+  if (out->rows == 0) {
     complain("stress", "--family: there is no family '%s'%s", o->family,
              did_you_mean(nearest_in(o->family, stress_families, sizeof *stress_families)));
     return EXIT_USAGE;
   }
-  run->stressed = calloc(run->most, sizeof *run->stressed);
-  run->values = calloc(run->most * QUANTITIES, sizeof *run->values);
-  if (run->stressed && run->values)
+  out->stressed = calloc(out->max_cases, sizeof *out->stressed);
+  out->values = calloc(out->max_cases * QUANTITIES, sizeof *out->values);
+  if (out->stressed && out->values)
     return EXIT_DONE;
   complain("stress", "out of memory");
   return EXIT_UNSOLVED;
 }
 
-static void judge_all(struct run *run, int count)
+static void judge_all(struct output *out, int count)
 {
 #pragma omp parallel num_threads(threads_for(0, count))
   {
 #pragma omp for schedule(dynamic)
     for (int i = 0; i < count; i++) {
-      stress_judge(&run->stressed[i]);
+      stress_judge(&out->stressed[i]);
 #ifdef _OPENMP
 #pragma omp critical
 #endif
-      progress_count(++run->judged, run->to_judge);
+      progress_count(++out->judged, out->to_judge);
     }
     flint_cleanup();
   }
 }
 
-/* The first few broken promises of a family are printed, each as one command. */
-static void add_broken(struct row *r, const struct stress_case *s, const char *what, int q)
+/* Counts an exceeded bound; the first few of a family are printed, each as one command. */
+static void add_broken(struct row *r, const struct stress_case *s, const char *bound, int q)
 {
   enum { REPORTED = 3 };
   char arguments[STRESS_ARGUMENTS];
-  r->what = r->what ? r->what : what;
+  r->bound = r->bound ? r->bound : bound;
   if (r->broken++ >= REPORTED)
     return;
   stress_arguments(s, arguments);
-  complain("stress", "%s, %s gait: %s of %s; to see it: scallop %s %s", r->family->name, r->gait->name, what,
+  complain("stress", "%s, %s gait: %s of %s; to see it: scallop %s %s", r->family->name, r->gait->name, bound,
            stress_quantity_name(s, q), s->periods > 0 ? "trajectory" : "stress", arguments);
 }
 
-static void sum_up(const struct run *run, struct row *r)
+static void sum_up(const struct output *out, struct row *r)
 {
   for (int i = 0; i < r->cases; i++) {
-    const struct stress_case *s = &run->stressed[i];
+    const struct stress_case *s = &out->stressed[i];
     r->refused += s->outcome == STRESS_REFUSED;
     r->undecided += s->outcome == STRESS_UNDECIDED;
     r->other_modes += s->other_modes;
@@ -205,24 +206,24 @@ static void sum_up(const struct run *run, struct row *r)
   }
 }
 
-static double choose(const struct run *run, const struct row *r, const struct measure *m)
+static double choose(const struct output *out, const struct row *r, const struct measure *m)
 {
   size_t count = 0;
   if (m->quantile == WORST)
     return r->worst ? m->of(r->worst) : NAN;
   for (int i = 0; i < r->cases; i++)
     for (int q = 0; q < QUANTITIES; q++) {
-      const struct stress_number *n = &run->stressed[i].number[q];
+      const struct stress_number *n = &out->stressed[i].number[q];
       if (n->judged && !isnan(m->of(n)))
-        run->values[count++] = m->of(n);
+        out->values[count++] = m->of(n);
     }
-  gsl_sort(run->values, 1, count);
-  return count > 0 ? gsl_stats_quantile_from_sorted_data(run->values, 1, count, m->quantile) : NAN;
+  gsl_sort(out->values, 1, count);
+  return count > 0 ? gsl_stats_quantile_from_sorted_data(out->values, 1, count, m->quantile) : NAN;
 }
 
-static void write_row(struct run *run, const struct row *r)
+static void write_row(struct output *out, const struct row *r)
 {
-  struct table *t = &run->table;
+  struct table *t = &out->table;
   char arguments[STRESS_ARGUMENTS] = "-";
   const int counts[] = { r->cases, r->refused, r->undecided, r->other_modes };
   table_text(t, r->family->name);
@@ -231,34 +232,34 @@ static void write_row(struct run *run, const struct row *r)
     table_count(t, counts[i]);
   table_text(t, r->worst ? r->quantity : "-");
   for (int m = 0; m < MEASURES; m++)
-    table_rounded(t, choose(run, r, &measures[m]), measures[m].format);
-  table_text(t, verdict(r->what, r->broken > 1));
+    table_rounded(t, choose(out, r, &measures[m]), measures[m].format);
+  table_text(t, verdict(r->bound, r->broken > 1));
   if (r->worst)
     stress_arguments(r->worst_at, arguments);
   table_text(t, arguments);
   table_flush(t);
 }
 
-static void run_row(struct run *run, struct row *r)
+static void judge_row(struct output *out, struct row *r)
 {
   progress_show("%s, %s gait", r->family->name, r->gait->name);
-  r->cases = stress_make(r->family, r->gait, (unsigned long)run->options->seed.value, r->cases, run->stressed);
+  r->cases = stress_make(r->family, r->gait, (unsigned long)out->options->seed.value, r->cases, out->stressed);
   for (int i = 0; i < r->cases; i++)
-    run->stressed[i].periods *= run->effort->periods;
-  judge_all(run, r->cases);
-  sum_up(run, r);
+    out->stressed[i].periods *= out->effort->periods;
+  judge_all(out, r->cases);
+  sum_up(out, r);
   progress_end();
-  write_row(run, r);
+  write_row(out, r);
 }
 
-static bool begin(struct run *run)
+static bool begin(struct output *out)
 {
   static const char *const before[] = { "family",    "gait",        "cases",    "refused",
                                         "undecided", "other_modes", "quantity", NULL };
   static const char *const after[] = { "verdict", "worst_at", NULL };
-  const struct stress_options *o = run->options;
+  const struct stress_options *o = out->options;
   const struct point *p = &o->request.point;
-  struct table *t = &run->table;
+  struct table *t = &out->table;
   const char *cases = o->cases.value > 0 ? wrong_text(" --cases %ld", o->cases.value) : "";
   if (!table_head(t, &o->request.style, "stress%s%s%s%s%s%s%s --seed %ld", o->family ? " --family " : "",
                   o->family ? o->family : "", p->has_gait ? " --gait " : "", p->has_gait ? p->crawler.gait->name : "",
@@ -266,34 +267,34 @@ static bool begin(struct run *run)
     return false;
   table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
   table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
-             STRESS_PROMISE, STRESS_ROUNDING, STRESS_PERTURBED);
-  for (const struct row *r = run->row; r < run->row + run->rows; r++)
-    if (r == run->row || r->family != r[-1].family)
+             STRESS_BOUND, STRESS_ROUNDING, STRESS_PERTURBED);
+  for (const struct row *r = out->row; r < out->row + out->rows; r++)
+    if (r == out->row || r->family != r[-1].family)
       table_note(t, "%s: %s", r->family->name, r->family->about);
   begin_rows(t, before, true, after);
   return true;
 }
 
-static enum exit_code run_rows(struct run *run)
+static enum exit_code write_rows(struct output *out)
 {
   bool broken = false;
-  if (!begin(run))
+  if (!begin(out))
     return EXIT_FILE;
-  for (struct row *r = run->row; r < run->row + run->rows && !table_failed(&run->table); r++) {
-    run_row(run, r);
+  for (struct row *r = out->row; r < out->row + out->rows && !table_failed(&out->table); r++) {
+    judge_row(out, r);
     broken |= r->broken > 0;
   }
-  return !table_close(&run->table) ? EXIT_FILE : run->options->check && broken ? EXIT_CHECK_FAILED : EXIT_DONE;
+  return !table_close(&out->table) ? EXIT_FILE : out->options->check && broken ? EXIT_CHECK_FAILED : EXIT_DONE;
 }
 
 enum exit_code stress_table(const struct stress_options *o)
 {
-  struct run run = { .options = o, .effort = o->full ? &full : o->check ? &quick : &usual, .most = 1 };
-  enum exit_code code = plan(&run);
+  struct output out = { .options = o, .effort = o->full ? &full : o->check ? &quick : &usual, .max_cases = 1 };
+  enum exit_code code = plan(&out);
   if (code == EXIT_DONE)
-    code = run_rows(&run);
-  free(run.stressed);
-  free(run.values);
+    code = write_rows(&out);
+  free(out.stressed);
+  free(out.values);
   return code;
 }
 
@@ -333,7 +334,7 @@ enum exit_code stress_point(const struct stress_options *o)
     broken |= s.number[q].broken != NULL;
   }
   if (broken)
-    complain("stress", "a promise is broken here: see the column 'verdict'");
+    complain("stress", "a bound is exceeded: see the column 'verdict'");
   if (!table_close(&t))
     return EXIT_FILE;
   return s.outcome == STRESS_REFUSED ? EXIT_UNSOLVED : broken && o->check ? EXIT_CHECK_FAILED : EXIT_DONE;

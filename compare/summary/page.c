@@ -1,61 +1,60 @@
-/* What a summary asks of a point, as columns of a table; and the same as a page, in sentences. That of `breakdown` is a
- * part of it. */
+/* Quantities of a summary, as columns of a table or as a page in sentences. The page of `breakdown` is a part of it. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "compare/summary/summary.h"
 
-struct told { /* a series that pages tell of */
+struct page_series {
   const char *name;
   enum quantity_id of;
   const struct scallop_formula *formula; /* NULL: derived terms */
 };
 
-static const struct told terms[] = { { PAGE_TERMS "v_start", Q_V_START, NULL },
-                                     { PAGE_TERMS "displacement", Q_DISPLACEMENT, NULL } };
-enum { TERMS = sizeof terms / sizeof *terms, MOST_FORMULAS = MAX_USER_FORMULAS + 8 };
+static const struct page_series terms[] = { { PAGE_TERMS "v_start", Q_V_START, NULL },
+                                            { PAGE_TERMS "displacement", Q_DISPLACEMENT, NULL } };
+enum { TERMS = sizeof terms / sizeof *terms, MAX_FORMULAS = MAX_USER_FORMULAS + 8 };
 
 struct page {
   FILE *file;
   int digits;
-  struct at *at;            /* the point */
-  struct quantities *asked; /* of it: all that the page tells */
+  struct at *at;                 /* the point */
+  struct quantities *quantities; /* of the point, all that the page has */
   const struct answer *answer;
   struct study *study;
   bool digits_are_given, is_recorded;
-  int formulas; /* of which it tells; the derived terms are behind them */
-  struct told told[MOST_FORMULAS + TERMS];
+  int formulas; /* in series; derived terms follow */
+  struct page_series series[MAX_FORMULAS + TERMS];
 };
 
-/* About v_start or the displacement: the one that is asked for, or, where of is NULL, any */
-static bool is_told(const void *of, const struct scallop_formula *f)
+/* Returns true if the formula gives the steady quantity of a page_series or, for NULL, v_start or the displacement. */
+static bool is_on_page(const void *of, const struct scallop_formula *f)
 {
   enum quantity_id q = quantity_of_formula(f, SCALLOP_EXTENSION);
   return f->setting == SCALLOP_STEADY
-         && (of ? q == ((const struct told *)of)->of : q == Q_V_START || q == Q_DISPLACEMENT);
+         && (of ? q == ((const struct page_series *)of)->of : q == Q_V_START || q == Q_DISPLACEMENT);
 }
 
 static void find_formulas(struct page *p)
 {
   const struct scallop_formula *f;
   for (int q = 0; q < TERMS; q++)
-    for (int i = 0; (f = listed_formula(i)) && p->formulas < MOST_FORMULAS; i++)
-      if (is_told(&terms[q], f))
-        p->told[p->formulas++] = (struct told){ f->name, terms[q].of, f };
-  memcpy(p->told + p->formulas, terms, sizeof terms);
+    for (int i = 0; (f = listed_formula(i)) && p->formulas < MAX_FORMULAS; i++)
+      if (is_on_page(&terms[q], f))
+        p->series[p->formulas++] = (struct page_series){ f->name, terms[q].of, f };
+  memcpy(p->series + p->formulas, terms, sizeof terms);
 }
 
 /* The motion */
 
 static double number(const struct page *p, const char *name)
 {
-  return at_number(p->at, quantity_named(p->asked, name));
+  return at_number(p->at, quantity_named(p->quantities, name));
 }
 
 static double value(const struct page *p, enum quantity_id q) { return number(p, quantity_rows[q].name); }
 
-/* The digits of x that what a recording does not tell leaves of it; unknown: nan where there is none */
+/* Returns the digits of x that its uncertainty from a recording leaves; unknown nan: all */
 static int digits_of(const struct page *p, double x, double unknown)
 {
   return isnan(unknown) || p->digits_are_given ? p->digits : digits_known(x, unknown);
@@ -63,18 +62,18 @@ static int digits_of(const struct page *p, double x, double unknown)
 
 static int digits_of_value(const struct page *p, enum quantity_id q)
 {
-  const int place = quantity_named(p->asked, quantity_rows[q].name);
+  const int place = quantity_named(p->quantities, quantity_rows[q].name);
   return digits_of(p, at_number(p->at, place), at_data_error(p->at, place));
 }
 
-/* "from -0.31 to -0.297" */
+/* Writes "from -0.31 to -0.297". */
 static void write_interval(const struct page *p, double low, double high)
 {
   const double unknown = (high - low) / 2;
   fprintf(p->file, "from %.*g to %.*g", digits_of(p, low, unknown), low, digits_of(p, high, unknown), high);
 }
 
-/* Columns of the row, which the page takes the place of */
+/* Writes the columns low.NAME and high.NAME. */
 static void write_intervals(const struct page *p)
 {
   fputs("  As far as the recording tells:\n", p->file);
@@ -88,17 +87,18 @@ static void write_intervals(const struct page *p)
     fputs("  The recording does not tell in which direction the crawler moves.\n", p->file);
 }
 
-static void write_way(const struct page *p)
+static void write_displacement(const struct page *p)
 {
-  double way = value(p, Q_DISPLACEMENT);
+  double displacement = value(p, Q_DISPLACEMENT);
   if (p->answer->regime == SCALLOP_AT_REST)
     fputs("  It stays where it is: one body never moves, and the other is pushed away and pulled back.\n", p->file);
-  else if (way == 0)
+  else if (displacement == 0)
     fputs("  It moves to and fro, and is where it was after each period.\n", p->file);
   else
     fprintf(p->file, "  It crawls %s, by %.*g in each period: a mean velocity of %.*g.\n",
-            way > 0 ? "forward (towards body 2)" : "backward (towards body 1)", digits_of_value(p, Q_DISPLACEMENT),
-            fabs(way), digits_of_value(p, Q_MEAN_VELOCITY), value(p, Q_MEAN_VELOCITY));
+            displacement > 0 ? "forward (towards body 2)" : "backward (towards body 1)",
+            digits_of_value(p, Q_DISPLACEMENT), fabs(displacement), digits_of_value(p, Q_MEAN_VELOCITY),
+            value(p, Q_MEAN_VELOCITY));
 }
 
 static void write_velocities(const struct page *p)
@@ -133,7 +133,7 @@ static void write_motion(const struct page *p)
   char status[ANSWER_STATUS];
   fprintf(p->file, "\nWhat it does (Froude number %.*g, %s)\n", p->digits, value(p, Q_FROUDE),
           scallop_regime_text(p->answer->regime));
-  write_way(p);
+  write_displacement(p);
   if (p->answer->status != SCALLOP_OK)
     fprintf(p->file, "  This is one of many steady motions: %s.\n", answer_status_text(status, p->answer));
   if (p->answer->regime != SCALLOP_AT_REST)
@@ -155,10 +155,10 @@ static void write_error(const struct page *p, double error)
     fprintf(p->file, ", %.3g %% off", 100 * fabs(error));
 }
 
-/* "O(T)", "O(T^4)" */
+/* Returns "O(T)", "O(T^4)". */
 static const char *order_text(double order) { return order == 1 ? "O(T)" : wrong_text("O(T^%g)", order); }
 
-static void write_verdict(const struct page *p, const struct told *t)
+static void write_verdict(const struct page *p, const struct page_series *t)
 {
   const struct claim_row *c = claim_of(p->at, t->formula);
   double limit = number(p, wrong_text("error_limit.%s", t->name));
@@ -179,11 +179,11 @@ static void write_verdict(const struct page *p, const struct told *t)
     fprintf(p->file, "refuted: %s is claimed, but the error is %s", claimed, derived);
 }
 
-static void write_reach(const struct page *p, const struct told *t)
+static void write_reach(const struct page *p, const struct page_series *t)
 {
   static const int percents[] = { PAGE_PERCENTS };
   double T = 1, limit = number(p, wrong_text("error_limit.%s", t->name));
-  for (int i = 0; i < 2 && isfinite(T) && T > 0; i++) { /* else the second is known by the first */
+  for (int i = 0; i < 2 && isfinite(T) && T > 0; i++) { /* else the first implies the second */
     const int percent = percents[i];
     T = number(p, wrong_text("reach_%g.%s", percent / 100., t->name));
     fputs(i == 0 ? "       off " : ", ", p->file);
@@ -202,18 +202,18 @@ static void write_reach(const struct page *p, const struct told *t)
   fputc('\n', p->file);
 }
 
-static const char *equation_of(const struct told *t)
+static const char *equation_of(const struct page_series *t)
 {
   const char *equation = t->formula->equation;
   return *equation && strcmp(equation, "-") != 0 ? equation : t->name;
 }
 
-/* Formulas with the same value and claim, as (26) and (27), are told once. */
-static void write_formula(const struct page *p, const struct told *t)
+/* Writes a formula once with all of the same value and claim, as (26) and (27). */
+static void write_formula(const struct page *p, const struct page_series *t)
 {
   const double of_formula = number(p, wrong_text("value.%s", t->name));
   char equations[400] = "", names[1000] = "";
-  for (const struct told *u = p->told; u < p->told + p->formulas; u++) {
+  for (const struct page_series *u = p->series; u < p->series + p->formulas; u++) {
     const double other = number(p, wrong_text("value.%s", u->name));
     const char *comma = u == t ? "" : ", ";
     bool same = u->of == t->of && u->formula->remainder == t->formula->remainder
@@ -249,13 +249,12 @@ static void write_best(const struct page *p, enum quantity_id of)
   fputc('\n', p->file);
 }
 
-/* error is nan where there is no recording */
 static void write_transition(const struct page *p, const struct transition *e)
 {
   fprintf(p->file, "  T = %.*g%s", digits_of(p, e->T, e->error), e->T, p->is_recorded ? ", " : "");
   if (p->is_recorded)
     write_interval(p, e->T - e->error, e->T + e->error);
-  fprintf(p->file, " (Froude %.3g): %s\n", motion_froude(&p->study->motion, e->T), e->what);
+  fprintf(p->file, " (Froude %.3g): %s\n", motion_froude(&p->study->motion, e->T), e->causes);
 }
 
 static void write_transitions(const struct page *p)
@@ -285,14 +284,14 @@ static void write_summary(const struct page *p)
   write_motion(p);
   fputs("\nFormulas of the paper, for this gait and these parameters\n", p->file);
   for (int i = 0; i < p->formulas; i++)
-    write_formula(p, &p->told[i]);
+    write_formula(p, &p->series[i]);
   if (p->study->derived.status != SCALLOP_OK)
-    fprintf(p->file, "  There is no derived series: %s.\n", study_why_none(p->study));
+    fprintf(p->file, "  There is no derived series: %s.\n", study_no_series_text(p->study));
   for (int i = 0; i < TERMS; i++)
     write_best(p, terms[i].of);
   write_transitions(p);
   if (p->study->transitions.count > 0)
-    fprintf(p->file, "  T = %.*g is %s.\n", p->digits, T, study_where(p->study, T));
+    fprintf(p->file, "  T = %.*g is %s.\n", p->digits, T, study_position_text(p->study, T));
   fputs("\nMore: scallop steady --certified       proven digits\n"
         "      scallop claims                   the claims of the paper\n"
         "      scallop series --source derived  the expansion\n"
@@ -305,7 +304,7 @@ static void write_breakdown(const struct page *p)
   const int count = p->formulas + (p->study->derived.status == SCALLOP_OK ? TERMS : 0);
   write_transitions(p);
   fputs("\nUp to which T a series holds\n", p->file);
-  for (const struct told *t = p->told; t < p->told + count; t++) {
+  for (const struct page_series *t = p->series; t < p->series + count; t++) {
     const char *first = t->formula ? equation_of(t) : "derived terms below T^8";
     bool named = t->formula && first != t->name;
     fprintf(p->file, "  %s%s%s, %s\n", first, named ? " " : "", named ? t->name : "", quantity_rows[t->of].name);
@@ -315,8 +314,8 @@ static void write_breakdown(const struct page *p)
         p->file);
 }
 
-/* To people a page, else a row. excluded: parameters that are left out */
-static void visit(struct rows *rows, struct at *at, const char *const *excluded, void (*write)(const struct page *))
+/* Writes a page, or a row in a format for programs. omitted: parameters that the page does not list */
+static void visit(struct rows *rows, struct at *at, const char *const *omitted, void (*write)(const struct page *))
 {
   enum { DIGITS = 6 };
   int digits = (int)rows->request->style.digits;
@@ -335,7 +334,7 @@ static void visit(struct rows *rows, struct at *at, const char *const *excluded,
     fprintf(p.file, "\nThis crawler has no page: %s.\n", at->why);
     return;
   }
-  parameters_text(parameters, &at->place.point, excluded, true);
+  parameters_text(parameters, &at->place.point, omitted, true);
   fprintf(p.file, "\nCrawler:%s\n", parameters);
   write(&p);
 }
@@ -349,10 +348,10 @@ static void page_of_breakdown(struct rows *rows, struct at *at)
 
 /* The columns */
 
-/* False: the formulas that was given has none of the page's formulas, and the message is on stderr. */
-static bool serves(const struct request *request)
+/* Returns false, with a message on stderr, if a formula file is given without a formula for the page. */
+static bool has_formulas(const struct request *request)
 {
-  return formula_file_applies(request->style.command, request->formulas, is_told, NULL,
+  return formula_file_applies(request->style.command, request->formulas, is_on_page, NULL,
                               "the steady v_start or displacement");
 }
 
@@ -376,18 +375,18 @@ const char *summary_plan(struct rows *rows)
                                                { "_order", "order" } };
   struct page p = { .formulas = 0 };
   const char *wrong = NULL;
-  if (!serves(rows->request))
+  if (!has_formulas(rows->request))
     return "";
   find_formulas(&p);
   rows->has_parameters = true;
   rows->visit = page_of_crawler;
   for (size_t i = 0; i < sizeof before / sizeof *before && !wrong; i++) {
-    const bool is_told = gait_file_of(rows->request->point.crawler.gait) && i > 0 && i < 6; /* by low and high */
+    const bool has_interval = gait_file_of(rows->request->point.crawler.gait) && i > 0 && i < 6;
     wrong = rows_own(rows, "%s", before[i]);
-    for (int high = 0; high < 2 && is_told && !wrong; high++)
+    for (int high = 0; high < 2 && has_interval && !wrong; high++)
       wrong = rows_own(rows, high ? "high.%s" : "low.%s", before[i]);
   }
-  for (const struct told *t = p.told; t < p.told + p.formulas; t++)
+  for (const struct page_series *t = p.series; t < p.series + p.formulas; t++)
     for (size_t i = 0; i < sizeof of_formula / sizeof *of_formula && !wrong; i++)
       wrong = rows_own(rows, "%s%s = %s.%s", t->name, of_formula[i][0], of_formula[i][1], t->name);
   for (size_t i = 0; i < sizeof behind / sizeof *behind && !wrong; i++)
@@ -398,5 +397,5 @@ const char *summary_plan(struct rows *rows)
 const char *breakdown_page(struct rows *rows)
 {
   rows->visit = page_of_breakdown;
-  return serves(rows->request) ? rows_own(rows, "v_start") : "";
+  return has_formulas(rows->request) ? rows_own(rows, "v_start") : "";
 }

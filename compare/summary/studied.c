@@ -1,5 +1,4 @@
-/* Quantities of a crawler along T: how far series reach, what is claimed and proven of formulas, and what ends the
- * expansion. */
+/* Quantities of a crawler along T: reach of series, verdicts on formulas, transitions. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,13 +6,12 @@
 #include "compare/points/point_flint.h"
 #include "compare/summary/summary.h"
 
-enum { LEAST_ORDER = 8 };
+enum { MIN_ORDER = 8 };
 
 struct at_study { /* of one crawler */
   struct study study;
-  struct claim_table claims; /* rows as they are asked for */
-  /* It does not depend on T, so that it is looked for once where T varies fastest; 0: not yet, or it is soon found */
-  double reach[MAX_QUANTITIES];
+  struct claim_table claims;    /* the rows requested so far */
+  double reach[MAX_QUANTITIES]; /* does not depend on T, and is kept while only T varies; 0: not yet computed */
 };
 
 static void clear(struct at_study *s)
@@ -29,9 +27,9 @@ static void end(struct at_study *s)
   free(s);
 }
 
-static long most_order(const struct quantities *all)
+static long max_order(const struct quantities *all)
 {
-  long order = LEAST_ORDER;
+  long order = MIN_ORDER;
   for (int i = 0; i < all->count; i++)
     order = all->item[i].order > order ? all->item[i].order : order;
   return order;
@@ -41,13 +39,13 @@ struct study *study_of(struct at *at)
 {
   struct at_study *s = at->study = at->study ? at->study : calloc(1, sizeof *s);
   struct motion motion = motion_of(&at->place.point, OF_STEADY);
-  motion.crawler.T = 1; /* whatever it is */
+  motion.crawler.T = 1; /* not used */
   if (!s)
     return at_fail(at, "out of memory"), NULL;
   if (s->study.places && same_crawler(&s->study.motion.crawler, &motion.crawler))
     return &s->study;
   clear(s);
-  const char *why = study_begin(&s->study, &motion, most_order(&at->required->quantities));
+  const char *why = study_begin(&s->study, &motion, max_order(&at->required->quantities));
   return why ? at_fail(at, why), NULL : &s->study;
 }
 
@@ -77,8 +75,8 @@ static double value_of(const struct comparison *c, double T)
   return arb_is_finite(value) ? arf_get_d(arb_midref(value), ARF_RND_NEAR) : NAN;
 }
 
-/* Of the series that the quantity is about, beside the exact motion; nan: there is none. */
-static double compared(struct at *at, const struct quantity *q)
+/* Compares the series of the quantity with the exact motion; nan without a series. */
+static double compare_series(struct at *at, const struct quantity *q)
 {
   const struct quantity *series = &at->required->quantities.item[q->of];
   const struct scallop_formula *f = series->formula;
@@ -101,11 +99,11 @@ static double reach(struct at *at, const struct quantity *q)
   if (!study_of(at))
     return NAN;
   double *kept = &at->study->reach[q - at->required->quantities.item];
-  *kept = *kept == 0 ? compared(at, q) : *kept;
+  *kept = *kept == 0 ? compare_series(at, q) : *kept;
   return *kept;
 }
 
-/* Of the displacement: the order of the best truncation, or its error */
+/* Returns the order of the best truncation of the displacement, or its error. */
 static double best(struct at *at, bool is_order)
 {
   struct study *s = study_of(at);
@@ -121,7 +119,7 @@ static double number(struct at *at, const struct quantity *q)
   case STUDIED_REACH: return reach(at, q);
   case STUDIED_VALUE:
   case STUDIED_DEVIATION:
-  case STUDIED_ERROR_LIMIT: return compared(at, q);
+  case STUDIED_ERROR_LIMIT: return compare_series(at, q);
   case STUDIED_ORDER: return order_of(claim_of(at, at->required->quantities.item[q->of].formula));
   case STUDIED_TRANSITION_T: return s && study_transitions(s)->count > 0 ? s->transitions.transition[0].T : NAN;
   default: return best(at, q->which == STUDIED_BEST_ORDER);
@@ -147,10 +145,10 @@ static const char *text(struct at *at, const struct quantity *q)
   if (q->which == STUDIED_VERDICT)
     return claim_verdict_text(claim_of(at, at->required->quantities.item[q->of].formula)->verdict);
   const struct transitions *e = study_transitions(s);
-  return q->which == STUDIED_REVERSALS ? reversals_text(at->text, e) : e->count > 0 ? e->transition[0].what : "-";
+  return q->which == STUDIED_REVERSALS ? reversals_text(at->text, e) : e->count > 0 ? e->transition[0].causes : "-";
 }
 
 static const struct at_study_functions functions = { end, number, text };
 
-/* When it is loaded, or, where a program is linked with it, before main */
+/* Registers the functions on loading, or before main in a program that is linked with this file. */
 static void __attribute__((constructor)) offer(void) { at_study = &functions; }

@@ -1,6 +1,6 @@
-/* One crawler on one page: what it does, what the paper's formulas are worth for it, and where the expansion ends. The
- * page tells in sentences the quantities (answers/quantities.h) that a row of the table has: the motion is that of
- * `steady`, verdicts are those of `claims`, transitions, reaches and orders those of `breakdown`. Needs FLINT. */
+/* Summary of one crawler on one page: its motion, the accuracy of the paper's formulas, and the end of the expansion.
+ * The page states in sentences the quantities (answers/quantities.h) of a row of the table: the motion from `steady`,
+ * verdicts from `claims`, transitions, reaches and orders from `breakdown`. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 #define SCALLOP_COMPARE_SUMMARY_SUMMARY_H
 
@@ -8,17 +8,17 @@
 #include "compare/breakdown/motion.h"
 #include "compare/claims/claims.h"
 
-/* `scallop summary`: a page, or a row, for each point; `scallop breakdown` without more: the part of the page about
- * transitions and reach */
+/* Plan a page, or a row, for each point of `scallop summary`; and, for `scallop breakdown` without options of its
+ * table, the part of the page about transitions and reach. */
 const char *summary_plan(struct rows *rows);
 const char *breakdown_page(struct rows *rows);
 
-/* Derived terms that pages tell of, and the errors, in percent, whose reach they tell */
+/* Derived terms on pages, and the errors, in percent, with a reach on pages */
 #define PAGE_TERMS "derived_8."
 #define PAGE_PERCENTS 1, 5
 
-/* studied.c. At a point: its study along T; the row of the table of claims for a formula, this gait and these
- * parameters, until the next row is asked for. NULL: there is none, and at->why says why. */
+/* studied.c. Return, for a point, its study along T; and the claim of a formula for its gait and parameters, valid
+ * until the next call. NULL: at->why has the reason. */
 struct study *study_of(struct at *at);
 const struct claim_row *claim_of(struct at *at, const struct scallop_formula *formula);
 

@@ -1,3 +1,4 @@
+/* Measurement of settings: times, errors and the Pareto front. */
 #include <assert.h>
 #include <math.h>
 #include <stdarg.h>
@@ -10,7 +11,7 @@
 
 enum { ERROR_DIGITS = 3, REFERENCE_DIGITS = 250 };
 
-/* Of the limit, for the repetitions of one setting: what takes longer than half of it is not repeated. */
+/* Share of the limit for repetitions of one setting; a solve longer than half of this time is not repeated. */
 static const double budget_share = 0.5;
 
 const enum quantity_id compared[COMPARED] = { [VELOCITY] = Q_V_START, [DISPLACEMENT] = Q_DISPLACEMENT };
@@ -29,8 +30,8 @@ const char *reference_init(struct reference *t, const struct scallop_crawler *cr
   if (status != SCALLOP_OK)
     return scallop_status_text(status);
   t->eps = scaled.eps;
-  /* more than the certified rows have, and beyond what the longest series leaves, which goes as eps^(terms/2) */
-  t->digits = REFERENCE_DIGITS + (scaled.eps < 1 ? (long)(-log10(scaled.eps) * MOST_TERMS / 2) : 0);
+  /* more than in the certified rows, and enough for the error of the longest series, about eps^(terms/2) */
+  t->digits = REFERENCE_DIGITS + (scaled.eps < 1 ? (long)(-log10(scaled.eps) * MAX_TERMS / 2) : 0);
   scallop_rational_of(&t->exact, crawler);
   if (!answer_in_balls(&t->steady, &t->exact, OF_STEADY, SCALLOP_EXTENSION, NULL, t->digits))
     return t->steady.why ? t->steady.why : scallop_status_text(t->steady.status);
@@ -47,7 +48,7 @@ struct setting *settings_add(struct settings *settings, const struct reference *
                              enum method_kind kind, setting_solve *solve, const char *format, ...)
 {
   va_list arguments;
-  assert(settings->count < MOST_SETTINGS);
+  assert(settings->count < MAX_SETTINGS);
   struct setting *s = &settings->list[settings->count++];
   *s = (struct setting){ .kind = kind, .solve = solve, .reference = reference, .answer = no_answer };
   snprintf(s->method, sizeof s->method, "%s", method);
@@ -82,7 +83,7 @@ static bool is_infinite(const struct setting_answer *a, int quantity)
   return !a->ball[quantity] && isinf(a->value[quantity]);
 }
 
-/* The first time, with the limit. */
+/* Solves the first time, with the limit. */
 static void try_once(struct setting *s, double seconds)
 {
   struct stopwatch_limit limit = { .end = stopwatch_now() + seconds };
@@ -115,7 +116,7 @@ static void try_once(struct setting *s, double seconds)
   }
 }
 
-/* Once more, with all the time it takes */
+/* Solves again, without a limit. */
 static double solve_again(void *context)
 {
   struct setting *s = context;
@@ -124,8 +125,8 @@ static double solve_again(void *context)
   return (double)status + answer.value[0] + answer.value[1];
 }
 
-/* Passes of a batch, and as many batches as the budget has room for. A solve that is long beside the budget counts as
- * it was. */
+/* Plans the passes of a batch, and batches within the budget. If the first solve was too long to repeat, its time is
+ * the result. */
 static void plan(struct setting *s, double long_enough, double budget)
 {
   if (!s->solved)
@@ -140,14 +141,13 @@ static void plan(struct setting *s, double long_enough, double budget)
   s->repetitions = (int)fmin(SETTING_SAMPLES, fmax(1, budget / batch));
 }
 
-/* Few repetitions are spread over all rounds. */
+/* Spreads repetitions over all rounds. */
 static bool is_due(const struct setting *s, int round)
 {
   return s->taken < s->repetitions && round * s->repetitions / SETTING_SAMPLES >= s->taken;
 }
 
-/* |answer - certified| / |certified|, or over L/T and L where the certified value is 0; from the far end of both
- * balls. */
+/* Finds |answer - certified| / |certified|, or over L/T and L if the certified value is 0, as an upper bound. */
 static void find_error(struct setting *s, int quantity)
 {
   const struct reference *reference = s->reference;
@@ -194,8 +194,8 @@ static void find_errors(struct setting *s)
   }
 }
 
-/* Whether a is solved, no worse than b in both, and better in one. */
-static bool beats(const struct setting *a, const struct setting *b, int quantity)
+/* Returns true if a is solved, not worse than b in error and time, and better in one of them. */
+static bool dominates(const struct setting *a, const struct setting *b, int quantity)
 {
   double error_a = a->error_log10[quantity], error_b = b->error_log10[quantity];
   double time_a = printed_seconds(a->time.median), time_b = printed_seconds(b->time.median);
@@ -208,7 +208,7 @@ static void find_front(struct settings *settings, int quantity)
     struct setting *s = &settings->list[i];
     s->front[quantity] = s->solved && !isnan(s->error_log10[quantity]);
     for (int k = 0; k < settings->count && s->front[quantity]; k++)
-      s->front[quantity] = !beats(&settings->list[k], s, quantity);
+      s->front[quantity] = !dominates(&settings->list[k], s, quantity);
   }
 }
 

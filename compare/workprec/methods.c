@@ -1,4 +1,4 @@
-/* The methods: published and derived series, the limit, the exact and the certified solver, and the integrators of
+/* Methods: published and derived series, the limit, the exact and the certified solver, and the integrators of
  * numerics/integrators/integrator.h. */
 #include <math.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ static int place(const struct scallop_formula *f)
   return f->quantity == SCALLOP_STEADY_VELOCITY ? VELOCITY : DISPLACEMENT;
 }
 
-/* What methods in balls work with, and their answers, which live as long as the setting */
+/* Memory of methods in balls, with their answers */
 struct balls {
   struct series_answer series;
   struct ball_answer certified;
@@ -47,7 +47,7 @@ static enum scallop_status solve_published(struct setting *s, struct setting_ans
   return SCALLOP_OK;
 }
 
-/* What replaces them where they are wrong: texts, evaluated in ball arithmetic */
+/* Formulas in place of the paper's wrong ones: texts, evaluated in ball arithmetic */
 static enum scallop_status solve_corrected(struct setting *s, struct setting_answer *answer)
 {
   const struct scallop_rational_crawler *c = &s->reference->exact;
@@ -58,7 +58,7 @@ static enum scallop_status solve_corrected(struct setting *s, struct setting_ans
   return done ? SCALLOP_OK : SCALLOP_EDOMAIN;
 }
 
-/* Does a body turn in both phases for T -> 0? Where that is not known it is said to. */
+/* Returns the phases in which a body turns for T -> 0; if unknown, both. */
 static enum scallop_turns turns_in_limit(const struct reference *reference)
 {
   SCOPED(series_answer, limit);
@@ -73,7 +73,7 @@ static bool is_compared(const void *context, const struct scallop_formula *f)
   return f->quantity == SCALLOP_STEADY_VELOCITY || f->quantity == SCALLOP_STEADY_DISPLACEMENT;
 }
 
-bool methods_serve(const char *formulas)
+bool methods_have_formulas(const char *formulas)
 {
   return formula_file_applies("workprec", formulas, is_compared, NULL, "the steady v_start or displacement");
 }
@@ -99,7 +99,7 @@ static void add_formulas(struct settings *settings, const struct reference *refe
     }
 }
 
-/* Bits so that rounding does not show beside the terms from T^order on, which go as eps^(order/2). */
+/* Returns a precision with roundings far below the first term left out, about eps^(order/2). */
 static slong bits(const struct reference *reference, long order)
 {
   double smaller = reference->eps < 1 ? -log2(reference->eps) : 0;
@@ -120,7 +120,7 @@ static enum scallop_status solve_derived(struct setting *s, struct setting_answe
   return SCALLOP_OK;
 }
 
-/* The exact solver itself, without the answer (answers/answer.h) around it, whose filling would be timed too. */
+/* The exact solver itself: filling a struct answer would be timed too. */
 static enum scallop_status solve_exact(struct setting *s, struct setting_answer *answer)
 {
   struct scallop_steady_result r;
@@ -145,8 +145,8 @@ static enum scallop_status solve_certified(struct setting *s, struct setting_ans
   return SCALLOP_OK;
 }
 
-/* An integrator, simulated from rest until the periods repeat, or the root of its period map. Steady to the tolerance
- * of the period; time stepping has none, and its steps are of second order at best. */
+/* An integrator, simulated from rest until the periods repeat, or the root of its period map, to its own tolerance.
+ * Time stepping has none; its tolerance is the square of the step, since its order is at most 2. */
 static enum scallop_status solve_integrator(struct setting *s, struct setting_answer *answer)
 {
   const struct scallop_crawler *c = &s->reference->crawler;
@@ -172,13 +172,12 @@ static void *make_moreau(const struct setting *s) { return scallop_moreau_integr
 
 static void release_integrator(void *memory) { scallop_integrator_destroy(memory); }
 
-/* What a setting asks of its method: those of the numbers that it takes. */
-struct accuracy {
-  long number; /* of terms, digits or steps */
+struct accuracy { /* of a setting; 0: not used by the method */
+  long number;    /* of terms, digits or steps */
   double tolerance, delta;
 };
 static const struct accuracy one[] = { { .number = 1 } };
-static const struct accuracy terms[] = { { .number = 4 }, { .number = 8 }, { .number = 16 }, { .number = MOST_TERMS } };
+static const struct accuracy terms[] = { { .number = 4 }, { .number = 8 }, { .number = 16 }, { .number = MAX_TERMS } };
 static const struct accuracy digits[] = { { .number = 16 }, { .number = 50 }, { .number = 200 } };
 static const struct accuracy tolerances[] = { { 0, 1e-4, 0 },  { 0, 1e-6, 0 },  { 0, 1e-8, 0 },
                                               { 0, 1e-10, 0 }, { 0, 1e-12, 0 }, { 0, 1e-14, 0 } };
@@ -188,16 +187,16 @@ static const struct accuracy steps[] = {
   { .number = 16 }, { .number = 128 }, { .number = 1024 }, { .number = 8192 }, { .number = 65536 }
 };
 
-/* A setting for each accuracy; of an integrator two, its simulation before its root. */
+/* Methods, with a setting for each accuracy; an integrator has two, first its simulation, then its root. */
 static const struct method {
-  const char *name, *text; /* of the setting; it may print the number */
+  const char *name, *text; /* text: a format of the setting, for its number */
   enum method_kind kind;
   setting_solve *solve;
-  void *(*make)(const struct setting *setting); /* the memory, beforehand, as a user would; or NULL */
+  void *(*make)(const struct setting *setting); /* allocates the memory, or NULL */
   void (*release)(void *memory);
   const struct accuracy *of;
-  int count, first, end;  /* accuracies; and those of --quick */
-  bool (*is_there)(void); /* was the program built with it? NULL: always */
+  int count, first, end;      /* accuracies; range of --quick */
+  bool (*is_available)(void); /* in this build; NULL: always */
 } methods[] = {
   { "limit", "leading terms", METHOD_FORMULA, solve_derived, make_balls, release_balls, one, 1, 0, 1, NULL },
   { "derived series", "terms below T^%ld", METHOD_FORMULA, solve_derived, make_balls, release_balls, terms, 4, 0, 3,
@@ -212,13 +211,13 @@ static const struct method {
   { "moreau", "%ld steps", METHOD_ROOT, solve_integrator, make_moreau, release_integrator, steps, 5, 1, 2, NULL },
 };
 
-/* a: NULL where the method is left out. */
+/* Adds a setting. a NULL: the method is not available. */
 static void add(struct settings *settings, const struct reference *reference, const struct method *m,
                 enum method_kind kind, const struct accuracy *a)
 {
-  const char *way = kind == METHOD_ROOT ? ", root" : kind == METHOD_SIMULATION ? ", simulated" : "";
+  const char *suffix = kind == METHOD_ROOT ? ", root" : kind == METHOD_SIMULATION ? ", simulated" : "";
   char name[SETTING_TEXT];
-  snprintf(name, sizeof name, "%s%s", m->name, way);
+  snprintf(name, sizeof name, "%s%s", m->name, suffix);
   struct setting *s = settings_add(settings, reference, name, kind, a ? m->solve : NULL, "-");
   if (!a) {
     snprintf(s->status, sizeof s->status, "left out: built without SUNDIALS");
@@ -239,10 +238,10 @@ static void add(struct settings *settings, const struct reference *reference, co
 
 static void add_method(struct settings *settings, const struct reference *reference, const struct method *m, bool quick)
 {
-  bool there = !m->is_there || m->is_there();
-  int first = quick ? m->first : 0, end = !there ? first + 1 : quick ? m->end : m->count;
+  bool available = !m->is_available || m->is_available();
+  int first = quick ? m->first : 0, end = !available ? first + 1 : quick ? m->end : m->count;
   for (int i = first; i < end; i++) {
-    const struct accuracy *a = there ? &m->of[i] : NULL;
+    const struct accuracy *a = available ? &m->of[i] : NULL;
     if (m->kind == METHOD_ROOT)
       add(settings, reference, m, METHOD_SIMULATION, a);
     add(settings, reference, m, m->kind, a);

@@ -1,3 +1,4 @@
+/* Table of `scallop workprec`: a row for each setting and quantity. */
 #include "compare/workprec/table.h"
 
 #include <assert.h>
@@ -7,7 +8,7 @@
 #include "compare/answers/request.h"
 #include "compare/workprec/setting.h"
 
-enum { MOST_REFERENCES = 40 };
+enum { MAX_REFERENCES = 40 };
 
 static const char *const columns[] = { "method",   "kind",        "setting",          "gait",     "T",
                                        "quantity", "error",       "time_median",      "time_min", "time_q1",
@@ -18,18 +19,18 @@ static const char *const kind_words[] = {
   [METHOD_FORMULA] = "formula", [METHOD_EXACT] = "exact", [METHOD_ROOT] = "root", [METHOD_SIMULATION] = "simulation"
 };
 
-struct run {
+struct output {
   const struct workprec_options *options;
-  struct reference references[MOST_REFERENCES];
+  struct reference references[MAX_REFERENCES];
   int count;
   double limit;
   struct stopwatch_clock clock;
-  struct settings settings; /* of the reference under way */
+  struct settings settings; /* of the current reference */
   struct table table;
 };
 
-/* All are solved before anything is written. */
-static bool make_references(struct run *r)
+/* Solves all references before anything is written. */
+static bool make_references(struct output *r)
 {
   static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
   const struct point *p = &r->options->request.point;
@@ -41,7 +42,7 @@ static bool make_references(struct run *r)
     for (int i = 0; i < times; i++) {
       c.gait = p->has_gait ? p->crawler.gait : scallop_gait_named(scallop_gait_name(g));
       c.T = T[i];
-      assert(r->count < MOST_REFERENCES);
+      assert(r->count < MAX_REFERENCES);
       const char *why = reference_init(&r->references[r->count++], &c);
       if (!why)
         continue;
@@ -52,19 +53,19 @@ static bool make_references(struct run *r)
   return true;
 }
 
-static double nothing(void *context) { return *(const double *)context; }
+static double do_nothing(void *context) { return *(const double *)context; }
 
-/* What a batch adds to each solve: the loop and a call */
+/* Measures the time that a batch adds to each solve: the loop and a call. */
 static double call_cost(const struct stopwatch_clock *clock)
 {
   double samples[SETTING_SAMPLES], zero = 0;
-  long passes = stopwatch_passes(nothing, &zero, stopwatch_long_enough(clock));
+  long passes = stopwatch_passes(do_nothing, &zero, stopwatch_long_enough(clock));
   for (int i = 0; i < SETTING_SAMPLES; i++)
-    samples[i] = stopwatch_batch(nothing, &zero, passes) / (double)passes;
+    samples[i] = stopwatch_batch(do_nothing, &zero, passes) / (double)passes;
   return stopwatch_spread(samples, SETTING_SAMPLES).median;
 }
 
-static bool begin(struct run *r)
+static bool begin(struct output *r)
 {
   const struct workprec_options *o = r->options;
   static const char *const columns_of_points[] = { "T", "gait", NULL };
@@ -107,7 +108,7 @@ static void write_setting(struct table *t, const struct setting *s, int quantity
   table_text(t, s->status);
 }
 
-static void measure(struct run *r, int reference)
+static void measure(struct output *r, int reference)
 {
   struct settings *all = &r->settings;
   methods_add(all, &r->references[reference], r->options->quick);
@@ -123,12 +124,12 @@ static void measure(struct run *r, int reference)
 
 enum exit_code workprec_table(const struct workprec_options *options)
 {
-  struct run r = { .options = options,
-                   .limit = options->limit.value > 0 ? options->limit.value
-                            : options->quick         ? WORKPREC_QUICK_LIMIT
-                                                     : WORKPREC_LIMIT };
+  struct output r = { .options = options,
+                      .limit = options->limit.value > 0 ? options->limit.value
+                               : options->quick         ? WORKPREC_QUICK_LIMIT
+                                                        : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
-  if (!methods_serve(options->request.formulas))
+  if (!methods_have_formulas(options->request.formulas))
     return EXIT_USAGE;
   if (make_references(&r)) {
     r.clock = stopwatch_clock();

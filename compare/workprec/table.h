@@ -1,4 +1,4 @@
-/* `scallop workprec`: error against run time of every method for the steady state. Needs FLINT. */
+/* Table of `scallop workprec`: error against run time of every method for the steady state. Needs FLINT. */
 #ifndef SCALLOP_COMPARE_WORKPREC_TABLE_H
 #define SCALLOP_COMPARE_WORKPREC_TABLE_H
 

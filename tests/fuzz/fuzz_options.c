@@ -57,15 +57,15 @@ static void judge(const struct arguments *a, const char *text)
   if (scallop_crawler_check(&r->point.crawler, &wrong) != SCALLOP_OK)
     fuzz_fail("%s = %g was taken from\n%s", wrong.name, wrong.given, text);
   for (const struct option *o = a->command->options; o->name; o++) {
-    const void *field = a->options.room + o->field;
+    const void *field = a->options.bytes + o->field;
     const struct optional_count *count = field;
     const struct optional_number *number = field;
-    if (o->read == read_digits && (r->style.digits < 0 || r->style.digits > o->most))
+    if (o->read == read_digits && (r->style.digits < 0 || r->style.digits > o->max))
       fuzz_fail("%ld digits from\n%s", r->style.digits, text);
-    if (o->read == read_whole && count->given && (count->value < o->least || count->value > o->most))
+    if (o->read == read_whole && count->given && (count->value < o->min || count->value > o->max))
       fuzz_fail("--%s %ld from\n%s", o->name, count->value, text);
     if (o->read == read_real
-        && !(isfinite(number->value) && (!number->given || (number->value >= o->least && number->value <= o->most))))
+        && !(isfinite(number->value) && (!number->given || (number->value >= o->min && number->value <= o->max))))
       fuzz_fail("--%s %g from\n%s", o->name, number->value, text);
   }
   judge_sweep(r, text);

@@ -5,7 +5,7 @@
 #include "compare/command/scene_table.h"
 #include "tests/fuzz/target.h"
 
-static void judge(const struct wanted *all)
+static void judge(const struct planned_scene *all)
 {
   const struct request *r = &all->scene.request;
   if (all->scene.tables < 1 || (r->sweep.products > 0 && !(sweep_points(&r->sweep) >= 1)))
@@ -18,12 +18,12 @@ static void judge(const struct wanted *all)
     }
 }
 
-static enum exit_code read_scene(struct wanted *all, const char *text, const struct scene_options *options)
+static enum exit_code read_scene(struct planned_scene *all, const char *text, const struct scene_options *options)
 {
   const struct scene_source source = { .path = "x.cfg", .text = text };
   struct written written;
   written_begin(&written);
-  enum exit_code code = wanted_read(all, &source, options);
+  enum exit_code code = planned_scene_read(all, &source, options);
   written_end(&written);
   if (written.out_size > 0 || (written.err_size > 0) != (code != EXIT_DONE))
     fuzz_fail("exit code %d, on standard output '%s', on standard error '%s'", (int)code, written.out, written.err);
@@ -39,12 +39,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   char *arguments[] = { program, command, name, NULL }, *text = fuzz_text(data, size);
   struct arguments read;
   enum exit_code code;
-  struct wanted *all = calloc(1, sizeof *all);
+  struct planned_scene *all = calloc(1, sizeof *all);
   bool reads_files = !text || strstr(text, "measured:") || strstr(text, "formulas");
   if (!reads_files && all && options_read(&read, &command_run, commands, 3, arguments, &code) == READ_RUN) {
     if (read_scene(all, text, (const void *)&read.options) == EXIT_DONE)
       judge(all);
-    wanted_free(all);
+    planned_scene_free(all);
     options_free(&read);
   }
   free(text);

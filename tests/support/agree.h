@@ -108,11 +108,10 @@ static inline enum stress_outcome promise_is_kept(const struct motion *m, int pi
   for (int q = 0; q < QUANTITIES; q++) {
     const struct stress_number *n = &s.number[q];
     const char *broken = n->broken;
-    if (to_epsilon && broken && strcmp(broken, "error") == 0
-        && n->error <= STRESS_PROMISE * DBL_EPSILON * fabs(n->exact))
+    if (to_epsilon && broken && strcmp(broken, "error") == 0 && n->error <= STRESS_BOUND * DBL_EPSILON * fabs(n->exact))
       broken = NULL;
     if (pieces > 0 && s.outcome != STRESS_BROKEN)
-      broken = !n->judged || n->error <= (STRESS_PROMISE + pieces) * n->unit ? NULL : "error";
+      broken = !n->judged || n->error <= (STRESS_BOUND + pieces) * n->unit ? NULL : "error";
     if (!broken)
       continue;
     stress_arguments(&s, text);

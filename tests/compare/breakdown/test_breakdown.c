@@ -23,7 +23,7 @@ static struct scallop_crawler draw(struct random *r, int i) { return moderate_cr
 static double time_of(const struct transitions *transitions, const char *what)
 {
   for (int i = 0; i < transitions->count; i++)
-    if (strstr(transitions->transition[i].what, what))
+    if (strstr(transitions->transition[i].causes, what))
       return transitions->transition[i].T;
   return NAN;
 }
@@ -83,10 +83,10 @@ TEST(transitions_are_where_certified_modes_change)
       check_certified(&s, sqrt(e->T * until), e->modes);
       before = e->modes;
       all++;
-      certified += strcmp(e->status, "certified") == 0;
-      assert_true(strcmp(e->status, "certified") == 0 || e->of != CHANGE_OF_MODES);
+      certified += strcmp(e->evidence, "certified") == 0;
+      assert_true(strcmp(e->evidence, "certified") == 0 || e->of != CHANGE_OF_MODES);
     }
-    assert_true(strstr(transitions.transition[transitions.count - 1].what, "permanent rest"));
+    assert_true(strstr(transitions.transition[transitions.count - 1].causes, "permanent rest"));
   }
   assert_true(certified > 3 * all / 4);
 }
@@ -102,7 +102,7 @@ TEST(rounding_is_no_transition)
   assert_int_equal(transitions.count, 10);
   CHECK_RELATIVE(transitions.transition[0].T, 4.78521795311083, 1e-14);
   for (int i = 0; i < transitions.count; i++)
-    assert_true(strcmp(transitions.transition[i].status, "certified") == 0
+    assert_true(strcmp(transitions.transition[i].evidence, "certified") == 0
                 || transitions.transition[i].of != CHANGE_OF_MODES);
 }
 
@@ -134,7 +134,7 @@ TEST(rounding_is_no_transition_beside_one)
     }
     assert_true(transitions.transition[0].T > 0.01 * motion_natural_time(&s));
     for (int k = 0; k < transitions.count; k++)
-      assert_true(strcmp(transitions.transition[k].status, "certified") == 0
+      assert_true(strcmp(transitions.transition[k].evidence, "certified") == 0
                   || transitions.transition[k].of == CHANGE_OF_PART);
   }
 }
@@ -147,8 +147,8 @@ TEST(transitions_where_l_jumps)
   ENDED_BY(transitions_clear) struct transitions transitions;
   transitions_find(&transitions, &s, "");
   assert_int_equal(transitions.count, 2);
-  assert_string_equal(transitions.transition[0].what, "body 2 begins to turn in the extension");
-  assert_string_equal(transitions.transition[1].what, "onset of sticking: body 1 in the contraction");
+  assert_string_equal(transitions.transition[0].causes, "body 2 begins to turn in the extension");
+  assert_string_equal(transitions.transition[1].causes, "onset of sticking: body 1 in the contraction");
   for (int i = 0; i < 2; i++) {
     const struct scallop_modes *before = i > 0 ? transitions.transition[i - 1].modes : transitions.first;
     check_certified(&s, transitions.transition[i].T * (1 - 1e-12), before);
@@ -217,7 +217,7 @@ static double error_at(const struct series_item *item, const struct study *study
 
 static struct comparison comparison_named(struct study *s, enum quantity_id quantity, const char *name)
 {
-  struct series_item items[MOST_ITEMS];
+  struct series_item items[MAX_ITEMS];
   int count = series_items(items, s, quantity, ORDER), i = 0;
   while (i < count && strcmp(series_name(&items[i]), name) != 0)
     i++;
@@ -255,7 +255,7 @@ TEST(reach_against_brute_force)
   for (int i = 0; i < 24; i++) {
     struct motion motion = { .crawler = draw(&r, i) };
     STUDY(s, &motion);
-    struct series_item items[MOST_ITEMS];
+    struct series_item items[MAX_ITEMS];
     enum quantity_id quantity = (enum quantity_id)(Q_V_START + i % 4);
     int count = series_items(items, &s, quantity, ORDER);
     for (int item = 0; item < count; item++) {
@@ -329,7 +329,7 @@ TEST(reach_about_the_limit_of_the_error)
                     : sqrt(crawler->L * (crawler->F1 + crawler->F2) / (crawler->m1 + crawler->m2)) / 8;
     STUDY(s, &motion);
     for (int q = 0; q < QUANTITIES; q++) {
-      struct series_item items[MOST_ITEMS];
+      struct series_item items[MAX_ITEMS];
       int count = motion_has(&motion, (enum quantity_id)q) ? series_items(items, &s, (enum quantity_id)q, ORDER) : 0;
       for (int item = 0; item < count; item++) {
         struct comparison c = { &s, items[item], NAN };
@@ -390,7 +390,7 @@ TEST(what_is_0_is_0_for_every_T)
 {
   static const char *const names[] = { "eq28_displacement", "derived", "limit" };
   struct scallop_crawler equal = scallop_crawler_default(), even = equal;
-  struct series_item items[MOST_ITEMS];
+  struct series_item items[MAX_ITEMS];
   double error;
   equal.F1 = equal.F2;
   even.alpha = 0.5;

@@ -101,7 +101,7 @@ TEST(errors_that_do_not_fall)
   CHECK_VERDICTS({ "(F1-F2)/M*T", MOVING, V_END, 2, "quadratic", &usual, CLAIM_REFUTED, 0, "17/10", NULL },
                  { "v0 + (F1-F2)/M*T", MOVING, V_END, 2, "quadratic", &usual, CLAIM_HOLDS, 2, "-629/873", NULL },
                  { "(F1-F2)/M*T + 1e-300*T^-10", REST, V_END, 3, "quadratic", &usual, CLAIM_REFUTED, -10, NULL,
-                   "at the T that were measured it goes as T^3" },
+                   "at the T measured it goes as T^3" },
                  { "(F1-F2)/M*T + 1/T^6", REST, V_END, 3, "quadratic", &usual, CLAIM_REFUTED, -6, "-1", NULL },
                  { "v0 + 1/T^3", MOVING, V_END, 2, "quadratic", &usual, CLAIM_REFUTED, -3, "-1", NULL });
 }
@@ -161,7 +161,7 @@ TEST(coefficients_below_a_ball)
       { "(F1-F2)/M*T + sqrt(2)*T^3", REST, V_END, 3, "quadratic", &usual, CLAIM_HOLDS, 3,
         "[-1.66465613240 +/- 3.30e-12]", NULL },
       { "(F1-F2)/M*T + sin(pi)*T + T^998", REST, V_END, 3, "quadratic", &usual, CLAIM_UNDECIDED, 0, NULL,
-        "T^1 cannot be told from 0" },
+        "T^1 cannot be distinguished from 0" },
       { "v0 + k0*exp(1)*T^80", MOVING, SCALLOP_VELOCITY_CHANGE, 1, "quadratic", &usual, CLAIM_REFUTED, 0, NULL, NULL },
       { "k0*exp(1)*T^80", REST, V_END, 3, "quadratic", &equal, CLAIM_SHARPER, SERIES_ALL, NULL, NULL });
 }

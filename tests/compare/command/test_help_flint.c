@@ -150,17 +150,17 @@ TEST(numbers_are_those_of_the_code)
   assert_int_equal(sscanf(PAGE_TERMS, "derived_%d", &order), 1);
   const char *const pages[CASES] = { "stress",    "stress",    "stress",  "stress",  "breakdown",
                                      "breakdown", "breakdown", "summary", "accuracy" };
-  snprintf(stated[0], TEXT, "error %d units", STRESS_PROMISE);
+  snprintf(stated[0], TEXT, "error %d units", STRESS_BOUND);
   snprintf(stated[1], TEXT, "spread_rounding %d,", STRESS_ROUNDING);
-  snprintf(stated[2], TEXT, "change_per_ulp 1 + 2 * %d,", STRESS_PROMISE);
-  snprintf(stated[3], TEXT, "1 to %d times the error", STRESS_GENEROUS);
+  snprintf(stated[2], TEXT, "change_per_ulp 1 + 2 * %d,", STRESS_BOUND);
+  snprintf(stated[3], TEXT, "1 to %d times the error", STRESS_MAX_ESTIMATE);
   snprintf(stated[4], TEXT, "the terms below T^%d are off by less than %d %% and %d %%", order, percent[0], percent[1]);
   snprintf(stated[5], TEXT, "order up to %d with the least error", STUDY_MANY);
   snprintf(stated[6], TEXT, "with --map 1e-%.0f, 1e-%.0f)", -log10(map[0]), -log10(map[1]));
   snprintf(stated[7], TEXT, "more than %d %% and %d %%", percent[0], percent[1]);
   snprintf(stated[8], TEXT, "by %d times its ulp (unit in the last place) or, if larger, %d times the change",
-           STRESS_PROMISE, STRESS_PROMISE);
-  assert_int_equal(STRESS_PERTURBED, 1 + 2 * STRESS_PROMISE);
+           STRESS_BOUND, STRESS_BOUND);
+  assert_int_equal(STRESS_PERTURBED, 1 + 2 * STRESS_BOUND);
   for (int i = 0; i < CASES; i++) {
     flatten(page, PAGE, printed(pages[i]));
     if (!strstr(page, stated[i]))

@@ -47,7 +47,7 @@ TEST(certified_values)
     }
     CHECK_RELATIVE(scene.scaled.eps, 5 * c.T * c.T / 20, 4 * DBL_EPSILON);
     assert_string_equal(scene.names[2], i < 2 ? "sliding" : "stick-slip");
-    assert_int_equal(scene.held.body, i < 2 ? 0 : 1);
+    assert_int_equal(scene.stuck.body, i < 2 ? 0 : 1);
   }
 }
 
@@ -58,12 +58,12 @@ TEST(held_by_hand_quadratic)
   struct scallop_crawler c = sticking(&scallop_gait_quadratic);
   struct stiff_scene scene = scene_of(&c);
   const double force = (40 / 9.0 - 1) / 4;
-  assert_int_equal(scene.held.phase, SCALLOP_EXTENSION);
-  CHECK_EQUAL(scene.held.v0, scene.v_start);
-  CHECK_RELATIVE(scene.held.end, 3, 1e-14);
-  CHECK_RELATIVE(scene.held.force, force, 1e-13);
-  CHECK_RELATIVE(scene.held.velocity, atanh(force), 1e-12);
-  CHECK_RELATIVE(scene.held.creep, atanh(force) * (3 - scene.held.begin) / 4, 1e-12);
+  assert_int_equal(scene.stuck.phase, SCALLOP_EXTENSION);
+  CHECK_EQUAL(scene.stuck.v0, scene.v_start);
+  CHECK_RELATIVE(scene.stuck.end, 3, 1e-14);
+  CHECK_RELATIVE(scene.stuck.force, force, 1e-13);
+  CHECK_RELATIVE(scene.stuck.velocity, atanh(force), 1e-12);
+  CHECK_RELATIVE(scene.stuck.creep, atanh(force) * (3 - scene.stuck.begin) / 4, 1e-12);
 }
 
 /* Sinusoidal, l'' = (5 pi^2/9) cos(pi t/3): it is let go when the force has grown to its friction, -l'' = 5. */
@@ -73,7 +73,7 @@ TEST(held_by_hand_sinusoidal)
 {
   enum { PARTS = 200000 };
   struct scallop_crawler c = sticking(&scallop_gait_sinusoidal);
-  const struct stiff_held held = scene_of(&c).held;
+  const struct stiff_interval held = scene_of(&c).stuck;
   double sum = 0, part = (held.end - held.begin) / PARTS;
   for (int i = 0; i < PARTS; i++)
     sum += sinusoidal_creep(held.begin + (i + 0.5) * part) * part;
@@ -87,13 +87,13 @@ TEST(held_in_a_mirror)
 {
   for (int i = 0; i < 2; i++) {
     struct scallop_crawler c = sticking(every_gait[i]), d = exchanged(&c);
-    struct stiff_held a = scene_of(&c).held, b = scene_of(&d).held;
+    struct stiff_interval a = scene_of(&c).stuck, b = scene_of(&d).stuck;
     assert_true(a.body == 1 && b.body == 2 && b.phase == SCALLOP_EXTENSION);
     CHECK_RELATIVE(b.creep, -a.creep, 1e-9);
     CHECK_RELATIVE(b.velocity, -a.velocity, 1e-12);
     c.alpha =
         0.25; /* and the bodies where they were: stuck in the contraction, as long, and as fast to the other side */
-    struct stiff_held late = scene_of(&c).held;
+    struct stiff_interval late = scene_of(&c).stuck;
     assert_true(late.body == 1 && late.phase == SCALLOP_CONTRACTION);
     CHECK_RELATIVE(late.creep, -a.creep, 1e-9);
     CHECK_RELATIVE(late.end - late.begin, a.end - a.begin, 1e-12);
@@ -111,10 +111,10 @@ TEST(held_all_the_time)
     c.alpha = i == 0 ? 0.75 : 0.25;
     struct stiff_scene scene = scene_of(&c);
     assert_string_equal(scene.names[2], "at-rest");
-    assert_int_equal(scene.held.phase, i == 0 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION);
-    CHECK_EQUAL(scene.held.begin, 0);
-    CHECK_RELATIVE(scene.held.end, 30, 1e-14);
-    CHECK_RELATIVE(scene.held.creep, (i == 0 ? 1 : -1) * halves * 15 / 40, 1e-9);
+    assert_int_equal(scene.stuck.phase, i == 0 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION);
+    CHECK_EQUAL(scene.stuck.begin, 0);
+    CHECK_RELATIVE(scene.stuck.end, 30, 1e-14);
+    CHECK_RELATIVE(scene.stuck.creep, (i == 0 ? 1 : -1) * halves * 15 / 40, 1e-9);
   }
 }
 
@@ -133,7 +133,7 @@ TEST(errors_are_the_periods)
 {
   struct scallop_crawler c = sticking(&scallop_gait_sinusoidal);
   struct stiff_scene scene = scene_of(&c);
-  struct stiff_run run;
+  struct stiff_result run;
   struct scallop_integrator_period p, looser;
   stiff_solve(&scene, 1e-3, 1e-9, LONG, &run);
   struct scallop_integrator *integrators[2] = { scallop_smoothed_integrator(1e-3, 1e-9),
@@ -142,7 +142,7 @@ TEST(errors_are_the_periods)
   assert_int_equal(integrators[1]->period(integrators[1], &c, scene.v_start, NULL, &looser), SCALLOP_OK);
   CHECK_NEAR(run.error[STIFF_V_END], (p.v_end - scene.v_start) * c.T / c.L, 1e-14);
   CHECK_NEAR(run.error[STIFF_DISPLACEMENT], (p.displacement - scene.displacement.high) / c.L, 1e-15);
-  CHECK_NEAR(run.own[STIFF_V_END], fabs(p.v_end - looser.v_end) * c.T / c.L, 1e-15);
+  CHECK_NEAR(run.own_error[STIFF_V_END], fabs(p.v_end - looser.v_end) * c.T / c.L, 1e-15);
   CHECK_EQUAL(run.steps, (double)p.steps);
   CHECK_EQUAL(run.evaluations, (double)p.evaluations);
   assert_string_equal(run.status, "ok");
@@ -160,12 +160,12 @@ TEST(creep_is_as_predicted)
     struct stiff_scene scene = scene_of(&c);
     double before = INFINITY;
     for (int digits = 3; digits <= 6; digits++) {
-      struct stiff_run run;
+      struct stiff_result run;
       double delta = pow(10, -digits);
       stiff_solve(&scene, delta, stiff_tolerance(delta), LONG, &run);
-      double off = fabs(run.error[STIFF_CREEP] / delta / scene.held.creep - 1);
+      double off = fabs(run.error[STIFF_CREEP] / delta / scene.stuck.creep - 1);
       CHECK_AT_MOST(off, 2 * sqrt(delta));
-      CHECK_NEAR(run.velocity, scene.held.velocity, 20 * delta);
+      CHECK_NEAR(run.velocity, scene.stuck.velocity, 20 * delta);
       CHECK_AT_MOST(off, 0.5 * before);
       before = off;
     }
@@ -179,7 +179,7 @@ TEST(last_velocity)
   for (int gradual = 0; gradual < 2; gradual++) {
     struct scallop_crawler c = sticking(every_gait[gradual]);
     struct stiff_scene scene = scene_of(&c);
-    struct stiff_run run;
+    struct stiff_result run;
     double before = NAN;
     for (int digits = 5; digits <= 8; digits++) {
       double delta = pow(10, -digits);
@@ -206,7 +206,7 @@ TEST(most_steps)
   struct stiff_scene scene = scene_of(&c);
   struct scallop_integrator *integrator = scallop_smoothed_integrator(1e-3, 1e-9);
   struct scallop_integrator_period p;
-  struct stiff_run run;
+  struct stiff_result run;
   long steps = 0;
   const struct scallop_patience patience = { count, &steps };
   assert_int_equal(integrator->period(integrator, &c, scene.v_start, &patience, &p), SCALLOP_OK);
@@ -221,7 +221,7 @@ TEST(a_run_that_gives_up)
 {
   struct scallop_crawler c = sticking(&scallop_gait_quadratic);
   struct stiff_scene scene = scene_of(&c);
-  struct stiff_run run;
+  struct stiff_result run;
   stiff_solve(&scene, 1e-3, 1e-9, 100, &run);
   assert_false(run.solved);
   assert_string_equal(run.status, "cut off after 100 accepted steps");
@@ -239,7 +239,7 @@ TEST(order_of_the_model)
     struct scallop_crawler c = sticking(every_gait[i % 2]);
     c.T = i < 2 ? 1 : 4;
     struct stiff_scene scene = scene_of(&c);
-    struct stiff_run runs[DECADES];
+    struct stiff_result runs[DECADES];
     for (int k = 0; k < DECADES; k++) {
       double delta = pow(10, -1 - k);
       stiff_solve(&scene, delta, stiff_tolerance(delta), LONG, &runs[k]);
@@ -250,7 +250,7 @@ TEST(order_of_the_model)
       int count = DECADES;
       for (int k = 0; k < DECADES; k++) {
         points[k] = (struct scallop_order_point){ .h = runs[k].delta, .err = runs[k].error[quantity] };
-        CHECK_AT_MOST(runs[k].own[quantity], 0.1 * fabs(runs[k].error[quantity]));
+        CHECK_AT_MOST(runs[k].own_error[quantity], 0.1 * fabs(runs[k].error[quantity]));
       }
       scallop_order(points, &count, &wanted, &fit);
       print_message("%s, T = %g: order %.4f (%.4f to %.4f)\n", c.gait->name, c.T, fit.order, fit.low, fit.high);
