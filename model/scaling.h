@@ -9,6 +9,9 @@
 
 /* Into loops over many crawlers: a call would keep them from vector instructions. (make coverage wants each function
  * once.) */
+#if defined __wasm__ && !defined SCALLOP_INLINE /* where size counts more */
+#define SCALLOP_INLINE static inline
+#endif
 #ifndef SCALLOP_INLINE
 #define SCALLOP_INLINE static inline __attribute__((always_inline))
 #endif
