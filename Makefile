@@ -118,7 +118,7 @@ $(B)/%.d: ;
 script     = sh scripts/dev/$@.sh $(B) $(filter $(tests) $(fuzz),$^)
 ## check:      build with warnings as errors and run every test, the commands included
 ## asan:       the tests under the address, leak and undefined-behaviour sanitizers
-## matrix:     is the promise of accuracy kept by gcc and clang, -O0 and -O3 -march=native, without and with fused multiply-add?
+## matrix:     is the bound of the error kept by gcc and clang, -O0 and -O3 -march=native, without and with fused multiply-add?
 ## coverage:   lines and branches of model/, asymptotics/ and numerics/ that the tests reach; all lines and 95 % are wanted (needs gcovr)
 ## bare:       does each goal ask for what it needs, on a machine that has make only? needs root and Debian
 ## release:    README's commands, and make check, on bare systems of Debian stable and before it; needs root, Debian and its mirror

@@ -22,6 +22,12 @@ enum { BLOCK = 64 };
 #define VECTOR
 #endif
 
+#ifdef __wasm__ /* where size counts more */
+enum { ROW_OF_SINES = false };
+#else
+enum { ROW_OF_SINES = true };
+#endif
+
 enum { NUMBERS = 8 };
 
 /* Crawlers that are solved together, and their answers; the last ones are doubles so that they fill a vector like the
@@ -313,7 +319,8 @@ static long solve_states(const struct job *job, long first, int count)
 {
   const struct scallop_crawlers *c = job->crawlers;
   const struct scallop_gait *gait = c->gait[first];
-  bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps, sine = gait == &scallop_gait_sinusoidal;
+  bool ramps = gait && gait->phase[0].ramps && gait->phase[1].ramps,
+       sine = ROW_OF_SINES && gait == &scallop_gait_sinusoidal;
   struct row regular, held;
   regular.of = held.of = c;
   regular.count = held.count = 0;

@@ -48,8 +48,8 @@ static const struct difference {
   const char *more, *less;
 } differences[] = {
   { STOPS, true, "onset of sticking: body %d in the %s", "end of sticking: body %d in the %s" },
-  { ENDS_STUCK, false, "body %d is held to the end of the %s", "body %d is released before the end of the %s" },
-  { STARTS_STUCK, false, "body %d is held from the start of the %s", "body %d slips at the start of the %s" },
+  { ENDS_STUCK, false, "body %d is stuck to the end of the %s", "body %d is released before the end of the %s" },
+  { STARTS_STUCK, false, "body %d is stuck from the start of the %s", "body %d slips at the start of the %s" },
   { STOPS, false, "body %d sticks more often in the %s", "body %d sticks less often in the %s" },
   { TURNS, true, "body %d begins to turn in the %s", "body %d ceases to turn in the %s" },
   { TURNS, false, "body %d turns more often in the %s", "body %d turns less often in the %s" },

@@ -266,7 +266,7 @@ static bool begin(struct output *out)
                   o->full ? " --full" : "", o->check ? " --check" : "", cases, o->seed.value))
     return false;
   table_note(t, "unit: max(ulp of the certified value, sum over the parameters of what an ulp of each changes it by)");
-  table_note(t, "promised, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
+  table_note(t, "bounds, in units: error %d, spread over the rounding modes %d, over parameters an ulp apart %d",
              STRESS_BOUND, STRESS_ROUNDING, STRESS_PERTURBED);
   for (const struct row *r = out->row; r < out->row + out->rows; r++)
     if (r == out->row || r->family != r[-1].family)

@@ -90,11 +90,14 @@ SCALLOP_INLINE bool solve(const struct scallop_scaled *s, double side, bool ramp
 bool regular_solve(const struct scallop_scaled *s, double side, struct regular *r, struct scallop_work *work)
 {
   const struct scallop_shape *phase = s->gait->phase;
-  if (phase[0].ramps && phase[1].ramps)
-    return side > 0 ? solve(s, 1, true, false, r, work) : solve(s, -1, true, false, r, work);
-  if (is_sine(&phase[0]) && is_sine(&phase[1]))
-    return side > 0 ? solve(s, 1, false, true, r, work) : solve(s, -1, false, true, r, work);
-  return side > 0 ? solve(s, 1, false, false, r, work) : solve(s, -1, false, false, r, work);
+  const bool ramps = phase[0].ramps && phase[1].ramps, sine = !ramps && is_sine(&phase[0]) && is_sine(&phase[1]);
+#ifndef __wasm__ /* where size counts more */
+  if (ramps && side > 0)
+    return solve(s, 1, true, false, r, work);
+  if (sine && side > 0)
+    return solve(s, 1, false, true, r, work);
+#endif
+  return solve(s, side, ramps, sine, r, work);
 }
 
 enum regular_outcome regular_begin(const struct scallop_scaled *s, double *guess)

@@ -1,5 +1,8 @@
 /* Definitions for period.h, one text for every floating type. Not public. Before including it define what period.h,
  * walk.h and concave.h need. */
+#ifndef WALKS_ONLY
+#define WALKS_ONLY false
+#endif
 #include "numerics/event/walk.h"
 
 #include "numerics/event/concave.h"
@@ -30,7 +33,7 @@ SOLVE enum scallop_regime motion_regime(const struct motion *m)
 SOLVE real period_phase(const struct walker *s, enum scallop_phase_kind kind, real c, struct motion *motion)
 {
   const struct phase_input *in = &s->phase[kind];
-  if (s->walks || in->base != 0 || !concave_phase(in, c * s->fraction[kind], motion))
+  if (WALKS_ONLY || s->walks || in->base != 0 || !concave_phase(in, c * s->fraction[kind], motion))
     motion_walk(in, c * s->fraction[kind], NULL, NULL, motion);
   return motion->c_end / s->fraction[kind];
 }
@@ -72,7 +75,7 @@ SOLVE void period_sum_up(const struct walker *s, struct period *p)
   for (int kind = 0; kind < 2; kind++) {
     const struct scallop_shape *shape = s->phase[kind].shape;
     struct motion walked, *m = &p->phase[kind];
-    if (!m->short_cut)
+    if (WALKS_ONLY || !m->short_cut)
       continue;
     /* straight pieces are added up with fewer roundings by the walk */
     if (concave_is_plain(shape) && (!shape->ramps || sizeof(real) > sizeof(double))) {

@@ -25,7 +25,7 @@ struct integrator_motion {
   enum scallop_status status;
 };
 
-/* One period from v0 by these steps. Statuses and *period as struct scallop_integrator promises. */
+/* One period from v0 by these steps. Statuses and *period as of struct scallop_integrator. */
 enum scallop_status integrator_motion_period(struct integrator_motion *motion, const struct scallop_crawler *crawler,
                                              double v0, const struct scallop_patience *patience,
                                              struct scallop_integrator_period *period);

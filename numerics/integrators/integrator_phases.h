@@ -21,7 +21,7 @@ struct integrator_phases {
 };
 
 /* One period from v0; the caller has set phase and patience, and all else is set here. Statuses and *period as struct
- * scallop_integrator promises. */
+ * scallop_integrator requires. */
 enum scallop_status integrator_period(struct integrator_phases *phases, const struct scallop_crawler *crawler,
                                       double v0, struct scallop_integrator_period *period);
 

@@ -21,6 +21,9 @@
 #include "model/root.h"
 #include "numerics/wide/wide_law.h"
 
+#ifdef __wasm__ /* where size counts more */
+#define WALKS_ONLY true
+#endif
 #include "numerics/event/solve.h"
 
 /* shape->net with all its digits: the ends of pieces are exact. */

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Is the promise of accuracy kept whatever the compiler makes of the code? scripts/dev/matrix.sh BUILD, MAKE being set: gcc and clang,
+# Is the bound of the error kept whatever the compiler makes of the code? scripts/dev/matrix.sh BUILD, MAKE being set: gcc and clang,
 # without optimisation and with all of it, with and without fused multiply-add, each built in a folder of its own in BUILD/matrix. Ends with a table.
 set -u
 folder=$1/matrix at_a_time=${JOBS:-$(getconf _NPROCESSORS_ONLN)}

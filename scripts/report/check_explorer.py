@@ -23,7 +23,7 @@ from urllib.parse import urlencode
 sys.dont_write_bytecode = True
 import browser  # noqa: E402  (nothing is written beside the sources)
 
-COUNT, UNITS = 1000, 8  # crawlers; the accuracy that is promised
+COUNT, UNITS = 1000, 8  # crawlers; the bound of the error
 REPORTS = {"Runtime.consoleAPICalled", "Runtime.exceptionThrown", "Log.entryAdded"}
 NAMES = ("froude", "v_start", "v_mid", "displacement", "mean_velocity", "multiplier")
 CRAWLERS = Path(__file__).parents[2] / "tests/explorer/crawlers.js"

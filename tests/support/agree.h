@@ -96,11 +96,11 @@ static inline void agree(const struct motion *m, const struct unit *unit, const 
     }
 }
 
-/* The promise of numerics.h, 8 units of the number, and of the error that is stated (compare/stress/stress.h).
+/* The bound of numerics.h, 8 units of the number, and of the error that is stated (compare/stress/stress.h).
  * pieces: 0, or how many there are of a gait with many: where c goes on from one to the next it is rounded twice, a
  * unit at most, and in directed rounding all these have one sign. to_epsilon: 8 * 2^-52 of the number are allowed as
  * well, which is up to twice as many ulp. Returns what became of the case: not STRESS_BROKEN. */
-static inline enum stress_outcome promise_is_kept(const struct motion *m, int pieces, bool to_epsilon)
+static inline enum stress_outcome bound_is_kept(const struct motion *m, int pieces, bool to_epsilon)
 {
   struct stress_case s = { .motion = *m };
   char text[STRESS_ARGUMENTS];

@@ -90,7 +90,7 @@ static inline void check_refused(struct scallop_integrator *integrator, const st
 static inline bool count_down(void *left) { return (*(long *)left)-- > 0; }
 #define PATIENCE(name, left) const struct scallop_patience name = { count_down, &(left) }
 
-/* A gait of one piece with curves of its own, which may break every promise */
+/* A gait of one piece with curves of its own, which may break every bound */
 struct odd_piece {
   struct scallop_curve curve;
   struct scallop_piece piece;

@@ -33,7 +33,7 @@ function draw_dots(   n, i, over, value, called, longest, list, instead, title) 
   if (limit > 0) {
     stretch("x", limit)
     extras = extras "set arrow from " limit ", graph 0 to " limit ", graph 1 nohead dt 2 lw 2 lc rgb two\nset label " \
-      shown("promised for " y[1] ": " limit) " at " limit ", graph 1 offset 0,0.6 right noenhanced textcolor rgb two\n"
+      shown("bound of " y[1] ": " limit) " at " limit ", graph 1 offset 0,0.6 right noenhanced textcolor rgb two\n"
   }
   if (!("x" in most))
     stretch("x", 1)

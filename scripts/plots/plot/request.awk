@@ -28,13 +28,13 @@ BEGIN {
   }
 }
 
-# The head has the parameters that hold, the axes of a map, and how small errors are promised to be.
+# The head has the parameters that hold, the axes of a map, and how small errors may be.
 /^#/ {
   if (sub(/^# parameters: /, ""))
     held = substr($0, 1, 111)
   else if (/^# [xy]: /)
     axis_of_map[substr($0, 3, 1)] = substr($0, 6)
-  else if (of == "stress" && sub(/^# promised, in units: error /, ""))
+  else if (of == "stress" && sub(/^# bounds, in units: error /, ""))
     limit = $0 + 0
   next
 }

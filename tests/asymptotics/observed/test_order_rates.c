@@ -293,7 +293,7 @@ static const struct kind {
   const char *name;
   void (*make)(struct table *t);
   bool good;
-  double least; /* share of right verdicts that is promised, in percent */
+  double least; /* share of right verdicts that is required, in percent */
 } kinds[] = {
   { "C h^p, 4 or 5 rows, 2 digits", clean_2, true, 99.8 },
   { "the same, 3 digits", clean_3, true, 99.8 },
@@ -410,7 +410,7 @@ TEST(rates)
     }
     double right = k->good ? share[VERDICT] : 100 - share[VERDICT];
     if (right < k->least) {
-      print_error("%s: right in %g %%, promised %g %%\n", k->name, right, k->least);
+      print_error("%s: right in %g %%, required %g %%\n", k->name, right, k->least);
       kept = false;
     }
     if ((k->make == noisy_12 || k->make == noisy_close) && all_used < 0.99 * tables()) {

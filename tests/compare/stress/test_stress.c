@@ -1,4 +1,4 @@
-/* The judge of `stress`: cases that once broke a promise hold it now, and it sees what is wrong. */
+/* The judge of `stress`: cases that once broke a bound keep it now, and it sees what is wrong. */
 #include <float.h>
 
 #include "tests/support/agree.h"
@@ -8,7 +8,7 @@
 #define DEGREE_15 "polynomial:0,0,0,0,0,0,0,6435,-40040,108108,-163800,150150,-83160,25740,-3432"
 #define DEGREE_16 "polynomial:0,0,0,0,0,0,0,0,0,0,0,0,0,0,16,-15"
 
-/* Every one broke a promise of accuracy at the time; the comment says which. m1, m2, F1, F2, L, T, alpha; of a phase v0
+/* Every one broke a bound at the time; the comment says which. m1, m2, F1, F2, L, T, alpha; of a phase v0
  * in front of them */
 #define STEADY(gait, ...) \
   { \
@@ -210,9 +210,9 @@ static struct stress_case judged(const struct stress_case *made)
   return stressed;
 }
 
-static void check_promises(const struct stress_case *c)
+static void check_bounds(const struct stress_case *c)
 {
-  enum stress_outcome outcome = promise_is_kept(&c->motion, 0, false);
+  enum stress_outcome outcome = bound_is_kept(&c->motion, 0, false);
   assert_true(outcome == STRESS_SOLVED || outcome == STRESS_UNDECIDED);
 }
 
@@ -222,7 +222,7 @@ TEST(past_failures)
   for (long i = 0; i < count; i += step) {
     struct stress_case c = past[i].stressed;
     c.motion.crawler.gait = gait_of_text(past[i].gait).gait;
-    check_promises(&c);
+    check_bounds(&c);
   }
 }
 
@@ -248,7 +248,7 @@ TEST(on_a_plateau)
       s.motion.crawler.alpha = s.motion.crawler.m2 / 16;
     }
     s.motion.crawler.T = random_decades(&r, 1e-90, 1e-4);
-    check_promises(&s);
+    check_bounds(&s);
     struct scallop_steady_result result = steady_of(&s.motion.crawler);
     held += result.period.regime == SCALLOP_STICK_SLIP;
     turned += result.period.multiplier > 0 && result.period.multiplier < 0.99;
@@ -262,8 +262,8 @@ TEST(units_far_below_the_natural_one)
   const struct stress_case lost = { .motion.crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-152, SINUSOIDAL } };
   const struct stress_case kept = { .motion.crawler = { 80, 40, 6, 1.8, 10, 12000, 1e-130, SINUSOIDAL } };
   struct stress_case j;
-  check_promises(&lost);
-  check_promises(&kept);
+  check_bounds(&lost);
+  check_bounds(&kept);
   j = judged(&lost);
   assert_true(isnan(j.number[Q_V_MID].ulp) && j.number[Q_V_MID].error > 0);
   j = judged(&kept);
@@ -302,7 +302,7 @@ TEST(condition_numbers)
   CHECK_AT_MOST(j.number[Q_FROUDE].error, 2 * j.number[Q_FROUDE].ulp);
 }
 
-/* Each broken promise is reported. */
+/* Each broken bound is reported. */
 TEST(sees_what_is_wrong)
 {
   struct stress_case c = { .motion.crawler = { 1.37, 0.85, 3.9, 1.21, 9.3, 0.71, 0.63, QUADRATIC } };

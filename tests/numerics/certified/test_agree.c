@@ -267,7 +267,7 @@ TEST(a_spline_through_many_knots)
 }
 
 /* 8 units */
-static void all_keep_the_promise(uint64_t seed, int count, struct motion (*draw)(struct random *r, int i), bool solved,
+static void all_keep_the_bound(uint64_t seed, int count, struct motion (*draw)(struct random *r, int i), bool solved,
                                  bool to_epsilon)
 {
   struct random r = { seed };
@@ -275,21 +275,21 @@ static void all_keep_the_promise(uint64_t seed, int count, struct motion (*draw)
     const struct motion m = draw(&r, i);
     const struct scallop_shape *phase = m.crawler.gait->phase;
     bool spline = strcmp(m.crawler.gait->name, "spline") == 0;
-    enum stress_outcome outcome = promise_is_kept(&m, spline ? phase[0].count + phase[1].count : 0, to_epsilon);
+    enum stress_outcome outcome = bound_is_kept(&m, spline ? phase[0].count + phase[1].count : 0, to_epsilon);
     assert_true(!solved || outcome == STRESS_SOLVED || outcome == STRESS_REFUSED);
   }
 }
 
-TEST(promise_for_phases) { all_keep_the_promise(20260701, 140 * ALL_GAITS, phase_of_any_gait, true, true); }
-TEST(promise_for_steady_states)
+TEST(bound_for_phases) { all_keep_the_bound(20260701, 140 * ALL_GAITS, phase_of_any_gait, true, true); }
+TEST(bound_for_steady_states)
 {
-  all_keep_the_promise(20260702, 28 * SMOOTH_GAITS, steady_of_smooth_gait, true, true);
+  all_keep_the_bound(20260702, 28 * SMOOTH_GAITS, steady_of_smooth_gait, true, true);
 }
-TEST(promise_for_families_of_gaits)
+TEST(bound_for_families_of_gaits)
 {
-  all_keep_the_promise(20261212, 2 * 36 * WITHOUT_TURN, of_made_gait, false, false);
+  all_keep_the_bound(20261212, 2 * 36 * WITHOUT_TURN, of_made_gait, false, false);
 }
-TEST(promise_for_steep_rises) { all_keep_the_promise(20261501, 4 * 54, of_rises, true, false); }
+TEST(bound_for_steep_rises) { all_keep_the_bound(20261501, 4 * 54, of_rises, true, false); }
 
 /* Three rises of 1e-8 between dwells: dx1 was off by 7e6 units. */
 TEST(steps_of_a_motor)
@@ -305,7 +305,7 @@ TEST(steps_of_a_motor)
   const struct scallop_crawler c = { 0.14, 2, 2.9, 1.48, 1, 1.7, 3.00000001 / 5, &g->spline.gait };
   const struct motion both[2] = { phase_motion(&c, SCALLOP_EXTENSION, 0), steady_motion(&c) };
   for (int i = 0; i < 2; i++)
-    assert_int_equal(promise_is_kept(&both[i], 0, false), STRESS_SOLVED);
+    assert_int_equal(bound_is_kept(&both[i], 0, false), STRESS_SOLVED);
 }
 
 static int make_gaits(void **state)

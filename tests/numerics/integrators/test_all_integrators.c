@@ -194,7 +194,7 @@ TEST(steady_states)
     }
 }
 
-/* Gaits that break their promises. To be smooth: no step across the jump is short enough. To be monotone: no end of
+/* Gaits that break their rules. To be smooth: no step across the jump is short enough. To be monotone: no end of
  * steps. To be there: no step into the hole is short enough. */
 static double rough(const struct scallop_piece *p, double u) { return (void)p, u < 1 / 3.0 ? 1 : 1e20; }
 static double restless(const struct scallop_piece *p, double u) { return (void)p, 1e6 * sin(1e8 * u); }
