@@ -228,7 +228,7 @@ static bool begin_table(struct boundaries *b)
   map_head(t, b->options);
   table_note(t, "regions: of the same modes; a row: the part of a boundary within a cell of the grid, from one edge of "
                 "it to another");
-  table_note(t, "region_1 is on the left from the first end to the second, x to the right and y up; what: happens from "
+  table_note(t, "region_1 is on the left from the first end to the second, x to the right and y up; change: from "
                 "region_1 to region_2");
   for (int i = 0; i < 2; i++)
     snprintf(to[i], sizeof to[i], "to_%s", names[i]);
