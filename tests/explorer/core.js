@@ -92,7 +92,7 @@ test("what is not allowed is refused, and the crawler stays", () => {
   assert.throws(() => core.chooseGait("trapezoidal:0.7,0.7"), /UP/);
   assert.throws(() => core.chooseGait("square"), /no gait/);
   assert.throws(() => core.chooseGait("polynomial:1,2"), Error);
-  assert.throws(() => core.chooseGait("measured", { name: "<b>x</b>.tsv", text: "0 0\n1 2\n0.5 x\n2 0\n" }), /<b>x<\/b>\.tsv:3: column 2, 'x', is not allowed/);
+  assert.throws(() => core.chooseGait("measured", { name: "<b>x</b>.tsv", text: "0 0\n1 2\n0.5 x\n2 0\n" }), /<b>x<\/b>\.tsv:3: column 2, 'x', is not a finite number/);
   assert.throws(() => core.chooseGait("measured", { name: "x.tsv", text: "0 0\n1\tx\n" }), /x\.tsv:2: /);
   assert.throws(() => core.chooseGait("measured", { name: "x.tsv", text: "" }), /rows/);
   const rows = (count) => Array.from({ length: count }, (_, i) => `${i}\t${Math.min(i, count - 1 - i)}`).join("\n");
