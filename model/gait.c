@@ -49,7 +49,7 @@ static double sine_length(const struct scallop_piece *p, double u)
   return law_sense(p) * p->direction * (h * h);
 }
 
-/* Near u = 1/2 sines and cosines are taken from there, so that l'' is exactly 0 where the two pieces meet. */
+/* Returns whether sines and cosines are taken from u = 1/2: l'' is then exactly 0 at the join of the two pieces. */
 static bool is_late(double u) { return u > 0.25; }
 
 static double sine_velocity(const struct scallop_piece *p, double u)

@@ -8,7 +8,7 @@
 
 /* Inline in loops over many crawlers: a call would prevent vector instructions. (make coverage requires each
  * function once.) */
-#if defined __wasm__ && !defined SCALLOP_INLINE /* where the size matters more */
+#if defined __wasm__ && !defined SCALLOP_INLINE /* size matters more */
 #define SCALLOP_INLINE static inline
 #endif
 #ifndef SCALLOP_INLINE

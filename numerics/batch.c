@@ -7,12 +7,13 @@
 #include "numerics/event/stuck.h"
 #include "numerics/threads.h"
 
-/* Crawlers are solved in blocks. Within a block, a row collects the crawlers that may have the regular modes and
- * another one those of which a body may stick to the end of a phase; vector instructions solve a row. All others, and
- * those that turn out to have other modes, are solved one by one. Which thread solves a block changes nothing. */
+/* Crawlers are solved in blocks. Within a block, a row collects the crawlers that may have the regular modes, and
+ * another row the crawlers with a body that may stick to the end of a phase; vector instructions solve a row. All
+ * others, and crawlers that prove to have other modes, are solved singly. Which thread solves a block changes
+ * nothing. */
 enum { BLOCK = 64 };
 
-/* Twice as many crawlers an instruction where the processor can, with the same results: nothing is contracted or
+/* Twice as many crawlers an instruction if the processor can, with the same results: nothing is contracted or
  * reordered. */
 #if defined VECTOR
 #elif defined __x86_64__ && defined __gnu_linux__ && defined __GNUC__ && !defined __clang__ \
@@ -30,8 +31,7 @@ enum { ROW_OF_SINES = true };
 
 enum { NUMBERS = 8 };
 
-/* Crawlers that are solved together, and their answers; the last ones are doubles so that they fill a vector like the
- * rest. */
+/* Crawlers that are solved together, and their answers; flags and modes are doubles to fill a vector like the rest. */
 struct row {
   const struct scallop_crawlers *of;
   int count;
@@ -45,7 +45,7 @@ struct row {
 };
 
 /* Returns at the end of which phase, where |l'| falls to 0 with the given slope, a body can stick: +1 contraction, -1
- * extension only, 0 none, nan if rounding could decide. Only speed depends on it. */
+ * extension only, 0 neither, nan if rounding could decide. Only speed depends on it. */
 static double sticks(const struct scallop_crawlers *c, long i, double slope_e, double slope_c)
 {
   static const double close = 1e-12;
@@ -264,7 +264,7 @@ static struct scallop_crawler crawler_at(const struct scallop_crawlers *c, long 
   return (struct scallop_crawler){ c->m1[i], c->m2[i], c->F1[i], c->F2[i], c->L[i], c->T[i], c->alpha[i], c->gait[i] };
 }
 
-/* Returns 1 if there is no answer, else 0. */
+/* Returns 1 if the status is negative, else 0. */
 static int solve_one(const struct job *job, long i)
 {
   const struct scallop_steady_states *to = job->states;
@@ -376,7 +376,7 @@ static long solve_all(const struct job *job, int threads)
 #ifdef _OPENMP
   if (threads > 1)
     threads = threads_for(threads, (count + BLOCK - 1) / BLOCK);
-  if (threads > 1) { /* else without the runtime of OpenMP, which may allocate */
+  if (threads > 1) { /* else without the runtime of OpenMP: it may allocate */
 #pragma omp parallel for schedule(dynamic) num_threads(threads) reduction(+ : failed)
     for (long first = 0; first < count; first += BLOCK)
       failed += solve_next(job, first);

@@ -27,15 +27,15 @@ struct scallop_modes {
   int count;
   struct scallop_mode kept[SCALLOP_MODES_KEPT];
 };
-/* "++ -+ ++"; text must hold SCALLOP_MODES_TEXT bytes. "..." stands for modes that were not kept. */
+/* "++ -+ ++"; text must hold SCALLOP_MODES_TEXT bytes. "..." marks modes that were not kept. */
 void scallop_modes_text(const struct scallop_modes *modes, char *text);
 
 /* sliding: no body is stuck for any length of time, not in a dwell either. at-rest: one body never moves. */
 enum scallop_regime { SCALLOP_SLIDING, SCALLOP_STICK_SLIP, SCALLOP_AT_REST };
 const char *scallop_regime_text(enum scallop_regime regime);
 
-/* An interval of time within one piece of a phase in which the mode does not change, in units where the phase lasts 1
- * and L is 1 (velocities in L/tau). Offsets u are measured from the piece's anchor. */
+/* An interval of time within one piece of a phase in which the mode does not change. Units: the duration of the phase
+ * and L (velocities in L/tau). Offsets u are measured from the piece's anchor. */
 struct scallop_interval {
   const struct scallop_piece *piece;
   double u_begin, u_end;
@@ -51,13 +51,13 @@ typedef void scallop_visitor(void *context, const struct scallop_interval *inter
 struct scallop_work {
   long periods;          /* solved                                                             */
   long events;           /* changes of mode, and bodies that stick or are released, over all periods */
-  long gait_evaluations; /* of l' or l'' (or both at once) at a time; none where l' is linear   */
+  long gait_evaluations; /* of l' or l'' (or both at once) at a time; 0 if l' is linear         */
   long root_iterations;  /* of the start velocity and of switching times, closed forms not counted */
 };
 
 struct scallop_phase_result {
-  double t1;            /* first change of mode after the start; nan if there is none            */
-  double dT;            /* from the last change of mode to the end of the phase; nan if none     */
+  double t1;            /* first change of mode after the start; nan without a change            */
+  double dT;            /* from the last change of mode to the end of the phase; nan as above    */
   double v_end;         /* velocity of both bodies at the end                                    */
   double dx1, dx2, dxC; /* displacements of body 1, body 2 and the geometric centre (x1 + x2)/2  */
   enum scallop_regime regime;
@@ -71,15 +71,15 @@ struct scallop_phase_result {
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);
 
-/* The same phase as its intervals of constant mode, in the order of time; visit is called for each. Intervals of no
- * duration are left out. Statuses as scallop_phase, and then visit is not called. */
+/* Solves the phase of scallop_phase and calls visit for each interval of constant mode, in the order of time. Intervals
+ * of no duration are left out. Statuses as scallop_phase, and then visit is not called. */
 enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
                                             double v0, scallop_visitor *visit, void *context);
 
 /* An interval in the units of the parameters: in seconds, metres and metres a second, if they are. Bodies have the
  * velocities of just after the beginning and just before the end. Times are good to an ulp or two of tau; velocities
- * and displacements, which may be differences of larger numbers, to a few ulp of L/tau and of what c comes to, and of
- * L. Velocity and displacement of a stuck body are exactly 0. A number beyond the doubles is infinite, or 0. */
+ * and displacements (perhaps differences of larger numbers) to a few ulp of L/tau and of the largest |c|, and of L.
+ * Velocity and displacement of a stuck body are exactly 0. A number beyond the doubles is infinite, or 0. */
 struct scallop_span {
   double t_begin, t_end; /* since the phase began                                                */
   double duration;       /* > 0, to its own last digits, also where t_end - t_begin is rounded to 0 */
@@ -87,7 +87,7 @@ struct scallop_span {
   double dx1, dx2; /* displacements of the bodies in this time                             */
   struct scallop_mode mode;
 };
-/* Of an interval that scallop_phase_intervals visits, with the same crawler and kind. */
+/* Returns the span of an interval that scallop_phase_intervals visits, with the same crawler and kind. */
 struct scallop_span scallop_interval_span(const struct scallop_interval *interval,
                                           const struct scallop_crawler *crawler, enum scallop_phase_kind kind);
 
@@ -95,7 +95,7 @@ struct scallop_period_result {
   double v_start, v_mid; /* velocity at the start of the extension and of the contraction         */
   double v_end;          /* velocity after the period: the period map                             */
   double displacement;   /* of the geometric centre over the period                               */
-  double multiplier;     /* d v_end / d v_start, in [0, 1), or 1 by rounding; from the right where it has two sides */
+  double multiplier;     /* d v_end / d v_start, in [0, 1), or 1 by rounding; from the right if it has two sides    */
   double balance;        /* mean friction force over the period / (F1 + F2): 0 when steady        */
   enum scallop_regime regime;
   struct scallop_modes modes[2];
@@ -114,15 +114,15 @@ struct scallop_steady_result {
 };
 
 /* The periodic steady state: the start velocity at which the mean friction impulse over a period vanishes. The balance
- * falls monotonically with the start velocity, so a root is always bracketed and found. For a gait whose l' is
- * continuous it is unique (docs/background/theory.md); for others (constant:0) the roots can fill an interval (Gidoni,
- * Margheri & Rebelo, arXiv 2210.06131): SCALLOP_INTERVAL, the one nearest to 0 in period. Statuses as scallop_phase. */
+ * falls monotonically with the start velocity, so a root is always bracketed and found. For a gait with continuous l'
+ * it is unique (docs/background/theory.md); for others (constant:0) the roots can fill an interval (Gidoni, Margheri &
+ * Rebelo, arXiv 2210.06131): SCALLOP_INTERVAL, the root nearest to 0 in period. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 
 /* The energy that friction takes in a period of the steady state: the sum over the bodies of F_i times how far body i
- * slides, one way and the other. It takes a second walk through the period, so that scallop_steady does without.
- * v_start and v_mid: of that state. Accuracy as scallop_phase. SCALLOP_ERANGE: scaling overflows, or the energy is no
- * normal number; SCALLOP_EDOMAIN: a bad crawler, or a velocity that is not finite. */
+ * slides, one way and the other. It takes a second walk through the period, therefore scallop_steady omits it. v_start
+ * and v_mid: of that state. Accuracy as scallop_phase. SCALLOP_ERANGE: scaling overflows, or the energy is no normal
+ * number; SCALLOP_EDOMAIN: a bad crawler, or a velocity that is not finite. */
 enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler, double v_start, double v_mid,
                                           double *work);
 
@@ -149,7 +149,7 @@ struct scallop_phases {
 };
 
 /* Bit for bit what scallop_steady, and scallop_phase from v0[i], give for each, whatever the number of threads (>= 1;
- * no more than there are processors, and 1 where the library is built without OpenMP). Where the compiler may fuse
+ * at most the number of processors, and 1 if the library is built without OpenMP). If the compiler may fuse
  * multiplications and additions (-ffp-contract=fast; the Makefile forbids it) the last bits of steady states may
  * differ. Return how many have a negative status. Allocate nothing. */
 long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,
@@ -168,8 +168,8 @@ typedef bool scallop_sampler(void *context, const struct scallop_sample *sample)
 
 /* periods >= 1 periods from start velocity v0, each sampled at samples >= 1 equally spaced times t = (n + j/samples) T,
  * and once more at the very end. Velocity and position at the period starts are carried in compensated arithmetic:
- * their error does not grow with the number of periods. Statuses as scallop_phase; SCALLOP_STOPPED where the sampler
- * ended it; SCALLOP_EDOMAIN also for periods or samples < 1; SCALLOP_ERANGE, after the samples before, where a position
+ * their error does not grow with the number of periods. Statuses as scallop_phase; SCALLOP_STOPPED if the sampler ended
+ * it; SCALLOP_EDOMAIN also for periods or samples < 1; SCALLOP_ERANGE, after the samples before, if a position
  * overflows. */
 enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods, long samples,
                                        scallop_sampler *sampler, void *context);

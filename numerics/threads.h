@@ -6,8 +6,8 @@
 #include <omp.h>
 #endif
 
-/* Returns the requested number (0: that of OMP_NUM_THREADS), but at most the number of items and of processors: more
- * threads gain nothing, and OpenMP ends the process if it cannot start them or list them on the stack. */
+/* Returns the requested number (0: OMP_NUM_THREADS), but at most the number of items and of processors: more threads
+ * gain nothing, and OpenMP ends the process if it cannot start them or list them on the stack. */
 static inline int threads_for(int wanted, long items)
 {
 #ifdef _OPENMP

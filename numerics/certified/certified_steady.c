@@ -161,7 +161,7 @@ static bool probe(struct search *s, slong precision)
   return true;
 }
 
-/* The middle of the bracket, by order of magnitude where it spans many. */
+/* Sets v to the middle of the bracket, by order of magnitude if the bracket spans many. */
 static void middle(arb_t v, const struct search *s, slong precision)
 {
   int sign = arb_sgn_nonzero(s->low);
@@ -176,8 +176,8 @@ static void middle(arb_t v, const struct search *s, slong precision)
   }
 }
 
-/* One step of Newton's method, or to the middle of the bracket where that leads out of it. Nothing here need be
- * rigorous. True: it cannot be better at this precision. */
+/* Takes one step of Newton's method, or goes to the middle of the bracket if that step leads out of it. Nothing here
+ * need be rigorous. Returns true if v cannot be better at this precision. */
 static bool step(struct search *s, mag_t last, slong precision)
 {
   SCOPED(arb, t);
@@ -253,7 +253,7 @@ static void first_radius(arb_t radius, const struct search *s, slong precision)
   arb_mul_2exp_si(radius, radius, -precision);
 }
 
-/* A ball around v across which P(v) - v changes its sign, as narrow as it is easily had. */
+/* Finds a narrow ball around v across which P(v) - v changes its sign. Returns false if undecided. */
 static bool prove(struct search *s, arb_t proven, slong precision)
 {
   enum { TRIES = 6, WIDER = 6 };
@@ -279,10 +279,10 @@ static bool prove(struct search *s, arb_t proven, slong precision)
     }
     arb_mul_2exp_si(radius, radius, WIDER); /* GCOVR_EXCL_LINE: the first radius has always done */
   }
-  return false; /* GCOVR_EXCL_LINE: likewise */
+  return false; /* GCOVR_EXCL_LINE: the first radius has always done */
 }
 
-/* The search begins at 0, where all can be exact: a crawler that friction brings to rest, equal forces. */
+/* Searches from 0, as all can be exact there: a crawler that friction brings to rest, equal forces. */
 static bool find_steady(struct search *s, arb_t v, slong rough, slong precision)
 {
   for (slong p = FLINT_MIN(rough, precision);; p = FLINT_MIN(2 * p, precision)) {
@@ -303,8 +303,8 @@ static bool is_balanced(const struct period *p)
   return balanced;
 }
 
-/* The contraction does to velocities what the extension does to their opposites. The mirror image of the only steady
- * state, half a period late, is steady: so it is that state itself, which goes back as far as it came. */
+/* Returns whether the contraction maps velocities as the extension maps their opposites. Then the mirror image of the
+ * only steady state, half a period late, is steady, and therefore is that state itself: the displacement is 0. */
 static bool is_mirrored(const struct scallop_rational_crawler *c, const struct period *period)
 {
   const struct scallop_shape *phase = c->gait->phase;
@@ -344,7 +344,7 @@ static void friction_work(arb_t work, const struct period *period, slong precisi
   arb_div(work, work, force, precision);
 }
 
-/* Lengths in L and velocities in L/T become those of the crawler; false: not accurate enough. */
+/* Converts lengths from L and velocities from L/T to the crawler's units. Returns false if not accurate enough. */
 static bool steady_result(struct scallop_certified_steady *r, const struct period *period, const arb_t v,
                           const struct scallop_rational_crawler *c, slong bits, slong precision)
 {

@@ -1,4 +1,4 @@
-/* What certified.c (a phase) and certified_steady.c share. Not public. */
+/* The common part of certified.c (a phase) and certified_steady.c. Not public. */
 #ifndef SCALLOP_NUMERICS_CERTIFIED_CERTIFY_H
 #define SCALLOP_NUMERICS_CERTIFIED_CERTIFY_H
 

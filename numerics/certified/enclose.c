@@ -64,7 +64,7 @@ static int sign_over(const struct scallop_track *f, const arb_t s, int derivativ
   return arb_sgn_nonzero(value);
 }
 
-/* f over the ball s by the mean value theorem: where the slope is small, so is the excess. */
+/* Returns the sign of f over the ball s by the mean value theorem: for a small slope the excess is small. */
 static int sign_by_mean_value(const struct scallop_track *f, const arb_t s, slong precision)
 {
   SCOPED(arb, middle, value, slope);
@@ -86,8 +86,8 @@ static void halve(arb_t x, bool earlier, slong precision)
 }
 
 /* Newton's method for the only zero in a ball over which f is monotone, until rounding is all that is left. Besides,
- * the sign in the middle tells the half: for slopes too uncertain for a good step. A step doubles the bits at most, so
- * it needs no more. */
+ * the sign in the middle decides the half: for slopes too uncertain for a good step. A step doubles the bits at most,
+ * so it needs no more. */
 static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
 {
   SCOPED(arb, middle, value, slope);
@@ -116,8 +116,7 @@ static bool refine(arb_t zero, const struct scallop_track *f, slong precision)
 
 enum judgement { NOTHING, ZERO, UNKNOWN, UNKNOWN_AT_END };
 
-/* Whether l' or l'' (order 0, 1) is 0 where the piece ends: exactly, though that may be no number that a ball holds
- * exactly. */
+/* Returns whether l' or l'' (order 0, 1) is exactly 0 at the end of the piece; a ball may not hold that end exactly. */
 static bool gait_ends_in_zero(const struct scallop_piece *piece, int order)
 {
   SCOPED(fmpq, u);
@@ -142,7 +141,7 @@ static bool ends_in_zero(const struct scallop_track *f, const arb_t end, slong p
   return arb_is_zero(value) && (f->order == 1 || arb_is_one(end));
 }
 
-/* What is certain about (begin, end] as a whole; over is the ball of it. */
+/* Judges (begin, end] as a whole: returns what is certain there; over is its ball. */
 static enum judgement judge(const struct scallop_track *f, const struct scallop_stretch *w, const arb_t over,
                             slong precision)
 {
@@ -159,7 +158,7 @@ static enum judgement judge(const struct scallop_track *f, const struct scallop_
   return at_end == w->sign ? NOTHING : at_end ? ZERO : UNKNOWN_AT_END;
 }
 
-/* f = factor l' exactly, which is not 0 inside a piece. */
+/* Returns whether f = factor l' exactly: then f is not 0 inside a piece. */
 static bool is_gait_itself(const struct scallop_track *f)
 {
   return f->order == 0 && arb_is_zero(f->constant) && arb_is_zero(f->slope);
@@ -184,7 +183,7 @@ enum scallop_found scallop_first_zero(arb_t zero, const struct scallop_track *f,
     if (last)
       arb_set(end, stretch->end);
     if (!arb_lt(begin, end))
-      break; /* GCOVR_EXCL_LINE: needs a begin less precise than the step, which halvings <= precision rules out */
+      break; /* GCOVR_EXCL_LINE: needs a begin less precise than the step; halvings <= precision rules that out */
     arb_union(over, begin, end, precision);
     enum judgement judged = judge(f, &now, over, precision);
     if (judged == ZERO) {

@@ -32,8 +32,8 @@ struct scallop_stretch { /* (begin, end], whatever the true begin in its ball is
   enum scallop_departure departure;
 };
 
-/* Where f is first 0 in a stretch. NONE and CROSSES are proven, and then *zero encloses where; at a crossing the
- * slope of f has the other sign, as certainly. GRAZES: f comes too close to 0 to tell at this precision;
+/* Finds the first zero of f in a stretch. SCALLOP_NONE and CROSSES are proven; at a crossing *zero encloses the zero,
+ * and the slope of f provably has the other sign. GRAZES: f comes too close to 0 for a decision at this precision;
  * AT_END: it may be 0 at the end itself. */
 enum scallop_found { SCALLOP_NONE, SCALLOP_CROSSES, SCALLOP_GRAZES, SCALLOP_AT_END };
 enum scallop_found scallop_first_zero(arb_t zero, const struct scallop_track *f, const struct scallop_stretch *stretch,

@@ -13,7 +13,7 @@ static bool undecided(struct scallop_march *m, const char *why)
   return false;
 }
 
-/* The velocity of a body has come to 0 across it: does it go on, or can friction hold it? */
+/* Decides whether a body continues or friction holds it when its velocity has reached 0. False: undecided. */
 static bool turn(struct scallop_march *m, int body)
 {
   int *s = &m->s[body];
@@ -52,7 +52,7 @@ static bool hold(struct scallop_march *m)
   for (int side = -1; side <= 1; side += 2) {
     enum hold held = march_hold_against(m, body, side);
     if (held == UNDECIDED)
-      return undecided(m, at_limit[body]); /* GCOVR_EXCL_LINE: the piece before says so first, unless l'' jumps */
+      return undecided(m, at_limit[body]); /* GCOVR_EXCL_LINE: the piece before is undecided first, unless l'' jumps */
     if (held == PULLED) {
       release(m, side, SCALLOP_FROM_ZERO);
       return true;
@@ -61,8 +61,8 @@ static bool hold(struct scallop_march *m)
   return true;
 }
 
-/* Both bodies at rest while l' leaves 0: the one with more friction is held, or else they part. Equal ones always part.
- * The multiplier from the right: the rear body would have been going forward, and has turned or has been caught. */
+/* Both bodies at rest while l' leaves 0: the body with more friction is held, or they part. Equal ones always part. The
+ * multiplier from the right: the rear body would have moved forward, and has turned or been caught. */
 static bool start_from_rest(struct scallop_march *m)
 {
   int stronger = fmpq_cmp(m->forces->friction[0], m->forces->friction[1]) > 0 ? 0 : 1;
@@ -134,8 +134,8 @@ static bool is_even(fmpq_t bend, const struct scallop_piece *piece)
   return even;
 }
 
-/* Whether l' is 0 where the piece begins, exactly. Where l' is not rational it is taken not to be: there its zeros are
- * the ends of phases. */
+/* Returns whether l' is exactly 0 at the beginning of the piece. False if l' is not rational: its zeros are then the
+ * ends of phases. */
 static bool begins_at_zero(const struct scallop_piece *piece)
 {
   SCOPED(fmpq, u);
@@ -168,7 +168,7 @@ static void set_piece(struct scallop_march *m, const struct scallop_piece *piece
   m->departure[0] = m->departure[1] = SCALLOP_APART;
 }
 
-/* From a piece to the next one where l' is 0 in between: what does not go on in one direction comes to rest. */
+/* Passes to the next piece over a zero of l': bodies that do not both continue in one direction come to rest. */
 static bool pass_zero(struct scallop_march *m, const struct scallop_piece *next)
 {
   SCOPED(arb, rate);
@@ -209,8 +209,8 @@ static void set_velocity_track(struct scallop_track *f, struct scallop_march *m,
   arb_submul(f->constant, f->slope, m->since, m->precision);
 }
 
-/* What is left of its friction before the stuck body is pulled away in direction side: F_i - side (share_i l'' - F_j
- * s_j) */
+/* Sets f to the friction that is left before the stuck body is pulled away in direction side: F_i - side (share_i l'' -
+ * F_j s_j) */
 static void set_margin_track(struct scallop_track *f, struct scallop_march *m, int side)
 {
   int body = the_stuck(m);
@@ -220,8 +220,8 @@ static void set_margin_track(struct scallop_track *f, struct scallop_march *m, i
   march_friction_sum(f->constant, m, body == 0 ? 1 : side * m->s[0], body == 0 ? side * m->s[1] : 1);
 }
 
-/* The earlier of the first zeros of two tracks: its number and when, or -1; false if not decided. Each is asked about
- * the time before the zero of the other only, so that one which comes later need not be decided. */
+/* Finds the earlier of the first zeros of two tracks: its number and time, or -1. Returns false if not decided. Each
+ * track is searched only before the zero of the other: a later zero need not be decided. */
 static bool earlier(struct scallop_march *m, struct scallop_track *const f[2], const int *signs, const arb_t end,
                     arb_t when, int *which)
 {

@@ -7,7 +7,7 @@
 #include "numerics/certified/enclose.h"
 #include "numerics/numerics.h"
 
-/* What the motion of a phase depends on, exactly. */
+/* The parameters of the motion of a phase, exactly. */
 struct scallop_forces {
   enum scallop_phase_kind kind;
   struct scallop_exact_gait exact; /* the gait, its laws worked out in fractions once */
@@ -38,7 +38,7 @@ struct scallop_march {
   int departure[2];     /* of each body's velocity, at now: enum scallop_departure               */
 
   arb_t first, last;       /* times of the first and the last change of mode, if it switches        */
-  arb_t at_first, at_last; /* where the rear body is then                                           */
+  arb_t at_first, at_last; /* the rear body's position then                                         */
   arb_t multiplier, v_end;
   bool switches, sticks, moves[2];
   struct scallop_modes modes;
@@ -51,32 +51,32 @@ struct scallop_march {
               of(arb, s->at_last) of(arb, s->multiplier) of(arb, s->v_end)
 SCOPED_PARTS(scallop_march, struct scallop_march, MARCH_PARTS)
 
-/* From both bodies at velocity v0, over all of that ball, to the end of the phase: x1, x2, v_end and what
- * follows it hold then. False: not decided at this precision, and why says what. */
+/* Marches from both bodies at velocity v0, over all of that ball, to the end of the phase: x1, x2, v_end and the
+ * members after it hold then. False: not decided at this precision; why names the cause. */
 bool scallop_march_phase(struct scallop_march *march, const struct scallop_forces *forces, const arb_t v0,
                          slong precision);
 
-/* The march in one mode (march_mode.c), whose changes are in march.c. */
+/* The march in one mode (march_mode.c); march.c has the changes of mode. */
 static inline bool is_stuck(const struct scallop_march *m) { return m->s[0] == 0 || m->s[1] == 0; }
 static inline int the_stuck(const struct scallop_march *m) { return m->s[0] == 0 ? 0 : 1; }
 
 /* Both bodies at velocity v0, and nothing has happened yet. */
 void march_reset(struct scallop_march *m, const struct scallop_forces *forces, const arb_t v0, slong precision);
-/* n1 F1 + n2 F2 over M, rounded once: exactly 0 where it is. */
+/* Sets sum to n1 F1 + n2 F2 over M, rounded once: an exact 0 stays 0. */
 void march_friction_sum(arb_t sum, const struct scallop_march *m, int n1, int n2);
 
-/* What becomes of a body at rest that would go in direction side. A force exactly at its limit holds it as long as it
- * is there. */
+/* Returns the fate of a body at rest that would go in direction side. A constant force exactly at its limit holds
+ * it. */
 enum hold { HELD, PULLED, UNDECIDED };
 enum hold march_hold_against(struct scallop_march *m, int body, int side);
 
 /* A body turned from direction s: the flow is sheared by the ratio of its accelerations after and before. */
 void march_shear(struct scallop_march *m, int body, int s);
-/* Time goes on. Velocities and positions stay behind, until they are settled. */
+/* Advances the time. Velocities and positions stay behind, until they are settled. */
 void march_advance(struct scallop_march *m, const arb_t to);
-/* Body at rest exactly; so the other one has all of l'. */
+/* Sets body exactly to rest; the other body then has all of l'. */
 void march_rest(struct scallop_march *m, int body);
-/* Brings velocities and positions up to date, where l' is rate now, or as the piece has it. */
+/* Brings velocities and positions up to date; l' is rate now, or the value of the piece. */
 void march_settle_at(struct scallop_march *m, const arb_t rate);
 void march_settle(struct scallop_march *m);
 /* Takes down the mode, if it is another one than before. Only after settling. */

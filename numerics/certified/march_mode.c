@@ -43,7 +43,7 @@ void march_reset(struct scallop_march *m, const struct scallop_forces *forces, c
 
 static int rear(const struct scallop_march *m) { return m->forces->kind == SCALLOP_EXTENSION ? 0 : 1; }
 
-/* Forces are accelerations here, those of equal masses M. */
+/* Forces are divided by M here. */
 
 /* n1 F1 + n2 F2 */
 static void friction(fmpq_t sum, const struct scallop_march *m, int n1, int n2)

@@ -1,11 +1,11 @@
-/* Phases solved without a walk, one text for every floating type: a part of solve.h. Not public.
+/* Solution of a phase without a walk, one text for every floating type: a part of solve.h. Not public.
  *
  * |l'| is concave and 0 at both ends of the phase. By symmetry c starts at or above 0: a motion that starts below, or
- * leaves rest downwards, is seen in a mirror, which exchanges curve 0 with curve 1 and region 0 with region 2
- * (walk_state.h defines curves and regions). Then c meets curve 0 once while |l'| rises, and continues
+ * leaves rest downwards, is reflected: curve 0 and curve 1, region 0 and region 2 change places (walk_state.h defines
+ * curves and regions). Then c meets curve 0 once while |l'| rises, and continues
  *     along curve 0, if the body sticks there, or
- *     in region 1, which is convex. Therefore c leaves it exactly once: through curve 0 if it would end above 0, else
- *     through curve 1.
+ *     in the convex region 1. Therefore c leaves it exactly once: through curve 0 if it would end above 0, else through
+ *     curve 1.
  * There the body reverses again, or sticks until |l'| falls too steeply for friction, or to the end. As |l'| falls ever
  * more steeply, no other event follows. Crossings are roots of a convex function: Newton's method does not overshoot.
  *
@@ -14,7 +14,7 @@
  *     walk_quickly(piece, x, &velocity, &acceleration)    l' and l'' of a curved piece, not next to its peak
  *     walk_near(piece, start, a, b, q)    a place to begin Newton's method in a curved piece: start, or one nearer to
  *                                         the root of a + b x = q |l'(x)|
- *     SMALL_STEP, SMALL_THIRD_STEP        a relative step whose square, or third power, is below rounding
+ *     SMALL_STEP, SMALL_THIRD_STEP        a relative step with its square, or third power, below rounding
  *     walk_pi(), walk_peak(shape), walk_steepest(shape, at_end)    of curved pieces: max |l'|, and its slope at an end
  */
 #include <math.h>
@@ -43,8 +43,8 @@ static inline real concave_slope(const struct scallop_shape *shape, bool at_end)
   return p->linear ? p->direction * law_sense(p) * walk_acceleration(p) : walk_steepest(shape, at_end);
 }
 
-/* Returns a step of Newton's method for a + b x = q |l'(x)| from x; of Halley's for a sine, whose second derivative is
- * known from |l'|. Sets *margin for step_is_last. */
+/* Returns a step of Newton's method for a + b x = q |l'(x)| from x; of Halley's for a sine, as |l'| gives its second
+ * derivative. Sets *margin for step_is_last. */
 static inline real concave_step(const struct scallop_piece *p, real a, real b, real q, real x,
                                 const struct rates *there, real *margin)
 {
@@ -66,8 +66,8 @@ static inline struct meeting concave_sine(real x, real q, struct rates there, re
   return (struct meeting){ x + step, q * speed, q * rate, sine * sine / (2 + 2 * cosine) };
 }
 
-/* Finds x > 0 with a + b x = q |l'(x)| in a curved piece, from a start on its convex side, where the first step is
- * given. Returns false if it is not in the piece before `last`. */
+/* Finds x > 0 with a + b x = q |l'(x)| in a curved piece, from a start on its convex side, with the first step given.
+ * Returns false if it is not in the piece before `last`. */
 static bool concave_meet_curve(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
                                struct meeting *m, struct scallop_work *work)
 {
@@ -97,7 +97,7 @@ static bool concave_meet_curve(const struct scallop_piece *p, real a, real b, re
   return false;
 }
 
-/* The same in any piece; of a straight one the first step ends at the root, and the start is 0. */
+/* Finds that x in any piece; in a straight one the first step ends at the root, and the start is 0. */
 static inline bool concave_meet(const struct scallop_piece *p, real a, real b, real q, real start, real step, real last,
                                 struct meeting *m, struct scallop_work *work)
 {
@@ -290,7 +290,7 @@ static bool concave_path(const struct phase_input *in, real c_0, struct line *l,
   k->sign = c_0 >= 0 ? 1 : -1;
   k->c = magnitude(c_0);
   *l = line_of(in, direction * k->sign > 0);
-  if (k->c == 0 && l->between <= -l->q1 * starts) { /* stuck where it rests: the mirror tells which body is */
+  if (k->c == 0 && l->between <= -l->q1 * starts) { /* stuck at rest: the mirror image has the right body */
     k->sign = -1;
     *l = line_of(in, direction * k->sign > 0);
   }
@@ -321,7 +321,7 @@ static bool concave_path(const struct phase_input *in, real c_0, struct line *l,
   return true;
 }
 
-/* Solves the phase from velocity c_0 as motion_walk does; of the ways only that of the centre of mass. Returns false if
+/* Solves the phase from velocity c_0 as motion_walk does, but sets only the way of the centre of mass. Returns false if
  * the phase is of another kind; *m is then undefined. */
 static bool concave_phase(const struct phase_input *in, real c_0, struct motion *m)
 {

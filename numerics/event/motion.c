@@ -16,8 +16,8 @@ static inline void walk_curve(const struct scallop_piece *p, real u, real *veloc
 
 static inline real walk_when(const struct scallop_piece *p, real a) { return p->curve->when(p, a); }
 
-/* Gauss's rule with four points: of |l'| or of its slope, where the differences of their integrals are small beside
- * these. */
+/* Integrates |l'| or its slope by Gauss's rule with four points, for differences of integrals that are much smaller
+ * than the integrals. */
 static real short_sum(const struct scallop_piece *p, real (*of)(const struct scallop_piece *, real), real from, real to)
 {
   static const double node[2] = { 0.33998104358485626480, 0.86113631159405257522 };
@@ -107,8 +107,8 @@ void course_modes(enum scallop_phase_kind kind, double course, struct scallop_mo
 {
   const int code = (int)course;
   const signed char starts = (signed char)((code & COURSE_STARTS) - 1), ends = code & COURSE_ENDS ? 1 : -1;
-  const signed char apart = kind == SCALLOP_EXTENSION ? -1 : 1;   /* the direction of body 1 where they are opposite */
-  const bool stuck = code & COURSE_STUCK, second = apart == ends; /* the body whose direction changes last */
+  const signed char apart = kind == SCALLOP_EXTENSION ? -1 : 1;   /* direction of body 1 in opposite motion */
+  const bool stuck = code & COURSE_STUCK, second = apart == ends; /* second: body 2 changes direction last */
   int count = 0;
   modes->kept[count] = (struct scallop_mode){ starts, starts };
   count += starts != 0;
@@ -120,7 +120,7 @@ void course_modes(enum scallop_phase_kind kind, double course, struct scallop_mo
   modes->count = count;
 }
 
-/* One body is stuck throughout: the same in both phases, which is at the rear in one and in front in the other. */
+/* Returns at-rest if one body, rear in one phase and front in the other, is stuck throughout; else stick-slip. */
 enum scallop_regime course_regime(const double course[2])
 {
   const double down = course_of(0, -1, 0, true), up = course_of(0, 1, 0, true);

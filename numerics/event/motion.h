@@ -1,4 +1,4 @@
-/* Phases, periods and steady states in double, and what pieces of a gait are to them. Not public. */
+/* Phases, periods and steady states in double, and the rates of a piece of a gait. Not public. */
 #ifndef SCALLOP_NUMERICS_EVENT_MOTION_H
 #define SCALLOP_NUMERICS_EVENT_MOTION_H
 
@@ -68,8 +68,7 @@ SCALLOP_INLINE double period_driven(const struct scallop_gait *gait, double alph
   return alpha * (e - c) + c;
 }
 
-/* Returns whether the phases are nearly mirror images, so that all but about 2 alpha - 1 of their displacement cancels.
- * */
+/* Returns whether the phases are nearly mirror images: then all but about 2 alpha - 1 of their displacement cancels. */
 SCALLOP_INLINE int period_undoes(double driven) { return (driven < 0 ? -driven : driven) < 0x1p-10; }
 
 /* fraction: of the period */

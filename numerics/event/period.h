@@ -1,11 +1,11 @@
-/* A phase, a period and the search for the steady state, in units of L, T and F1 + F2 and in the type `real`: what is
- * known of them and what solves them (solve.h). motion.h has them in double. No header in the usual sense, and not
- * public. Before including it define
+/* A phase, a period and the search for the steady state, in units of L, T and F1 + F2 and in the type `real`: their
+ * data and the functions that solve them (solve.h). motion.h includes it for double. No header in the usual sense, and
+ * not public. Before including it define
  *
  *     real       the type
  *     ROUNDING   2^-bits of it: half of the distance from 1 to the next number
- *     SMALL_STEP a relative step whose square is below rounding
- *     SOLVE      how the functions are declared: static inline, or nothing where they are those of another file
+ *     SMALL_STEP a relative step with its square below rounding
+ *     SOLVE      how the functions are declared: static inline, or nothing if another file defines them
  */
 #include "model/scaling.h"
 #include "numerics/numerics.h"
@@ -16,7 +16,7 @@ static inline real magnitude(real x) { return x < 0 ? -x : x; }
 struct sum {
   real total, lost;
 };
-/* Returns what rounding dropped of x + y, whose rounded sum is given. */
+/* Returns what rounding dropped of x + y, given the rounded sum. */
 static inline real sum_dropped(real sum, real x, real y)
 {
   return magnitude(x) >= magnitude(y) ? (x - sum) + y : (y - sum) + x;
@@ -37,17 +37,17 @@ static inline real step_margin(real steep, real slope)
 }
 
 /* Returns true for a step so small beside the root x, at least one inflection or end of x away, that the next would
- * show only rounding: the error is then about step^2/(margin x), or step^3/(margin x)^2, and rounding that of x over
- * margin. */
+ * show only rounding: the error is then about step^2/(margin x), or step^3/(margin x)^2, and rounding adds the rounding
+ * of x over margin. */
 static inline int step_is_last(real step, real x, real margin, real least)
 {
   const real small = least * margin, rounding = 16 * ROUNDING / margin;
   return magnitude(step) <= (small > rounding ? small : rounding) * x;
 }
 
-/* The modes of a phase as one number, which a row of crawlers can hold. Both bodies move in direction `starts` first
- * (0: the phase begins at rest), then, if one turns, in opposite directions, and at last in direction `ends`, or one
- * does and the other is stuck, to the end or until it is released and moves in direction `ends` too. */
+/* The modes of a phase as one number, for rows of crawlers. Both bodies move in direction `starts` first (0: the phase
+ * begins at rest), then, if one turns, in opposite directions, and at last in direction `ends`, or one does and the
+ * other is stuck, to the end or until it is released and moves in direction `ends` too. */
 enum { COURSE_STARTS = 3, COURSE_ENDS = 4, COURSE_TURNS = 8, COURSE_STUCK = 16, COURSE_RELEASED = 32 };
 SCALLOP_INLINE double course_of(double starts, double ends, double turns, int stuck)
 {
@@ -57,20 +57,19 @@ static inline bool course_turns(double course) { return (int)course & COURSE_TUR
 void course_modes(enum scallop_phase_kind kind, double course, struct scallop_modes *modes);
 enum scallop_regime course_regime(const double course[2]);
 
-struct phase_input { /* in units where the phase lasts 1, L is 1 and forces are in F1 + F2                 */
+struct phase_input { /* units: the phase's duration, L and F1 + F2                                         */
   const struct scallop_shape *shape;
   real mu1, mu2, f1, f2, delta, eps; /* as in struct scallop_scaled; eps of this phase                           */
   real base; /* what velocities c at the start and at the end are counted from: 0, or see walk_level               */
 };
 
-/* The curves of a phase whose |l'| is concave, in units of the phase: curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|.
- * */
+/* The curves of a phase with concave |l'|, in units of the phase: curve 0 is c = q0 |l'|, curve 1 is c = -q1 |l'|. */
 struct line {
   real q0, q1, eps, between; /* c' is -eps, between, eps in regions 0, 1, 2                            */
   real f_first, f_second;    /* of the body that turns first, and of the other, over F1 + F2           */
 };
 
-/* plain: body 1 is the one that turns first. */
+/* Returns the line; plain: body 1 turns first. */
 SCALLOP_INLINE struct line line_of(const struct phase_input *in, int plain)
 {
   return (struct line){ .q0 = plain ? in->mu2 : in->mu1,
@@ -88,30 +87,30 @@ SCALLOP_INLINE real mirror_of(real direction, real delta, real c)
   return drive >= 0 ? 1 : -1;
 }
 
-/* A phase that concave.h solves, seen so that c starts at or above 0. Offsets t are from the start of the phase, u back
+/* A phase that concave.h solves, reflected if c would start below 0. Offsets t are from the start of the phase, u back
  * from its end, and x from the start if it is `early`, before |l'| is largest, else back from the end. */
 struct passage {
   real sign;                            /* -1: seen in a mirror                                                   */
   real c, t, y, steep;                  /* c at the start; where c meets curve 0, c there, and the slope of the curve */
   real side;                            /* +1: curve 0 comes next, -1: curve 1                                    */
   real x, z, fall;                      /* where c leaves region 1, |c| there, and the slope of the curve, downwards */
-  real at_top;                          /* c where the first piece ends, in region 1                              */
-  real u, w, end;                       /* where it passes to the last region, |c| there and at the end           */
+  real at_top;                          /* c at the end of the first piece, in region 1                           */
+  real u, w, end;                       /* entry to the last region, |c| there and at the end                     */
   real t_covered, x_covered, u_covered; /* what |l'| covers between each and its end of the phase      */
   bool turns, early, in_middle, sticks, released;
 };
 
-/* Of a phase that begins with velocity c_0 of the centre of mass. */
+/* The solution of a phase that begins with velocity c_0 of the centre of mass. */
 struct motion {
   real c_end;
   real extra_impulse;       /* integral of c'/eps - (its value with the bodies in opposite motion, delta sgn l'): zero
-                         where nothing but the stronger driving body matters; meaningless if it forgets */
+                         if only the stronger driving body matters; meaningless if it forgets */
   real slope;               /* (d c_end / d c_0 - 1)/eps, from the right; meaningless if it forgets           */
-  real stretch;             /* d c_end / d c_0, as a product without cancellation; likewise                   */
-  real first_switch;        /* from the start; nan if none                                                    */
-  real last_switch;         /* back from the end; nan if none                                                 */
+  real stretch;             /* d c_end / d c_0, a product without cancellation; meaningless if it forgets     */
+  real first_switch;        /* from the start; nan if no mode changes                                         */
+  real last_switch;         /* back from the end; nan if no mode changes                                      */
   real way[3];              /* how far the centre of mass, body 1 and body 2 come                             */
-  real size[3];             /* sums of the magnitudes of the parts of that, which rounding goes with          */
+  real size[3];             /* sums of the magnitudes of the parts of way: the scale of rounding              */
   real path[2];             /* of body 1 and body 2: how far each slides, one way and the other               */
   real furthest;            /* the largest |c| since a body was stuck, in a phase of many pieces; else 0      */
   bool short_cut;           /* of the ways only way[0] and size[0] are known, and no path                     */
@@ -144,9 +143,9 @@ struct walker {
   bool walks; /* event by event, without short cuts                                           */
 };
 
-/* A curve whose slope is `along`, `steep` where it is steepest, is crossed by a line with these slopes on its sides,
- * nearly at a tangent or where the curve is nearly level: where in the last digit decides what the crossing does to the
- * derivative of the motion. */
+/* Returns a margin for a line, with slopes `before` and `after`, that crosses a curve of slope `along`, at most
+ * `steep`. The crossing is delicate if it is nearly tangent or the curve is nearly level: the last digit of its place
+ * then decides its effect on the derivative of the motion. */
 SCALLOP_INLINE real delicate_margin(real along, real before, real after, real steep) /* < 0: it is */
 {
   const int small = 32;
@@ -161,9 +160,9 @@ SCALLOP_INLINE int is_delicate(real along, real before, real after, real steep)
   return delicate_margin(along, before, after, steep) < 0;
 }
 
-/* Returns whether so much of a displacement cancels in the sum of its parts that it needs wider arithmetic: rounding
- * errs by up to an ulp of size, and the displacement may be determined to an ulp of its own. The parts of straight
- * pieces are products, and exact to a few ulp of their own. */
+/* Returns whether a displacement needs wider arithmetic because the sum of its parts cancels: rounding errs by up to an
+ * ulp of size, and the displacement may be determined to an ulp of its own. The parts of straight pieces are products,
+ * and exact to a few ulp of their own. */
 SCALLOP_INLINE int period_cancels(real travel, real size, int ramps)
 {
   return (travel < 0 ? -travel : travel) * (ramps ? 64 : 8) < size;
@@ -178,7 +177,7 @@ SOLVE void motion_bodies(const struct phase_input *in, enum scallop_phase_kind k
                          const struct motion *motion, real way[3], real size[3]);
 SOLVE enum scallop_regime motion_regime(const struct motion *motion);
 
-/* One phase, by a short cut where there is one: from velocity c in L/T to the one that is returned. */
+/* Solves one phase from velocity c in L/T, by a short cut if possible. Returns the velocity at its end. */
 SOLVE real period_phase(const struct walker *walker, enum scallop_phase_kind kind, real c, struct motion *motion);
 SOLVE void period_solve(const struct walker *walker, real c_start, struct period *period);
 /* Combines two solved phases. */
@@ -190,14 +189,14 @@ SOLVE enum scallop_regime period_regime(const struct period *period);
 
 /* Above this velocity both bodies always move forward, below its negative always backward. */
 SOLVE real steady_bound(const struct walker *walker);
-/* Solves the contraction alone, for a steady state whose extension ends at rest. Returns the velocity at its end, to
- * begin the search at. */
+/* Solves the contraction alone, for a steady state with rest at the end of the extension. Returns the velocity at its
+ * end, to begin the search at. */
 SOLVE real steady_from_rest(const struct walker *walker, struct period *period);
-/* The root of the balance between -bound and bound, from guess on. The numbers of iterations and of what they take are
- * added to *work. */
+/* Finds the root of the balance between -bound and bound, from guess on. Adds the numbers of iterations and of their
+ * parts to *work. */
 SOLVE void steady_find(const struct walker *walker, real guess, real bound, struct period *period,
                        struct scallop_work *work);
 /* If the root is near the level of a curve over a plateau of l', finds it once more with velocities counted from that
  * level: friction may change c by less than an ulp of c, but this change decides where on the plateau c meets the
- * curve, and so the modes and the multiplier. Returns false if there is no such level, or c leaves its vicinity. */
+ * curve, and so the modes and the multiplier. Returns false if no such level exists, or c leaves its vicinity. */
 SOLVE bool steady_find_from_level(const struct walker *walker, struct period *period, struct scallop_work *work);

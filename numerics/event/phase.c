@@ -8,7 +8,7 @@ struct phase {
   struct scallop_scaled scaled;
   struct phase_input in;
   struct motion motion;
-  double tau, velocity; /* their units in those of the crawler */
+  double tau, velocity; /* their units, in the crawler's units */
 };
 
 static enum scallop_status walk_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,

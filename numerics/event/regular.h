@@ -1,19 +1,19 @@
 /* The steady state with the regular modes: each phase begins and ends with both bodies moving one way, and in between
- * one of them turns back and forth, never stuck. Inline and without a branch, so that many crawlers can be solved in a
- * row by vector instructions. Not public.
+ * one of them turns back and forth, never stuck. Inline and without a branch: vector instructions solve rows of
+ * crawlers. Not public.
  *
- * For phases whose |l'| is concave, from 0 to 0. Then the first and the last crossing of curve 0 are all there is: |l'|
- * lies above the line that c follows between them and below it outside. If |l'| is replaced by its tangents at the two
- * crossings, s t + k from the start and s' u + k' from the end, then, with c the velocity of the centre of mass in
- * L/tau, q |l'| the curve, f the friction of the body that turns and beta = (F_turns - F_other)/(F1 + F2),
+ * |l'| is concave in each phase, from 0 to 0. Then curve 0 is crossed exactly twice: |l'| lies above the line that c
+ * follows between them and below it outside. If |l'| is replaced by its tangents at the two crossings, s t + k from the
+ * start and s' u + k' from the end, then, with c the velocity of the centre of mass in L/tau, q |l'| the curve, f the
+ * friction of the body that turns and beta = (F_turns - F_other)/(F1 + F2),
  *     t1 = (c_start - q k)/(q s + eps)                           the first crossing
  *     dT = (q (s t1 + k) + beta eps (1 - t1) - q k')/(q s' + beta eps)   the last one, from the end
  *     c_end = (q s' - eps) dT + q k'
- * so that all is linear in the start velocity of the period, and so is the balance of impulses
+ * All is linear in the start velocity of the period, also the balance of impulses
  *     beta (2 alpha - 1) = 2 f_e alpha (t1 + dT)_e + 2 f_c (1 - alpha) (t1 + dT)_c.
- * Where |l'| is made of two straight lines this is the answer; elsewhere it is a step of Newton's method for all four
+ * For |l'| made of two straight lines this is the answer; otherwise it is a step of Newton's method for all four
  * crossings and the velocity at once. With side = -1 both bodies change their direction in a phase: at the last
- * crossing the curve, the friction and c' afterwards are those of the other body, with the opposite sign. */
+ * crossing the curve, the friction and c' afterwards belong to the other body, with the opposite sign. */
 #ifndef SCALLOP_NUMERICS_EVENT_REGULAR_H
 #define SCALLOP_NUMERICS_EVENT_REGULAR_H
 
@@ -42,14 +42,14 @@ struct regular_phase {
   double q, q_last;                        /* factors of the curves of the two crossings, the last one with its sign */
   double eps, between, after;              /* minus c' before, c' between, and minus c' after the crossings          */
   double f, f_last, share, weight;         /* f of the two crossings, their ratio, and f times the fraction        */
-  double up, down, up_offset, down_offset; /* the tangents of the curves: q times those of |l'|                  */
+  double up, down, up_offset, down_offset; /* the tangents of the curves: of |l'|, times q                       */
   double inverse;                          /* 1/(down + between)                                                 */
   double t_start, t_slope;                 /* t1 = t_start + t_slope c, for c at the start                        */
-  double u_start, u_slope;                 /* dT likewise                                                        */
+  double u_start, u_slope;                 /* dT = u_start + u_slope c                                           */
   double c, t, u, c_end;                   /* at the start, the crossings, and at the end                        */
 };
 
-/* The two phases, each seen so that it begins forward */
+/* The two phases, each reflected if it begins backward */
 struct regular_system {
   struct regular_phase e, c;
   double side;  /* +1 if the motion ends each phase in the direction in which it begins it, -1 if in the other one */
@@ -65,7 +65,7 @@ struct regular {
   bool delicate; /* as in struct motion                                                              */
 };
 
-/* first: body 1 is the one that turns first. */
+/* Sets the constants of a phase; first: body 1 turns first. */
 SCALLOP_INLINE void regular_phase_of(struct regular_phase *p, const struct scallop_scaled *s, int first, double side,
                                      double fraction)
 {
@@ -164,7 +164,7 @@ SCALLOP_INLINE int regular_result(const struct regular_system *r, struct regular
   const struct regular_travel of_e = regular_travel(e, r->side), of_c = regular_travel(c, r->side);
   double near_1 = 1 + (of_e.shear + of_c.shear + of_e.shear * of_c.shear);
   out->multiplier = near_1 > 0.5 ? near_1 : of_e.stretch * of_c.stretch;
-  /* where the map shrinks the error of its argument, its value is better */
+  /* if the map shrinks the error of its argument, its value is better */
   double better = out->multiplier < 0.5 ? r->side * c->c_end * (r->alpha / r->b) : e->c;
   out->c_start = r->sign * (better / r->alpha);
   out->c_mid = r->sign * ((e->c_end + of_e.stretch * (better - e->c)) / r->alpha);
@@ -189,8 +189,8 @@ SCALLOP_INLINE int regular_is_near(double x, double before)
   return (step < 0 ? -step : step) < 1e-6 * before;
 }
 
-/* Returns whether the crossings have come so close to those where the tangents are, t and u, that tangents at the new
- * ones touch there to all digits, and have the slopes there, which the multiplier needs. */
+/* Returns whether the crossings are so close to the points of contact t and u that new tangents touch at the crossings
+ * to all digits, and have the slopes there that the multiplier needs. */
 SCALLOP_INLINE int regular_settles(const struct regular_phase *p, double t, double u)
 {
   double before_u = step_margin(p->down, -p->between), after_u = step_margin(p->down, p->after);
@@ -199,7 +199,7 @@ SCALLOP_INLINE int regular_settles(const struct regular_phase *p, double t, doub
          & step_is_last(p->u - u, p->u, margin, SMALL_STEP);
 }
 
-/* < 0: a crossing is delicate; slopes are those of |l'| at the ends of the phase. */
+/* Returns a margin, < 0 if a crossing is delicate; starts, ends: slopes of |l'| at the ends of the phase. */
 SCALLOP_INLINE double regular_delicate_margin(const struct regular_phase *p, double starts, double ends)
 {
   double first = delicate_margin(p->up, -p->eps, p->between, p->q * starts);
@@ -232,11 +232,11 @@ enum regular_outcome {
   EXTENSION_STICKS    /* of the extension only                                                              */
 };
 
-/* Tells what to look for first, and a velocity to begin a search at, if it is finite. */
+/* Returns what to look for first. Sets *guess to a velocity to begin a search at, if it is finite. */
 enum regular_outcome regular_begin(const struct scallop_scaled *scaled, double *guess);
 
 /* Solves for the steady state with the modes of regular_modes, of a gait that is concave in both phases. Returns false
- * if it has other modes, or is too hard to tell; r->c_start is then a velocity to begin a search at, if it is finite.
+ * if it has other modes, or rounding hides them; r->c_start is then a velocity to begin a search at, if it is finite.
  * Sets what it takes in *work. */
 bool regular_solve(const struct scallop_scaled *scaled, double side, struct regular *r, struct scallop_work *work);
 

@@ -15,9 +15,9 @@
 
 struct segment {
   const struct scallop_piece *given; /* the piece as the gait has it: begins and ends at offsets that are exact   */
-  const struct scallop_piece *piece; /* the segment, whose offsets u are measured from `origin`                   */
+  const struct scallop_piece *piece; /* the segment; its offsets u are from `origin`                              */
   double origin, turn;               /* u is at offset origin + turn u of the piece that is given                 */
-  bool continues;                    /* there is a second segment                                                */
+  bool continues;                    /* a second segment follows                                                 */
   struct scallop_piece part;
   struct scallop_law law;
 };
@@ -29,8 +29,8 @@ static inline bool segment_is_spline(const struct scallop_piece *p)
          && law->bernstein.implied == 1;
 }
 
-/* From the knot that the law calls near, or the one that it calls far. Knots are multiples of 2^-53, and so differences
- * of them exact. */
+/* Measures from the knot that the law calls near, or from its far knot. Knots are multiples of 2^-53, therefore their
+ * differences are exact. */
 static inline void segment_from_knot(struct segment *segment, bool far)
 {
   const struct scallop_bernstein_law *given = &segment->given->law->bernstein;

@@ -16,7 +16,7 @@ SOLVE void motion_bodies(const struct phase_input *in, enum scallop_phase_kind k
                               { stroke * in->mu1, stroke, 0 },
                               { stroke * middle, stroke / 2, -stroke / 2 } };
   for (int i = 0; i < 3; i++) {
-    int best = 0; /* the way whose parts cancel least */
+    int best = 0; /* the way with the least cancellation */
     for (int j = 1; j < 3; j++)
       if (m->size[j] + magnitude(beyond[i][j]) < m->size[best] + magnitude(beyond[i][best]))
         best = j;
@@ -65,8 +65,8 @@ SOLVE void period_solve(const struct walker *s, real c_start, struct period *p)
   period_conclude(s, p);
 }
 
-/* Over a whole period the centre of mass and both bodies come equally far. Where much of that cancels for the first,
- * the one for which least does tells best. */
+/* Over a whole period the centre of mass and both bodies come equally far. If much cancels for the first, the way with
+ * the least cancellation is the most accurate. */
 SOLVE void period_sum_up(const struct walker *s, struct period *p)
 {
   if (!period_cancels(p->travel, p->size, false))
@@ -140,7 +140,7 @@ static bool is_settled(const struct period *p)
   return magnitude(p->balance) <= p->noise || magnitude(p->balance) <= -4 * ROUNDING * p->slope * magnitude(p->c_start);
 }
 
-/* Where the map shrinks the error of its argument, its value is better, as in regular.h. */
+/* Replaces c_start by the value of the map if the map shrinks the error of its argument, as in regular.h. */
 static void improve(const struct walker *s, struct period *p)
 {
   const struct motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
@@ -154,8 +154,8 @@ static void improve(const struct walker *s, struct period *p)
   p->c_start = p->c_end;
 }
 
-/* Newton's method on the balance, or, once a body has been stuck and the map has forgotten where it began, the map
- * itself, in a bracket that is halved whenever two steps did not halve the balance. */
+/* Newton's method on the balance, or, once a body has been stuck and the map has forgotten its start, the map itself,
+ * in a bracket that is halved whenever two steps did not halve the balance. */
 SOLVE void steady_find(const struct walker *s, real guess, real bound, struct period *p, struct scallop_work *work)
 {
   real low = -bound, high = bound, c = guess < low ? low : guess > high ? high : guess + 0; /* no -0 */

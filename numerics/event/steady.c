@@ -8,8 +8,8 @@ struct bracket {
   double lo, hi;
 };
 
-/* No contraction, and a balance of nothing but rounding, that of the decimals included: c lies in an interval of steady
- * states. Only where l' jumps over 0 can c go a period unsheared by a curve (docs/background/theory.md). */
+/* Returns whether c lies in an interval of steady states: no contraction, and a balance of only rounding, also of the
+ * decimals. Only where l' jumps over 0 can c go a period unsheared by a curve (docs/background/theory.md). */
 static bool flat(const struct walker *s, double c)
 {
   struct period p;
@@ -70,8 +70,8 @@ static bool is_driven_away(const struct walker *s, double *c)
   return false;
 }
 
-/* The contraction maps velocities as the extension maps their opposites. Then the mirror image of a steady state, half
- * a period late, is steady too. As there is only one steady state, both are the same, and the displacement is 0. */
+/* Returns whether the contraction maps velocities as the extension maps their opposites. Then the mirror image of the
+ * steady state, half a period late, is that state itself, and the displacement is 0. */
 static bool is_mirrored(const struct walker *s)
 {
   if (s->fraction[SCALLOP_EXTENSION] != s->fraction[SCALLOP_CONTRACTION] || !scallop_gait_mirrors(s->gait))
@@ -91,8 +91,8 @@ static bool is_level(const struct scallop_shape *shape)
   return true;
 }
 
-/* l' jumps between two levels, and each jump throws the same body, first one way and then the other. Friction brings it
- * to rest each time, in opposite modes, so that the displacement is 0. */
+/* Returns whether l' jumps between two levels, and each jump throws the same body, first one way and then the other.
+ * Friction brings it to rest each time, in opposite modes: the displacement is 0. */
 static bool is_thrown_back(const struct walker *s, const struct period *p)
 {
   const struct scallop_modes *extension = &p->phase[SCALLOP_EXTENSION].modes;
@@ -127,8 +127,8 @@ static bool is_amplified(const struct walker *s, const struct period *p)
   return !linear && !p->forgets && p->noise > most * DBL_EPSILON * unit;
 }
 
-/* Of velocities and the multiplier, of a gait that is not made of ramps: of ramps the multiplier does not depend on the
- * velocity, and a phase has few straight lines. */
+/* Sets the doubt of velocities and of the multiplier, for a gait that is not made of ramps: of ramps the multiplier
+ * does not depend on the velocity, and a phase has few straight lines. */
 static void doubt_velocities(const struct walker *s, const struct period *p, bool on_level, bool interval,
                              struct doubt *doubt)
 {
@@ -202,7 +202,7 @@ static bool solve_stuck(const struct scallop_scaled *s, double order, struct sca
   return true;
 }
 
-/* Any motion, beginning from c, or, where the extension ends at rest, from there. */
+/* Solves for any motion, beginning from c, or from rest after the extension if it ends so. */
 static enum scallop_status search(const struct scallop_scaled *scaled, enum regular_outcome hint, double c,
                                   struct scallop_steady_result *out, struct doubt *doubt)
 {

@@ -14,7 +14,7 @@ struct ramps {
   double top, rest; /* rest = 1 - top                                                                    */
 };
 
-/* For a shape that has them (shape->ramps). */
+/* Returns the ramps of a shape that has them (shape->ramps). */
 static inline struct ramps ramps_of(const struct scallop_shape *shape)
 {
   const struct scallop_piece *a = &shape->pieces[0], *b = &shape->pieces[1];
@@ -30,7 +30,7 @@ struct ramp_phase {
   double margin; /* > 0: the motion is of this kind                                               */
   double c_end;
   double way, size;     /* of the centre of mass: how far it comes, and the magnitudes of the parts of that */
-  double own, own_size; /* the same of the body that turns last, or is stuck                             */
+  double own, own_size; /* way and size of the body that turns last, or is stuck                         */
 };
 
 /* c: at the start, >= 0 */
@@ -55,8 +55,8 @@ SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct r
   double stuck = q * (early ? 1 - 0.5 * r->up * (stops * stops) : 0.5 * r->down * (u * u));
   double crossed = 0.5 * (z + c_end) * u;
   double last_size = crosses ? 0.5 * (fabs(z) + fabs(c_end)) * u : fabs(stuck);
-  /* and the body that is on its curve at the end, whose parts are small if it hardly moves: a triangle until it comes
-   * to rest, another one or two until it does again, and a last one; own_...: as body_slope in walk_state.h */
+  /* and the body that is on its curve at the end (small parts if it hardly moves): a triangle until it comes to rest,
+   * another one or two until it does again, and a last one; own_...: as body_slope in walk_state.h */
   double push0 = eps * l->f_first, push1 = eps * l->f_second, own_up = steep - push0, own_below = below - push1;
   double slope_up = fabs(own_up) < fabs(between) ? own_up + push1 : steep - between;
   double slope_below = fabs(own_below) < fabs(between) ? own_below + push0 : below + between;
@@ -77,7 +77,7 @@ SCALLOP_INLINE struct ramp_phase ramp_phase(const struct line *l, const struct r
                               .own_size = one + fabs(two) + fabs(three) };
 }
 
-/* A phase as it is, not in the mirror */
+/* A phase, not reflected */
 struct stuck_phase {
   double c_end, travel, size;      /* of the centre of mass                                                      */
   double way1, way2, size1, size2; /* of the bodies                                                              */
@@ -110,8 +110,8 @@ SCALLOP_INLINE struct stuck_phase stuck_phase(const struct scallop_scaled *s, do
                                .course = course_of(c != 0 ? sign : 0, sign * p.side, p.turns, p.spare >= 0) };
 }
 
-/* When a body has stuck to the end of a phase, both are at rest. Therefore the next phase is known, and the one after
- * it; if that comes to rest again, the period is closed. */
+/* When a body has stuck to the end of a phase, both are at rest. Therefore the next two phases are known; if the second
+ * comes to rest again, the period is closed. */
 struct stuck {
   double c_start, c_mid;
   double travel, size; /* as in struct period after period_sum_up                               */
@@ -134,7 +134,7 @@ SCALLOP_INLINE void stuck_steady(const struct scallop_scaled *s, double order, c
   const struct stuck_phase p1 = stuck_phase(s, x1, order, &r1, 0);
   double between = p1.c_end / x1;
   const struct stuck_phase p2 = stuck_phase(s, x2, -order, &r2, between * x2);
-  int rests = p1.turns + p2.turns == 0 && p1.ends == -p2.ends; /* the same body in both phases */
+  int rests = p1.turns + p2.turns == 0 && p1.ends == -p2.ends; /* one body in both phases */
   out->c_start = plain ? 0 : between;
   out->c_mid = plain ? between : 0;
   double travel = rests ? 0 : p1.travel + p2.travel, size = rests ? 0 : p1.size + p2.size;

@@ -3,14 +3,14 @@
  *
  *     walk_velocity(piece), walk_acceleration(piece)    of a piece that is linear: l' at its anchor, and l''
  *     walk_curve(piece, u, &velocity, &acceleration)    l' and l'' at offset u of a piece that is not linear
- *     walk_when(piece, a)                               u in a curved piece with l''(u) = a, nan if there is none
- *     walk_way(piece, from, to)                         what |l'| covers between two offsets of such a piece
+ *     walk_when(piece, a)                               u in a curved piece with l''(u) = a, nan if no such u exists
+ *     walk_way(piece, from, to)                         the integral of |l'| between two offsets of such a piece
  *     walk_rise(piece, from, to)                        |l'| at to minus |l'| at from, without cancellation
  */
 #include "numerics/event/walk_meet.h"
 
-/* At a node within the phase. c is below it if c has crossed the curves that come to the node downwards, nearer to it
- * than u tells. At c = 0 a slightly larger c, which the derivative is for, has crossed them upwards. */
+/* Handles a node within the phase. c is below it if c has crossed the curves that come to the node downwards, nearer to
+ * it than u resolves. At c = 0 a slightly larger c, the side of the derivative, has crossed them upwards. */
 static void come_to_node(struct walk *w)
 {
   int first = w->c < 0 ? 0 : 1;
@@ -44,8 +44,8 @@ static inline void begin_line(struct walk *w, real lost)
   w->line_time = 0;
 }
 
-/* That rest if there are many pieces: counted from where the line began, so that no error adds up from piece to piece.
- * lost: what rounding drops */
+/* Returns rest after `duration` in a phase of many pieces: counted from the beginning of the line, to add up no errors
+ * of pieces. lost: what rounding drops */
 static real rest_on_line(struct walk *w, real duration, real *lost)
 {
   real gained = w->lost + w->slope[w->region] * (w->line_time + duration), rest = w->line_rest + gained;
@@ -92,8 +92,8 @@ static void slide(struct walk *w)
     w->v[met] = 0; /* rounding put it on the wrong side */
 }
 
-/* Returns where the body stuck on curve j is released, into region `to`: between here and the end, or at once if it is
- * at its limit. */
+/* Returns the offset at which the body stuck on curve j is released, into region `to`: between here and the end, or
+ * here if it is at its limit. */
 static real released(const struct walk *w, int j, int to)
 {
   const struct scallop_piece *p = w->piece;
@@ -126,8 +126,8 @@ static void stick(struct walk *w)
   }
 }
 
-/* Where c stands when the curves are not known to continue: at the start of a phase, at a node, and where l'
- * jumps. On the curves' common point c = 0, l' = 0 it stands for c = 0+. */
+/* Sets the region of c if the curves are not known to continue: at the start of a phase, at a node, and where l' jumps.
+ * The curves' common point c = 0, l' = 0 counts as c = 0+. */
 static void place(struct walk *w)
 {
   for (int j = 0; j < 2; j++)
@@ -189,7 +189,7 @@ static void look_along(struct walk *w, const struct scallop_piece *next)
     w->end.speed = 0;
 }
 
-/* Enters a piece if c is counted from a level: where a slope meets a plateau, |l'| is that of the plateau to the last
+/* Enters a piece if c is counted from a level: if a slope meets a plateau, |l'| there equals the plateau's to the last
  * digit, and the velocities of the bodies are formed again from the level. */
 static void look_from_level(struct walk *w, const struct scallop_piece *before, real speed_before,
                             const struct scallop_piece *next)

@@ -1,8 +1,8 @@
 /* Part of walk.h: the next curve that c meets in its piece, and the region after it. */
 #include "numerics/event/walk_state.h"
 
-/* Returns where c continues from a point of curve j: region j, region j + 1, or along the curve (-1) if the body
- * sticks, which it does if the curve's slope lies between the slopes on its two sides. */
+/* Returns where c continues from a point of curve j: region j, region j + 1, or along the curve (-1): the body sticks
+ * if the curve's slope lies between the slopes on its two sides. */
 static inline int beyond(const struct walk *w, int j)
 {
   real along = w->curve[j] * w->here.rate;
@@ -24,7 +24,7 @@ static inline void meet(struct walk *w, int j, bool moved)
   w->left = -1;
   if (to == from && moved) /* touched it, within rounding, and moves away */
     return;
-  if (to == from) /* and is back at once: it grazes the curve where the curve begins to hold it */
+  if (to == from) /* and is back at once: it grazes the curve as the curve begins to hold it */
     to = -1;
   w->turned = true;
   if (to < 0) {
@@ -43,8 +43,8 @@ static inline void meet(struct walk *w, int j, bool moved)
   w->region = to;
 }
 
-/* The next curve met in a region. A curve that is touched and not crossed splits the derivative of the map. The one
- * from the right is kept: a touch counts from below, where a slightly larger c would cross, and not from above. */
+/* The next curve met in a region. A curve that is touched and not crossed splits the derivative of the map. The
+ * derivative from the right is kept: a touch counts from below, as a larger c would cross, not from above. */
 
 struct gap { /* the distance of c to curve j, positive inside the region                */
   const struct walk *walk;
@@ -69,7 +69,7 @@ static real gap_value(const void *context, real u, real *slope)
   return gap_at(g, u, r.speed);
 }
 
-/* Returns whether the gap is closed where it is narrowest and `left` is left of it. */
+/* Returns whether the gap is closed at its narrowest, with width `left`. */
 static inline bool closes(const struct gap *g, real left) { return left < 0 || (left == 0 && g->side < 0); }
 
 /* Returns whether the gap closes in a piece where l' is linear: both sides are straight lines, one division. */
@@ -131,8 +131,8 @@ static bool comes_back(const struct gap *g, real turn, real *u)
   return true;
 }
 
-/* The same where l' is curved. The rate of the gap is monotone because l'' is; so the gap has at most
- * one turning point, and where it falls it holds at most one root. */
+/* Returns whether the gap closes in a curved piece. Its rate is monotone because l'' is; therefore the gap has at most
+ * one turning point, and at most one root while it falls. */
 static bool curved_contact(const struct gap *g, real *u)
 {
   const struct walk *w = g->walk;
@@ -159,7 +159,7 @@ static bool curved_contact(const struct gap *g, real *u)
         return true;
       turn.f = gap(g, turn.u, &turn.slope);
       *(falls_now ? &end : &now) = turn;
-    } /* else it is within rounding of the end where it falls */
+    } /* else it is within rounding of the falling end */
   }
   if (!closes(g, end.f))
     return false;

@@ -12,9 +12,9 @@ struct rates {
 
 static inline bool is_plateau(const struct scallop_piece *p) { return p->linear && p->acceleration == 0; }
 
-/* The level of a curve over a plateau of l', if c is no further from the level than `near`; else 0. Friction changes c
- * in a phase by eps at most, which may be less than rounding of c. If c is counted from the level that change keeps its
- * digits, because the level minus the curve is exactly 0 on the plateau. */
+/* Returns the level of a curve over a plateau of l', if c is no further from the level than `near`; else 0. Friction
+ * changes c in a phase by eps at most, perhaps less than rounding of c. If c is counted from the level, this change
+ * keeps its digits, because the level minus the curve is exactly 0 on the plateau. */
 SOLVE real walk_level(const struct phase_input *in, real c, real near)
 {
   for (int i = 0; i < in->shape->count; i++) {
@@ -29,7 +29,7 @@ SOLVE real walk_level(const struct phase_input *in, real c, real near)
   return 0;
 }
 
-/* The sum of few parts is as good as they are; of more it keeps what rounding drops. */
+/* Sums over more pieces keep what rounding drops. */
 enum { WALK_FEW_PIECES = 4 };
 
 /* Over one piece the plane of (time, c) has three regions, divided by two curves. With `front` the
@@ -59,10 +59,10 @@ struct walk {
   real pull[2];         /* of a linear l' on the body of curve j, beyond c: -curve[j] d|l'|/dt     */
   real extra[3];        /* what a region adds to extra_impulse per unit of time                    */
   real u, c;            /* where we are                                                            */
-  real rest;            /* c minus in->base, which is known better than c unless base is 0          */
-  real line_rest, lost; /* rest where the line began that c follows, and what rounding dropped of that      */
+  real rest;            /* c minus in->base, more accurate than c unless base is 0                  */
+  real line_rest, lost; /* rest at the start of the line that c follows, and what rounding dropped of it    */
   real line_time;       /* since then                                                              */
-  bool many;            /* pieces: then the sums in out are those of one piece, carried over to these:    */
+  bool many;            /* pieces: then out holds the sums of one piece, carried over to these:           */
   struct {
     struct sum way[3], path[2], extra_impulse;
   } carried;
@@ -72,7 +72,7 @@ struct walk {
   int region;             /* 0, 1, 2; meaningless while stuck                                        */
   int stuck;              /* the curve that c is glued to, or -1                                     */
   int passed;             /* a curve that c has left for the rest of the piece, or -1                */
-  int left;               /* the curve whose body was released, if c has met none since and is near it; or -1 */
+  int left;               /* curve of the body released last, if c has met no curve since and is near it; or -1 */
   bool turned;            /* the mode may have changed since it was last noted                       */
   struct motion *out;
 };
@@ -103,7 +103,7 @@ static struct scallop_mode mode_now(const struct walk *w)
   return w->piece->direction > 0 ? (struct scallop_mode){ rear, front } : (struct scallop_mode){ front, rear };
 }
 
-/* Records the mode that begins at u, unless it is the one before. */
+/* Records the mode that begins at u, unless it equals the previous mode. */
 static void note_mode(const struct walk *w, struct scallop_mode mode)
 {
   struct motion *out = w->out;
@@ -130,7 +130,7 @@ static void note_mode(const struct walk *w, struct scallop_mode mode)
 /* c minus the velocity v of a curve */
 static inline real above(const struct walk *w, real rest, real v) { return (w->in->base - v) + rest; }
 
-/* Goes on to u, with that rest and l' as in there. The sums are the caller's. */
+/* Moves to u, with that rest and l' as in there. The caller updates the sums. */
 static inline void advance(struct walk *w, real u, real rest, const struct rates *there)
 {
   w->u = u;
@@ -196,16 +196,16 @@ static void carry_over(struct walk *w)
   carry(&w->carried.extra_impulse, &w->out->extra_impulse);
 }
 
-/* What |l'| covers from here to u. */
+/* Returns the integral of |l'| from here to u. */
 static inline real covers(const struct walk *w, real u, const struct rates *there)
 {
   return w->piece->linear ? (w->here.speed + there->speed) / 2 * (w->sense * (u - w->u)) : walk_way(w->piece, w->u, u);
 }
 
-/* The acceleration of the body of curve j where l' is linear. Where its own friction nearly balances l'' that
- * difference comes first: it is then the same rounded amount in all modes of the phase, and the displacements that come
- * of it, one way and the other, cancel as they should. Where the two frictions nearly balance each other theirs does,
- * which is known exactly. */
+/* Returns the acceleration of the body of curve j for linear l'. If its own friction nearly balances l'', this
+ * difference comes first: it is then the same rounded amount in all modes of the phase, and the resulting
+ * displacements, one way and the other, cancel as they should. If the two frictions nearly balance, their difference,
+ * known exactly, comes first. */
 static inline real body_slope(const struct walk *w, int j)
 {
   real own = w->region == 0 || (j == 1 && w->region == 1) ? 1 : -1, pulled = w->pull[j] - own * w->push[j];
@@ -229,7 +229,7 @@ static real v_of_released(struct walk *w, real u, real c, const struct rates *th
   return c - q * there->speed;
 }
 
-/* On along a straight line to u and that rest, where the body of curve met, if any, comes to rest. */
+/* Moves along a straight line to u and that rest; the body of curve met, if any, comes to rest there. */
 static inline void go_straight(struct walk *w, real u, real rest, const struct rates *there, int met)
 {
   real c = w->in->base + rest;
@@ -240,7 +240,7 @@ static inline void go_straight(struct walk *w, real u, real rest, const struct r
   come(w, 0, x, size);
   for (int j = 0; j < 2; j++) {
     real q = w->curve[j], v = c - q * there->speed, way = x - q * covered, parts = size + magnitude(q) * covered;
-    if (met >= 0) /* where the other body moves with |l'| */
+    if (met >= 0) /* then the other body moves with |l'| */
       v = j == met ? 0 : met == 0 ? there->speed : -there->speed;
     else if (linear) /* by its own acceleration: no cancellation */
       v = w->v[j] + body_slope(w, j) * duration;
@@ -256,7 +256,7 @@ static inline void go_straight(struct walk *w, real u, real rest, const struct r
   advance(w, u, rest, there);
 }
 
-/* On along the curve of the body that is stuck; the other one moves with |l'|. */
+/* Moves along the curve of the stuck body; the other body moves with |l'|. */
 static inline void go_along(struct walk *w, real u, const struct rates *there)
 {
   int j = w->stuck;

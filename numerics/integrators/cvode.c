@@ -1,4 +1,4 @@
-/* CVODE, where the program is built with SUNDIALS. */
+/* The CVODE integrator, if the program is built with SUNDIALS. */
 #include "numerics/integrators/integrator.h"
 
 #include <stddef.h>
@@ -26,7 +26,7 @@ struct scallop_integrator *scallop_cvode_integrator(double tolerance)
 #error "SUNDIALS is built for another precision than double"
 #endif
 
-#if SUNDIALS_VERSION_MAJOR < 6 /* there were no contexts */
+#if SUNDIALS_VERSION_MAJOR < 6 /* without contexts */
 typedef void *SUNContext;
 #define N_VNew_Serial(length, context) N_VNew_Serial(length)
 #define CVodeCreate(method, context) CVodeCreate(method)
@@ -36,7 +36,7 @@ typedef void *SUNContext;
 enum { DIMENSION = 2 };
 
 struct cvode {
-  struct scallop_integrator integrator; /* first, so that the one is the other */
+  struct scallop_integrator integrator; /* first member: a pointer to it is one to the struct */
   SUNContext context;
   N_Vector y; /* x1' and x1 */
   void *memory;
@@ -45,9 +45,9 @@ struct cvode {
 };
 
 struct run {
-  struct integrator_motion motion; /* first, so that the one is the other */
+  struct integrator_motion motion; /* first member: a pointer to it is one to the struct */
   const struct cvode *tools;
-  bool let_go[2]; /* a body that was at rest where the integration began */
+  bool let_go[2]; /* a body that was at rest at the start of the integration */
 };
 
 static int equation(double t, N_Vector y, N_Vector dydt, void *context)
@@ -79,7 +79,7 @@ static int velocities(double t, N_Vector y, double *ahead, void *context)
   return 0;
 }
 
-/* From where the motion stands, with no memory of what was before. */
+/* Restarts the integration at the current motion, without memory of earlier steps. */
 static bool begin(struct run *r)
 {
   const struct cvode *tools = r->tools;
@@ -92,8 +92,8 @@ static bool begin(struct run *r)
   return CVodeReInit(tools->memory, m->t, tools->y) == CV_SUCCESS;
 }
 
-/* CVODE looks for a change of sign from step to step. So that no body can come to zero and be off again within one, it
- * stops where a velocity turns. */
+/* CVODE looks for a change of sign from step to step. It stops at the turning point of a velocity: a body cannot reach
+ * zero and leave it within a step. */
 static bool set_stop(const struct run *r, double end, double *stop)
 {
   const struct integrator_motion *m = &r->motion;

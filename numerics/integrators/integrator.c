@@ -53,10 +53,10 @@ static enum scallop_status conclude(enum scallop_status status, const struct sca
   return status == SCALLOP_ESTOPPED ? SCALLOP_STOPPED : status;
 }
 
-/* Changes of the start velocity, each over a stride of so many periods. */
+/* Changes of the start velocity, each over `stride` periods. */
 struct watch {
-  double mark;   /* where the last stride ended */
-  double before; /* the last change, nan if there is none */
+  double mark;   /* velocity at the end of the last stride */
+  double before; /* the last change, nan before the end of the first stride */
   long stride, since;
   int comparisons, reversals;
 };
@@ -82,8 +82,8 @@ static void next_stride(struct watch *w, double v)
   w->before = change;
 }
 
-/* Has the velocity settled to within `close`, or as far as the noise lets it, after one more period from `from` to
- * v? */
+/* Returns whether the velocity has settled to within `close`, or to the noise, after one more period from `from` to
+ * v. */
 static bool settled(struct watch *w, double from, double v, double close, double noise)
 {
   if (v == from)
@@ -123,7 +123,7 @@ enum scallop_status scallop_integrator_simulate(struct scallop_integrator *integ
   return conclude(status, &s.at, steady);
 }
 
-/* The map at a start velocity, as it was found. */
+/* The computed map at a start velocity. */
 struct tried {
   double v0, change, displacement;
 };
@@ -156,7 +156,7 @@ static void bracket(const struct scallop_scaled *s, double *lo, double *hi)
   *hi = margin * s->velocity * fmax(s->mu2 * e, s->mu1 * c);
 }
 
-/* Where Brent's method ends: at a velocity that it tried, or at none. */
+/* Records v and its displacement if v is a velocity that Brent's method tried. */
 static void take(struct root_search *r, double v)
 {
   for (int i = 0; i < r->count; i++)

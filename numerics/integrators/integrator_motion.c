@@ -74,7 +74,7 @@ static void stick(struct integrator_motion *m, double end)
   double begin = m->t, t = end;
   if (released != 0) {
     set_mode(m, body == 0 ? released : m->sign[0], body == 0 ? m->sign[1] : released);
-    t = fmax(begin, fmin(turning_time(m, body), end)); /* fmin passes over a nan */
+    t = fmax(begin, fmin(turning_time(m, body), end)); /* fmin ignores a nan */
     m->phases.events++;
   }
   rest(m, body, t);
@@ -97,7 +97,7 @@ static void enter(struct integrator_motion *m, const struct scallop_piece *piece
     bool resting = v == 0 || (!anew && m->sign[body] == 0);
     sign[body] = resting ? from_rest(m, body, m->t) : v > 0 ? 1 : -1;
   }
-  if (sign[0] == 0) /* then l' moves the other, even where it is still 0 and friction could hold both */
+  if (sign[0] == 0) /* then l' moves the other, even while l' is 0 and friction could hold both */
     sign[1] = other_direction(m, 0);
   set_mode(m, sign[0], sign[1]);
 }
@@ -117,7 +117,7 @@ static enum scallop_status run_phase(struct integrator_phases *phases, const str
       else
         slide(m, end);
     }
-    phases->c = m->y[0] + phases->mu[1] * integrator_gait_velocity(m, end); /* goes on where l' jumps */
+    phases->c = m->y[0] + phases->mu[1] * integrator_gait_velocity(m, end); /* continues over a jump of l' */
   }
   phases->x = m->y[1];
   return m->status;

@@ -1,6 +1,6 @@
-/* What the integrators that locate events share: everything but the steps. The pieces of the gait, the mode, what the
- * forces decide when a velocity reaches zero, and the motion of a stuck body, which needs no integration: x1' = 0, or
- * x1' = -l'. An integrator brings the integration of
+/* The common part of the integrators that locate events: everything except the steps. The pieces of the gait, the mode,
+ * the effect of the forces when a velocity reaches zero, and the motion of a stuck body (without integration: x1' = 0,
+ * or x1' = -l'). An integrator brings the integration of
  *
  *     x1'' = -(m2/M) l'' - (F1 s1 + F2 s2)/M,   x2' = x1' + l'        (the paper, section 2)
  *
@@ -12,9 +12,9 @@
 #include "numerics/integrators/integrator_phases.h"
 
 struct integrator_motion {
-  struct integrator_phases phases; /* first, so that the one is the other                                  */
-  /* Integrates t and y to `end`, which lies in the piece, or to the first event: a body whose velocity falls to zero in
-   * the direction that it has in the mode. That body, or -1. Sets status when it cannot. */
+  struct integrator_phases phases; /* first member: a pointer to it is one to the struct                   */
+  /* Integrates t and y to `end` within the piece, or to the first event: the velocity of a body, counted in its
+   * direction in the mode, falls to zero. Returns that body, or -1. Sets status on failure. */
   int (*slide)(struct integrator_motion *motion, double end);
   const struct scallop_piece *piece;
   double t;       /* since the phase began                                                */
@@ -30,7 +30,7 @@ enum scallop_status integrator_motion_period(struct integrator_motion *motion, c
                                              double v0, const struct scallop_patience *patience,
                                              struct scallop_integrator_period *period);
 
-/* What an integration may ask at each step: false, and the status why, when it is to end. */
+/* Returns whether the integration may take another step; if false, status has the reason. */
 bool integrator_motion_goes_on(struct integrator_motion *motion);
 
 static inline double integrator_gait_velocity(const struct integrator_motion *m, double t)
@@ -50,13 +50,13 @@ static inline double integrator_acceleration(const struct integrator_motion *m, 
   return -m->phases.mu[1] * integrator_gait_acceleration(m, t) - m->drag;
 }
 
-/* A body's velocity counted in the direction of the mode, so that it is an event when this falls to zero. */
+/* Returns a body's velocity counted in the direction of the mode; an event is a fall of this to zero. */
 static inline double integrator_ahead(const struct integrator_motion *m, double v1, double v2, int body)
 {
   return m->sign[body] * (body == 0 ? v1 : v2);
 }
 
-/* Its rate of change. Not x1'' + l'': that cancels when body 2 is far lighter than body 1. */
+/* Returns its rate of change. Not x1'' + l'': that cancels when body 2 is far lighter than body 1. */
 static inline double integrator_ahead_rate(const struct integrator_motion *m, double t, int body)
 {
   double a = integrator_gait_acceleration(m, t);

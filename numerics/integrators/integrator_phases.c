@@ -36,7 +36,7 @@ enum scallop_status integrator_period(struct integrator_phases *r, const struct 
     return status;
   struct scallop_integrator_period answer = { .v_mid = v[0] * s.velocity,
                                               .v_end = v[1] * s.velocity,
-                                              .displacement = r->x * crawler->L, /* l is back where it was */
+                                              .displacement = r->x * crawler->L, /* l has returned */
                                               .steps = r->steps,
                                               .evaluations = r->evaluations,
                                               .events = r->events };

@@ -1,5 +1,5 @@
-/* What all integrators share: a period is an extension and then a contraction. An integrator brings one phase, which
- * takes c, the velocity of the centre of mass, and x, the way of the centre of mass or of body 1, from its start to
+/* The common part of all integrators: a period is an extension and then a contraction. An integrator brings one phase:
+ * it takes c, the velocity of the centre of mass, and x, the way of the centre of mass or of body 1, from its start to
  * its end. Units: L, and the duration of the phase. Private to the integrators. */
 #ifndef SCALLOP_NUMERICS_INTEGRATORS_INTEGRATOR_PHASES_H
 #define SCALLOP_NUMERICS_INTEGRATORS_INTEGRATOR_PHASES_H

@@ -9,12 +9,12 @@
 enum { STEPS_PER_QUESTION = 256 }; /* to patience */
 
 struct moreau {
-  struct scallop_integrator integrator; /* first, so that the one is the other */
+  struct scallop_integrator integrator; /* first member: a pointer to it is one to the struct */
   long steps;
 };
 
 struct run {
-  struct integrator_phases phases; /* first, so that the one is the other */
+  struct integrator_phases phases; /* first member: a pointer to it is one to the struct */
   long steps;
 };
 
@@ -49,7 +49,7 @@ static double gait_velocity(const struct scallop_piece *p, double from_start, do
   return p->velocity + p->acceleration * (p->anchor == SCALLOP_FROM_START ? u : -u);
 }
 
-/* Steps begin + 1 to end, which lie in one piece. The path by the theta rule, theta = 1/2. */
+/* Takes steps begin + 1 to end, all in one piece. The path by the theta rule, theta = 1/2. */
 static void take_steps(struct run *run, const struct scallop_piece *piece, long begin, long end)
 {
   struct integrator_phases *r = &run->phases;

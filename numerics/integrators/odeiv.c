@@ -13,7 +13,7 @@
 enum { DIMENSION = 2, MAX_TRIALS = 2200 /* doubles can be halved no longer */ };
 
 struct odeiv {
-  struct scallop_integrator integrator; /* first, so that the one is the other */
+  struct scallop_integrator integrator; /* first member: a pointer to it is one to the struct */
   gsl_odeiv2_driver *driver;
   gsl_odeiv2_system system;
   double tolerance;
@@ -28,7 +28,7 @@ struct point {
 };
 
 struct run {
-  struct integrator_motion motion; /* first, so that the one is the other */
+  struct integrator_motion motion; /* first member: a pointer to it is one to the struct */
   struct odeiv *tools;
   double close; /* a velocity that counts as zero when an event is located */
   double h;     /* what the step control suggests                          */
@@ -80,8 +80,8 @@ struct bracket {
 };
 
 /* Both ends of the step are ahead of zero, and the velocity turns between them: if it has a minimum
- * there, look at it. As l'' is monotone in a piece the velocity is convex, so it lies above its
- * tangents, which nearly always settles the matter without a step. */
+ * there, look at it. As l'' is monotone in a piece the velocity is convex, so it lies above its tangents; this nearly
+ * always decides without a step. */
 static bool dips(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body), h = to->t - from->t;
@@ -94,9 +94,9 @@ static bool dips(struct run *r, const struct point *from, const struct point *to
   return ahead(r, &lowest, body) <= 0;
 }
 
-/* Does a body's velocity fall to zero within the step, and between what times? A body that starts the step at zero, or
- * behind it by the errors of the steps, has just been let go by the forces, so its zero must come after a turning
- * point: it is found behind zero, and being driven further. */
+/* Returns whether a body's velocity falls to zero within the step; *at brackets the time. A body that starts the step
+ * at zero, or behind it by the errors of the steps, has just been let go by the forces, so its zero must come after a
+ * turning point: it is found behind zero, and being driven further. */
 static bool crosses(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body);
@@ -124,7 +124,7 @@ static double guess(const struct run *r, const struct point *from, const struct 
   return t > at.lo && t < at.hi ? t : 0.5 * (at.lo + at.hi);
 }
 
-/* Takes the step again so that it ends where the velocity of body is zero. */
+/* Repeats the step with its end at the zero of the velocity of body. */
 static void locate(struct run *r, const struct point *from, struct point *to, int body, struct bracket at)
 {
   double t = guess(r, from, to, body, at);

@@ -13,18 +13,18 @@
 
 enum { DIMENSION = 2 };
 
-/* The first step tried in a period, and the longest. Between two layers of friction the velocity is a straight line,
- * which these methods solve exactly, so that the step control would lengthen the step until it leaps over the next
- * layer. Powers of two: steps of a tenth leave an ulp of a phase. */
+/* The first step tried in a period, and the longest. Between two layers of friction the velocity is a straight line.
+ * These methods solve it exactly, and the step control would lengthen the step until it leaps over the next layer.
+ * Powers of two: steps of a tenth leave an ulp of a phase. */
 static const double first_step = 0x1p-10, longest_step = 0x1p-5;
 
 struct smoothed {
-  struct scallop_integrator integrator; /* first, so that the one is the other */
-  gsl_odeiv2_driver *driver;            /* msbdf asks it for the tolerance; else only its parts are used */
+  struct scallop_integrator integrator; /* first member: a pointer to it is one to the struct */
+  gsl_odeiv2_driver *driver;            /* msbdf reads its tolerance; else only its parts are used */
   double delta;
 };
 
-/* The samples of a phase that are to come; of a period none. */
+/* The samples of a phase that are to come; empty for a period. */
 struct watch {
   const struct scallop_crawler *crawler;
   enum scallop_phase_kind kind;
@@ -34,7 +34,7 @@ struct watch {
 };
 
 struct run {
-  struct integrator_phases phases; /* first, so that the one is the other */
+  struct integrator_phases phases; /* first member: a pointer to it is one to the struct */
   const struct smoothed *tools;
   const struct scallop_piece *piece;
   double d; /* the velocity over which friction is smoothed */
@@ -53,7 +53,7 @@ static int equation(double t, const double y[], double dydt[], void *params)
   return GSL_SUCCESS;
 }
 
-/* d tanh(x)/dx. Not 1/cosh(x)^2, which overflows on the way to 0. */
+/* Returns d tanh(x)/dx. Not 1/cosh(x)^2: cosh overflows on the way to 0. */
 static double tanh_slope(double x)
 {
   double t = tanh(x);
@@ -111,7 +111,7 @@ static struct scallop_sample sample_at(const struct run *run, double t, const do
   return s;
 }
 
-/* Takes the samples whose time has come, or is so near that a step to there would be too short. */
+/* Takes the samples that are due now, or so soon that a step to there would be too short. */
 static enum scallop_status take_due(struct run *run, double t, const double y[])
 {
   struct watch *w = &run->watch;
@@ -124,7 +124,7 @@ static enum scallop_status take_due(struct run *run, double t, const double y[])
   return SCALLOP_OK;
 }
 
-/* Each piece begins anew, as l'' may jump there. */
+/* Integrates one piece from a restart, as l'' may jump at its start. */
 static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece)
 {
   struct integrator_phases *r = &run->phases;

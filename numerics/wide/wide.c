@@ -28,7 +28,7 @@ static enum scallop_status check(enum scallop_width width, const struct scallop_
 {
   if (status < 0)
     return status;
-  if (status == SCALLOP_INTERVAL) /* none of them is the one */
+  if (status == SCALLOP_INTERVAL) /* no unique steady state */
     return SCALLOP_EDOMAIN;
   return scallop_width_bits(width) > 0 && scallop_gait_is_exact(crawler->gait) ? SCALLOP_OK : SCALLOP_EDOMAIN;
 }

@@ -1,9 +1,9 @@
 /* The exact solver in wider arithmetic: the same walk from event to event (walk.h), with 64 bits (long double of x86)
  * or 113 (binary128, in software, about a hundred times slower). It estimates the rounding error of a result in double,
- * without FLINT; it proves nothing. It uses none of the double solver's short cuts.
+ * without FLINT; it proves nothing. It does not use the double solver's short cuts.
  *
  * Domain: gaits with exact laws (scallop_gait_is_exact); others are SCALLOP_EDOMAIN, as are steady states that fill an
- * interval, which they can where l' jumps. Parameters are exactly the doubles given. Allocates nothing.
+ * interval (possible if l' jumps). Parameters are exactly the doubles given. Allocates nothing.
  */
 #ifndef SCALLOP_NUMERICS_WIDE_WIDE_H
 #define SCALLOP_NUMERICS_WIDE_WIDE_H
@@ -32,19 +32,19 @@ struct scallop_wide_phase {
 };
 struct scallop_wide_period {
   struct scallop_wide v_start, v_mid, v_end, displacement, multiplier;
-  double displacement_size; /* likewise */
+  double displacement_size; /* size of its parts, as above */
   enum scallop_regime regime;
   struct scallop_modes modes[2];
 };
 struct scallop_wide_steady {
   struct scallop_wide froude, mean_velocity;
   struct scallop_wide friction_work;     /* as scallop_friction_work                         */
-  struct scallop_wide cost_of_transport; /* that over (F1 + F2) |displacement|; nan where it is 0 */
+  struct scallop_wide cost_of_transport; /* friction_work/((F1 + F2) |displacement|); nan for displacement 0 */
   struct scallop_wide_period period;
 };
 
-/* Statuses as those of scallop_phase, scallop_period and scallop_steady; SCALLOP_EDOMAIN also for a width that is not
- * available, and a gait as above; SCALLOP_ERANGE where high is beyond a double's range. */
+/* Statuses as of scallop_phase, scallop_period and scallop_steady; SCALLOP_EDOMAIN also for a width that is not
+ * available, and a gait as above; SCALLOP_ERANGE if high is beyond a double's range. */
 enum scallop_status scallop_wide_phase(enum scallop_width width, const struct scallop_crawler *crawler,
                                        enum scallop_phase_kind kind, double v0, struct scallop_wide_phase *result);
 enum scallop_status scallop_wide_period(enum scallop_width width, const struct scallop_crawler *crawler, double v0,
@@ -65,7 +65,7 @@ struct scallop_period_error {
 struct scallop_steady_error {
   double froude, v_start, v_mid, displacement, mean_velocity, multiplier;
 };
-/* Of a result that the double solver gave for these very arguments. Statuses as above. */
+/* Estimates the error of a result that the double solver gave for exactly these arguments. Statuses as above. */
 enum scallop_status scallop_phase_error(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                         const struct scallop_phase_result *result, struct scallop_phase_error *error);
 enum scallop_status scallop_period_error(const struct scallop_crawler *crawler, double v0,

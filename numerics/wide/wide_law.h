@@ -4,7 +4,7 @@
 /* The circle's number in three doubles: 159 bits. */
 static real circle_number(void) { return (real)0x1.921fb54442d18p+1 + 0x1.1a62633145c07p-53 + -0x1.f1976b7ed8fbcp-109; }
 
-/* Of pi u, 0 <= u <= 1/2, as accurate as u and 1/2 - u are. */
+/* Returns sin(pi u), 0 <= u <= 1/2, as accurate as u and 1/2 - u are. */
 static real half_turn_sine(real u)
 {
   return 4 * u > 1 ? real_cosine(circle_number() * ((real)1 / 2 - u)) : real_sine(circle_number() * u);
@@ -78,7 +78,7 @@ static void walk_curve(const struct scallop_piece *p, real u, real *velocity, re
 
 static real walk_pi(void) { return circle_number(); }
 
-/* Of a shape of sines: max |l'| */
+/* Returns max |l'| of a shape of sines. */
 static real walk_peak(const struct scallop_shape *shape) { return walk_pi() / 2 * (shape->peak > 0); }
 
 /* d|l'|/du at the start or at the end of a phase that begins and ends in curved pieces */

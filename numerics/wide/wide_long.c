@@ -1,4 +1,4 @@
-/* The wider solver in long double, where that is another type than binary128. */
+/* The wider solver in long double, if its type is not binary128. */
 #include <float.h>
 #include <math.h>
 

@@ -27,7 +27,7 @@ struct wide_solver {
 extern const struct wide_solver wide_long, wide_quad;
 
 /* Solves in the cheapest type that resolves a sum of which cancellation leaves the fraction `left` >= 0. Returns false
- * if there is no such type, the gait has no exact law, or a result is no normal number. */
+ * if no such type exists, the gait has no exact law, or a result is no normal number. */
 bool wide_enough_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0, double left,
                        struct scallop_wide_phase *out);
 bool wide_enough_period(const struct scallop_crawler *crawler, double v0, double left, struct scallop_wide_period *out);

@@ -1,4 +1,4 @@
-/* The wider solver in binary128, where the compiler has it or long double is it; else in long double. */
+/* The wider solver in binary128, if the compiler has it or long double is it; else in long double. */
 #include <float.h>
 
 #include "numerics/wide/wide_parts.h"
