@@ -18,7 +18,7 @@
  *     asymptotics/asymptotics.h        the formulas of the paper as published, and users' formulas
  *     asymptotics/observed/order.h     the observed order of a table of h and err, with a verdict; for any method
  * Headers of libscallop alone, not included here:
- *     numerics/certified/certified.h   any number of proven digits (FLINT), with exact parameters
+ *     numerics/certified/certified.h   up to 100 000 proven digits (FLINT), with exact parameters
  *     asymptotics/derived/expansion.h  the derived series, term by term, and formulas in balls (FLINT)
  *     numerics/integrators/integrator.h  methods for comparison, on GSL and SUNDIALS
  *

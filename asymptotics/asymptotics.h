@@ -58,7 +58,7 @@ struct scallop_values scallop_exchanged(const struct scallop_values *values);
 enum scallop_symbol scallop_symbol_exchanged(enum scallop_symbol symbol, int *sign);
 
 /* The quantity of a formula: its name in a formula file, and its constant. "rear" is body 1 in an extension and
- * body 2 in a contraction, whichever body turns; a formula file calls the displacements of the rear and the front
+ * body 2 in a contraction, whichever body reverses; a formula file calls the displacements of the rear and the front
  * body by the number of the body: dx1, dx2. */
 #define SCALLOP_QUANTITY_LIST(QUANTITY) \
   QUANTITY(dT, LAG)                      /* Delta T                                                            */ \
@@ -70,8 +70,8 @@ enum scallop_symbol scallop_symbol_exchanged(enum scallop_symbol symbol, int *si
   QUANTITY(dxC, CENTRE_AT_END) /* geometric centre (x1 + x2)/2, from its start                       */ \
   QUANTITY(v_end, VELOCITY_AT_END) \
   QUANTITY(v_change, VELOCITY_CHANGE)     /* v_end - v0                                                         */ \
-  QUANTITY(v_at_first, VELOCITY_AT_FIRST) /* velocity of the body that turns at t_1: 0 */ \
-  QUANTITY(v_at_last, VELOCITY_AT_LAST)   /* velocity of the body that turns at T - Delta T: 0 */ \
+  QUANTITY(v_at_first, VELOCITY_AT_FIRST) /* velocity of the body that reverses at t_1: 0 */ \
+  QUANTITY(v_at_last, VELOCITY_AT_LAST)   /* velocity of the body that reverses at T - Delta T: 0 */ \
   QUANTITY(v_start, STEADY_VELOCITY)      /* velocity at the start of the extension */ \
   QUANTITY(v_mid, STEADY_V_MID)           /* velocity at the start of the contraction */ \
   QUANTITY(displacement, STEADY_DISPLACEMENT) \
@@ -83,7 +83,7 @@ extern const char *const scallop_quantity_words[SCALLOP_QUANTITIES]; /* "dT", ..
 
 enum scallop_setting { SCALLOP_AT_REST_START, SCALLOP_MOVING_EXTENSION, SCALLOP_MOVING_CONTRACTION, SCALLOP_STEADY };
 
-/* The limits of the steady state: a body turns in both phases, or no body turns in one phase. */
+/* The limits of the steady state for T -> 0: a body reverses in each phase, or no body reverses in one phase. */
 enum scallop_turns { SCALLOP_TURNS_IN_BOTH, SCALLOP_NO_TURN_IN_CONTRACTION, SCALLOP_NO_TURN_IN_EXTENSION };
 
 /* Instead of a remainder: the formula is printed as an equality. */

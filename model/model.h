@@ -15,7 +15,8 @@
 extern "C" {
 #endif
 
-/* Status of every call that can fail. Below zero: failed, outputs unchanged. Above zero: done, with a remark. */
+/* Status of every call that can fail. Below zero: failed, with outputs unchanged unless the function states otherwise.
+ * Above zero: done, with a remark. */
 enum scallop_status {
   SCALLOP_OK = 0,
   SCALLOP_INTERVAL = 1,    /* the steady states fill an interval; both ends are returned   */
@@ -23,7 +24,7 @@ enum scallop_status {
   SCALLOP_EDOMAIN = -1,    /* a parameter is outside its domain                            */
   SCALLOP_ERANGE = -2,     /* a scaled quantity overflows, or underflows and loses digits  */
   SCALLOP_ECONVERGE = -3,  /* an iteration did not converge */
-  SCALLOP_EUNDECIDED = -4, /* undecidable at any finite precision: the motion touches a boundary exactly, or almost */
+  SCALLOP_EUNDECIDED = -4, /* not decided at the highest precision tried: the motion touches a boundary, or almost */
   SCALLOP_ESTOPPED = -5    /* ended early at the caller's request, without a result */
 };
 const char *scallop_status_text(enum scallop_status status); /* returns a constant text */
@@ -31,8 +32,8 @@ const char *scallop_status_text(enum scallop_status status); /* returns a consta
 /* Phases: l grows by the amplitude in an extension, and shrinks by it in a contraction. */
 enum scallop_phase_kind { SCALLOP_EXTENSION = 0, SCALLOP_CONTRACTION = 1 };
 
-/* Origin of the time of a piece. Times near the end of a phase are kept as distances to that end: dT ~ T^3 would
- * vanish in T - dT otherwise. */
+/* Origin of the time of a piece. Times near the end of a phase are kept as distances to that end: dT ~ T^3 (from rest)
+ * would vanish in T - dT otherwise. */
 enum scallop_anchor { SCALLOP_FROM_START = 0, SCALLOP_FROM_END = 1 };
 
 struct scallop_piece;

@@ -1,11 +1,13 @@
-/* numerics/: the event-driven solver. No step size, no tolerance: the motion between two switching times is known in
- * closed form, and only the switching times are solved for. With M = m1 + m2, the velocity c of the centre of mass has
+/* numerics/: the event-driven solver. It has no step size and no tolerance: the motion between two switching times is
+ * known in closed form, and the solver computes only these times. With M = m1 + m2 and the directions s1, s2 of the
+ * bodies, the velocity c of the centre of mass satisfies
+ *
  *     x1' = c - (m2/M) l',   x2' = c + (m1/M) l',   c' = -(F1 s1 + F2 s2)/M,
- * so l' drops out of the dynamics: c is piecewise linear in time, and a body changes direction where c meets (m2/M) l'
- * or -(m1/M) l'. While a body is stuck, c follows its curve. docs/background/theory.md has the rest. Nothing here
- * prints, exits, holds state or uses asymptotics/; the solver allocates nothing, general-purpose methods
- * (integrator.h) do.
- * */
+ *
+ * so l' drops out of c'. While no body is stuck, c is piecewise linear in time, and a body reverses where c meets the
+ * curve (m2/M) l' or -(m1/M) l'. While a body is stuck, c follows the curve of this body. docs/background/theory.md has
+ * the derivation. No function here prints, exits, has a state or uses asymptotics/. The solver allocates nothing;
+ * general-purpose methods (integrator.h) do. */
 #ifndef SCALLOP_NUMERICS_NUMERICS_H
 #define SCALLOP_NUMERICS_NUMERICS_H
 
@@ -27,10 +29,11 @@ struct scallop_modes {
   int count;
   struct scallop_mode kept[SCALLOP_MODES_KEPT];
 };
-/* "++ -+ ++"; text must hold SCALLOP_MODES_TEXT bytes. "..." marks modes that were not kept. */
+/* Writes a text such as "++ -+ ++" with at most SCALLOP_MODES_TEXT bytes; "..." stands for modes that were not kept. */
 void scallop_modes_text(const struct scallop_modes *modes, char *text);
 
-/* sliding: no body is stuck for any length of time, not in a dwell either. at-rest: one body never moves. */
+/* sliding: no body is stuck for any length of time, not even in a dwell. at-rest: one body never moves. stick-slip:
+ * every other motion. */
 enum scallop_regime { SCALLOP_SLIDING, SCALLOP_STICK_SLIP, SCALLOP_AT_REST };
 const char *scallop_regime_text(enum scallop_regime regime);
 
@@ -43,11 +46,11 @@ struct scallop_interval {
   double c_begin, c_end; /* velocity of the centre of mass                                       */
   double c_slope;        /* its rate of change, when no body is stuck                            */
   double glue;           /* a stuck body: c = glue * l'; 0 when no body is stuck, or both rest in a dwell */
-  double x_begin;        /* how far the centre of mass has come since the phase began            */
+  double x_begin;        /* displacement of the centre of mass since the start of the phase      */
 };
 typedef void scallop_visitor(void *context, const struct scallop_interval *interval);
 
-/* The work that an answer took. */
+/* Counts of the work for a result */
 struct scallop_work {
   long periods;          /* solved                                                             */
   long events;           /* changes of mode, and bodies that stick or are released, over all periods */
@@ -65,21 +68,23 @@ struct scallop_phase_result {
   struct scallop_work work; /* periods: 0                                                           */
 };
 
-/* One phase, both bodies starting with velocity v0 (any finite value; 0: from rest). Accuracy: at most 8 units in
- * round-to-nearest; docs/background/stability.md defines the unit and lists the exceptions, and wide.h estimates the
- * error of each result. SCALLOP_EDOMAIN: a bad crawler or v0 not finite; SCALLOP_ERANGE: scaling overflows. */
+/* Solves one phase, with start velocity v0 of both bodies (any finite value; 0: from rest). Accuracy: at most 8 units
+ * in round-to-nearest, as tested, not proven; docs/background/stability.md defines the unit and lists the exceptions,
+ * and wide.h estimates the error of each result. SCALLOP_EDOMAIN: a bad crawler, or v0 not finite; SCALLOP_ERANGE:
+ * scaling overflows or underflows. */
 enum scallop_status scallop_phase(const struct scallop_crawler *crawler, enum scallop_phase_kind kind, double v0,
                                   struct scallop_phase_result *result);
 
-/* Solves the phase of scallop_phase and calls visit for each interval of constant mode, in the order of time. Intervals
- * of no duration are left out. Statuses as scallop_phase, and then visit is not called. */
+/* Calls visit for each interval of constant mode of this phase, in the order of time, without intervals of duration 0.
+ * Statuses as scallop_phase; on failure visit is not called. */
 enum scallop_status scallop_phase_intervals(const struct scallop_crawler *crawler, enum scallop_phase_kind kind,
                                             double v0, scallop_visitor *visit, void *context);
 
-/* An interval in the units of the parameters: in seconds, metres and metres a second, if they are. Bodies have the
- * velocities of just after the beginning and just before the end. Times are good to an ulp or two of tau; velocities
- * and displacements (perhaps differences of larger numbers) to a few ulp of L/tau and of the largest |c|, and of L.
- * Velocity and displacement of a stuck body are exactly 0. A number beyond the doubles is infinite, or 0. */
+/* An interval in the units of the parameters, for instance seconds, metres and metres per second. Velocities of bodies
+ * are those just after the beginning and just before the end. Times are accurate to an ulp or two of tau, the duration
+ * of the phase. Velocities and displacements can be differences of larger numbers: they are accurate to a few ulp of
+ * L/tau and of c, and of L. Velocity and displacement of a stuck body are exactly 0. A number outside the range of
+ * doubles is infinite, or 0. */
 struct scallop_span {
   double t_begin, t_end; /* since the phase began                                                */
   double duration;       /* > 0, to its own last digits, also where t_end - t_begin is rounded to 0 */
@@ -101,7 +106,7 @@ struct scallop_period_result {
   struct scallop_modes modes[2];
 };
 
-/* The period map P(v0): extension, then contraction. Accuracy and statuses as scallop_phase. */
+/* Computes the period map P(v0): extension, then contraction. Accuracy and statuses as scallop_phase. */
 enum scallop_status scallop_period(const struct scallop_crawler *crawler, double v0,
                                    struct scallop_period_result *result);
 
@@ -113,16 +118,17 @@ struct scallop_steady_result {
   struct scallop_work work;
 };
 
-/* The periodic steady state: the start velocity at which the mean friction impulse over a period vanishes. The balance
- * falls monotonically with the start velocity, so a root is always bracketed and found. For a gait with continuous l'
- * it is unique (docs/background/theory.md); for others (constant:0) the roots can fill an interval (Gidoni, Margheri &
- * Rebelo, arXiv 2210.06131): SCALLOP_INTERVAL, the root nearest to 0 in period. Statuses as scallop_phase. */
+/* Finds the periodic steady state: the start velocity at which the mean friction impulse over a period vanishes. This
+ * balance falls monotonically with the start velocity, so a root is always bracketed and found. If l' of the gait is
+ * continuous, the root is unique (docs/background/theory.md). For other gaits (constant:0) the roots can fill an
+ * interval (Gidoni, Margheri & Rebelo, arXiv 2210.06131): the status is then SCALLOP_INTERVAL, and period is the root
+ * nearest to 0. Statuses as scallop_phase. */
 enum scallop_status scallop_steady(const struct scallop_crawler *crawler, struct scallop_steady_result *result);
 
-/* The energy that friction takes in a period of the steady state: the sum over the bodies of F_i times how far body i
- * slides, one way and the other. It takes a second walk through the period, therefore scallop_steady omits it. v_start
- * and v_mid: of that state. Accuracy as scallop_phase. SCALLOP_ERANGE: scaling overflows, or the energy is no normal
- * number; SCALLOP_EDOMAIN: a bad crawler, or a velocity that is not finite. */
+/* Computes the energy that friction takes in a period of the steady state: the sum over the bodies of F_i times the
+ * length of the path of body i. The computation follows the period a second time, therefore scallop_steady does not
+ * include it. v_start and v_mid: of that steady state. Accuracy as scallop_phase. SCALLOP_ERANGE: scaling overflows or
+ * underflows, or the energy is no normal number; SCALLOP_EDOMAIN: a bad crawler, or a velocity that is not finite. */
 enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler, double v_start, double v_mid,
                                           double *work);
 
@@ -148,10 +154,10 @@ struct scallop_phases {
   enum scallop_status *status;
 };
 
-/* Bit for bit what scallop_steady, and scallop_phase from v0[i], give for each, whatever the number of threads (>= 1;
- * at most the number of processors, and 1 if the library is built without OpenMP). If the compiler may fuse
- * multiplications and additions (-ffp-contract=fast; the Makefile forbids it) the last bits of steady states may
- * differ. Return how many have a negative status. Allocate nothing. */
+/* Solve for each crawler, with the same bits as scallop_steady, or as scallop_phase from v0[i], for any number of
+ * threads (>= 1; at most the number of processors is used, and 1 if the library is built without OpenMP). If the
+ * compiler may fuse multiplications and additions (-ffp-contract=fast; the Makefile forbids it), the last bits of
+ * steady states may differ. Return the number of crawlers with a negative status. Allocate nothing. */
 long scallop_steady_batch(const struct scallop_crawlers *crawlers, const struct scallop_steady_states *states,
                           int threads);
 long scallop_phase_batch(const struct scallop_crawlers *crawlers, enum scallop_phase_kind kind, const double *v0,
@@ -166,11 +172,11 @@ struct scallop_sample {
 /* Return false to end the trajectory early. */
 typedef bool scallop_sampler(void *context, const struct scallop_sample *sample);
 
-/* periods >= 1 periods from start velocity v0, each sampled at samples >= 1 equally spaced times t = (n + j/samples) T,
- * and once more at the very end. Velocity and position at the period starts are carried in compensated arithmetic:
- * their error does not grow with the number of periods. Statuses as scallop_phase; SCALLOP_STOPPED if the sampler ended
- * it; SCALLOP_EDOMAIN also for periods or samples < 1; SCALLOP_ERANGE, after the samples before, if a position
- * overflows. */
+/* Samples the motion from start velocity v0 over periods >= 1 periods: at samples >= 1 equally spaced times t = (n +
+ * j/samples) T in each, and at the end of the last. Velocity and position at the starts of periods are summed in
+ * compensated arithmetic, so their rounding errors do not accumulate with the number of periods. Statuses as
+ * scallop_phase; SCALLOP_STOPPED: the sampler ended it; SCALLOP_EDOMAIN also for periods or samples < 1; SCALLOP_ERANGE
+ * also if a position overflows, after the samples before it. */
 enum scallop_status scallop_trajectory(const struct scallop_crawler *crawler, double v0, long periods, long samples,
                                        scallop_sampler *sampler, void *context);
 

@@ -42,7 +42,7 @@ enum scallop_status scallop_series_of_phase(struct scallop_series **series,
                                             enum scallop_phase_kind kind, const fmpq_t v0, slong order, slong precision,
                                             const char **why);
 /* Derives all coefficients of the steady state in the same way; also SCALLOP_EUNDECIDED: for T -> 0 a body touches v =
- * 0 without turning, or is too close to that for this precision. */
+ * 0 without reversing, or is too close to that for this precision. */
 enum scallop_status scallop_series_of_steady(struct scallop_series **series,
                                              const struct scallop_rational_crawler *crawler, slong order,
                                              slong precision, const char **why);

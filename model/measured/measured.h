@@ -43,7 +43,8 @@ struct scallop_measured_gait {
   double L, T, alpha;              /* range, period, fraction of the period from minimum to maximum of l */
 };
 
-/* 5 other curves (suitable kinds, one half of the samples, the other half), and 12 with new noise. */
+/* Numbers of the other curves: 0 to 2 are fits of other suitable kinds, 3 and 4 are fits to every second sample, and 5
+ * to 16 are fits to samples with new noise. */
 enum { SCALLOP_MEASURED_BEST = -1, SCALLOP_MEASURED_OTHERS = 17, SCALLOP_MEASURED_MODELS = 5 };
 struct scallop_measured;
 

@@ -1,12 +1,12 @@
-/* The exact motion in ball arithmetic: every returned digit is proven.
+/* The exact motion in ball arithmetic: every digit that is returned is proven, up to mistakes in this program and in
+ * FLINT. Needs FLINT.
  *
- * Independent of motion.c, and by another route: an error in one shows as a disagreement. Laboratory variables, the
- * velocities of the bodies themselves, forces from Newton's law, P(v) = v solved unchanged; a higher precision makes up
- * for lost digits. Each switching time is enclosed and shown to be the only one in its interval, each mode follows from
- * the forces, and precision is raised until the requested digits hold. A motion that no precision decides is
- * SCALLOP_EUNDECIDED: a body that touches v = 0 exactly, a force exactly at its limit where l'' varies. Needs FLINT.
- * Parameters are exact rationals: nothing is rounded on the way in.
- */
+ * The solver is written independently of motion.c, and by another route, so that the two can disagree: it uses the
+ * velocities of the bodies in the laboratory, computes forces from Newton's law, and solves P(v) = v for the period map
+ * P without rearrangement. The higher precision restores the digits that this loses. Each switching time is enclosed
+ * and shown to be the only one in its interval, each mode follows from the forces, and the precision is raised until
+ * the requested digits hold. If no precision decides a motion, the status is SCALLOP_EUNDECIDED: a body touches v = 0
+ * exactly, or a force is exactly at its limit while l'' varies. Parameters are exact rationals: no input is rounded. */
 #ifndef SCALLOP_NUMERICS_CERTIFIED_CERTIFIED_H
 #define SCALLOP_NUMERICS_CERTIFIED_CERTIFIED_H
 
@@ -17,7 +17,7 @@
 extern "C" {
 #endif
 
-/* 1 <= digits <= this. */
+/* The largest allowed number of digits; the smallest is 1. */
 enum { SCALLOP_MOST_DIGITS = 100000 };
 
 struct scallop_certified_phase {
@@ -34,28 +34,30 @@ struct scallop_certified_phase {
 void scallop_certified_phase_init(struct scallop_certified_phase *phase);
 void scallop_certified_phase_clear(struct scallop_certified_phase *phase);
 
-/* One phase from start velocity v0. Every result is enclosed to a relative radius of 10^-digits; a result that is 0, or
- * cannot be distinguished from 0, to 10^-digits of its natural size (tau, L/tau or L) at least. SCALLOP_EDOMAIN: a
- * parameter outside its domain, digits too, or a gait without an exact law; SCALLOP_EUNDECIDED: see above; *why then
- * names the cause (static text), if why is not NULL. */
+/* Solves one phase from start velocity v0. Every result is enclosed with a relative radius of at most 10^-digits. A
+ * result that is 0, or cannot be distinguished from 0, is enclosed with a radius of at most 10^-digits of its natural
+ * unit: tau, L/tau or L, with the duration tau of the phase. SCALLOP_EDOMAIN: a parameter or digits outside its domain,
+ * or a gait without an exact law; SCALLOP_EUNDECIDED: see the head of this file; *why, if why is not NULL, is then the
+ * reason (a constant text). */
 enum scallop_status scallop_certified_phase(const struct scallop_rational_crawler *crawler,
                                             enum scallop_phase_kind kind, const fmpq_t v0, long digits,
                                             struct scallop_certified_phase *phase, const char **why);
 
 struct scallop_certified_steady {
   arb_t froude, v_start, v_mid, displacement, mean_velocity, multiplier;
-  arb_t friction_work; /* the sum over the bodies of F_i times how far body i slides, one way and the other */
+  arb_t friction_work; /* the sum over the bodies of F_i times the length of the path of body i */
   enum scallop_regime regime;
   struct scallop_modes modes[2];
 };
 void scallop_certified_steady_init(struct scallop_certified_steady *steady);
 void scallop_certified_steady_clear(struct scallop_certified_steady *steady);
 
-/* The steady state, proven to exist and to be the only one: P(v) - v never rises and changes its sign across the ball
- * v_start, over all of which the modes are the same; where l' does not jump it is 0 only once
- * (docs/background/theory.md), else it has one sign beyond either end of the ball. SCALLOP_EUNDECIDED also if the
- * steady states fill an interval, as they can if l' jumps; SCALLOP_EDOMAIN also if l' is not 0 at the start or end of a
- * phase, and the piece is not marked with a jump. Accuracy and statuses as above. */
+/* Solves the steady state, and proves that it exists and is the only one. P(v) - v never rises as v grows, and changes
+ * its sign across the ball v_start; the modes are the same for all start velocities in this ball. If l' does not jump,
+ * P(v) - v is 0 only once (docs/background/theory.md); if l' jumps, it has one sign beyond either end of the ball.
+ * Accuracy and statuses as above. SCALLOP_EUNDECIDED also if the steady states fill an interval, as they can if l'
+ * jumps. SCALLOP_EDOMAIN also if l' is not 0 at the start or the end of a phase and the piece does not declare a
+ * jump. */
 enum scallop_status scallop_certified_steady(const struct scallop_rational_crawler *crawler, long digits,
                                              struct scallop_certified_steady *steady, const char **why);
 
