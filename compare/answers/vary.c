@@ -37,6 +37,31 @@ const char *vary_group(struct request *r)
   return NULL;
 }
 
+/* Returns true if the end is a formula that names what the variable sets. */
+static bool names(const struct request *r, const struct sweep_end *end, const struct sweep_variable *v)
+{
+  int places[FORMULA_STEPS];
+  bool found = false;
+  for (int i = end->is_formula ? formula_places(&end->formula, places) : 0; i-- > 0;) {
+    const char *name = r->required->quantities.item[places[i]].name;
+    found = found || strcmp(name, v->sets) == 0 || strcmp(name, v->name) == 0;
+  }
+  return found;
+}
+
+/* Returns a variable of a slower group with an end that is a formula of this one, or NULL. */
+static const char *used_too_early(const struct request *r, const struct sweep_variable *v)
+{
+  const struct sweep_product *p = last_product(r);
+  for (int g = 0; g < p->groups - 1 && v->target != TARGET_LABEL; g++)
+    for (int i = 0; i < p->group[g].variables; i++) {
+      const struct sweep_variable *slower = &p->group[g].variable[i];
+      if (slower->target != TARGET_LABEL && (names(r, &slower->from, v) || names(r, &slower->to, v)))
+        return slower->name;
+    }
+  return NULL;
+}
+
 /* Adds a variable with valid values. */
 static const char *add(struct request *r, const struct sweep_variable *v)
 {
@@ -53,6 +78,9 @@ static const char *add(struct request *r, const struct sweep_variable *v)
     points *= (double)product->group[i].count;
   if (points > SWEEP_POINTS)
     return wrong_text("%g points: more than %g", points, SWEEP_POINTS);
+  const char *early = used_too_early(r, v);
+  if (early)
+    return wrong_text("the range of %s has an end that depends on %s: give %s first", early, v->sets, v->name);
   g->variable[g->variables++] = *v;
   return NULL;
 }
