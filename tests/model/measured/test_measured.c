@@ -140,7 +140,7 @@ static void one_recording(struct tally *tally, struct random *r)
 
 static void print_tally(const struct tally *tally)
 {
-  const char *const noises[NOISES] = { "none", "0.01 to 0.3 %", "0.3 to 2 %" };
+  const char *const noises[NOISES] = { "0", "0.01 to 0.3 %", "0.3 to 2 %" };
   for (int i = 0; i < NOISES; i++) {
     int inside = 0, all = 0;
     for (int k = 0; k < GAITS; k++) {
