@@ -268,7 +268,7 @@ TEST(a_spline_through_many_knots)
 
 /* 8 units */
 static void all_keep_the_bound(uint64_t seed, int count, struct motion (*draw)(struct random *r, int i), bool solved,
-                                 bool to_epsilon)
+                               bool to_epsilon)
 {
   struct random r = { seed };
   for (int i = 0; i < check_cases(count); i++) {
@@ -281,14 +281,8 @@ static void all_keep_the_bound(uint64_t seed, int count, struct motion (*draw)(s
 }
 
 TEST(bound_for_phases) { all_keep_the_bound(20260701, 140 * ALL_GAITS, phase_of_any_gait, true, true); }
-TEST(bound_for_steady_states)
-{
-  all_keep_the_bound(20260702, 28 * SMOOTH_GAITS, steady_of_smooth_gait, true, true);
-}
-TEST(bound_for_families_of_gaits)
-{
-  all_keep_the_bound(20261212, 2 * 36 * WITHOUT_TURN, of_made_gait, false, false);
-}
+TEST(bound_for_steady_states) { all_keep_the_bound(20260702, 28 * SMOOTH_GAITS, steady_of_smooth_gait, true, true); }
+TEST(bound_for_families_of_gaits) { all_keep_the_bound(20261212, 2 * 36 * WITHOUT_TURN, of_made_gait, false, false); }
 TEST(bound_for_steep_rises) { all_keep_the_bound(20261501, 4 * 54, of_rises, true, false); }
 
 /* Three rises of 1e-8 between dwells: dx1 was off by 7e6 units. */
