@@ -158,7 +158,7 @@ int period(double v0)
   return status;
 }
 
-struct walk {
+struct motion_walk {
   enum scallop_phase_kind kind;
   double begin; /* of the phase */
   int count;
@@ -166,7 +166,7 @@ struct walk {
 
 static void note_interval(void *context, const struct scallop_interval *interval)
 {
-  struct walk *w = context;
+  struct motion_walk *w = context;
   struct scallop_span s = scallop_interval_span(interval, &explorer_crawler, w->kind);
   const double out[] = { w->begin + s.t_begin, w->begin + s.t_end, s.mode.s1, s.mode.s2 };
   if (w->count == EXPLORER_MOST)
@@ -178,7 +178,7 @@ static void note_interval(void *context, const struct scallop_interval *interval
 
 int walk(double v0, int periods)
 {
-  struct walk w = { .count = 0 };
+  struct motion_walk w = { .count = 0 };
   for (int n = 0; n < periods && w.count < EXPLORER_MOST; n++) {
     struct scallop_period_result p;
     enum scallop_status status = scallop_period(&explorer_crawler, v0, &p);

@@ -152,7 +152,7 @@ static struct roots roots_of(const struct polynomial *p)
 }
 
 /* Ends of pieces inside a phase: the offset from the start or, if late, from the end */
-struct place {
+struct polynomial_place {
   double offset;
   bool late, turns; /* l' changes its sign                                                      */
 };
@@ -164,11 +164,11 @@ static double value_at(const struct polynomial *p, double offset, bool late)
 }
 
 /* Returns the root between low and high, to the last digit of its offset from the nearer end. */
-static struct place root_at(const struct polynomial *p, long double low, long double high, bool turns)
+static struct polynomial_place root_at(const struct polynomial *p, long double low, long double high, bool turns)
 {
   double middle = value_at(p, 0.5, false);
   if (low < 0.5L && high > 0.5L && fabs(middle) <= p->noise)
-    return (struct place){ 0.5, false, turns };
+    return (struct polynomial_place){ 0.5, false, turns };
   bool at_low = bernstein_sum(p->b, p->n, low, 1 - low) > 0;
   bool late = low >= 0.5L || (high > 0.5L && (middle > 0) == at_low);
   double lo = (double)(late ? 1 - high : low), hi = (double)(late ? 1 - low : high);
@@ -176,25 +176,25 @@ static struct place root_at(const struct polynomial *p, long double low, long do
   bool sign_lo = late ? !at_low : at_low;
   for (double u; (u = lo + (hi - lo) / 2) > lo && u < hi;)
     *((value_at(p, u, late) > 0) == sign_lo ? &lo : &hi) = u;
-  return (struct place){ hi, late, turns };
+  return (struct polynomial_place){ hi, late, turns };
 }
 
 struct plan {
   long double b[2][MOST + 1]; /* of l', from the start and from the end */
   int n;
-  struct place places[MOST_ROOTS + 3]; /* in the order of time, with the start first and the end last */
+  struct polynomial_place places[MOST_ROOTS + 3]; /* in the order of time, with the start first and the end last */
   int count;
   bool turns; /* some place has turns */
 };
 
-static bool is_later(const struct place *p, const struct place *q)
+static bool is_later(const struct polynomial_place *p, const struct polynomial_place *q)
 {
   if (p->late != q->late)
     return p->late;
   return p->late ? p->offset < q->offset : p->offset > q->offset;
 }
 
-static double distance(const struct place *p, const struct place *q)
+static double distance(const struct polynomial_place *p, const struct polynomial_place *q)
 {
   double s = p->late ? 1 - p->offset : p->offset, t = q->late ? 1 - q->offset : q->offset;
   return p->late == q->late ? fabs(p->offset - q->offset) : fabs(s - t);
@@ -202,7 +202,7 @@ static double distance(const struct place *p, const struct place *q)
 
 /* Adds a place unless it is already in the plan. A change of sign of l' must be exact; a zero of l''' may be off by
  * rounding. */
-static void add_place(struct plan *plan, struct place place)
+static void add_place(struct plan *plan, struct polynomial_place place)
 {
   for (int i = 0; i < plan->count; i++)
     if (distance(&plan->places[i], &place) <= (place.turns ? 0 : 0x1p-40)) {
@@ -232,9 +232,9 @@ static bool make_plan(struct plan *plan)
 {
   long double bend[MOST + 1];
   int n = plan->n, of_bend = n - 2;
-  add_place(plan, (struct place){ 0, false, false });
-  add_place(plan, (struct place){ 0, true, false });
-  add_place(plan, (struct place){ 0.5, false, false });
+  add_place(plan, (struct polynomial_place){ 0, false, false });
+  add_place(plan, (struct polynomial_place){ 0, true, false });
+  add_place(plan, (struct polynomial_place){ 0.5, false, false });
   if (!add_roots(plan, plan->b[0], n, true))
     return false;
   for (int j = 0; j <= of_bend; j++)
@@ -276,7 +276,7 @@ static void set_common_laws(struct scallop_polynomial *g, const struct plan *pla
 }
 
 /* Returns the integral of l' in an extension from the place's anchor to the place, in time or back. */
-static long double way_to(const struct plan *plan, const struct place *place)
+static long double way_to(const struct plan *plan, const struct polynomial_place *place)
 {
   long double sums[MOST + 2] = { 0 }, u = place->offset;
   for (int j = 0; j <= plan->n; j++)
@@ -284,7 +284,7 @@ static long double way_to(const struct plan *plan, const struct place *place)
   return bernstein_sum(sums, plan->n + 1, u, 1 - u) / (plan->n + 1);
 }
 
-static double speed_at(const struct plan *plan, const struct place *place)
+static double speed_at(const struct plan *plan, const struct polynomial_place *place)
 {
   long double u = place->offset;
   return place->turns ? 0 : (double)bernstein_sum(plan->b[place->late], plan->n, u, 1 - u);
@@ -293,9 +293,9 @@ static double speed_at(const struct plan *plan, const struct place *place)
 /* Sets the law of one piece, with l' = 0 exactly at changes of its sign, and the way to the last digit, however short
  * it is. */
 static void set_own_law(struct scallop_polynomial *g, int at, const struct plan *plan, int direction, bool late,
-                        const struct place *begin, const struct place *end)
+                        const struct polynomial_place *begin, const struct polynomial_place *end)
 {
-  const struct place *near = late ? end : begin, *far = late ? begin : end;
+  const struct polynomial_place *near = late ? end : begin, *far = late ? begin : end;
   long double before[MOST + 1], after[MOST + 1], rest[MOST + 1], u = near->offset, v = far->offset, sum = 0;
   double b[MOST + 1] = { 0 };
   divide(plan->b[late], plan->n, v, before, after);
@@ -312,7 +312,8 @@ static void set_own_law(struct scallop_polynomial *g, int at, const struct plan 
 }
 
 /* Returns the sign of l' between two places, in an extension. */
-static int direction_between(const struct plan *plan, const struct place *begin, const struct place *end, bool late)
+static int direction_between(const struct plan *plan, const struct polynomial_place *begin,
+                             const struct polynomial_place *end, bool late)
 {
   long double u = ((long double)begin->offset + end->offset) / 2;
   return bernstein_sum(plan->b[late], plan->n, u, 1 - u) > 0 ? 1 : -1;
@@ -343,7 +344,7 @@ static bool share_amplitude(struct scallop_polynomial *g, const struct plan *pla
 static bool add_pieces(struct scallop_polynomial *g, const struct plan *plan)
 {
   for (int i = 0; i + 1 < plan->count; i++) {
-    const struct place *begin = &plan->places[i], *end = &plan->places[i + 1];
+    const struct polynomial_place *begin = &plan->places[i], *end = &plan->places[i + 1];
     bool late = end->late;
     int direction = direction_between(plan, begin, end, late);
     if (plan->turns)

@@ -267,7 +267,7 @@ const char *branch_of_phase(struct branch *b, struct phase_constants *p, const s
   return branch_from_ends(b, p, sign, sign != 0 ? sign : fmpq_sgn(p->beta[1]));
 }
 
-struct search { /* for the crossings of one piece                                                     */
+struct crossing_search { /* for the crossings of one piece                                                     */
   const struct scallop_piece *piece;
   arb_srcptr level; /* level of |l'|, positive */
 };
@@ -275,7 +275,7 @@ struct search { /* for the crossings of one piece                               
 /* Computes |l'| - level and, with order 2, its derivative, in the form of arb_calc.h. */
 static int excess(arb_ptr value, const arb_t u, void *search, slong order, slong precision)
 {
-  const struct search *s = search;
+  const struct crossing_search *s = search;
   SCOPED(arb, slope);
   excess_at(value, slope, s->piece, s->level, u, precision);
   if (order > 1)
@@ -284,7 +284,7 @@ static int excess(arb_ptr value, const arb_t u, void *search, slong order, slong
 }
 
 /* Finds a place near the single root in the block, by bisection, narrow enough for Newton's method. */
-static void approach(arb_t u, struct search *s, const arf_interval_t block, slong precision)
+static void approach(arb_t u, struct crossing_search *s, const arf_interval_t block, slong precision)
 {
   enum { HALVINGS = 24 };
   arf_interval_t narrow;
@@ -304,7 +304,7 @@ static void approach(arb_t u, struct search *s, const arf_interval_t block, slon
 
 /* Adds the roots in the order of time. Returns false if one is not isolated, or if they are too many. outer: the region
  * above curve 0 or below curve 1. */
-static bool add_roots(struct branch *b, struct search *s, int outer, slong precision)
+static bool add_roots(struct branch *b, struct crossing_search *s, int outer, slong precision)
 {
   enum { DEPTH = 40, MOST_EVALUATIONS = 100000 };
   const bool forward = s->piece->anchor == SCALLOP_FROM_START;
@@ -339,7 +339,7 @@ bool branch_of_level(struct branch *b, const struct phase_constants *p, const ar
   const int outer = arb_is_positive(c) ? 0 : 2;
   const fmpq *q = p->curve[outer == 0 ? 0 : 1];
   SCOPED(arb, level, u, above, slope);
-  struct search s = { .level = level };
+  struct crossing_search s = { .level = level };
   arb_div_fmpz(level, c, fmpq_numref(q), precision);
   arb_mul_fmpz(level, level, fmpq_denref(q), precision);
   scallop_ball_begin(u, &p->shape->pieces[0], precision);

@@ -101,7 +101,7 @@ struct sector {
 };
 
 enum { MOST_SECTORS = 4096, MOST_FOLDS = 8, MOST_PLACES = 64, MOST_WORK = 2500000, CELL_BITS = 64 };
-struct search {
+struct singularity_search {
   const struct continuation *apart, *joined; /* without and with joined crossings                     */
   slong n, precision;
   double last;   /* last direction over pi: the other directions mirror those from 0 to here */
@@ -117,9 +117,9 @@ struct search {
 };
 
 /* Starts a search; both: equations without and with joined crossings; last: last direction over pi, then mirrored. */
-struct search *search_new(const struct continuation both[2], double last, slong precision);
-void search_free(struct search *s);
+struct singularity_search *search_new(const struct continuation both[2], double last, slong precision);
+void search_free(struct singularity_search *s);
 /* Extends the sector with the smallest radius, until all reach the nearest fold. Returns the proven radius in |z|. */
-double search_cover(struct search *s);
+double search_cover(struct singularity_search *s);
 
 #endif

@@ -30,7 +30,7 @@ static bool is_within(acb_srcptr around, acb_srcptr v, slong count)
 
 /* Returns the equations to use around v: joined if crossings that may be joined are close; otherwise the plain ones,
  * with smaller balls. */
-static const struct continuation *equations_at(const struct search *s, acb_srcptr v)
+static const struct continuation *equations_at(const struct singularity_search *s, acb_srcptr v)
 {
   SCOPED(acb, way);
   SCOPED(mag, size);
@@ -43,14 +43,14 @@ static const struct continuation *equations_at(const struct search *s, acb_srcpt
   return s->apart;
 }
 
-static struct sector *add_sector(struct search *s, double r, double step, double from, double to)
+static struct sector *add_sector(struct singularity_search *s, double r, double step, double from, double to)
 {
   struct sector *sector = &s->sector[s->sectors++];
   *sector = (struct sector){ r, step, from, to, r / 4, _acb_vec_init(s->n + 1), _acb_vec_init(s->n + 1) };
   return sector;
 }
 
-static void remove_sector(struct search *s, int i)
+static void remove_sector(struct singularity_search *s, int i)
 {
   _acb_vec_clear(s->sector[i].at, s->n + 1);
   _acb_vec_clear(s->sector[i].around, s->n + 1);
@@ -58,7 +58,8 @@ static void remove_sector(struct search *s, int i)
 }
 
 /* Computes v at r in the direction t on the branch in the box, from a place near it. */
-static bool point_within(acb_ptr v, acb_srcptr near, acb_srcptr box, const struct search *s, double r, double t)
+static bool point_within(acb_ptr v, acb_srcptr near, acb_srcptr box, const struct singularity_search *s, double r,
+                         double t)
 {
   SCOPED_BALLS(around, s->n + 1);
   _acb_vec_set(v, near, s->n);
@@ -67,7 +68,7 @@ static bool point_within(acb_ptr v, acb_srcptr near, acb_srcptr box, const struc
 }
 
 /* Finds the largest disc around z = 0, of 1/2, 1/4, ... */
-static bool find_disc(struct search *s)
+static bool find_disc(struct singularity_search *s)
 {
   enum { TRIES = 60 };
   SCOPED_BALLS(v, s->n + 1);
@@ -86,14 +87,14 @@ static bool find_disc(struct search *s)
 }
 
 /* Adds a sector that begins at the disc. */
-static bool start_sector(struct search *s, double from, double to)
+static bool start_sector(struct singularity_search *s, double from, double to)
 {
   struct sector *sector = add_sector(s, s->disc, s->disc / 4, from, to);
   _acb_vec_set(sector->around, s->start, s->n + 1);
   return point_within(sector->at, s->start, s->start, s, s->disc, (from + to) / 2);
 }
 
-static bool advance(struct search *s, struct sector *sector)
+static bool advance(struct singularity_search *s, struct sector *sector)
 {
   const double to = fmin(sector->r + sector->step, s->reach);
   SCOPED_BALLS(v, s->n + 1);
@@ -113,7 +114,7 @@ static bool advance(struct search *s, struct sector *sector)
 }
 
 /* Splits a sector into halves. */
-static bool split(struct search *s, int i)
+static bool split(struct singularity_search *s, int i)
 {
   if (s->sectors + 2 > MOST_SECTORS)
     return false;
@@ -140,7 +141,7 @@ static double upper_size(const acb_t z)
 }
 
 /* Adds a place, and returns true, unless it was found before. */
-static bool is_new(struct search *s, const acb_t z)
+static bool is_new(struct singularity_search *s, const acb_t z)
 {
   for (int i = 0; i < s->places; i++)
     if (acb_overlaps(s->place + i, z))
@@ -162,7 +163,7 @@ static double direction_of(const acb_t z)
 }
 
 /* Returns true if the branch, continued straight to the fold, reaches its neighbourhood: a sector of zero width. */
-static bool is_met(struct search *s, const struct fold *f)
+static bool is_met(struct singularity_search *s, const struct fold *f)
 {
   enum { STEPS = 1000 };
   const double rounding = 1e-9;
@@ -179,7 +180,7 @@ static bool is_met(struct search *s, const struct fold *f)
   return met;
 }
 
-static void look_for_fold(struct search *s, struct sector *sector)
+static void look_for_fold(struct singularity_search *s, struct sector *sector)
 {
   struct fold *f = &s->fold[s->folds];
   if (s->folds == MOST_FOLDS)
@@ -194,7 +195,7 @@ static void look_for_fold(struct search *s, struct sector *sector)
 }
 
 /* Returns true if the rest of the sector, up to reach, has no singularity except the fold. */
-static bool ends_in_fold(const struct search *s, const struct sector *sector)
+static bool ends_in_fold(const struct singularity_search *s, const struct sector *sector)
 {
   SCOPED(acb, way);
   for (const struct fold *f = s->fold; f < s->fold + s->folds; f++) {
@@ -206,7 +207,7 @@ static bool ends_in_fold(const struct search *s, const struct sector *sector)
   return false;
 }
 
-static int nearest_sector(const struct search *s)
+static int nearest_sector(const struct singularity_search *s)
 {
   int best = 0;
   for (int i = 1; i < s->sectors; i++)
@@ -215,7 +216,7 @@ static int nearest_sector(const struct search *s)
   return best;
 }
 
-double search_cover(struct search *s)
+double search_cover(struct singularity_search *s)
 {
   enum { SECTORS = 8 };
   const double far = 0x1p40, narrow = 0x1p-36;
@@ -243,7 +244,7 @@ double search_cover(struct search *s)
   return sound && s->sectors == 0 ? s->reach : covered;
 }
 
-void search_free(struct search *s)
+void search_free(struct singularity_search *s)
 {
   while (s->sectors > 0)
     remove_sector(s, 0);
@@ -254,10 +255,10 @@ void search_free(struct search *s)
   flint_free(s);
 }
 
-struct search *search_new(const struct continuation both[2], double last, slong precision)
+struct singularity_search *search_new(const struct continuation both[2], double last, slong precision)
 {
-  struct search *s = flint_malloc(sizeof *s);
-  *s = (struct search){
+  struct singularity_search *s = flint_malloc(sizeof *s);
+  *s = (struct singularity_search){
     .apart = &both[0], .joined = &both[1], .n = both[0].n, .precision = precision, .last = last, .reach = INFINITY
   };
   s->start = _acb_vec_init(s->n + 1);

@@ -19,7 +19,7 @@ void scallop_singularity_clear(struct scallop_singularity *s)
 }
 
 /* Adds the values with a branch point at a fold. The mirror image of an even fold exchanges v_mid and v_start. */
-static void add_shown(struct scallop_singularity *to, const struct search *s, const struct fold *f)
+static void add_shown(struct scallop_singularity *to, const struct singularity_search *s, const struct fold *f)
 {
   SCOPED(acb, gain);
   for (int k = 0; k < CONTINUED_VALUES; k++) {
@@ -31,7 +31,7 @@ static void add_shown(struct scallop_singularity *to, const struct search *s, co
 }
 
 /* Sets the nearest place, and adds the values of all folds that may be nearest. */
-static void set_place(struct scallop_singularity *to, const struct search *s)
+static void set_place(struct scallop_singularity *to, const struct singularity_search *s)
 {
   SCOPED(arb, size);
   arb_pos_inf(to->T);
@@ -74,7 +74,7 @@ static void nothing_found(struct scallop_singularity *to, slong power, bool even
 /* Finds the singularity; both: the equations without and with joined crossings. */
 static void find(struct scallop_singularity *to, const struct continuation both[2], bool even, slong precision)
 {
-  struct search *s = search_new(both, even ? 0.5 : 1, precision);
+  struct singularity_search *s = search_new(both, even ? 0.5 : 1, precision);
   nothing_found(to, 3 - both[0].power, even);
   double covered = search_cover(s);
   to->found = s->folds > 0;

@@ -44,19 +44,19 @@ struct entry {
 };
 enum { MOST_ENTRIES = 512 };
 
-struct run {
+struct row_range {
   const struct entry *entry; /* from the coarsest h on */
   int count;
   double weight, x, y, xx, xy; /* their sum, means, and sums of products of x and y without the means */
   double coarsest, finest;     /* values of x */
 };
 
-static double x_of(const struct run *r, int i) { return r->entry[i].x - r->x; }
-static double y_of(const struct run *r, int i) { return r->entry[i].y - r->y; }
+static double x_of(const struct row_range *r, int i) { return r->entry[i].x - r->x; }
+static double y_of(const struct row_range *r, int i) { return r->entry[i].y - r->y; }
 
-static struct run run_of(const struct entry *entry, int count)
+static struct row_range run_of(const struct entry *entry, int count)
 {
-  struct run r = { entry, count, 0, 0, 0, 0, 0, entry[0].x, entry[count - 1].x };
+  struct row_range r = { entry, count, 0, 0, 0, 0, 0, entry[0].x, entry[count - 1].x };
   for (int i = 0; i < count; i++) {
     r.weight += entry[i].weight;
     r.x += entry[i].weight * entry[i].x;
@@ -89,7 +89,7 @@ struct bend_terms {
   double known, term, known_order, term_order;
 };
 
-static struct bend_terms bend_terms_at(const struct run *r, const struct bend *b, double x)
+static struct bend_terms bend_terms_at(const struct row_range *r, const struct bend *b, double x)
 {
   struct bend_terms at = { 0, 0, 0, 0 };
   if (!b->shape)
@@ -108,14 +108,14 @@ static struct bend_terms bend_terms_at(const struct run *r, const struct bend *b
 }
 
 /* Returns the local order at log h = x. */
-static double order_at(const struct run *r, const struct bend *b, double x)
+static double order_at(const struct row_range *r, const struct bend *b, double x)
 {
   struct bend_terms at = bend_terms_at(r, b, x);
   return b->slope + at.known_order + b->factor * at.term_order;
 }
 
 /* Fits y minus the known part by least squares, over x and the term. */
-static void fit(const struct run *r, struct bend *b)
+static void fit(const struct row_range *r, struct bend *b)
 {
   struct bend_terms at[MOST_ENTRIES] = { { 0, 0, 0, 0 } };
   double known = 0, term = 0, yx = r->xy, tx = 0, tt = 0, ty = 0;
@@ -143,7 +143,7 @@ static void fit(const struct run *r, struct bend *b)
   }
 }
 
-static struct bend bend_at(const struct run *r, const struct shape *shape, double t)
+static struct bend bend_at(const struct row_range *r, const struct shape *shape, double t)
 {
   struct bend b = { shape, expm1(t), 0, 0, 0, 0, 0 };
   fit(r, &b);
@@ -152,7 +152,7 @@ static struct bend bend_at(const struct run *r, const struct shape *shape, doubl
 
 /* Refines c of the best bend, with low <= log(1 + c) <= high: Newton's method on the linearized residuals, with shorter
  * steps if it fails. */
-static struct bend refine(const struct run *r, struct bend best, double low, double high)
+static struct bend refine(const struct row_range *r, struct bend best, double low, double high)
 {
   double step = best.factor;
   for (int k = 0; k < MOST_STEPS && fabs(step) > SMALL_STEP; k++) {
@@ -166,7 +166,7 @@ static struct bend refine(const struct run *r, struct bend best, double low, dou
 
 /* Returns the bend with the best c, between an almost complete cancellation by the second term and equal size of both
  * terms at the far end; starts from the best of a grid, or from 0. */
-static struct bend best_of(const struct run *r, const struct shape *shape)
+static struct bend best_of(const struct row_range *r, const struct shape *shape)
 {
   struct bend none = bend_at(r, shape, 0);
   if (shape->kind == TREND_CREEPING)
@@ -190,7 +190,7 @@ static double half_width(const struct bend *b, int dof)
 
 /* Returns the first term that vanishes as h -> 0 and is about as good as the best of these, unless another is much
  * better. Four points leave one degree of freedom, with which dominating terms fit by chance. */
-static struct bend best_bend(const struct run *r, struct trend *t)
+static struct bend best_bend(const struct row_range *r, struct trend *t)
 {
   struct bend bends[SHAPES], other;
   double least = INFINITY, least_other = INFINITY;
@@ -227,7 +227,7 @@ static struct bend best_bend(const struct run *r, struct trend *t)
 /* Returns true if rounding and noise of at most e_k explain the residuals: if the errors are C h^p up to these, in
  * logarithms, the residuals of least squares are at most the sum over k of |1_ik - H_ik| e_k, H_ik = 1/n + x_i x_k/sum
  * x^2. */
-static bool explained_by_rounding(const struct run *r, const struct bend *line)
+static bool explained_by_rounding(const struct row_range *r, const struct bend *line)
 {
   bool explained = r->count > 0 && r->entry[0].moved > 0;
   for (int i = 0; i < r->count && explained; i++) {
@@ -241,9 +241,9 @@ static bool explained_by_rounding(const struct run *r, const struct bend *line)
 }
 
 /* Returns true if a line through all but the finest point is better than the bend by a factor FINEST. */
-static bool finest_is_off(const struct run *r, const struct bend *bend)
+static bool finest_is_off(const struct row_range *r, const struct bend *bend)
 {
-  struct run without = run_of(r->entry, r->count - 1);
+  struct row_range without = run_of(r->entry, r->count - 1);
   return bend_at(&without, NULL, 0).left * FINEST < bend->left;
 }
 
@@ -279,8 +279,8 @@ static void note_rounding(struct entry *entry, const struct scallop_order_point 
 }
 
 /* Returns a run with lower weights for errors near noise of this level. */
-static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points, int count,
-                                double level)
+static struct row_range run_of_points(struct entry entry[MOST_ENTRIES], const struct scallop_order_point *points,
+                                      int count, double level)
 {
   const int together = (count + MOST_ENTRIES - 1) / MOST_ENTRIES;
   for (int i = 0; i < count; i++) {
@@ -298,7 +298,7 @@ static struct run run_of_points(struct entry entry[MOST_ENTRIES], const struct s
 struct trend trend_from(const struct judged *j, int first)
 {
   struct entry entry[MOST_ENTRIES] = { { 0, 0, 0, 0 } };
-  struct run r = run_of_points(entry, j->p + first, j->used - first, j->level);
+  struct row_range r = run_of_points(entry, j->p + first, j->used - first, j->level);
   struct bend line = bend_at(&r, NULL, 0);
   const double p = line.slope, half = half_width(&line, r.count - 2);
   struct trend t = { TREND_STRAIGHT, false, false, j->used - first, p, half, p, p, p, half, p, p };

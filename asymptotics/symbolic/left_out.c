@@ -12,7 +12,7 @@
 #include "asymptotics/symbolic/reduced.h"
 
 /* The motion of a formula, expanded in symbols */
-struct motion {
+struct expanded_motion {
   const struct scallop_rational_crawler *crawler;
   enum scallop_phase_kind kind;
   bool is_steady, from_rest;
@@ -22,7 +22,7 @@ struct motion {
   struct symbolic_steady steady;
 };
 
-static void motion_end(struct motion *m)
+static void motion_end(struct expanded_motion *m)
 {
   scallop_expansion_clear(&m->phase);
   symbols_end(&m->symbols);
@@ -49,7 +49,7 @@ static void in_amplitudes(fmpq_t value, const struct symbol *symbol, const struc
   fmpq_div(value, value, crawler->L);
 }
 
-static symbolic derivative_value(struct motion *m, const struct derivative *d)
+static symbolic derivative_value(struct expanded_motion *m, const struct derivative *d)
 {
   const struct symbol symbol = { .meaning = d->meaning, .derivative = d->derivative, .kind = m->kind };
   struct symbols *s = &m->symbols;
@@ -61,7 +61,7 @@ static symbolic derivative_value(struct motion *m, const struct derivative *d)
 }
 
 /* Returns true if the formula or the law of the gait contains pi. */
-static bool needs_pi(const struct motion *m, const struct formula *formula)
+static bool needs_pi(const struct expanded_motion *m, const struct formula *formula)
 {
   bool needs = !scallop_gait_is_rational(m->crawler->gait);
   for (int i = 0; i < formula->count; i++)
@@ -70,7 +70,7 @@ static bool needs_pi(const struct motion *m, const struct formula *formula)
 }
 
 /* Lists the symbols of a phase in their usual order, and further symbols of the formula. */
-static void list_symbols(struct motion *m, const struct formula *formula)
+static void list_symbols(struct expanded_motion *m, const struct formula *formula)
 {
   static const enum symbol_meaning first[] = { NAMED_m1, NAMED_m2, NAMED_M, NAMED_F1, NAMED_F2, NAMED_L, NAMED_v0 };
   int places[FORMULA_STEPS], count = formula_places(formula, places);
@@ -103,7 +103,7 @@ static slong terms_for(const struct formula *formula, slong power)
   return terms < SYMBOLIC_ORDERS ? terms : SYMBOLIC_ORDERS;
 }
 
-static const char *expand(struct motion *m, const struct formula *formula, const fmpq_t v0, slong power)
+static const char *expand(struct expanded_motion *m, const struct formula *formula, const fmpq_t v0, slong power)
 {
   const char *why = NULL;
   if (needs_pi(m, formula))
@@ -119,7 +119,8 @@ static const char *expand(struct motion *m, const struct formula *formula, const
 }
 
 /* Derives the quantity of the formula for the motion; returns false if it has no formula. */
-static bool derive(struct series *derived, struct motion *m, enum scallop_quantity quantity, const struct ring *ring)
+static bool derive(struct series *derived, struct expanded_motion *m, enum scallop_quantity quantity,
+                   const struct ring *ring)
 {
   const struct series *expanded = scallop_expansion_of(&m->phase, quantity);
   const symbolic closed = !m->is_steady                         ? NULL
@@ -138,7 +139,7 @@ static bool derive(struct series *derived, struct motion *m, enum scallop_quanti
 }
 
 /* Sets the values of the names in the formula. */
-static void set_names(struct scallop_symbols *names, struct motion *m, const struct ring *ring)
+static void set_names(struct scallop_symbols *names, struct expanded_motion *m, const struct ring *ring)
 {
   static const struct {
     enum scallop_symbol symbol;
@@ -168,7 +169,7 @@ static void set_names(struct scallop_symbols *names, struct motion *m, const str
 
 /* Sets F2 to F1 if the forces of all these crawlers are equal. of_gait: sets derivatives of l to this gait's values, a
  * number of amplitudes, times a power of pi. */
-static void set_replacements(struct replacements *r, const struct motion *m, bool of_gait)
+static void set_replacements(struct replacements *r, const struct expanded_motion *m, bool of_gait)
 {
   const struct symbols *s = &m->symbols;
   if (m->equal_forces)
@@ -187,7 +188,7 @@ static slong length_of(symbolic a, const struct symbols *s)
 }
 
 /* Returns the coefficient of T^power, NULL if unknown; with M and beta if shorter. of_gait: see set_replacements */
-static symbolic coefficient_of(struct motion *m, const struct series *difference, slong power, bool of_gait)
+static symbolic coefficient_of(struct expanded_motion *m, const struct series *difference, slong power, bool of_gait)
 {
   struct symbols *s = &m->symbols;
   symbolic term = symbolic_coefficient(s, difference, power);
@@ -201,7 +202,8 @@ static symbolic coefficient_of(struct motion *m, const struct series *difference
 }
 
 /* Finds the first power up to T^most with a nonzero coefficient, or most + 1. Returns false if one is unknown. */
-static bool first_power(slong *power, struct motion *m, const struct series *difference, slong most, bool of_gait)
+static bool first_power(slong *power, struct expanded_motion *m, const struct series *difference, slong most,
+                        bool of_gait)
 {
   symbolic found = NULL;
   for (*power = difference->first < most ? difference->first : most; *power <= most; ++*power)
@@ -210,7 +212,7 @@ static bool first_power(slong *power, struct motion *m, const struct series *dif
   return *power > most || found;
 }
 
-static char *write(struct motion *m, symbolic found, slong power)
+static char *write(struct expanded_motion *m, symbolic found, slong power)
 {
   struct written written = symbolic_written(&m->symbols, found, power, &language_text);
   size_t size = strlen(written.text) + 2;
@@ -220,7 +222,7 @@ static char *write(struct motion *m, symbolic found, slong power)
   return text;
 }
 
-static void evaluate(fmpq_t coefficient, const struct motion *m, symbolic found, const fmpq_t v0)
+static void evaluate(fmpq_t coefficient, const struct expanded_motion *m, symbolic found, const fmpq_t v0)
 {
   fmpq *values = _fmpq_vec_init(m->symbols.count);
   symbols_values(values, &m->symbols, m->crawler, v0, NULL);
@@ -228,7 +230,7 @@ static void evaluate(fmpq_t coefficient, const struct motion *m, symbolic found,
   _fmpq_vec_clear(values, m->symbols.count);
 }
 
-static const char *find(struct left_out *l, struct motion *m, const struct scallop_formula *f, const fmpq_t v0,
+static const char *find(struct left_out *l, struct expanded_motion *m, const struct scallop_formula *f, const fmpq_t v0,
                         slong most, char message[FORMULA_MESSAGE])
 {
   const struct ring ring = { SYMBOLIC_ORDERS + 2, 2 };
@@ -272,10 +274,10 @@ const char *symbolic_left_out(struct left_out *l, const struct scallop_formula *
                               const fmpq_t v0, slong most, char message[FORMULA_MESSAGE])
 {
   ENDED_BY(motion_end)
-  struct motion m = { .crawler = crawler,
-                      .kind = kind,
-                      .is_steady = f->setting == SCALLOP_STEADY,
-                      .from_rest = f->setting == SCALLOP_AT_REST_START };
+  struct expanded_motion m = { .crawler = crawler,
+                               .kind = kind,
+                               .is_steady = f->setting == SCALLOP_STEADY,
+                               .from_rest = f->setting == SCALLOP_AT_REST_START };
   struct formula formula;
   symbols_init(&m.symbols);
   scallop_expansion_init(&m.phase);

@@ -124,7 +124,7 @@ bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width
 
 /* A walk through the phases of a motion: its segments in order, and the position of the rear body, relative to its
  * start and in units of L, at the first and at the last change of mode */
-struct walk {
+struct segment_walk {
   struct segment *segment;
   int count;
   const struct scallop_crawler *crawler;
@@ -134,7 +134,7 @@ struct walk {
   double first, last;
 };
 
-static double rear_position(const struct walk *w, const struct scallop_interval *i)
+static double rear_position(const struct segment_walk *w, const struct scallop_interval *i)
 {
   bool extension = w->phase == SCALLOP_EXTENSION;
   double stroke = extension ? 1 : -1, way = i->piece->anchor == SCALLOP_FROM_END ? stroke : 0;
@@ -144,7 +144,7 @@ static double rear_position(const struct walk *w, const struct scallop_interval 
 
 static void note_interval(void *context, const struct scallop_interval *i)
 {
-  struct walk *w = context;
+  struct segment_walk *w = context;
   const struct scallop_span span = scallop_interval_span(i, w->crawler, w->phase);
   const struct scallop_mode was = w->now.mode;
   bool continues = w->count > 0 && w->now.phase == w->phase && was.s1 == span.mode.s1 && was.s2 == span.mode.s2;
@@ -163,7 +163,7 @@ static void note_interval(void *context, const struct scallop_interval *i)
 int motion_segments(struct segment segments[MAX_SEGMENTS], const struct motion *m, const struct answer *answer)
 {
   const double v0[] = { answer->value[Q_V_START].high, answer->value[Q_V_MID].high };
-  struct walk w = { .segment = segments, .crawler = &m->crawler, .phase = m->phase };
+  struct segment_walk w = { .segment = segments, .crawler = &m->crawler, .phase = m->phase };
   if (m->of == OF_PHASE)
     scallop_phase_intervals(w.crawler, w.phase, m->v0, note_interval, &w);
   for (int kind = 0; kind < 2 && m->of == OF_STEADY; kind++) {
@@ -177,7 +177,7 @@ int motion_segments(struct segment segments[MAX_SEGMENTS], const struct motion *
 static enum scallop_status find_turnings(struct answer *a, const struct motion *m)
 {
   struct segment segments[MAX_SEGMENTS];
-  struct walk w = { .segment = segments, .crawler = &m->crawler, .phase = m->phase, .first = NAN, .last = NAN };
+  struct segment_walk w = { .segment = segments, .crawler = &m->crawler, .phase = m->phase, .first = NAN, .last = NAN };
   enum scallop_status status = scallop_phase_intervals(w.crawler, w.phase, m->v0, note_interval, &w);
   a->value[Q_AT_FIRST].high = w.first * m->crawler.L;
   a->value[Q_AT_LAST].high = w.last * m->crawler.L;

@@ -9,19 +9,19 @@
 #include "compare/text/progress.h"
 #include "compare/tables/table.h"
 
-struct output {
+struct breakdown_output {
   const struct breakdown_options *options;
   struct study study;
   struct table table;
   long rows;
 };
 
-static bool is_requested(const struct output *r, const char *kind)
+static bool is_requested(const struct breakdown_output *r, const char *kind)
 {
   return !r->options->only.given || strcmp(r->options->only.value, kind) == 0;
 }
 
-static bool is_about(const struct output *r, enum quantity_id q)
+static bool is_about(const struct breakdown_output *r, enum quantity_id q)
 {
   const struct optional_word *only = &r->options->quantity;
   return motion_has(&r->study.motion, q) && (!only->given || strcmp(only->value, quantity_rows[q].name) == 0);
@@ -34,8 +34,8 @@ struct row {
   const char *modes_text, *note, *evidence;
 };
 
-static struct row row_of(const struct output *r, const char *kind, enum quantity_id quantity, const char *series,
-                         double T)
+static struct row row_of(const struct breakdown_output *r, const char *kind, enum quantity_id quantity,
+                         const char *series, double T)
 {
   const char *name = quantity < QUANTITIES ? quantity_rows[quantity].name : "-";
   double froude = motion_froude(&r->study.motion, T);
@@ -64,9 +64,9 @@ static const struct table_column of_recording[] = {
   { .name = NULL },
 };
 
-static bool is_recorded(const struct output *r) { return gait_file_of(r->study.motion.crawler.gait) != NULL; }
+static bool is_recorded(const struct breakdown_output *r) { return gait_file_of(r->study.motion.crawler.gait) != NULL; }
 
-static void write_row(struct output *r, struct row *row, const char *note, const char *evidence)
+static void write_row(struct breakdown_output *r, struct row *row, const char *note, const char *evidence)
 {
   char modes[MOTION_MODES_TEXT];
   row->modes_text = row->modes ? motion_modes_text(modes, r->study.motion.of, row->modes) : "-";
@@ -79,7 +79,7 @@ static void write_row(struct output *r, struct row *row, const char *note, const
 }
 
 /* Writes the first row: the limit, and the T up to which the motion is proven to have its modes. */
-static void write_limit(struct output *r)
+static void write_limit(struct breakdown_output *r)
 {
   enum { BITS = 128 };
   struct row row = row_of(r, "transition", QUANTITIES, "-", 0);
@@ -96,7 +96,7 @@ static void write_limit(struct output *r)
   write_row(r, &row, note, proven ? "certified" : *r->study.derived.modes ? "derived" : "double");
 }
 
-static void write_changes(struct output *r, const char *kind, enum quantity_id of, const struct transition *e,
+static void write_changes(struct breakdown_output *r, const char *kind, enum quantity_id of, const struct transition *e,
                           long count)
 {
   for (const struct transition *end = e + count; e < end; e++) {
@@ -108,7 +108,7 @@ static void write_changes(struct output *r, const char *kind, enum quantity_id o
   }
 }
 
-static void write_reach(struct output *r, const struct comparison *c)
+static void write_reach(struct breakdown_output *r, const struct comparison *c)
 {
   const char *note, *evidence = "binary128";
   double T = comparison_reach(c);
@@ -133,7 +133,7 @@ static void write_reach(struct output *r, const struct comparison *c)
   write_row(r, &row, note, evidence);
 }
 
-static void write_reaches(struct output *r, enum quantity_id quantity)
+static void write_reaches(struct breakdown_output *r, enum quantity_id quantity)
 {
   static const double usual[] = { BREAKDOWN_TOLERANCES };
   const struct optional_number *given = &r->options->tolerance;
@@ -145,7 +145,7 @@ static void write_reaches(struct output *r, enum quantity_id quantity)
         write_reach(r, &(struct comparison){ &r->study, items[i], given->given ? given->value : usual[k] });
 }
 
-static void write_radius(struct output *r, enum quantity_id quantity)
+static void write_radius(struct breakdown_output *r, enum quantity_id quantity)
 {
   const struct transition *first = r->study.transitions.count > 0 ? r->study.transitions.transition : NULL;
   struct radius radius;
@@ -166,14 +166,14 @@ static void write_radius(struct output *r, enum quantity_id quantity)
  * by factors of sqrt(2) */
 enum { BEST_BELOW = 8, BEST_ABOVE = 4, BEST = BEST_BELOW + 1 + BEST_ABOVE };
 
-static double time_of_best(const struct output *r, int i)
+static double time_of_best(const struct breakdown_output *r, int i)
 {
   double about = r->study.transitions.count > 0 ? r->study.transitions.transition[0].T
                                                 : motion_natural_time(&r->study.motion);
   return i == BEST_BELOW ? about * (1 - 1e-9) : about * exp2((i - BEST_BELOW) / 2.0);
 }
 
-static void write_best(struct output *r, enum quantity_id quantity)
+static void write_best(struct breakdown_output *r, enum quantity_id quantity)
 {
   for (int i = 0; i < BEST; i++) {
     struct row row = row_of(r, "best", quantity, "derived", time_of_best(r, i));
@@ -188,7 +188,7 @@ static void write_best(struct output *r, enum quantity_id quantity)
   }
 }
 
-static void write_rows(struct output *r)
+static void write_rows(struct breakdown_output *r)
 {
   const struct transitions *e = &r->study.transitions;
   if (is_requested(r, "transition") && !r->options->quantity.given) {
@@ -210,7 +210,7 @@ static void write_rows(struct output *r)
   }
 }
 
-static bool begin(struct output *r)
+static bool begin(struct breakdown_output *r)
 {
   const struct request *request = &r->options->request;
   const struct motion *m = &r->study.motion;
@@ -240,7 +240,7 @@ static bool begin(struct output *r)
   return true;
 }
 
-static enum exit_code write_table(struct output *r)
+static enum exit_code write_table(struct breakdown_output *r)
 {
   bool derived = r->study.derived.status == SCALLOP_OK;
   if (!derived && r->options->only.given && (is_requested(r, "radius") || is_requested(r, "best"))) {
@@ -267,14 +267,14 @@ static enum exit_code write_table(struct output *r)
 
 static bool is_of_a_row(const void *context, const struct scallop_formula *f)
 {
-  const struct output *r = context;
+  const struct breakdown_output *r = context;
   bool is = false;
   for (enum quantity_id q = 0; q < QUANTITIES; q++)
     is |= is_about(r, q) && series_is_about(f, &r->study.motion, q);
   return is;
 }
 
-static bool has_formulas(const struct output *r)
+static bool has_formulas(const struct breakdown_output *r)
 {
   const struct optional_word *only = &r->options->quantity;
   const char *what = only->given ? wrong_text("the %s of this motion", only->value) : "this motion";
@@ -286,7 +286,7 @@ enum exit_code breakdown_table(const struct breakdown_options *o)
   const struct point *point = &o->request.point;
   enum quantity_of of = point->has_phase || point->has_v0 ? OF_PHASE : OF_STEADY;
   const struct motion motion = motion_of(point, of);
-  struct output r = { .options = o, .study.motion = motion };
+  struct breakdown_output r = { .options = o, .study.motion = motion };
   if (!has_formulas(&r))
     return EXIT_USAGE;
   const char *why = study_begin(&r.study, &motion, o->order.value);

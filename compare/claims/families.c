@@ -11,7 +11,7 @@
 
 enum varied { VARY_RATIO, VARY_FORCES, VARY_PERIOD }; /* F1/F2, by F1; F2, with F1/F2 kept; T */
 
-struct place { /* speed: mean velocity in L/T, T of the family's crawler; nan without a steady state */
+struct family_point { /* speed: mean velocity in L/T, T of the family's crawler; nan without a steady state */
   double x, speed, v_start;
   bool sliding;
 };
@@ -22,14 +22,14 @@ struct family {
   struct scallop_crawler crawler;
   enum varied varied;
   int count;
-  struct place scan[MAX_PLACES]; /* from the smallest x; in doubles */
+  struct family_point scan[MAX_PLACES]; /* from the smallest x; in doubles */
   /* x at the first zero of v_start; nan: it has no zero. found: v_start is proven to be positive at boundary (1 -
    * 2^-60) and not positive at boundary (1 + 2^-60). before, after: the certified derivative of speed by ln x between
    * (1 - 2^-39) and (1 - 2^-40), and between (1 + 2^-40) and (1 + 2^-39); speed: at (1 + 2^-40) */
   double boundary, before, after, speed;
   bool found;
   int maxima, highest; /* local maxima of speed, proven to be higher than 1 % to either side */
-  struct place maximum[MAX_PEAKS];
+  struct family_point maximum[MAX_PEAKS];
 };
 
 /* Words of the conditions; x, speed, and the parameters that vary, as columns and for printf(1) */
@@ -60,11 +60,11 @@ static struct scallop_crawler member(const struct family *f, double x)
 
 /* In doubles */
 
-static struct place place_at(const struct family *f, double x)
+static struct family_point place_at(const struct family *f, double x)
 {
   const struct solved s = solve_steady_state(NULL, member(f, x));
   const double speed = s.mean_velocity * f->crawler.T / f->crawler.L;
-  return (struct place){ x, speed, s.v_start, isfinite(speed) && s.regime == SCALLOP_SLIDING };
+  return (struct family_point){ x, speed, s.v_start, isfinite(speed) && s.regime == SCALLOP_SLIDING };
 }
 
 static double minus_speed(void *family, double x) { return -place_at(family, x).speed; }
@@ -103,7 +103,7 @@ static void find_maxima(struct family *f, struct question *q)
     if (!(f->scan[i].speed > f->scan[i - 1].speed && f->scan[i].speed > f->scan[i + 1].speed))
       continue;
     const double low = f->scan[i - 1].x, high = f->scan[i + 1].x;
-    const struct place at = place_at(f, golden_least(minus_speed, f, low, high, 1e-7 * low));
+    const struct family_point at = place_at(f, golden_least(minus_speed, f, low, high, 1e-7 * low));
     const double v = velocity(q, f, at.x);
     if (compare(v, velocity(q, f, 0.99 * at.x)) <= 0 || compare(v, velocity(q, f, 1.01 * at.x)) <= 0)
       continue;
@@ -225,8 +225,8 @@ static void peaks_at_boundary(struct question *q, struct scallop_crawler c)
 {
   const struct family *f = survey(q, c);
   const char *speed = texts[f->varied].speed;
-  const struct place *peak = &f->maximum[f->highest];
-  const struct place top = f->maxima > 0 && peak->speed > f->scan[0].speed ? *peak : f->scan[0];
+  const struct family_point *peak = &f->maximum[f->highest];
+  const struct family_point top = f->maxima > 0 && peak->speed > f->scan[0].speed ? *peak : f->scan[0];
   const double x[] = { short_number(f->boundary, SHORT_DIGITS), short_number(top.x, SHORT_DIGITS) };
   const bool peaks = f->maxima > 0 && fabs(peak->x / f->boundary - 1) < 1e-5;
   const bool proven = f->found && f->before > 0 && f->after < 0 && peaks;
@@ -250,7 +250,7 @@ static void has_one_maximum(struct question *q, struct scallop_crawler c)
   if (f->maxima < 2)
     return;
   const double first = f->maximum[f->maxima - 2].x, second = f->maximum[f->maxima - 1].x;
-  struct place low = { .speed = INFINITY };
+  struct family_point low = { .speed = INFINITY };
   for (int i = 0; i < f->count; i++)
     if (f->scan[i].x > first && f->scan[i].x < second && f->scan[i].speed < low.speed)
       low = f->scan[i];
@@ -266,7 +266,7 @@ static bool largest_rise(const struct family *f, double x[2])
   double most = 0;
   while (i < f->count && f->scan[i].sliding)
     i++;
-  for (const struct place *at = &f->scan[i], *low = at; at < f->scan + f->count; at++) {
+  for (const struct family_point *at = &f->scan[i], *low = at; at < f->scan + f->count; at++) {
     low = at->speed < low->speed ? at : low;
     if (at->speed - low->speed > most) {
       most = at->speed - low->speed;

@@ -25,21 +25,22 @@ static const struct option_rule rules[] = { { "into", RULE_WITH, "output", "and 
 
 /* Identity of a file, independent of the spelling of its path: an existing file, or a name in a folder. name NULL: not
  * compared, as a device or pipe takes any number of tables, and a missing folder is an error later. */
-struct place {
+struct file_place {
   dev_t device;
   ino_t number;
   const char *name;
 };
-static struct place place_of(const char *path)
+static struct file_place place_of(const char *path)
 {
   const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
   char folder[PATH_MAX] = ".";
   struct stat at;
   if (stat(path, &at) == 0)
-    return (struct place){ at.st_dev, at.st_ino, S_ISREG(at.st_mode) ? "" : NULL };
+    return (struct file_place){ at.st_dev, at.st_ino, S_ISREG(at.st_mode) ? "" : NULL };
   if (slash)
     snprintf(folder, sizeof folder, "%.*s", (int)(name - path), path);
-  return stat(folder, &at) == 0 ? (struct place){ at.st_dev, at.st_ino, name } : (struct place){ .name = NULL };
+  return stat(folder, &at) == 0 ? (struct file_place){ at.st_dev, at.st_ino, name }
+                                : (struct file_place){ .name = NULL };
 }
 
 /* Returns true if both paths are one file; NULL: standard output. */
@@ -47,7 +48,7 @@ static bool is_same_file(const char *a, const char *b)
 {
   if (!a || !b)
     return a == b;
-  const struct place of_a = place_of(a), of_b = place_of(b);
+  const struct file_place of_a = place_of(a), of_b = place_of(b);
   return of_a.name && of_b.name && of_a.device == of_b.device && of_a.number == of_b.number
          && strcmp(of_a.name, of_b.name) == 0;
 }

@@ -31,7 +31,7 @@ static const struct kind {
   { true, "limit", true, false, of_limit, NULL, expand_limit },
 };
 
-struct output {
+struct series_output {
   const struct kind *kind;
   const struct series_options *options;
   const struct scallop_rational_crawler *crawler; /* decimals as typed */
@@ -50,10 +50,10 @@ struct motion_in_rows {
   const char *small; /* for the limit, the expression of its powers, a part of the terms; else NULL */
 };
 
-static bool is_python(const struct output *r) { return r->language == &language_python; }
+static bool is_python(const struct series_output *r) { return r->language == &language_python; }
 
 /* Writes a comment of the language, or a note of the table; a line break in a file name does not end it. */
-static void __attribute__((format(printf, 2, 3))) remark(struct output *r, const char *format, ...)
+static void __attribute__((format(printf, 2, 3))) remark(struct series_output *r, const char *format, ...)
 {
   va_list arguments;
   va_start(arguments, format);
@@ -72,7 +72,7 @@ static bool cannot_write(const struct style *style, int error)
                   file_error(error));
 }
 
-static void remark_names(struct output *r)
+static void remark_names(struct series_output *r)
 {
   const char *equation = r->kind->expand == expand_limit ? symbolic_limit_equation(r->crawler) : NULL;
   remark(
@@ -82,7 +82,7 @@ static void remark_names(struct output *r)
       equation ? " U is v_start T for T -> 0, the root of " : "", equation ? equation : "", equation ? "." : "");
 }
 
-static bool open_output(struct output *r)
+static bool open_output(struct series_output *r)
 {
   static const char *const varied[] = { "T", NULL };
   const struct request *request = &r->options->request;
@@ -114,7 +114,7 @@ static bool open_output(struct output *r)
 }
 
 /* done: every motion has a series */
-static enum exit_code close_output(struct output *r, bool done)
+static enum exit_code close_output(struct series_output *r, bool done)
 {
   int error = r->language ? file_close(&r->out, true) : 0;
   if (error != 0)
@@ -135,7 +135,7 @@ static void write_ball(struct table *t, const arb_struct *x, long digits)
 }
 
 /* Writes a row. power: NULL for a closed form; last: the last cell; sum and error: NULL for formulas */
-static void write_row(struct output *r, const struct motion_in_rows *m, const char *quantity, const char *power,
+static void write_row(struct series_output *r, const struct motion_in_rows *m, const char *quantity, const char *power,
                       const char *term, const char *last, const arb_struct *sum, const arb_struct *error)
 {
   enum { ERROR_DIGITS = 3 };
@@ -156,7 +156,7 @@ static void write_row(struct output *r, const struct motion_in_rows *m, const ch
 }
 
 /* Writes the reason why a motion has no series, in the last column. */
-static void write_failure(struct output *r, const struct motion_in_rows *m, const struct series_answer *a)
+static void write_failure(struct series_output *r, const struct motion_in_rows *m, const struct series_answer *a)
 {
   const char *why = a->why ? a->why : scallop_status_text(a->status);
   if (!*r->why) /* a copy: the reason may be freed with the motion */
@@ -176,7 +176,7 @@ struct sum { /* terms of a quantity of a motion: powers from first to below - 1 
 
 /* Returns true, with the fraction, if the coefficient is one and --digits is not given. In a program, numerator and
  * denominator must be doubles. */
-static bool is_fraction(fmpq_t q, const struct output *r, const struct series *series, slong power)
+static bool is_fraction(fmpq_t q, const struct series_output *r, const struct series *series, slong power)
 {
   enum { LONGEST = 900 }; /* bits of a double's range */
   return r->options->request.style.digits == 0 && series_rational_coefficient(q, series, power)
@@ -185,7 +185,7 @@ static bool is_fraction(fmpq_t q, const struct output *r, const struct series *s
 
 /* Returns the coefficient of T^power for a table, or the term with this power for a function or a formula. A small
  * parameter's power is already part of the term. */
-static struct written term_of(const struct output *r, const struct sum *s, slong power)
+static struct written term_of(const struct series_output *r, const struct sum *s, slong power)
 {
   const struct language *language = r->language ? r->language : &language_text;
   struct symbols *symbols = s->expansion->symbols;
@@ -203,7 +203,7 @@ static struct written term_of(const struct output *r, const struct sum *s, slong
   return written;
 }
 
-static void write_term(struct output *r, const struct sum *s, slong power, struct written term)
+static void write_term(struct series_output *r, const struct sum *s, slong power, struct written term)
 {
   const struct expansion *e = s->expansion;
   char *text = flint_malloc(strlen(term.text) + 2);
@@ -266,7 +266,7 @@ static void begin_formula(FILE *out, const char *quantity)
   fprintf(out, "\\begin{align*}\n  %s &= ", name);
 }
 
-static void begin_sum(struct output *r, const struct sum *s)
+static void begin_sum(struct series_output *r, const struct sum *s)
 {
   const struct motion_in_rows *m = s->motion;
   char below[80] = "";
@@ -282,7 +282,7 @@ static void begin_sum(struct output *r, const struct sum *s)
     begin_formula(r->out.stream, s->quantity);
 }
 
-static void put_term(const struct output *r, struct written term, bool is_first)
+static void put_term(const struct series_output *r, struct written term, bool is_first)
 {
   const char *next = is_python(r) ? "\n           " : " \\\\\n  &\\quad", *sign = term.negative ? "-" : "";
   if (!is_first)
@@ -290,7 +290,7 @@ static void put_term(const struct output *r, struct written term, bool is_first)
   fprintf(r->out.stream, "%s%s%s", is_first ? "" : next, sign, term.text);
 }
 
-static void end_sum(const struct output *r, const struct sum *s, bool has_terms)
+static void end_sum(const struct series_output *r, const struct sum *s, bool has_terms)
 {
   fputs(has_terms ? "" : "0", r->out.stream);
   if (!s->expansion->is_closed && !s->motion->small && !is_python(r))
@@ -299,7 +299,7 @@ static void end_sum(const struct output *r, const struct sum *s, bool has_terms)
 }
 
 /* Writes a row for each term other than 0, or one row if all are 0; or a function or a formula. */
-static void write_sum(struct output *r, const struct sum *s)
+static void write_sum(struct series_output *r, const struct sum *s)
 {
   bool any = false;
   if (r->language)
@@ -321,7 +321,7 @@ static void write_sum(struct output *r, const struct sum *s)
 }
 
 /* Writes the quantities of a motion; false: it has no series. */
-static bool write_motion(struct output *r, const struct motion_in_rows *m, const fmpq *v0)
+static bool write_motion(struct series_output *r, const struct motion_in_rows *m, const fmpq *v0)
 {
   ENDED_BY(symbols_end) struct symbols symbols;
   symbols_init(&symbols);
@@ -353,7 +353,7 @@ static bool write_motion(struct output *r, const struct motion_in_rows *m, const
 }
 
 /* Writes all motions: each phase, from rest and from v0, and the steady state. False: one of them has no series. */
-static bool write_motions(struct output *r, const fmpq *rest, const fmpq *v0)
+static bool write_motions(struct series_output *r, const fmpq *rest, const fmpq *v0)
 {
   static const struct motion_in_rows usual[] = {
     { "extension", "rest", OF_PHASE, SCALLOP_EXTENSION, false, NULL },
@@ -384,14 +384,14 @@ enum exit_code series_report(const struct series_options *o)
     kind++;
   SCOPED(scallop_rational, crawler);
   SCOPED(fmpq, rest, v0);
-  struct output r = { .kind = kind,
-                      .options = o,
-                      .crawler = &crawler,
-                      .order = kind->has_order ? o->order.value : 1,
-                      .digits = o->request.style.digits > 0 ? o->request.style.digits : DEFAULT_DIGITS,
-                      .language = strcmp(o->emit.value, "latex") == 0    ? &language_latex
-                                  : strcmp(o->emit.value, "python") == 0 ? &language_python
-                                                                         : NULL };
+  struct series_output r = { .kind = kind,
+                             .options = o,
+                             .crawler = &crawler,
+                             .order = kind->has_order ? o->order.value : 1,
+                             .digits = o->request.style.digits > 0 ? o->request.style.digits : DEFAULT_DIGITS,
+                             .language = strcmp(o->emit.value, "latex") == 0    ? &language_latex
+                                         : strcmp(o->emit.value, "python") == 0 ? &language_python
+                                                                                : NULL };
   rational_point(&crawler, v0, &o->request.point);
   if (o->bound)
     return series_bound(o, &crawler);

@@ -15,14 +15,14 @@ static const double tolerance = 1e-12;
 /* HALVINGS: how often a cell in which boundaries meet is divided into quarters */
 enum { MAX_CHANGES = 8, HALVINGS = 5, MAX_NODES = 2001 };
 
-struct place { /* in the square, from 0 to 1 along both axes; places with equal modes are in one region */
+struct map_point { /* in the square, from 0 to 1 along both axes; places with equal modes are in one region */
   double u, v;
   bool rounded; /* solved in double only */
   struct answer answer;
 };
 struct change { /* at (u, v), between places within the tolerance */
   double u, v;
-  struct place before, after;
+  struct map_point before, after;
 };
 struct changes {
   int count, edge; /* edge: index of the first change on the current edge */
@@ -33,7 +33,7 @@ struct boundaries {
   const struct sweep_variable *axes[2];
   int cells[2];
   struct table table;
-  struct place nodes[2][MAX_NODES]; /* the current two lines of the grid; [j % 2] is line j */
+  struct map_point nodes[2][MAX_NODES]; /* the current two lines of the grid; [j % 2] is line j */
 };
 
 /* Returns the value at u: linear between the ends at 0 and 1, in the logarithm if the axis is logarithmic. */
@@ -54,10 +54,10 @@ static double scale_of(const struct sweep_variable *axis)
 
 /* Solves in binary128 if available, because rounding in double may decide the modes near a boundary. A place without a
  * steady state has no modes. */
-static struct place place_at(const struct boundaries *b, double u, double v)
+static struct map_point place_at(const struct boundaries *b, double u, double v)
 {
   struct sweep_place at;
-  struct place place = { u, v, .rounded = false };
+  struct map_point place = { u, v, .rounded = false };
   sweep_place_set(&at, &b->options->request.point);
   sweep_set(&at, b->axes[0], value_at(b->axes[0], u));
   sweep_set(&at, b->axes[1], value_at(b->axes[1], v));
@@ -66,7 +66,10 @@ static struct place place_at(const struct boundaries *b, double u, double v)
   return place;
 }
 
-static bool same(const struct place *a, const struct place *b) { return same_modes(a->answer.modes, b->answer.modes); }
+static bool same(const struct map_point *a, const struct map_point *b)
+{
+  return same_modes(a->answer.modes, b->answer.modes);
+}
 
 static double distance(const struct boundaries *b, double du, double dv)
 {
@@ -86,8 +89,8 @@ static void add_change(const struct boundaries *b, struct changes *all, const st
 }
 
 /* Finds the changes between two places by bisection; finds a region in between if a midpoint lies in it. */
-static void find_changes(const struct boundaries *b, struct changes *all, const struct place *from,
-                         const struct place *to)
+static void find_changes(const struct boundaries *b, struct changes *all, const struct map_point *from,
+                         const struct map_point *to)
 {
   double u = (from->u + to->u) / 2, v = (from->v + to->v) / 2; /* symmetric in from and to */
   if (same(from, to))
@@ -96,13 +99,13 @@ static void find_changes(const struct boundaries *b, struct changes *all, const 
     add_change(b, all, &(struct change){ u, v, *from, *to });
     return;
   }
-  const struct place middle = place_at(b, u, v);
+  const struct map_point middle = place_at(b, u, v);
   find_changes(b, all, from, &middle);
   find_changes(b, all, &middle, to);
 }
 
 /* Returns the changes around a cell, anticlockwise from its corner with the least u and v. */
-static struct changes changes_around(const struct boundaries *b, const struct place corner[4])
+static struct changes changes_around(const struct boundaries *b, const struct map_point corner[4])
 {
   struct changes all = { .count = 0 };
   for (int k = 0; k < 4; k++) {
@@ -139,12 +142,13 @@ static void write_part(struct boundaries *b, const struct change *from, double u
   table_text(&b->table, is_guess ? "one end is a guess: boundaries meet there" : rounded ? "in double" : "ok");
 }
 
-static void write_quarters(struct boundaries *b, const struct place corner[4], int halvings);
+static void write_quarters(struct boundaries *b, const struct map_point corner[4], int halvings);
 
 /* Writes the parts of boundaries in a cell. The modes change from A to B at the point in
  * which a boundary enters, and from B to A at the point in which it leaves. If changes are left, boundaries meet: in
  * one of the quarters, or, after the last halving, about at the mean of these changes. */
-static void write_parts(struct boundaries *b, const struct place corner[4], const struct changes *around, int halvings)
+static void write_parts(struct boundaries *b, const struct map_point corner[4], const struct changes *around,
+                        int halvings)
 {
   const struct change *c = around->list;
   int partner[4 * MAX_CHANGES], left = around->count;
@@ -173,15 +177,15 @@ static void write_parts(struct boundaries *b, const struct place corner[4], cons
       write_part(b, &c[p], u, v, true);
 }
 
-static void write_quarters(struct boundaries *b, const struct place corner[4], int halvings)
+static void write_quarters(struct boundaries *b, const struct map_point corner[4], int halvings)
 {
-  struct place middle[4]; /* midpoint of the edge behind each corner */
+  struct map_point middle[4]; /* midpoint of the edge behind each corner */
   double u = corner[0].u + (corner[2].u - corner[0].u) / 2, v = corner[0].v + (corner[2].v - corner[0].v) / 2;
-  const struct place centre = place_at(b, u, v);
+  const struct map_point centre = place_at(b, u, v);
   for (int k = 0; k < 4; k++)
     middle[k] = place_at(b, k % 2 ? corner[k].u : u, k % 2 ? v : corner[k].v);
   for (int k = 0; k < 4; k++) {
-    struct place quarter[4];
+    struct map_point quarter[4];
     quarter[k] = corner[k];
     quarter[(k + 1) % 4] = middle[k];
     quarter[(k + 2) % 4] = centre;
@@ -202,13 +206,13 @@ static double grid_line(int i, int cells)
 static void write_row(struct boundaries *b, int j)
 {
   const int cells = b->cells[0];
-  struct place *low = b->nodes[(j + 1) % 2], *high = b->nodes[j % 2];
+  struct map_point *low = b->nodes[(j + 1) % 2], *high = b->nodes[j % 2];
 #pragma omp parallel for schedule(dynamic) num_threads(threads_for(0, cells))
   for (int i = 0; i <= cells; i++)
     high[i] = place_at(b, grid_line(i, cells), grid_line(j, b->cells[1]));
 #pragma omp parallel for ordered schedule(dynamic) num_threads(threads_for(0, cells))
   for (int i = 0; i < (j > 0 ? cells : 0); i++) {
-    const struct place corner[4] = { low[i], low[i + 1], high[i + 1], high[i] };
+    const struct map_point corner[4] = { low[i], low[i + 1], high[i + 1], high[i] };
     const struct changes around = changes_around(b, corner);
 #ifdef _OPENMP
 #pragma omp ordered

@@ -39,7 +39,7 @@ struct order_columns {
 enum outcome { PASSED, FAILED, MEASURED, NOT_MEASURED, UNREAD, OUTCOMES };
 /* Points of one column y against x, in the rows with the same texts left of x */
 enum { SERIES_NAME = 1024, COLUMN_NAME = 100 };
-struct series {
+struct error_series {
   const char *file;       /* its name in messages */
   char name[SERIES_NAME]; /* the texts left of x, joined; may be empty */
   char y[COLUMN_NAME];    /* the column                                           */
@@ -54,7 +54,7 @@ struct series {
 };
 enum { MAX_SERIES = 4096, MAX_ROWS = 1000000 };
 struct series_list {
-  struct series *series;
+  struct error_series *series;
   int count, outcomes[OUTCOMES];
   long rows;           /* of all series */
   bool values;         /* a series has values, not errors */

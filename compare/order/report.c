@@ -7,7 +7,7 @@
 
 const char *const report_formats[] = { "tsv", "json", "csv", "markdown", "table", "npy", "junit", NULL };
 
-#define AT(member) offsetof(struct series, member)
+#define AT(member) offsetof(struct error_series, member)
 static const struct table_column of_series[] = {
   { TABLE_COLUMN("file", column_text, AT(file)) },
   { TABLE_COLUMN("series", column_text, AT(names[0])) },
@@ -70,7 +70,7 @@ static enum exit_code write_table(const struct series_list *list, bool expects, 
   for (int part = 0; part < PARTS; part++)
     table_add(&t, parts[part]);
   table_begin_rows(&t);
-  for (const struct series *s = list->series; s < list->series + list->count; s++)
+  for (const struct error_series *s = list->series; s < list->series + list->count; s++)
     for (int part = 0; part < PARTS; part++)
       table_row(&t, parts[part], s, true);
   write_counts(&t, list, expects);
@@ -103,7 +103,7 @@ enum exit_code report_rows(const struct series_list *list, const struct style *s
   table_add(&t, of_order);
   table_add(&t, of_verdict);
   table_begin_rows(&t);
-  for (const struct series *s = list->series; s < list->series + list->count; s++)
+  for (const struct error_series *s = list->series; s < list->series + list->count; s++)
     for (const struct scallop_order_point *p = s->points; p < s->points + s->count; p++) {
       table_row(&t, of_series, s, true);
       table_row(&t, of_point, p, s->result.verdict != SCALLOP_ORDER_INVALID);
@@ -114,7 +114,7 @@ enum exit_code report_rows(const struct series_list *list, const struct style *s
 }
 
 /* Writes one case: an element with the reason of a failure, or a text. */
-static void write_case(FILE *out, const struct series *s, bool required)
+static void write_case(FILE *out, const struct error_series *s, bool required)
 {
   static const char *const elements[OUTCOMES] = { NULL, "failure", NULL, "skipped", "error" };
   const char *const name[] = { s->file, s->name, s->y };
@@ -144,7 +144,7 @@ static void write_junit(FILE *out, const struct series_list *list, bool required
            of[FAILED] + (required ? of[NOT_MEASURED] : 0), of[UNREAD]);
   fprintf(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites %s>\n", counts);
   fprintf(out, "<testsuite name=\"scallop order\" %s skipped=\"%d\">\n", counts, required ? 0 : of[NOT_MEASURED]);
-  for (const struct series *s = list->series; s < list->series + list->count; s++)
+  for (const struct error_series *s = list->series; s < list->series + list->count; s++)
     write_case(out, s, required);
   fputs("</testsuite>\n</testsuites>\n", out);
 }
@@ -167,7 +167,7 @@ enum exit_code report_write(const struct series_list *list, const struct expecte
 
 enum exit_code report_exit(const struct series_list *list, const struct expected_orders *orders, bool to_file)
 {
-  for (const struct series *s = list->series; to_file && s < list->series + list->count; s++)
+  for (const struct error_series *s = list->series; to_file && s < list->series + list->count; s++)
     if (s->outcome != UNREAD)
       complain("order", "%s: %s%s%s: %s: %s", s->file, s->name, *s->name ? ": " : "", s->y, s->verdict, s->reason);
   bool fails = list->outcomes[FAILED] > 0 || (orders->required && list->outcomes[NOT_MEASURED] > 0);

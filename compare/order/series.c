@@ -181,24 +181,24 @@ void series_free(struct series_list *list)
 }
 
 /* Returns the series of this name and the i-th y, a new one if necessary; NULL: out of memory, or too many series */
-static struct series *find_series(struct reader *r, const char *name, int i)
+static struct error_series *find_series(struct reader *r, const char *name, int i)
 {
   struct series_list *list = r->list;
   for (int k = list->count - 1; k >= r->first; k--)
     if (strcmp(list->series[k].name, name) == 0 && strcmp(list->series[k].y, r->name[i]) == 0)
       return &list->series[k];
-  struct series *all = list->count < MAX_SERIES ? list_grown(list->series, list->count, sizeof *all) : NULL;
+  struct error_series *all = list->count < MAX_SERIES ? list_grown(list->series, list->count, sizeof *all) : NULL;
   if (!all)
     return NULL;
   list->series = all;
-  struct series *s = &all[list->count++];
-  *s = (struct series){ .file = r->t.name, .place = i, .expected.values = r->values[i] };
+  struct error_series *s = &all[list->count++];
+  *s = (struct error_series){ .file = r->t.name, .place = i, .expected.values = r->values[i] };
   snprintf(s->name, sizeof s->name, "%s", name);
   snprintf(s->y, sizeof s->y, "%s", r->name[i]);
   return s;
 }
 
-static bool append(struct series *s, struct scallop_order_point point)
+static bool append(struct error_series *s, struct scallop_order_point point)
 {
   struct scallop_order_point *points = list_grown(s->points, s->count, sizeof point);
   if (!points)
@@ -235,7 +235,7 @@ static const char *add_point(struct reader *r, const char *name, int i, struct s
     return wrong;
   if (r->list->rows++ == MAX_ROWS)
     return tsv_at(&r->t, "more than a million rows");
-  struct series *s = find_series(r, name, i);
+  struct error_series *s = find_series(r, name, i);
   if (!s && r->list->count == MAX_SERIES)
     return tsv_at(&r->t, "more than 4096 series: rows with the same text left of h are one");
   if (s && is_missing)
@@ -293,7 +293,7 @@ static void note_columns(struct reader *r)
 /* Joins series of one point each, with another text in every row, to one series a column. False: out of memory */
 static bool join_single_points(struct reader *r)
 {
-  struct series *first = r->list->series + r->first;
+  struct error_series *first = r->list->series + r->first;
   const int count = r->list->count - r->first;
   bool joined = true;
   for (int i = 0; i < count; i++)
@@ -316,7 +316,7 @@ static void add_unread(struct reader *r, const char *why)
     free(r->list->series[--r->list->count].points);
   *r->name[0] = '\0';
   r->values[0] = false;
-  struct series *s = find_series(r, "", 0);
+  struct error_series *s = find_series(r, "", 0);
   if (!s)
     return;
   s->outcome = UNREAD;
@@ -348,7 +348,7 @@ enum exit_code series_read(struct series_list *list, const char *file, const str
 }
 
 /* Returns the expected order of a series, or nan. */
-static double order_of(const struct expected_orders *o, const struct series *s)
+static double order_of(const struct expected_orders *o, const struct error_series *s)
 {
   for (int i = 0; i < o->count && o->of[i].name; i++)
     if (strncmp(o->of[i].name, s->y, (size_t)o->of[i].length) == 0 && s->y[o->of[i].length] == '\0')
@@ -356,7 +356,7 @@ static double order_of(const struct expected_orders *o, const struct series *s)
   return o->count == 0 || o->of[0].name ? NAN : o->of[o->count > 1 ? s->place : 0].order;
 }
 
-__attribute__((format(printf, 2, 3))) static void add_reason(struct series *s, const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void add_reason(struct error_series *s, const char *format, ...)
 {
   char *const reason = s->result.reason;
   size_t used = strlen(reason);
@@ -367,7 +367,7 @@ __attribute__((format(printf, 2, 3))) static void add_reason(struct series *s, c
 }
 
 /* Returns true if h are whole numbers with which the error grows, as it does if they are numbers of cells. */
-static bool looks_like_cells(const struct series *s)
+static bool looks_like_cells(const struct error_series *s)
 {
   bool whole = s->result.order < -0.25;
   for (int i = 0; i < s->count && whole; i++)
@@ -375,7 +375,7 @@ static bool looks_like_cells(const struct series *s)
   return whole;
 }
 
-static void judge(struct series *s, const char *x)
+static void judge(struct error_series *s, const char *x)
 {
   const bool expects = !isnan(s->expected.order);
   scallop_order(s->points, &s->count, &s->expected, &s->result);
@@ -391,7 +391,7 @@ static void judge(struct series *s, const char *x)
 
 void series_judge(struct series_list *list, const struct expected_orders *orders)
 {
-  for (struct series *s = list->series; s < list->series + list->count; s++) {
+  for (struct error_series *s = list->series; s < list->series + list->count; s++) {
     s->expected = (struct scallop_order_wanted){ order_of(orders, s), orders->tolerance, orders->at_least,
                                                  s->expected.values };
     if (s->outcome != UNREAD)

@@ -117,7 +117,7 @@ struct row {
 };
 
 enum { MAX_ROWS = 512 };
-struct output {
+struct stress_output {
   const struct stress_options *options;
   const struct effort *effort;
   struct row row[MAX_ROWS];
@@ -130,7 +130,7 @@ struct output {
 };
 
 /* Plans the rows, and allocates memory for the cases of the largest. Prints a message to stderr if this fails. */
-static enum exit_code plan(struct output *out)
+static enum exit_code plan(struct stress_output *out)
 {
   const struct stress_options *o = out->options;
   const struct scallop_gait *gait;
@@ -157,7 +157,7 @@ static enum exit_code plan(struct output *out)
   return EXIT_UNSOLVED;
 }
 
-static void judge_all(struct output *out, int count)
+static void judge_all(struct stress_output *out, int count)
 {
 #pragma omp parallel num_threads(threads_for(0, count))
   {
@@ -186,7 +186,7 @@ static void add_broken(struct row *r, const struct stress_case *s, const char *b
            stress_quantity_name(s, q), s->periods > 0 ? "trajectory" : "stress", arguments);
 }
 
-static void sum_up(const struct output *out, struct row *r)
+static void sum_up(const struct stress_output *out, struct row *r)
 {
   for (int i = 0; i < r->cases; i++) {
     const struct stress_case *s = &out->stressed[i];
@@ -206,7 +206,7 @@ static void sum_up(const struct output *out, struct row *r)
   }
 }
 
-static double choose(const struct output *out, const struct row *r, const struct measure *m)
+static double choose(const struct stress_output *out, const struct row *r, const struct measure *m)
 {
   size_t count = 0;
   if (m->quantile == WORST)
@@ -221,7 +221,7 @@ static double choose(const struct output *out, const struct row *r, const struct
   return count > 0 ? gsl_stats_quantile_from_sorted_data(out->values, 1, count, m->quantile) : NAN;
 }
 
-static void write_row(struct output *out, const struct row *r)
+static void write_row(struct stress_output *out, const struct row *r)
 {
   struct table *t = &out->table;
   char arguments[STRESS_ARGUMENTS] = "-";
@@ -240,7 +240,7 @@ static void write_row(struct output *out, const struct row *r)
   table_flush(t);
 }
 
-static void judge_row(struct output *out, struct row *r)
+static void judge_row(struct stress_output *out, struct row *r)
 {
   progress_show("%s, %s gait", r->family->name, r->gait->name);
   r->cases = stress_make(r->family, r->gait, (unsigned long)out->options->seed.value, r->cases, out->stressed);
@@ -252,7 +252,7 @@ static void judge_row(struct output *out, struct row *r)
   write_row(out, r);
 }
 
-static bool begin(struct output *out)
+static bool begin(struct stress_output *out)
 {
   static const char *const before[] = { "family",    "gait",        "cases",    "refused",
                                         "undecided", "other_modes", "quantity", NULL };
@@ -275,7 +275,7 @@ static bool begin(struct output *out)
   return true;
 }
 
-static enum exit_code write_rows(struct output *out)
+static enum exit_code write_rows(struct stress_output *out)
 {
   bool broken = false;
   if (!begin(out))
@@ -289,7 +289,7 @@ static enum exit_code write_rows(struct output *out)
 
 enum exit_code stress_table(const struct stress_options *o)
 {
-  struct output out = { .options = o, .effort = o->full ? &full : o->check ? &quick : &usual, .max_cases = 1 };
+  struct stress_output out = { .options = o, .effort = o->full ? &full : o->check ? &quick : &usual, .max_cases = 1 };
   enum exit_code code = plan(&out);
   if (code == EXIT_DONE)
     code = write_rows(&out);

@@ -19,7 +19,7 @@ static const char *const kind_words[] = {
   [METHOD_FORMULA] = "formula", [METHOD_EXACT] = "exact", [METHOD_ROOT] = "root", [METHOD_SIMULATION] = "simulation"
 };
 
-struct output {
+struct workprec_output {
   const struct workprec_options *options;
   struct reference references[MAX_REFERENCES];
   int count;
@@ -30,7 +30,7 @@ struct output {
 };
 
 /* Solves all references before anything is written. */
-static bool make_references(struct output *r)
+static bool make_references(struct workprec_output *r)
 {
   static const double all[] = { WORKPREC_T }, few[] = { WORKPREC_QUICK_T };
   const struct point *p = &r->options->request.point;
@@ -65,7 +65,7 @@ static double call_cost(const struct stopwatch_clock *clock)
   return stopwatch_spread(samples, SETTING_SAMPLES).median;
 }
 
-static bool begin(struct output *r)
+static bool begin(struct workprec_output *r)
 {
   const struct workprec_options *o = r->options;
   static const char *const columns_of_points[] = { "T", "gait", NULL };
@@ -108,7 +108,7 @@ static void write_setting(struct table *t, const struct setting *s, int quantity
   table_text(t, s->status);
 }
 
-static void measure(struct output *r, int reference)
+static void measure(struct workprec_output *r, int reference)
 {
   struct settings *all = &r->settings;
   methods_add(all, &r->references[reference], r->options->quick);
@@ -124,10 +124,10 @@ static void measure(struct output *r, int reference)
 
 enum exit_code workprec_table(const struct workprec_options *options)
 {
-  struct output r = { .options = options,
-                      .limit = options->limit.value > 0 ? options->limit.value
-                               : options->quick         ? WORKPREC_QUICK_LIMIT
-                                                        : WORKPREC_LIMIT };
+  struct workprec_output r = { .options = options,
+                               .limit = options->limit.value > 0 ? options->limit.value
+                                        : options->quick         ? WORKPREC_QUICK_LIMIT
+                                                                 : WORKPREC_LIMIT };
   enum exit_code code = EXIT_UNSOLVED;
   if (!methods_have_formulas(options->request.formulas))
     return EXIT_USAGE;

@@ -227,7 +227,7 @@ static bool concave_stick(const struct line *l, const struct scallop_shape *shap
 
 /* Sets impulse and derivative of the map, for a phase in which no body sticks. */
 static void concave_turn(const struct line *l, const struct scallop_shape *shape, const struct passage *k,
-                         struct motion *m)
+                         struct period_motion *m)
 {
   const bool above = k->side > 0;
   const real last_extra = above ? -2 * l->f_first : 2 * l->f_second, after = above ? -l->eps : l->eps;
@@ -271,7 +271,7 @@ static struct concave_parts concave_parts(const struct scallop_shape *shape, con
 }
 
 /* Sets the times of the first and of the last change of mode. */
-static void concave_switches(const struct passage *k, struct motion *m)
+static void concave_switches(const struct passage *k, struct period_motion *m)
 {
   const real never = k->released ? 1 - k->u : NAN, leaves = k->early ? k->x : 1 - k->x;
   const real stops = k->turns ? (k->early ? 1 - k->x : k->x) : k->c > 0 ? 1 - k->t : NAN;
@@ -323,7 +323,7 @@ static bool concave_path(const struct phase_input *in, real c_0, struct line *l,
 
 /* Solves the phase from velocity c_0 as motion_walk does, but sets only the way of the centre of mass. Returns false if
  * the phase is of another kind; *m is then undefined. */
-static bool concave_phase(const struct phase_input *in, real c_0, struct motion *m)
+static bool concave_phase(const struct phase_input *in, real c_0, struct period_motion *m)
 {
   const struct scallop_shape *shape = in->shape;
   const int direction = shape->pieces[0].direction;
@@ -357,7 +357,7 @@ static bool concave_phase(const struct phase_input *in, real c_0, struct motion 
 }
 
 /* Sets the ways of the bodies, and their sizes, for a plain shape that concave_phase has solved. */
-static void concave_bodies(const struct phase_input *in, struct motion *m)
+static void concave_bodies(const struct phase_input *in, struct period_motion *m)
 {
   const struct passage *k = &m->passage;
   const struct scallop_piece *first = &in->shape->pieces[0], *last = &in->shape->pieces[1];

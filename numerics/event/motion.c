@@ -69,7 +69,7 @@ static inline void walk_quickly(const struct scallop_piece *p, real x, real *vel
 
 #include "numerics/event/solve.h"
 
-bool short_cut(const struct phase_input *input, double c_0, struct motion *motion)
+bool short_cut(const struct phase_input *input, double c_0, struct period_motion *motion)
 {
   return concave_phase(input, c_0, motion);
 }
@@ -85,7 +85,7 @@ struct walker walker_of(const struct scallop_scaled *s)
   return walker;
 }
 
-double motion_left(const struct scallop_shape *shape, const struct motion *motion)
+double motion_left(const struct scallop_shape *shape, const struct period_motion *motion)
 {
   double c = fabs(motion->c_end);
   return !shape->ramps && c < 0x1p-3 * motion->furthest ? c / motion->furthest : 1;

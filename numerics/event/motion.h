@@ -80,11 +80,11 @@ SCALLOP_INLINE struct phase_input phase_input_of(const struct scallop_scaled *s,
 struct walker walker_of(const struct scallop_scaled *scaled);
 
 /* Solves a phase without a walk (concave_phase). Returns false if it is of another kind. */
-bool short_cut(const struct phase_input *input, double c_0, struct motion *motion);
+bool short_cut(const struct phase_input *input, double c_0, struct period_motion *motion);
 
 /* Returns the fraction of the velocity that friction has left at the end, if it is so small that rounding of the rest
  * shows; else 1, also for two straight pieces. */
-double motion_left(const struct scallop_shape *shape, const struct motion *motion);
+double motion_left(const struct scallop_shape *shape, const struct period_motion *motion);
 
 /* Velocities in L/T, the displacement in L */
 void period_result(const struct walker *walker, const struct period *period, struct scallop_period_result *result);

@@ -101,7 +101,7 @@ struct passage {
 };
 
 /* The solution of a phase that begins with velocity c_0 of the centre of mass. */
-struct motion {
+struct period_motion {
   real c_end;
   real extra_impulse;       /* integral of c'/eps - (its value with the bodies in opposite motion, delta sgn l'): zero
                          if only the stronger driving body matters; meaningless if it forgets */
@@ -125,13 +125,13 @@ struct motion {
 
 struct period {
   real c_start, c_mid, c_end; /* in L/T, from the base of the phase                                     */
-  real travel, size;          /* displacement, in L, and the size of its parts, as in struct motion     */
+  real travel, size;          /* displacement, in L, and the size of its parts, as in struct period_motion     */
   real balance;               /* (c_end - c_start)/eps, formed without that subtraction                 */
   real noise;                 /* what rounding can do to balance                                        */
   real slope;                 /* d balance / d c_start <= 0, unless it forgets                          */
   bool forgets;               /* a body was stuck: c_end does not depend on c_start                     */
   bool continues;             /* phase[1] is the contraction from c_mid                                 */
-  struct motion phase[2];
+  struct period_motion phase[2];
 };
 
 /* A scaled crawler */
@@ -171,14 +171,16 @@ SCALLOP_INLINE int period_cancels(real travel, real size, int ramps)
 /* Returns the level of a curve over a plateau of l' within `near` of c; 0: no such level. */
 SOLVE real walk_level(const struct phase_input *in, real c, real near);
 /* Event by event; visit may be NULL. */
-SOLVE void motion_walk(const struct phase_input *in, real c_0, scallop_visitor *visit, void *context, struct motion *m);
+SOLVE void motion_walk(const struct phase_input *in, real c_0, scallop_visitor *visit, void *context,
+                       struct period_motion *m);
 /* The ways of body 1, of body 2 and of the middle between them, and the sizes of their parts */
 SOLVE void motion_bodies(const struct phase_input *in, enum scallop_phase_kind kind, real mu_difference,
-                         const struct motion *motion, real way[3], real size[3]);
-SOLVE enum scallop_regime motion_regime(const struct motion *motion);
+                         const struct period_motion *motion, real way[3], real size[3]);
+SOLVE enum scallop_regime motion_regime(const struct period_motion *motion);
 
 /* Solves one phase from velocity c in L/T, by a short cut if possible. Returns the velocity at its end. */
-SOLVE real period_phase(const struct walker *walker, enum scallop_phase_kind kind, real c, struct motion *motion);
+SOLVE real period_phase(const struct walker *walker, enum scallop_phase_kind kind, real c,
+                        struct period_motion *motion);
 SOLVE void period_solve(const struct walker *walker, real c_start, struct period *period);
 /* Combines two solved phases. */
 SOLVE void period_conclude(const struct walker *walker, struct period *period);

@@ -7,7 +7,7 @@
 struct phase {
   struct scallop_scaled scaled;
   struct phase_input in;
-  struct motion motion;
+  struct period_motion motion;
   double tau, velocity; /* their units, in the crawler's units */
 };
 
@@ -44,7 +44,7 @@ enum scallop_status solve_phase(const struct scallop_crawler *crawler, enum scal
   enum scallop_status status = walk_phase(crawler, kind, v0, NULL, NULL, &p);
   if (status != SCALLOP_OK)
     return status;
-  const struct motion *m = &p.motion;
+  const struct period_motion *m = &p.motion;
   motion_bodies(&p.in, kind, p.scaled.mu_difference, m, way, size);
   const double scaled[] = { m->c_end, way[0], way[1], way[2], m->first_switch, m->last_switch };
   const double back[] = { m->c_end * p.velocity, way[0] * L, way[1] * L, way[2] * L, m->first_switch * p.tau,

@@ -62,7 +62,7 @@ struct regular {
   double c_start, c_mid, c_end; /* in L/T                                                                      */
   double travel, multiplier, balance;
   double size;   /* of the parts of travel, at most                                                  */
-  bool delicate; /* as in struct motion                                                              */
+  bool delicate; /* as in struct period_motion                                                              */
 };
 
 /* Sets the constants of a phase; first: body 1 turns first. */

@@ -8,7 +8,7 @@
 #include "numerics/event/concave.h"
 
 SOLVE void motion_bodies(const struct phase_input *in, enum scallop_phase_kind kind, real mu_difference,
-                         const struct motion *m, real way[3], real size[3])
+                         const struct period_motion *m, real way[3], real size[3])
 {
   real stroke = kind == SCALLOP_EXTENSION ? 1 : -1, middle = mu_difference / 2;
   const real beyond[3][3] = { { -stroke * in->mu2, 0,
@@ -25,12 +25,12 @@ SOLVE void motion_bodies(const struct phase_input *in, enum scallop_phase_kind k
   }
 }
 
-SOLVE enum scallop_regime motion_regime(const struct motion *m)
+SOLVE enum scallop_regime motion_regime(const struct period_motion *m)
 {
   return m->never_moved[0] || m->never_moved[1] ? SCALLOP_AT_REST : m->sticks ? SCALLOP_STICK_SLIP : SCALLOP_SLIDING;
 }
 
-SOLVE real period_phase(const struct walker *s, enum scallop_phase_kind kind, real c, struct motion *motion)
+SOLVE real period_phase(const struct walker *s, enum scallop_phase_kind kind, real c, struct period_motion *motion)
 {
   const struct phase_input *in = &s->phase[kind];
   if (WALKS_ONLY || s->walks || in->base != 0 || !concave_phase(in, c * s->fraction[kind], motion))
@@ -40,7 +40,7 @@ SOLVE real period_phase(const struct walker *s, enum scallop_phase_kind kind, re
 
 SOLVE void period_conclude(const struct walker *s, struct period *p)
 {
-  const struct motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
+  const struct period_motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
   real a = s->fraction[SCALLOP_EXTENSION], b = s->fraction[SCALLOP_CONTRACTION];
   real driven = s->phase[0].delta * s->driven, from_e = a * e->extra_impulse, from_c = b * c->extra_impulse;
   p->travel = e->way[0] + c->way[0];
@@ -74,7 +74,7 @@ SOLVE void period_sum_up(const struct walker *s, struct period *p)
   const real c[2] = { p->c_start, p->c_mid };
   for (int kind = 0; kind < 2; kind++) {
     const struct scallop_shape *shape = s->phase[kind].shape;
-    struct motion walked, *m = &p->phase[kind];
+    struct period_motion walked, *m = &p->phase[kind];
     if (WALKS_ONLY || !m->short_cut)
       continue;
     /* straight pieces are added up with fewer roundings by the walk */
@@ -101,7 +101,7 @@ SOLVE real period_multiplier(const struct walker *s, const struct period *p)
 
 SOLVE enum scallop_regime period_regime(const struct period *p)
 {
-  const struct motion *e = &p->phase[0], *c = &p->phase[1];
+  const struct period_motion *e = &p->phase[0], *c = &p->phase[1];
   for (int body = 0; body < 2; body++)
     if (e->never_moved[body] && c->never_moved[body])
       return SCALLOP_AT_REST;
@@ -143,7 +143,7 @@ static bool is_settled(const struct period *p)
 /* Replaces c_start by the value of the map if the map shrinks the error of its argument, as in regular.h. */
 static void improve(const struct walker *s, struct period *p)
 {
-  const struct motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
+  const struct period_motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
   if (p->forgets || !(2 * e->stretch * c->stretch < 1))
     return;
   if ((p->c_end > 0) != (p->c_start > 0)) { /* other bodies turn there */

@@ -132,7 +132,7 @@ static bool is_amplified(const struct walker *s, const struct period *p)
 static void doubt_velocities(const struct walker *s, const struct period *p, bool on_level, bool interval,
                              struct doubt *doubt)
 {
-  const struct motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
+  const struct period_motion *e = &p->phase[SCALLOP_EXTENSION], *c = &p->phase[SCALLOP_CONTRACTION];
   const int many = 8; /* a crossing adds an ulp or two to the error of the multiplier */
   bool crosses_often = e->work.events + c->work.events > many;
   doubt->delicate = !p->forgets
@@ -314,7 +314,7 @@ enum scallop_status scallop_friction_work(const struct scallop_crawler *crawler,
     return SCALLOP_EDOMAIN;
   const struct walker walker = walker_of(&s);
   for (int kind = 0; kind < 2; kind++) {
-    struct motion motion;
+    struct period_motion motion;
     motion_walk(&walker.phase[kind], v[kind] / s.velocity * s.fraction[kind], NULL, NULL, &motion);
     path[0] += motion.path[0];
     path[1] += motion.path[1];

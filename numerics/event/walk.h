@@ -241,10 +241,11 @@ static inline void go_to_end(struct walk *w)
 }
 
 SOLVE void motion_walk(const struct phase_input *input, real c_0, scallop_visitor *visit, void *context,
-                       struct motion *motion)
+                       struct period_motion *motion)
 {
   struct walk w;
-  *motion = (struct motion){ .stretch = 1, .first_switch = NAN, .last_switch = NAN, .never_moved = { true, true } };
+  *motion =
+      (struct period_motion){ .stretch = 1, .first_switch = NAN, .last_switch = NAN, .never_moved = { true, true } };
   w.in = input;
   w.segment.given = NULL;
   w.visit = visit;

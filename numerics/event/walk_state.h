@@ -74,7 +74,7 @@ struct walk {
   int passed;             /* a curve that c has left for the rest of the piece, or -1                */
   int left;               /* curve of the body released last, if c has met no curve since and is near it; or -1 */
   bool turned;            /* the mode may have changed since it was last noted                       */
-  struct motion *out;
+  struct period_motion *out;
 };
 
 static inline real given_offset(const struct walk *w, real u) { return w->segment.origin + w->segment.turn * u; }
@@ -106,7 +106,7 @@ static struct scallop_mode mode_now(const struct walk *w)
 /* Records the mode that begins at u, unless it equals the previous mode. */
 static void note_mode(const struct walk *w, struct scallop_mode mode)
 {
-  struct motion *out = w->out;
+  struct period_motion *out = w->out;
   struct scallop_modes *modes = &out->modes;
   real at = given_offset(w, w->u);
   real passed = w->segment.given->anchor == SCALLOP_FROM_START ? at : 1 - at;

@@ -44,7 +44,7 @@ struct cvode {
   double tolerance;
 };
 
-struct run {
+struct cvode_run {
   struct integrator_motion motion; /* first member: a pointer to it is one to the struct */
   const struct cvode *tools;
   bool let_go[2]; /* a body that was at rest at the start of the integration */
@@ -63,7 +63,7 @@ static int equation(double t, N_Vector y, N_Vector dydt, void *context)
  * has just been let go starts at zero. But it cannot be back before the forces turn on it, so until then its function
  * is far from zero; and from then on it is to fall behind zero by a tolerance, in case the forces have turned
  * already. */
-static double slack(const struct run *r, double t, int body)
+static double slack(const struct cvode_run *r, double t, int body)
 {
   if (!r->let_go[body])
     return 0;
@@ -72,7 +72,7 @@ static double slack(const struct run *r, double t, int body)
 
 static int velocities(double t, N_Vector y, double *ahead, void *context)
 {
-  const struct run *r = context;
+  const struct cvode_run *r = context;
   double v1 = NV_Ith_S(y, 0), v2 = v1 + integrator_gait_velocity(&r->motion, t);
   for (int body = 0; body < 2; body++)
     ahead[body] = integrator_ahead(&r->motion, v1, v2, body) + slack(r, t, body);
@@ -80,7 +80,7 @@ static int velocities(double t, N_Vector y, double *ahead, void *context)
 }
 
 /* Restarts the integration at the current motion, without memory of earlier steps. */
-static bool begin(struct run *r)
+static bool begin(struct cvode_run *r)
 {
   const struct cvode *tools = r->tools;
   const struct integrator_motion *m = &r->motion;
@@ -94,7 +94,7 @@ static bool begin(struct run *r)
 
 /* CVODE looks for a change of sign from step to step. It stops at the turning point of a velocity: a body cannot reach
  * zero and leave it within a step. */
-static bool set_stop(const struct run *r, double end, double *stop)
+static bool set_stop(const struct cvode_run *r, double end, double *stop)
 {
   const struct integrator_motion *m = &r->motion;
   *stop = end;
@@ -105,7 +105,7 @@ static bool set_stop(const struct run *r, double end, double *stop)
 }
 
 /* To `stop` or the first event, whichever comes first: the body of that event, or -1. */
-static int advance(struct run *r, double stop)
+static int advance(struct cvode_run *r, double stop)
 {
   struct integrator_motion *m = &r->motion;
   const struct cvode *tools = r->tools;
@@ -143,7 +143,7 @@ static bool count_rejected(struct integrator_motion *m, void *memory)
 
 static int slide(struct integrator_motion *m, double end)
 {
-  struct run *r = (struct run *)m;
+  struct cvode_run *r = (struct cvode_run *)m;
   int body = -1;
   double stop;
   bool heeded = begin(r); /* refused without memory only, and so the others */
@@ -161,7 +161,7 @@ static enum scallop_status period(struct scallop_integrator *self, const struct 
                                   const struct scallop_patience *patience, struct scallop_integrator_period *result)
 {
   struct cvode *tools = (struct cvode *)self;
-  struct run r = { .motion = { .slide = slide }, .tools = tools };
+  struct cvode_run r = { .motion = { .slide = slide }, .tools = tools };
   if (CVodeSetUserData(tools->memory, &r) != CV_SUCCESS)
     return SCALLOP_ECONVERGE; /* GCOVR_EXCL_LINE */
   return integrator_motion_period(&r.motion, crawler, v0, patience, result);

@@ -21,7 +21,7 @@ void scallop_integrator_destroy(struct scallop_integrator *integrator)
     integrator->destroy(integrator);
 }
 
-struct search {
+struct fixed_point_search {
   struct scallop_integrator *integrator;
   const struct scallop_crawler *crawler;
   const struct scallop_patience *patience;
@@ -30,7 +30,8 @@ struct search {
 
 static bool good_tolerance(double tolerance) { return tolerance >= 0 && isfinite(tolerance); }
 
-static enum scallop_status next_period(struct search *s, double v0, struct scallop_integrator_period *period)
+static enum scallop_status next_period(struct fixed_point_search *s, double v0,
+                                       struct scallop_integrator_period *period)
 {
   if (!integrator_patience_lasts(s->patience))
     return SCALLOP_ESTOPPED;
@@ -101,7 +102,7 @@ enum scallop_status scallop_integrator_simulate(struct scallop_integrator *integ
                                                 const struct scallop_patience *patience,
                                                 struct scallop_integrator_steady *steady)
 {
-  struct search s = { integrator, crawler, patience, { .v_start = v0, .displacement = NAN } };
+  struct fixed_point_search s = { integrator, crawler, patience, { .v_start = v0, .displacement = NAN } };
   struct watch w = { .mark = v0, .before = NAN, .stride = 1 };
   struct scallop_integrator_period period;
   struct scallop_scaled scaled;
@@ -129,7 +130,7 @@ struct tried {
 };
 
 struct root_search {
-  struct search search;
+  struct fixed_point_search search;
   enum scallop_status status;
   int count;
   struct tried tried[ITERATIONS + 2]; /* the ends of the bracket come first */

@@ -13,7 +13,7 @@ struct moreau {
   long steps;
 };
 
-struct run {
+struct moreau_run {
   struct integrator_phases phases; /* first member: a pointer to it is one to the struct */
   long steps;
 };
@@ -50,7 +50,7 @@ static double gait_velocity(const struct scallop_piece *p, double from_start, do
 }
 
 /* Takes steps begin + 1 to end, all in one piece. The path by the theta rule, theta = 1/2. */
-static void take_steps(struct run *run, const struct scallop_piece *piece, long begin, long end)
+static void take_steps(struct moreau_run *run, const struct scallop_piece *piece, long begin, long end)
 {
   struct integrator_phases *r = &run->phases;
   double h = 1 / (double)run->steps, impulse = h * r->eps, difference = impulse * r->f_difference, c = r->c, sum = 0;
@@ -68,7 +68,7 @@ static void take_steps(struct run *run, const struct scallop_piece *piece, long 
   r->evaluations += end - begin;
 }
 
-static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece, long begin, long end)
+static enum scallop_status run_piece(struct moreau_run *run, const struct scallop_piece *piece, long begin, long end)
 {
   for (long k = begin; k < end; k += STEPS_PER_QUESTION) {
     if (!integrator_patience_lasts(run->phases.patience))
@@ -80,7 +80,7 @@ static enum scallop_status run_piece(struct run *run, const struct scallop_piece
 
 static enum scallop_status run_phase(struct integrator_phases *phases, const struct scallop_shape *shape)
 {
-  struct run *run = (struct run *)phases;
+  struct moreau_run *run = (struct moreau_run *)phases;
   enum scallop_status status = SCALLOP_OK;
   long done = 0;
   for (int i = 0; i < shape->count && status == SCALLOP_OK; i++) {
@@ -97,8 +97,8 @@ static enum scallop_status moreau_period(struct scallop_integrator *self, const 
                                          double v0, const struct scallop_patience *patience,
                                          struct scallop_integrator_period *period)
 {
-  struct run run = { .phases = { .phase = run_phase, .patience = patience },
-                     .steps = ((const struct moreau *)self)->steps };
+  struct moreau_run run = { .phases = { .phase = run_phase, .patience = patience },
+                            .steps = ((const struct moreau *)self)->steps };
   return integrator_period(&run.phases, crawler, v0, period);
 }
 

@@ -20,14 +20,14 @@ struct odeiv {
 };
 
 /* One end of a step. Units throughout: L, and the duration of the phase. */
-struct point {
+struct odeiv_point {
   double t;            /* since the phase began                                                */
   double y[DIMENSION]; /* velocity and position of body 1                                      */
   double dydt[DIMENSION];
   double v2; /* velocity of body 2                                                   */
 };
 
-struct run {
+struct odeiv_run {
   struct integrator_motion motion; /* first member: a pointer to it is one to the struct */
   struct odeiv *tools;
   double close; /* a velocity that counts as zero when an event is located */
@@ -43,18 +43,18 @@ static int equation(double t, const double y[], double dydt[], void *params)
   return GSL_SUCCESS;
 }
 
-static double ahead(const struct run *r, const struct point *p, int body)
+static double ahead(const struct odeiv_run *r, const struct odeiv_point *p, int body)
 {
   return integrator_ahead(&r->motion, p->y[0], p->v2, body);
 }
 
-static double ahead_rate(const struct run *r, const struct point *p, int body)
+static double ahead_rate(const struct odeiv_run *r, const struct odeiv_point *p, int body)
 {
   const struct integrator_motion *m = &r->motion;
   return body == 0 ? m->sign[0] * p->dydt[0] : integrator_ahead_rate(m, p->t, body); /* dydt is at hand */
 }
 
-static void check(struct run *r, int gsl_status)
+static void check(struct odeiv_run *r, int gsl_status)
 {
   if (gsl_status != GSL_SUCCESS)
     r->motion.status = SCALLOP_ECONVERGE;
@@ -63,7 +63,7 @@ static void check(struct run *r, int gsl_status)
 static long tried(const gsl_odeiv2_evolve *e) { return (long)(e->count + e->failed_steps); }
 
 /* One step of the method from `from` to time t */
-static void step_to(struct run *r, const struct point *from, double t, struct point *to)
+static void step_to(struct odeiv_run *r, const struct odeiv_point *from, double t, struct odeiv_point *to)
 {
   const struct odeiv *tools = r->tools;
   double error[DIMENSION];
@@ -82,13 +82,14 @@ struct bracket {
 /* Both ends of the step are ahead of zero, and the velocity turns between them: if it has a minimum
  * there, look at it. As l'' is monotone in a piece the velocity is convex, so it lies above its tangents; this nearly
  * always decides without a step. */
-static bool dips(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
+static bool dips(struct odeiv_run *r, const struct odeiv_point *from, const struct odeiv_point *to, int body,
+                 struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body), h = to->t - from->t;
   double d0 = ahead_rate(r, from, body), d1 = ahead_rate(r, to, body);
   if (d0 >= 0 || d1 <= 0 || g0 + d0 * ((g1 - g0 - d1 * h) / (d0 - d1)) > 0)
     return false;
-  struct point lowest;
+  struct odeiv_point lowest;
   step_to(r, from, r->motion.turn[body], &lowest);
   *at = (struct bracket){ from->t, lowest.t };
   return ahead(r, &lowest, body) <= 0;
@@ -97,7 +98,8 @@ static bool dips(struct run *r, const struct point *from, const struct point *to
 /* Returns whether a body's velocity falls to zero within the step; *at brackets the time. A body that starts the step
  * at zero, or behind it by the errors of the steps, has just been let go by the forces, so its zero must come after a
  * turning point: it is found behind zero, and being driven further. */
-static bool crosses(struct run *r, const struct point *from, const struct point *to, int body, struct bracket *at)
+static bool crosses(struct odeiv_run *r, const struct odeiv_point *from, const struct odeiv_point *to, int body,
+                    struct bracket *at)
 {
   double g0 = ahead(r, from, body), g1 = ahead(r, to, body);
   bool turns = r->motion.turn[body] > from->t && r->motion.turn[body] < to->t;
@@ -112,7 +114,8 @@ static bool crosses(struct run *r, const struct point *from, const struct point 
 }
 
 /* The zero of the cubic through velocities and rates at both ends: a first guess, inside the bracket. */
-static double guess(const struct run *r, const struct point *from, const struct point *to, int body, struct bracket at)
+static double guess(const struct odeiv_run *r, const struct odeiv_point *from, const struct odeiv_point *to, int body,
+                    struct bracket at)
 {
   double h = to->t - from->t, g0 = ahead(r, from, body), d0 = h * ahead_rate(r, from, body);
   double g1 = ahead(r, to, body), d1 = h * ahead_rate(r, to, body);
@@ -125,7 +128,8 @@ static double guess(const struct run *r, const struct point *from, const struct 
 }
 
 /* Repeats the step with its end at the zero of the velocity of body. */
-static void locate(struct run *r, const struct point *from, struct point *to, int body, struct bracket at)
+static void locate(struct odeiv_run *r, const struct odeiv_point *from, struct odeiv_point *to, int body,
+                   struct bracket at)
 {
   double t = guess(r, from, to, body, at);
   for (int i = 0; i < MAX_TRIALS; i++) {
@@ -144,7 +148,7 @@ static void locate(struct run *r, const struct point *from, struct point *to, in
 }
 
 /* Shortens the step to the first event in it; the body of that event, or -1. */
-static int first_event(struct run *r, const struct point *from, struct point *to)
+static int first_event(struct odeiv_run *r, const struct odeiv_point *from, struct odeiv_point *to)
 {
   int first = -1;
   struct bracket at;
@@ -156,7 +160,7 @@ static int first_event(struct run *r, const struct point *from, struct point *to
   return first;
 }
 
-static void begin(struct run *r, struct point *from)
+static void begin(struct odeiv_run *r, struct odeiv_point *from)
 {
   const struct integrator_motion *m = &r->motion;
   from->t = m->t;
@@ -167,7 +171,7 @@ static void begin(struct run *r, struct point *from)
 }
 
 /* One accepted step, not past `end`. */
-static void accepted_step(struct run *r, double end, struct point *from, struct point *to)
+static void accepted_step(struct odeiv_run *r, double end, struct odeiv_point *from, struct odeiv_point *to)
 {
   const gsl_odeiv2_driver *d = r->tools->driver;
   const gsl_odeiv2_evolve *e = d->e;
@@ -184,8 +188,8 @@ static void accepted_step(struct run *r, double end, struct point *from, struct 
 
 static int slide(struct integrator_motion *m, double end)
 {
-  struct run *r = (struct run *)m;
-  struct point from, to;
+  struct odeiv_run *r = (struct odeiv_run *)m;
+  struct odeiv_point from, to;
   int body = -1;
   begin(r, &from);
   while (body < 0 && from.t < end && integrator_motion_goes_on(m)) {
@@ -204,7 +208,7 @@ static enum scallop_status period(struct scallop_integrator *self, const struct 
 {
   struct odeiv *tools = (struct odeiv *)self;
   /* h: the whole piece is the first step tried, as the control cuts down faster than it grows */
-  struct run r = {
+  struct odeiv_run r = {
     .motion = { .slide = slide }, .tools = tools, .close = fmax(0.1 * tools->tolerance, 4 * DBL_EPSILON), .h = 1
   };
   tools->system.params = &r.motion;

@@ -33,7 +33,7 @@ struct watch {
   int count;
 };
 
-struct run {
+struct smoothed_run {
   struct integrator_phases phases; /* first member: a pointer to it is one to the struct */
   const struct smoothed *tools;
   const struct scallop_piece *piece;
@@ -44,7 +44,7 @@ struct run {
 
 static int equation(double t, const double y[], double dydt[], void *params)
 {
-  struct run *run = params;
+  struct smoothed_run *run = params;
   struct integrator_phases *r = &run->phases;
   double c = y[0], l1 = run->piece->curve->velocity(run->piece, integrator_flip(run->piece, t));
   dydt[0] = -r->eps * (r->f[0] * tanh((c - r->mu[1] * l1) / run->d) + r->f[1] * tanh((c + r->mu[0] * l1) / run->d));
@@ -62,7 +62,7 @@ static double tanh_slope(double x)
 
 static int jacobian(double t, const double y[], double *dfdy, double dfdt[], void *params)
 {
-  struct run *run = params;
+  struct smoothed_run *run = params;
   struct integrator_phases *r = &run->phases;
   double c = y[0], l1, l2, steepness = r->eps / run->d;
   piece_rates(run->piece, integrator_flip(run->piece, t), &l1, &l2);
@@ -80,7 +80,7 @@ static int jacobian(double t, const double y[], double *dfdy, double dfdt[], voi
 
 static long steps_of(const gsl_odeiv2_evolve *e) { return (long)(e->count + e->failed_steps); }
 
-static enum scallop_status one_step(struct run *run, double *t, double end, double y[])
+static enum scallop_status one_step(struct smoothed_run *run, double *t, double end, double y[])
 {
   const gsl_odeiv2_driver *d = run->tools->driver;
   const gsl_odeiv2_system system = { equation, jacobian, DIMENSION, run };
@@ -94,7 +94,7 @@ static enum scallop_status one_step(struct run *run, double *t, double end, doub
 
 static double next_time(const struct watch *w) { return w->count > 0 ? w->sample->t / w->duration : INFINITY; }
 
-static struct scallop_sample sample_at(const struct run *run, double t, const double y[])
+static struct scallop_sample sample_at(const struct smoothed_run *run, double t, const double y[])
 {
   const struct watch *w = &run->watch;
   const struct integrator_phases *r = &run->phases;
@@ -112,7 +112,7 @@ static struct scallop_sample sample_at(const struct run *run, double t, const do
 }
 
 /* Takes the samples that are due now, or so soon that a step to there would be too short. */
-static enum scallop_status take_due(struct run *run, double t, const double y[])
+static enum scallop_status take_due(struct smoothed_run *run, double t, const double y[])
 {
   struct watch *w = &run->watch;
   for (; next_time(w) <= t + 4 * DBL_EPSILON; w->sample++, w->count--) {
@@ -125,7 +125,7 @@ static enum scallop_status take_due(struct run *run, double t, const double y[])
 }
 
 /* Integrates one piece from a restart, as l'' may jump at its start. */
-static enum scallop_status run_piece(struct run *run, const struct scallop_piece *piece)
+static enum scallop_status run_piece(struct smoothed_run *run, const struct scallop_piece *piece)
 {
   struct integrator_phases *r = &run->phases;
   const gsl_odeiv2_driver *d = run->tools->driver;
@@ -148,7 +148,7 @@ static enum scallop_status run_piece(struct run *run, const struct scallop_piece
 
 static enum scallop_status run_phase(struct integrator_phases *phases, const struct scallop_shape *shape)
 {
-  struct run *run = (struct run *)phases;
+  struct smoothed_run *run = (struct smoothed_run *)phases;
   run->d = run->tools->delta * phases->fraction;
   if (!isnormal(run->d) || !isfinite(phases->eps / run->d))
     return SCALLOP_ERANGE;
@@ -162,9 +162,9 @@ static enum scallop_status smoothed_period(struct scallop_integrator *self, cons
                                            double v0, const struct scallop_patience *patience,
                                            struct scallop_integrator_period *period)
 {
-  struct run run = { .phases = { .phase = run_phase, .patience = patience },
-                     .tools = (const struct smoothed *)self,
-                     .h = first_step };
+  struct smoothed_run run = { .phases = { .phase = run_phase, .patience = patience },
+                              .tools = (const struct smoothed *)self,
+                              .h = first_step };
   return integrator_period(&run.phases, crawler, v0, period);
 }
 
@@ -189,15 +189,15 @@ enum scallop_status scallop_smoothed_phase(struct scallop_integrator *integrator
   double duration = scallop_phase_duration(crawler, kind), fraction = s.fraction[kind];
   if (!are_times(samples, count, duration))
     return SCALLOP_EDOMAIN;
-  struct run run = { .phases = { .patience = patience,
-                                 .mu = { s.mu1, s.mu2 },
-                                 .f = { s.f1, s.f2 },
-                                 .fraction = fraction,
-                                 .eps = s.eps * (fraction * fraction),
-                                 .c = c0 * fraction },
-                     .tools = (const struct smoothed *)integrator,
-                     .h = first_step,
-                     .watch = { crawler, kind, duration, samples, count } };
+  struct smoothed_run run = { .phases = { .patience = patience,
+                                          .mu = { s.mu1, s.mu2 },
+                                          .f = { s.f1, s.f2 },
+                                          .fraction = fraction,
+                                          .eps = s.eps * (fraction * fraction),
+                                          .c = c0 * fraction },
+                              .tools = (const struct smoothed *)integrator,
+                              .h = first_step,
+                              .watch = { crawler, kind, duration, samples, count } };
   return run_phase(&run.phases, &s.gait->phase[kind]);
 }
 

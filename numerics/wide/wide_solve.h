@@ -65,7 +65,7 @@ static void wide_phase(const struct scallop_crawler *c, enum scallop_phase_kind 
                        struct scallop_wide_phase *out)
 {
   const struct walker s = walker_of(c, true);
-  struct motion m;
+  struct period_motion m;
   real tau = s.fraction[kind] * c->T, unit = c->L / tau, way[3], size[3];
   motion_walk(&s.phase[kind], v0 / unit, NULL, NULL, &m);
   motion_bodies(&s.phase[kind], kind, ((real)c->m1 - c->m2) / ((real)c->m1 + c->m2), &m, way, size);

@@ -271,7 +271,7 @@ TEST(a_crossing_does_not_meet_itself)
 enum gathered { NOTHING, MANY_PLACES, MANY_FOLDS, MANY_SECTORS, MORE_SECTORS };
 
 /* What a long search could have gathered: places and folds that are nowhere near, sectors whose turn never comes. */
-static void gather(struct search *s, enum gathered what)
+static void gather(struct singularity_search *s, enum gathered what)
 {
   enum { AT_FIRST = 8 };
   int sectors = what == MORE_SECTORS ? MOST_SECTORS - AT_FIRST : what == MANY_SECTORS ? MOST_SECTORS - AT_FIRST - 1 : 0;
@@ -302,7 +302,7 @@ static struct outcome search_after(enum gathered what, slong shift)
   for (int join = 0; join < 2; join++)
     continue_steady(&both[join], &l, kappa, join, PRECISION);
   acb_add_si(both[0].start, both[0].start, shift, PRECISION);
-  struct search *s = search_new(both, 0.5, PRECISION);
+  struct singularity_search *s = search_new(both, 0.5, PRECISION);
   gather(s, what);
   struct outcome outcome = { .covered = search_cover(s) };
   outcome.reach = s->reach;

@@ -69,7 +69,7 @@ static struct phase_input phase_in(const struct scallop_scaled *s, enum scallop_
  * else nearly. */
 static void check_phase(const struct phase_input *in, double c0)
 {
-  struct motion m, w;
+  struct period_motion m, w;
   motion_walk(in, c0, NULL, NULL, &w);
   if (!short_cut(in, c0, &m))
     return;
@@ -98,7 +98,7 @@ TEST(ramps_are_the_walk)
                                               n % 5 ? &skewed_gait : &scallop_gait_quadratic);
     enum scallop_phase_kind kind = n % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
     struct scallop_scaled s;
-    struct motion m;
+    struct period_motion m;
     if (scallop_scale(&c, &s) != SCALLOP_OK)
       continue;
     const struct phase_input in = phase_in(&s, kind);
@@ -125,7 +125,7 @@ static void many_phases(const struct scallop_gait *gait)
     struct scallop_crawler c = random_crawler(&r, (enum family)(n % FAMILIES), gait);
     enum scallop_phase_kind kind = n % 2 ? SCALLOP_CONTRACTION : SCALLOP_EXTENSION;
     struct scallop_scaled s;
-    struct motion m, w;
+    struct period_motion m, w;
     if (scallop_scale(&c, &s) != SCALLOP_OK)
       continue;
     struct phase_input in = phase_in(&s, kind);
@@ -229,7 +229,7 @@ TEST(coincidences)
 {
   struct scallop_crawler c = { 1, 1, 1, 1, 1, 1, 0.5, &scallop_gait_quadratic };
   struct scallop_scaled s;
-  struct motion m;
+  struct period_motion m;
   assert_int_equal(scallop_scale(&c, &s), SCALLOP_OK);
   const struct phase_input in = phase_in(&s, SCALLOP_EXTENSION);
   assert_false(short_cut(&in, 1 + 0.5 * in.eps, &m)); /* on curve 0 at half time */
