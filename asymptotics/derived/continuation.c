@@ -32,7 +32,7 @@ static void set_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t va
   acb_set_fmpq(acb_mat_entry(matrix, row, column), value, precision);
 }
 
-/* Adds a b: a fraction of the slope of c, and its factor. */
+/* Adds the product a b to an entry. */
 static void add_entry(acb_mat_t matrix, slong row, slong column, const fmpq_t a, const fmpq_t b, slong precision)
 {
   SCOPED(fmpq, product);
@@ -57,8 +57,8 @@ static void add_gain(struct continuation *c, acb_mat_t matrix, slong row, const 
   add_entry(matrix, row, column, share, p->beta[branch_region(b, (int)until)], precision);
 }
 
-/* Sets the rows of a phase with crossings from `first` on; c starts at fraction w, plus the gain of the phase
- * before. */
+/* Sets the rows of a phase with crossings from `first` on. c starts at fraction times w; continue_steady adds the gain
+ * of the first phase to the rows of the second. */
 static void add_phase(struct continuation *c, const struct branch *b, const struct phase_constants *p, slong first,
                       slong count, const fmpq_t fraction, bool join, slong precision)
 {

@@ -94,8 +94,9 @@ static bool prove(struct fold *f, acb_t second, slong precision)
   return enclose(f, second, precision);
 }
 
-/* Returns min |z''|/2 over the square |Re t|, |Im t| <= size around the branch point, times size^2; 0: not proven to be
- * positive. By Taylor's theorem |z - z*| is at least this at distance size. */
+/* Returns size^2/2 times the lower bound of the ball |z''| over the square |Re t|, |Im t| <= size around the branch
+ * point; 0: not proven to be positive. A ball is convex, therefore it contains the mean of z'' in the remainder of
+ * Taylor's theorem, and |z - z*| is at least this at distance size. */
 static double clearance(acb_ptr around, const struct fold *f, double size)
 {
   slong n = f->c->n;

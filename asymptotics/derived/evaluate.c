@@ -112,7 +112,7 @@ void scallop_symbols_set(struct scallop_symbols *s, const struct scallop_rationa
   scallop_symbols_complete(s, kind, ring);
 }
 
-/* Sets the value of a symbol in the formula. exchanged: the bodies, and with them the sign of l */
+/* Sets the value of a symbol in the formula. exchanged: the bodies are exchanged, and l changes its sign. */
 static void set_meant(struct series *value, const struct scallop_symbols *s, int symbol, bool exchanged)
 {
   int sign = 1;

@@ -1,5 +1,5 @@
-/* The energy dissipated by friction in a period of the steady state, as a series. It follows from the energy balance,
- * unlike the path lengths of numerics/. */
+/* The energy dissipated by friction in a period of the steady state, as a series: from the energy balance, whereas
+ * numerics/ adds up the lengths of the paths of the bodies. */
 #include "asymptotics/derived/limit.h"
 #include "asymptotics/derived/scoped.h"
 

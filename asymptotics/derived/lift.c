@@ -30,7 +30,7 @@ void phase_series_set(struct phase_series *to, const struct phase_constants *fro
   series_set_rational(&to->unit, L);
 }
 
-/* A line c = a + b s up to the next crossing; a_slope is the derivative of a with respect to the unknown. */
+/* A line c = a + b s up to the next crossing; a_slope is the derivative of a, as c_slope in lift_phase is that of c. */
 struct line {
   struct series a, a_slope, b;
 };
@@ -101,7 +101,8 @@ static bool gap_of(arb_t gap, arb_t slope, const arb_t u, void *meeting, slong p
   return true;
 }
 
-/* Encloses a crossing: the offset, a place near, becomes a ball that contains it for every line in `line`. */
+/* Encloses a crossing: at->offset, before only near it, becomes a ball that contains the crossing for all lines in
+ * `line`; if same, the ball also contains the offset given. */
 static bool enclose(struct crossing *at, const struct series *curve, const struct line *line, bool same,
                     slong precision)
 {
@@ -204,7 +205,8 @@ static void travel_between(struct series *way, const struct line *line, const st
   series_mul(way, &duration, &middle, ring);
 }
 
-/* Changes from region r to region `to` at time s: adds the change of slope to a, its derivative and both balances. */
+/* Changes from region r to region `to` at time s: adds (beta[r] - beta[to]) s to the balance, eps times this to a, and
+ * their derivatives to balance_slope and a_slope. */
 static void change_region(struct lift *l, struct line *line, const struct phase_series *p, int r, int to,
                           const struct series *eps, const struct series *s, const struct series *s_slope,
                           const struct ring *ring)

@@ -169,7 +169,7 @@ static void sum(struct ratio *to, const struct ratio *a, const struct ratio *b, 
 void ratio_add(struct ratio *to, const struct ratio *a, const struct ratio *b) { sum(to, a, b, fmpz_mpoly_add); }
 void ratio_sub(struct ratio *to, const struct ratio *a, const struct ratio *b) { sum(to, a, b, fmpz_mpoly_sub); }
 
-/* Computes to = (a/b) (over/under). */
+/* Computes to = (a/b) other, or (a/b)/other if inverse. */
 static void product(struct ratio *to, const fmpz_mpoly_t a, const fmpz_mpoly_t b, const struct ratio *other,
                     bool inverse)
 {

@@ -49,7 +49,7 @@ static void set_place(struct scallop_singularity *to, const struct singularity_s
   }
 }
 
-/* Converts from z to T. */
+/* Undoes the scale of z, and takes the root of the sizes: low and T become times; place stays a T^power. */
 static void unscale(struct scallop_singularity *to, const struct continuation *c, slong precision)
 {
   arb_ptr sizes[2] = { to->low, to->T };

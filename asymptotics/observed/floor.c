@@ -5,13 +5,14 @@
 
 #include "asymptotics/observed/judged.h"
 
-/* A tail is a floor if its overall order is below FLAT, or below FLATTER times the median of the last FEW orders before
- * it, if h falls by a factor APART from row to row: the orders of closer rows are noise. */
+/* A tail is a floor if its overall and its first order are below FLAT times the upper quartile of all orders (at most
+ * 1), or below FLATTER times the median of the last FEW orders before it; the latter only if h falls by a factor APART
+ * from row to row: the orders of closer rows are noise. */
 static const double FLAT = 0.5, FLATTER = 0.35, APART = 1.2;
 /* A floor requires an order of at least this somewhere in the table. */
 static const double STEEP = 0.1;
-/* Errors this small are near the roundoff of a quantity of order 1: a floor is then not the method's, and if five
- * errors are larger, they determine the order. */
+/* Errors up to ROUNDOFF are near the roundoff of a quantity of order 1: a floor there is not due to the method. If the
+ * other rules do not decide and LEAST_TREND errors are at least NEAR_ROUNDOFF, these determine the order. */
 static const double ROUNDOFF = 1e-11, NEAR_ROUNDOFF = 1e-12;
 /* Fraction of the largest error. A rough floor may be this high: tolerances of solvers, single precision. */
 static const double ROUGH = 1e-6;

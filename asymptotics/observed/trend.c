@@ -165,7 +165,7 @@ static struct bend refine(const struct row_range *r, struct bend best, double lo
 }
 
 /* Returns the bend with the best c, between an almost complete cancellation by the second term and equal size of both
- * terms at the far end; starts from the best of a grid, or from 0. */
+ * terms at the finest h; starts from the best of a grid, or from 0. */
 static struct bend best_of(const struct row_range *r, const struct shape *shape)
 {
   struct bend none = bend_at(r, shape, 0);
@@ -261,8 +261,8 @@ static int digits_of(double x)
 
 static double last_place(double x, int digits) { return pow(10, floor(log10(fabs(x))) - digits + 1); }
 
-/* Sets bounds of the effect of rounding and known noise on the logarithms of printed errors. They were rounded to as
- * many digits as the longest of them has, or to as many decimals, whichever is more; doubles were not. */
+/* Sets bounds of the effect of rounding and known noise on the logarithms of printed errors. Errors were rounded to the
+ * digits of the longest or to the most decimals found, whichever is coarser; doubles were not rounded. */
 static void note_rounding(struct entry *entry, const struct scallop_order_point *points, int count, double level)
 {
   int digits = 0;

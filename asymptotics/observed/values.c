@@ -23,8 +23,8 @@ static double order_of_three(const struct scallop_order_point *p)
   return low;
 }
 
-/* Sets the noise: the rounding of differences of doubles. If a difference is 0, the noise is the resolution of the
- * values: the smallest difference other than 0. */
+/* Sets the noise to the rounding of a double. If values repeat, the noise is at least half the resolution of the
+ * values, which is their smallest difference other than 0. */
 static void note_noise(struct scallop_order_point *values, int count)
 {
   double least = INFINITY;

@@ -40,7 +40,7 @@ static void set_pairwise_order(struct judged *j, int first, double order)
   set_order(j, SCALLOP_ORDER_PAIRWISE, order, low, high);
 }
 
-/* Judges fewer than three points: they have no order, unless all are exact. */
+/* Judges fewer than three used points, which determine no order: the table passes only if every err is within noise. */
 static void judge_few(struct judged *j)
 {
   int zero = reason_count(j, 0, SCALLOP_ORDER_ZERO), floor = reason_count(j, 0, SCALLOP_ORDER_FLOOR);
@@ -210,8 +210,8 @@ static void set_estimate(struct judged *j, const struct estimate *a)
     set_pairwise_order(j, 0, a->order);
 }
 
-/* Judges a dominating term, or an order that changes like a logarithm: not passed, unless the order is at least the
- * expected one and creeps. */
+/* Judges a run with a dominating term, or with orders that change like a logarithm. The latter passes if the expected
+ * order is a lower bound and the finest order reaches it; all else is drifting. */
 static void judge_drift(struct judged *j, const struct trend *t)
 {
   const struct scallop_order_wanted *w = j->wanted;

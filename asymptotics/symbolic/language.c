@@ -132,7 +132,7 @@ static void put_by_powers(struct writer *w, const fmpz_mpoly_t polynomial)
   fmpz_mpoly_clear(coefficient, ring);
 }
 
-/* Replaces beta by 1 - alpha in factors without symbols except alpha and beta; removes factors that become 1. */
+/* Replaces beta by 1 - alpha in factors of alpha and beta, both present, alone; removes factors that become 1. */
 static void write_in_alpha(fmpz_mpoly_factor_t factors, const struct symbols *s)
 {
   const fmpz_mpoly_ctx_struct *ring = s->names.ring;

@@ -14,7 +14,7 @@
 
 enum { KEPT = 64, SUM_DIGITS = 20, SPARE_DIGITS = 8, GUARD_BITS = 128, TEXT_DIGITS = 3 };
 
-/* Series do not depend on T: the series of the last KEPT crawlers are kept. */
+/* Series do not depend on T: the last KEPT series are kept, each for a motion, crawler and start velocity. */
 struct kept_series {
   enum motion_of_point motion;
   struct scallop_rational_crawler crawler;
@@ -51,7 +51,8 @@ static void flint_end(struct at_flint *f)
 
 static enum quantity_of kind_of(enum motion_of_point m) { return m == STEADY_STATE ? OF_STEADY : OF_PHASE; }
 
-/* Sets the crawler and v0 as written, start and T. The start velocity of a steady state is exactly its double. */
+/* Sets the crawler and v0 to the numbers as written, and start and T to those of the motion. A start velocity that the
+ * steady state determines is a double, taken as exact. */
 static struct at_flint *set_motion(struct at *s, enum motion_of_point m)
 {
   const struct scallop_wide *steady = s->solved[STEADY_STATE].answer.value;
@@ -93,14 +94,14 @@ static long certified_digits(const struct at *s)
   return most < SCALLOP_MOST_DIGITS ? most : SCALLOP_MOST_DIGITS;
 }
 
-/* Returns the precision of series: the bits of the digits, and one more bit for each term. */
+/* Returns the precision of series: the bits of the digits, the guard bits, and one more bit for each term. */
 static slong bits_of(const struct at *s, long order)
 {
   long digits = certified_digits(s);
   return (slong)(3.33 * (double)(digits > SUM_DIGITS ? digits : SUM_DIGITS)) + GUARD_BITS + order;
 }
 
-/* Returns the highest requested order; for the limit an order that includes the first term, T^3 or lower. */
+/* Returns the highest requested order, for the limit at least 8 (phase) or 1 (steady state): above its first power. */
 static long order_of_series(const struct quantities *all, enum quantity_of of)
 {
   long most = 0;

@@ -49,7 +49,7 @@ static bool names(const struct request *r, const struct sweep_end *end, const st
   return found;
 }
 
-/* Returns a variable of a slower group with an end that is a formula of this one, or NULL. */
+/* Returns the name of an earlier, slower variable in the product whose range has an end that depends on v, or NULL. */
 static const char *used_too_early(const struct request *r, const struct sweep_variable *v)
 {
   const struct sweep_product *p = last_product(r);
@@ -255,7 +255,7 @@ static const char *label_of_text(struct request *r, struct sweep_variable *label
   return vary_label(r, name, label);
 }
 
-/* Adds a group with the variable, or with a label if parameter is NULL; modifies copy, a copy of text. */
+/* Adds a group with the parameter, or with a label if parameter is NULL; modifies copy, a copy of text. */
 static const char *add_values(struct request *r, const struct sweep_variable *parameter, const char *text, char *copy)
 {
   struct sweep_variable v = parameter ? *parameter : (struct sweep_variable){ .name = "" };
@@ -273,7 +273,7 @@ static const char *add_values(struct request *r, const struct sweep_variable *pa
   return wrong;
 }
 
-/* Moves the sampled variables of all later groups into this one. Returns NULL or the error. */
+/* Moves the sampled variables of all later groups to `into`, and samples this group. Returns NULL or the error. */
 static const char *gather(const struct samples *s, struct sweep_product *p, struct sweep_group *into)
 {
   double points = (double)s->count;

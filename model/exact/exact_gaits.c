@@ -1,4 +1,4 @@
-/* The gaits of families.h in fractions, and splines: the pieces made in doubles, each with its fractions. */
+/* The gaits of families.h in fractions: the pieces are made in doubles, and each gets its fractions. */
 #include <stdlib.h>
 
 #include "model/exact/fractions.h"
@@ -70,7 +70,7 @@ static void set_form(fmpq_t x, const struct scallop_straight_form *form, const f
   fmpq_addmul(x, c, down);
 }
 
-/* Computes a piece from the inputs of its doubles. */
+/* Computes the fractions of a piece from the numbers of which its doubles were computed. */
 static void set_straight(struct scallop_fractions *f, const struct scallop_straight_line *line, bool from_start,
                          const fmpq_t up, const fmpq_t down)
 {

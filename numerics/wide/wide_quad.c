@@ -1,4 +1,4 @@
-/* The wider solver in binary128, if the compiler has it or long double is it; else in long double. */
+/* The wider solver: in binary128 if __float128 exists, else in long double, which may also be binary128. */
 #include <float.h>
 
 #include "numerics/wide/wide_parts.h"
@@ -14,7 +14,7 @@ typedef long double real;
 #define SMALL_STEP 1e-18
 #define SMALL_THIRD_STEP 1e-12
 
-/* C's library has no sine for every such type. */
+/* The C library has no sine for some of these types. */
 #define OVER(n) ((real)1 / ((n) * ((n) + 1)))
 static const real over[] = { OVER(1),  OVER(2),  OVER(3),  OVER(4),  OVER(5),  OVER(6),  OVER(7),  OVER(8),
                              OVER(9),  OVER(10), OVER(11), OVER(12), OVER(13), OVER(14), OVER(15), OVER(16),

@@ -52,6 +52,6 @@ crawling_scallop
    :members:
 END
 PYTHONPATH=scripts/python sphinx-build -q -W --keep-going -b html -C -D project=crawling_scallop -D "release=$version" -D html_theme=classic \
-  -D extensions=sphinx.ext.autodoc,sphinx.ext.napoleon -D napoleon_use_ivar=1 -D autodoc_typehints=none -D html_copy_source=0 \
+  -D extensions=sphinx.ext.autodoc,sphinx.ext.napoleon -D napoleon_use_ivar=1 -D autodoc_mock_imports=matplotlib -D autodoc_typehints=none -D html_copy_source=0 \
   -D html_show_copyright=0 "$api/conf" "$api/python"
 echo "$api/c/index.html, $api/python/index.html"
