@@ -208,7 +208,7 @@ static bool concave_stick(const struct line *l, const struct scallop_shape *shap
   k->released = ends > l->eps;
   k->u = k->w = k->u_covered = 0;
   if (k->early && -q * middle.slope > l->eps) /* released in the middle */
-    return false;
+    return false;                             /* GCOVR_EXCL_LINE: no family of gaits has such a middle */
   if (!k->released)
     return true;
   k->u = last->linear ? last->begin : walk_when(last, -last->direction * (l->eps / q));
