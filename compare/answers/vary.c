@@ -38,7 +38,7 @@ const char *vary_group(struct request *r)
 }
 
 /* Returns true if the end is a formula that names what the variable sets. */
-static bool names(const struct request *r, const struct sweep_end *end, const struct sweep_variable *v)
+static bool end_names(const struct request *r, const struct sweep_end *end, const struct sweep_variable *v)
 {
   int places[FORMULA_STEPS];
   bool found = false;
@@ -56,7 +56,7 @@ static const char *used_too_early(const struct request *r, const struct sweep_va
   for (int g = 0; g < p->groups - 1 && v->target != TARGET_LABEL; g++)
     for (int i = 0; i < p->group[g].variables; i++) {
       const struct sweep_variable *slower = &p->group[g].variable[i];
-      if (slower->target != TARGET_LABEL && (names(r, &slower->from, v) || names(r, &slower->to, v)))
+      if (slower->target != TARGET_LABEL && (end_names(r, &slower->from, v) || end_names(r, &slower->to, v)))
         return slower->name;
     }
   return NULL;

@@ -233,9 +233,9 @@ static void peaks_at_boundary(struct question *q, struct scallop_crawler c)
   q->by = proven ? MEASURED : CERTIFIED_CRAWLER; /* by the scan */
   conclude(q, proven ? 1 : -(compare(velocity(q, f, x[1]), velocity(q, f, x[0])) > 0),
            "at %s = %.10g the certified slope d(%s)/d ln is %.6f before, %.6f after; %s is %.6f there, highest %.6f at "
-           "%.4g%s",
-           texts[f->varied].x, f->boundary, speed, f->before, f->after, speed, f->speed, top.speed, top.x,
-           unit_of_speed(f));
+           "%s = %.4g%s",
+           texts[f->varied].x, f->boundary, speed, f->before, f->after, speed, f->speed, top.speed, texts[f->varied].x,
+           top.x, unit_of_speed(f));
   show_members(q, f, x, 2, "mean_velocity is lower at the boundary, the first row", "mean_velocity");
 }
 

@@ -106,7 +106,7 @@ const struct stress_family stress_families[] = {
   { "deep-stick-slip", "a body is stuck for a while, T^2 (F1 + F2)/(M L) up to 1e9", .forces = 7, .eps = { 0.5, 9 },
     .change = UNEQUAL_PHASES, .regime = "stick-slip" },
   { "at-rest", "one body never moves", .eps = { 0.5, 30 }, .regime = "at-rest" },
-  { "unit_systems", "m, F and L each times 1e-150 to 1e150", .scale = 150, .eps = { -6, 2.5 } },
+  { "unit-systems", "m, F and L each times 1e-150 to 1e150", .scale = 150, .eps = { -6, 2.5 } },
   { "range", "each times 1e-306 to 1e306: refused where something over- or underflows", .scale = 306,
     .change = ANY_PERIOD },
   { "wild", "every parameter anywhere in 16 decades or more", .sizes = 8, .T = { -12, 12 }, .change = ANY_PHASES },

@@ -150,8 +150,7 @@ static inline real concave_peak(const struct scallop_shape *shape)
   return first->linear ? magnitude(walk_acceleration(first)) * first->end : walk_peak(shape);
 }
 
-/* Follows c from the first crossing through region 1 to where it leaves it. Returns false if that is left to the walk.
- * */
+/* Follows c from the first crossing through region 1 to where it leaves it. Returns false if the walk must do it. */
 static bool concave_leave(const struct line *l, const struct scallop_shape *shape, struct passage *k,
                           struct scallop_work *work)
 {
@@ -208,7 +207,7 @@ static bool concave_stick(const struct line *l, const struct scallop_shape *shap
   k->released = ends > l->eps;
   k->u = k->w = k->u_covered = 0;
   if (k->early && -q * middle.slope > l->eps) /* released in the middle */
-    return false;                             /* GCOVR_EXCL_LINE: no family of gaits has such a middle */
+    return false; /* GCOVR_EXCL_LINE: where the middle falls, in skewed gaits, it falls more slowly than |l'| rises */
   if (!k->released)
     return true;
   k->u = last->linear ? last->begin : walk_when(last, -last->direction * (l->eps / q));

@@ -139,9 +139,9 @@ SCALLOP_INLINE int regular_times(struct regular_system *r, const struct tangents
   return valid & regular_run(c, e->c_end * r->ratio, r->side);
 }
 
-struct
-    regular_travel { /* of one phase: how far the centre of mass comes, the size of that at most, and d c_end / d c - 1
-                           and d c_end / d c, each without a subtraction */
+/* Of one phase: how far the centre of mass comes, and the size of that at most; shear = d c_end / d c - 1 and stretch =
+ * d c_end / d c, each without a subtraction. */
+struct regular_travel {
   double way, size, shear, stretch;
 };
 

@@ -12,10 +12,10 @@ unset key
 small = "DejaVu Sans,".(kind eq "png" ? "13" : "10")
 # where the boundaries come to the edge T = 1 of their map
 here(n) = column("T") == 1 ? column("F1/F2") : column("to_T") == 1 ? column("to_F1/F2") : NaN
-first(w) = w[1:14] eq "start velocity" || w[1:12] eq "body 1 is he"
+first(w) = w[1:14] eq "start velocity" || w[1:12] eq "body 1 is st"
 second(w) = !first(w)
 what(w) = w[1:14] eq "start velocity" ? "start velocity changes sign " \
-  : w[1:12] eq "body 1 is he" ? "sticks in both phases " \
+  : w[1:12] eq "body 1 is st" ? "sticks in both phases " \
   : w[1:16] eq "onset of stickin" ? " body 1 sticks in the extension" \
   : w[1:14] eq "permanent rest" ? " permanent rest of body 1" : w
 set multiplot layout 3,1 title "quadratic gait, m_1 = m_2 = 1, L = 10, T = 1, α = 3/4; dotted: boundaries between regions of the same modes"

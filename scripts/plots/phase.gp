@@ -2,11 +2,11 @@
 set terminal pngcairo size 1440,620 fontscale 1.15 font "DejaVu Sans,13"
 set output "docs/background/phase.png"
 set datafile separator "\t"
-set multiplot layout 1, 2 margins 0.055, 0.985, 0.12, 0.87 spacing 0.07
+set multiplot layout 1, 2 margins 0.065, 0.985, 0.12, 0.87 spacing 0.07
 unset key
 set border 3
 set xtics nomirror 0.25; set ytics nomirror
-set xlabel "t/T"; set ylabel "velocity" offset 1.5
+set xlabel "t/T"; set ylabel "velocity" offset 1
 set xrange [0:1]
 set arrow 1 from 0.75, graph 0 to 0.75, graph 1 nohead dashtype 3
 set arrow 2 from 0, 0 to 1, 0 nohead linecolor rgb "#999999"

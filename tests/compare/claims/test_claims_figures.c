@@ -164,7 +164,7 @@ TEST(speeds_where_T_is_varied)
   const struct claim_row *row = find("mean_velocity_peaks_where_v_start_is_0", 0, by_period, true);
   struct scallop_crawler c = scallop_crawler_default();
   double speed, highest, at, T0;
-  READ_NUMBERS(row, "<U> T0/L is ", 4, "%lf there, highest %lf at %lf; T0 = %lf", &speed, &highest, &at, &T0);
+  READ_NUMBERS(row, "<U> T0/L is ", 4, "%lf there, highest %lf at T = %lf; T0 = %lf", &speed, &highest, &at, &T0);
   assert_null(strstr(row->summary, "<U> T/L"));
   c.T = at;
   struct scallop_steady_result s = steady_of(&c);
