@@ -15,7 +15,7 @@ struct edge {
 #define EDGE(of) of(arb, s->offset)
 SCOPED_PARTS(edge, struct edge, EDGE)
 
-struct segment { /* c = a + b s in one region of one phase                                    */
+struct region_line { /* c = a + b s in one region of one phase                                    */
   const struct phase_constants *p;
   int region;
   arb_t a, b, eps;
@@ -23,11 +23,11 @@ struct segment { /* c = a + b s in one region of one phase                      
   slong precision;
 };
 #define SEGMENT(of) of(arb, s->a) of(arb, s->b) of(arb, s->eps) of(edge, &s->from) of(edge, &s->to)
-SCOPED_PARTS(segment, struct segment, SEGMENT)
+SCOPED_PARTS(segment, struct region_line, SEGMENT)
 
 /* Computes the distance of c from curve j, positive in the region, at offset u, and its derivative by u. */
-static void distance_inside(arb_t gap, arb_t slope, const struct segment *g, const struct scallop_piece *piece, int j,
-                            const arb_t u)
+static void distance_inside(arb_t gap, arb_t slope, const struct region_line *g, const struct scallop_piece *piece,
+                            int j, const arb_t u)
 {
   gap_at(gap, slope, piece, g->p->curve[j], g->a, g->b, u, g->precision);
   if (g->region <= j) { /* above it */
@@ -38,7 +38,7 @@ static void distance_inside(arb_t gap, arb_t slope, const struct segment *g, con
 
 /* Returns true if the distance is positive at all offsets of a ball, by its value in the middle and its derivative:
  * near a curve that c almost touches, the derivative is small, and the ball of the distance is much too wide. */
-static bool stays_inside(const struct segment *g, const struct scallop_piece *piece, int j, const arb_t u,
+static bool stays_inside(const struct region_line *g, const struct scallop_piece *piece, int j, const arb_t u,
                          const arb_t slope)
 {
   SCOPED(arb, middle, gap, there, off);
@@ -51,8 +51,8 @@ static bool stays_inside(const struct segment *g, const struct scallop_piece *pi
 
 /* Returns true if c stays off curve j between offsets lo and hi; it meets it transversally within an end with a set
  * flag. */
-static bool keeps_off(const struct segment *g, const struct scallop_piece *piece, int j, const arf_t lo, const arf_t hi,
-                      bool touches_lo, bool touches_hi, int depth)
+static bool keeps_off(const struct region_line *g, const struct scallop_piece *piece, int j, const arf_t lo,
+                      const arf_t hi, bool touches_lo, bool touches_hi, int depth)
 {
   SCOPED(arb, u, gap, slope);
   SCOPED(arf, middle);
@@ -109,7 +109,7 @@ static void way_to_border(arb_t way, const struct edge *e, const struct scallop_
 }
 
 /* Returns true if the ball of a crossing extends over this border: it may then be in either piece. */
-static bool overlaps_border(const struct edge *e, const struct segment *g, bool over_end)
+static bool overlaps_border(const struct edge *e, const struct region_line *g, bool over_end)
 {
   SCOPED(arb, way);
   way_to_border(way, e, g->p->shape, over_end, g->precision);
@@ -117,7 +117,7 @@ static bool overlaps_border(const struct edge *e, const struct segment *g, bool 
 }
 
 /* Computes the part of piece i that the segment covers, rounded outward. Returns false if it is empty. */
-static bool part_of_piece(arf_t early, arf_t late, const struct segment *g, int i)
+static bool part_of_piece(arf_t early, arf_t late, const struct region_line *g, int i)
 {
   const struct scallop_piece *piece = &g->p->shape->pieces[i];
   const bool forward = piece->anchor == SCALLOP_FROM_START;
@@ -130,7 +130,7 @@ static bool part_of_piece(arf_t early, arf_t late, const struct segment *g, int 
 }
 
 /* Returns true if the segment stays off the curves of its region. */
-static bool is_clear(const struct segment *g)
+static bool is_clear(const struct region_line *g)
 {
   enum { DEPTH = 30 };
   const struct edge *from = &g->from, *to = &g->to;
@@ -168,7 +168,7 @@ static const char *const leaves[2] = { "a switching time of the extension reache
 enum risk { STICKS_BEHIND, REACHES_END, REACHES_BEGIN, STICKS_BEFORE, RISKS };
 
 /* Computes the distance from this failure, 0 to 1. Returns the event, or NULL if l' continues there. */
-static const char *margin_of(arb_t margin, enum risk risk, const struct edge *e, const struct segment *g, int from,
+static const char *margin_of(arb_t margin, enum risk risk, const struct edge *e, const struct region_line *g, int from,
                              int into)
 {
   const struct phase_constants *p = g->p;
@@ -194,7 +194,7 @@ static const char *margin_of(arb_t margin, enum risk risk, const struct edge *e,
 }
 
 /* Returns NULL, or the event that prevents the proof of the crossing at the end of the segment, in its piece. */
-static const char *crossing_holds(const struct segment *g, int into)
+static const char *crossing_holds(const struct region_line *g, int into)
 {
   const char *why = NULL;
   SCOPED(arb, margin);
@@ -207,7 +207,7 @@ static const char *crossing_holds(const struct segment *g, int into)
 }
 
 /* Returns the likely event if c may touch a curve: a crossing is about to end, or a body starts or stops turning. */
-static const char *likely_change(const struct branch *b, const struct segment *g)
+static const char *likely_change(const struct branch *b, const struct region_line *g)
 {
   const char *what = grazes[g->p->kind];
   double near = 0.04;
@@ -227,7 +227,7 @@ static const char *likely_change(const struct branch *b, const struct segment *g
   return what;
 }
 
-static void set_region(struct segment *g, int region)
+static void set_region(struct region_line *g, int region)
 {
   g->region = region;
   arb_set_fmpq(g->b, g->p->beta[region], g->precision);
@@ -235,7 +235,7 @@ static void set_region(struct segment *g, int region)
 }
 
 /* Continues after a crossing with the line through it: a = q |l'| - b s there. */
-static void continue_after_crossing(struct segment *g, const struct crossing *at)
+static void continue_after_crossing(struct region_line *g, const struct crossing *at)
 {
   SCOPED(arb, s);
   set_region(g, at->to);

@@ -125,12 +125,12 @@ bool answer_in_wide(struct answer *a, const struct motion *m, enum scallop_width
 /* A walk through the phases of a motion: its segments in order, and the position of the rear body, relative to its
  * start and in units of L, at the first and at the last change of mode */
 struct segment_walk {
-  struct segment *segment;
+  struct mode_segment *segment;
   int count;
   const struct scallop_crawler *crawler;
   enum scallop_phase_kind phase;
-  double since;       /* time at which the phase begins */
-  struct segment now; /* the last segment */
+  double since;            /* time at which the phase begins */
+  struct mode_segment now; /* the last segment */
   double first, last;
 };
 
@@ -153,14 +153,14 @@ static void note_interval(void *context, const struct scallop_interval *i)
     w->first = isnan(w->first) ? w->last : w->first;
   }
   if (!continues)
-    w->now = (struct segment){ w->phase, w->since + span.t_begin, 0, span.mode, i->piece };
+    w->now = (struct mode_segment){ w->phase, w->since + span.t_begin, 0, span.mode, i->piece };
   w->now.until = w->since + span.t_end;
   w->count += !continues;
   if (w->count <= MAX_SEGMENTS)
     w->segment[w->count - 1] = w->now;
 }
 
-int motion_segments(struct segment segments[MAX_SEGMENTS], const struct motion *m, const struct answer *answer)
+int motion_segments(struct mode_segment segments[MAX_SEGMENTS], const struct motion *m, const struct answer *answer)
 {
   const double v0[] = { answer->value[Q_V_START].high, answer->value[Q_V_MID].high };
   struct segment_walk w = { .segment = segments, .crawler = &m->crawler, .phase = m->phase };
@@ -176,7 +176,7 @@ int motion_segments(struct segment segments[MAX_SEGMENTS], const struct motion *
 
 static enum scallop_status find_turnings(struct answer *a, const struct motion *m)
 {
-  struct segment segments[MAX_SEGMENTS];
+  struct mode_segment segments[MAX_SEGMENTS];
   struct segment_walk w = { .segment = segments, .crawler = &m->crawler, .phase = m->phase, .first = NAN, .last = NAN };
   enum scallop_status status = scallop_phase_intervals(w.crawler, w.phase, m->v0, note_interval, &w);
   a->value[Q_AT_FIRST].high = w.first * m->crawler.L;
@@ -287,7 +287,7 @@ const char *mode_in_words(char text[MODE_WORDS], struct scallop_mode mode)
 
 const char *motion_in_words(char text[MOTION_WORDS], const struct motion *m, const struct answer *answer, int digits)
 {
-  struct segment s[MAX_SEGMENTS];
+  struct mode_segment s[MAX_SEGMENTS];
   int count = motion_segments(s, m, answer);
   size_t used = 0;
   *text = '\0';

@@ -66,7 +66,7 @@ enum { MODE_WORDS = 40 };
 const char *mode_in_words(char text[MODE_WORDS], struct scallop_mode mode);
 
 /* A segment of a motion in one mode. Times begin with the single phase, or with the extension of a steady state. */
-struct segment {
+struct mode_segment {
   enum scallop_phase_kind phase;
   double from, until;
   struct scallop_mode mode;
@@ -75,7 +75,8 @@ struct segment {
 enum { MAX_SEGMENTS = 2 * SCALLOP_MODES_KEPT };
 /* Finds the segments of a motion that was solved in double, in the order of time. Returns their number; segments past
  * MAX_SEGMENTS are counted, not stored. */
-int motion_segments(struct segment segments[MAX_SEGMENTS], const struct motion *motion, const struct answer *answer);
+int motion_segments(struct mode_segment segments[MAX_SEGMENTS], const struct motion *motion,
+                    const struct answer *answer);
 
 /* Writes the segments in one line: "both bodies forward from 0 to 0.0657; body 1 backward, body 2 forward from 0.0657
  * to 0.659; ...", with " | " between extension and contraction. Returns text. */

@@ -49,19 +49,19 @@ static bool signature_at(struct signature *s, const struct motion *motion, doubl
 {
   const struct motion m = motion_at(motion, T);
   struct scallop_modes found[2] = { { 0 } };
-  struct segment stretch[MAX_SEGMENTS];
+  struct mode_segment segment[MAX_SEGMENTS];
   s->motion = motion;
   s->T = T;
   if (!answer_in_double(&s->answer, &m))
     return false;
-  int count = motion_segments(stretch, &m, &s->answer);
+  int count = motion_segments(segment, &m, &s->answer);
   for (int i = 0; i < count && i < MAX_SEGMENTS; i++) {
-    int phase = m.of == OF_STEADY ? (int)stretch[i].phase : 0, n = found[phase].count;
+    int phase = m.of == OF_STEADY ? (int)segment[i].phase : 0, n = found[phase].count;
     if (n == SCALLOP_MODES_KEPT)
       continue;
-    found[phase].kept[n] = stretch[i].mode;
+    found[phase].kept[n] = segment[i].mode;
     found[phase].count++;
-    s->part[phase][n] = part_of(&m.crawler.gait->phase[stretch[i].phase], stretch[i].piece);
+    s->part[phase][n] = part_of(&m.crawler.gait->phase[segment[i].phase], segment[i].piece);
   }
   if (!same_modes(found, s->answer.modes))
     memset(s->part, 0, sizeof s->part);

@@ -56,10 +56,10 @@ static void find_stuck(struct stiff_scene *scene, const struct scallop_wide_peri
   const struct answer starts = { .value = { [Q_V_START] = period->v_start, [Q_V_MID] = period->v_mid } };
   const double v0[] = { period->v_start.high, period->v_mid.high };
   const double since[] = { 0, scallop_phase_duration(&scene->crawler, SCALLOP_EXTENSION) };
-  struct segment all[MAX_SEGMENTS];
+  struct mode_segment all[MAX_SEGMENTS];
   struct stiff_interval now = { .body = 0 };
   int count = motion_segments(all, &steady, &starts);
-  for (const struct segment *s = all; s < all + count && s < all + MAX_SEGMENTS; s++) {
+  for (const struct mode_segment *s = all; s < all + count && s < all + MAX_SEGMENTS; s++) {
     int body = s->mode.s1 == 0 ? 1 : s->mode.s2 == 0 ? 2 : 0;
     if (body != now.body || s->phase != now.phase)
       now = (struct stiff_interval){ body, s->phase, v0[s->phase], .begin = s->from - since[s->phase] };

@@ -116,13 +116,13 @@ static void write_velocities(const struct page *p)
 
 static void write_stretches(const struct page *p)
 {
-  struct segment stretch[MAX_SEGMENTS];
+  struct mode_segment segment[MAX_SEGMENTS];
   char words[MODE_WORDS];
-  int count = motion_segments(stretch, &p->at->solved[STEADY_STATE].motion, p->answer);
+  int count = motion_segments(segment, &p->at->solved[STEADY_STATE].motion, p->answer);
   for (int i = 0; i < count && i < MAX_SEGMENTS; i++) {
-    bool first = i == 0 || stretch[i].phase != stretch[i - 1].phase;
-    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? phase_names[stretch[i].phase] : "",
-            mode_in_words(words, stretch[i].mode), p->digits, stretch[i].from, p->digits, stretch[i].until);
+    bool first = i == 0 || segment[i].phase != segment[i - 1].phase;
+    fprintf(p->file, "  %-12s %s from %.*g to %.*g\n", first ? phase_names[segment[i].phase] : "",
+            mode_in_words(words, segment[i].mode), p->digits, segment[i].from, p->digits, segment[i].until);
   }
   if (count > MAX_SEGMENTS)
     fprintf(p->file, "  %-12s and %d more changes of mode\n", "", count - MAX_SEGMENTS);

@@ -93,7 +93,7 @@ static bool march_period(struct period *period, const arb_t v, slong precision)
   return true;
 }
 
-struct root_search {
+struct start_search {
   struct period period;
   arb_t v, low, high; /* exact; the steady state is between low and high */
   arb_t gain, fall;   /* P(v) - v, and minus its slope there      */
@@ -103,9 +103,9 @@ struct root_search {
 
 #define SEARCH_PARTS(of) \
   of(period, &s->period) of(arb, s->v) of(arb, s->low) of(arb, s->high) of(arb, s->gain) of(arb, s->fall)
-SCOPED_PARTS(search, struct root_search, SEARCH_PARTS)
+SCOPED_PARTS(search, struct start_search, SEARCH_PARTS)
 
-static void search_of(struct root_search *s, const struct scallop_rational_crawler *crawler)
+static void search_of(struct start_search *s, const struct scallop_rational_crawler *crawler)
 {
   s->known = 0;
   s->jumps = has_jump(crawler->gait);
@@ -118,7 +118,7 @@ static void search_of(struct root_search *s, const struct scallop_rational_crawl
 
 /* From beyond every curve both bodies go one way for the whole period, whatever l does: friction takes (F1 + F2) T / M
  * at most. */
-static void bracket(struct root_search *s, const struct scallop_rational_crawler *c)
+static void bracket(struct start_search *s, const struct scallop_rational_crawler *c)
 {
   enum { ROUGH = 64 };
   SCOPED(arb, term);
@@ -144,7 +144,7 @@ static void bracket(struct root_search *s, const struct scallop_rational_crawler
 
 /* P(v) - v at s->v, where v is exact. Narrows the bracket: P does not fall, so it maps what is on one side of its fixed
  * points to the same side, and nearer. */
-static bool probe(struct root_search *s, slong precision)
+static bool probe(struct start_search *s, slong precision)
 {
   s->known = 0;
   if (!march_period(&s->period, s->v, precision))
@@ -162,7 +162,7 @@ static bool probe(struct root_search *s, slong precision)
 }
 
 /* Sets v to the middle of the bracket, by order of magnitude if the bracket spans many. */
-static void middle(arb_t v, const struct root_search *s, slong precision)
+static void middle(arb_t v, const struct start_search *s, slong precision)
 {
   int sign = arb_sgn_nonzero(s->low);
   slong low = arf_abs_bound_lt_2exp_si(arb_midref(s->low)), high = arf_abs_bound_lt_2exp_si(arb_midref(s->high));
@@ -178,7 +178,7 @@ static void middle(arb_t v, const struct root_search *s, slong precision)
 
 /* Takes one step of Newton's method, or goes to the middle of the bracket if that step leads out of it. Nothing here
  * need be rigorous. Returns true if v cannot be better at this precision. */
-static bool step(struct root_search *s, mag_t last, slong precision)
+static bool step(struct start_search *s, mag_t last, slong precision)
 {
   SCOPED(arb, t);
   SCOPED(mag, size);
@@ -203,7 +203,7 @@ static bool step(struct root_search *s, mag_t last, slong precision)
 
 /* v right up to the digits that this precision has. A v at which the motion cannot be decided is left for one near
  * it. */
-static void polish(struct root_search *s, slong precision)
+static void polish(struct start_search *s, slong precision)
 {
   enum { MOST_NUDGES = 8 };
   SCOPED(mag, last);
@@ -225,7 +225,7 @@ static void polish(struct root_search *s, slong precision)
   }
 }
 
-static bool has_sign_at(struct root_search *s, const arb_t v, int sign, slong precision)
+static bool has_sign_at(struct start_search *s, const arb_t v, int sign, slong precision)
 {
   if (!march_period(&s->period, v, precision))
     return false; /* GCOVR_EXCL_LINE: a side that cannot be decided within a rounding of one that is */
@@ -237,7 +237,7 @@ static const char not_unique[] =
     "l' jumps, and the steady states fill an interval, or almost: in double the status has its ends";
 
 /* How far from v the sign of P(v) - v is looked for first: 4 (P(v) - v) over its slope */
-static void first_radius(arb_t radius, const struct root_search *s, slong precision)
+static void first_radius(arb_t radius, const struct start_search *s, slong precision)
 {
   arb_div(radius, s->gain, s->fall, precision);
   arb_get_mag(arb_radref(radius), radius);
@@ -254,7 +254,7 @@ static void first_radius(arb_t radius, const struct root_search *s, slong precis
 }
 
 /* Finds a narrow ball around v across which P(v) - v changes its sign. Returns false if undecided. */
-static bool prove(struct root_search *s, arb_t proven, slong precision)
+static bool prove(struct start_search *s, arb_t proven, slong precision)
 {
   enum { TRIES = 6, WIDER = 6 };
   SCOPED(arb, radius, low, high);
@@ -283,7 +283,7 @@ static bool prove(struct root_search *s, arb_t proven, slong precision)
 }
 
 /* Searches from 0, as all can be exact there: a crawler that friction brings to rest, equal forces. */
-static bool find_steady(struct root_search *s, arb_t v, slong rough, slong precision)
+static bool find_steady(struct start_search *s, arb_t v, slong rough, slong precision)
 {
   for (slong p = FLINT_MIN(rough, precision);; p = FLINT_MIN(2 * p, precision)) {
     polish(s, p);
