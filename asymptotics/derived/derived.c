@@ -68,17 +68,18 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
 {
   const struct scallop_piece *piece = b->crossing[i].piece;
   const bool from_end = piece->anchor == SCALLOP_FROM_END; /* measured from the end: minus the rest */
+  SCOPED(fmpq, anchor);
   SCOPED(series, speed, t);
   series_set(&t, from_end ? &l->left.at[i] : &l->when.at[i]);
   if (from_end)
     series_neg(&t, &t);
-  if (t.kind == SERIES_BALLS && !p->has_laws)
+  if (p->has_laws)
+    series_set(&speed, &p->law.at[i]);
+  if (!p->has_laws
+      && (t.kind == SERIES_BALLS || !scallop_exact_speed_series(&speed, piece, anchor, p->pi_squared, ring)))
     way_in_balls(way, piece, &t, ring);
   else {
-    if (p->has_laws)
-      series_set(&speed, &p->law.at[i]);
-    else
-      scallop_speed_series(&speed, piece, p->pi_squared, ring);
+    series_truncate(&speed, ring->length);
     series_integral(&speed, &speed, ring);
     series_compose(way, &speed, &t, ring);
   }

@@ -37,30 +37,16 @@ bool scallop_exact_speed_series(struct series *speed, const struct scallop_piece
   return exact;
 }
 
-void scallop_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t pi_squared,
-                          const struct ring *ring)
-{
-  SCOPED(fmpq, anchor);
-  if (scallop_exact_speed_series(speed, piece, anchor, pi_squared, ring))
-    series_truncate(speed, ring->length);
-  else {
-    SCOPED(arb, u);
-    SCOPED(arb_poly, balls);
-    scallop_ball_speed_series(balls, piece, u, ring->length, ring->precision);
-    series_set_ball_poly(speed, balls, ring->length);
-  }
-}
-
 /* Sets l0, lT, k0, kT: l'' T^2 and l'''' T^4 at the start and the end. */
 static void set_shape(struct series *value, const struct scallop_shape *shape, const fmpq_t L, const fmpq_t pi_squared,
                       const struct ring *ring)
 {
   const struct ring four = { 4, ring->precision };
   const struct scallop_piece *ends[2] = { &shape->pieces[0], &shape->pieces[shape->count - 1] };
-  SCOPED(fmpq, factor);
+  SCOPED(fmpq, factor, anchor);
   SCOPED(series, speed);
   for (int i = 0; i < 2; i++) {
-    scallop_speed_series(&speed, ends[i], pi_squared, &four);
+    scallop_exact_speed_series(&speed, ends[i], anchor, pi_squared, &four); /* four terms are always exact */
     fmpq_mul_si(factor, L, ends[i]->direction);
     struct series *second = &value[i == 0 ? SCALLOP_SYMBOL_l0 : SCALLOP_SYMBOL_lT];
     struct series *fourth = &value[i == 0 ? SCALLOP_SYMBOL_k0 : SCALLOP_SYMBOL_kT];

@@ -29,9 +29,6 @@ void scallop_symbols_complete(struct scallop_symbols *s, enum scallop_phase_kind
  * exact at u = 0: in pi up to SERIES_PI_TERMS terms, and in fractions with a substitute for pi^2. */
 bool scallop_exact_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t u,
                                 const fmpq_t pi_squared, const struct ring *ring);
-/* Computes |l'| at time x after the anchor, in balls if it is not exact. */
-void scallop_speed_series(struct series *speed, const struct scallop_piece *piece, const fmpq_t pi_squared,
-                          const struct ring *ring);
 
 /* Expands the formula for this phase. A formula that is printed for an extension is converted to a contraction by
  * exchanging the bodies. Returns NULL, or `message`: the operation that a series does not allow and its place in the

@@ -135,9 +135,10 @@ static void begin_at_end(struct trial *m)
   const struct scallop_shape *shape = &m->crawler.gait->phase[SCALLOP_EXTENSION];
   const struct scallop_piece *last = &shape->pieces[shape->count - 1];
   struct series *speed = &m->series.phase.dx1, *length = &m->series.phase.dx2;
+  SCOPED(fmpq, end);
   SCOPED(series, back);
   fmpq_one(m->crawler.L);
-  scallop_speed_series(speed, last, NULL, &ring);
+  scallop_exact_speed_series(speed, last, end, NULL, &ring); /* so few terms are always exact */
   series_set_x(&back);
   series_neg(&back, &back);
   series_compose(speed, speed, &back, &ring);
