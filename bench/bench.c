@@ -16,6 +16,7 @@
 #include "bench/floor.h"
 #include "compare/text/message.h"
 #include "compare/text/stopwatch.h"
+#include "model/gaits.h"
 #include "numerics/numerics.h"
 #include "numerics/integrators/integrator.h"
 
@@ -292,15 +293,27 @@ static const struct row *add(int of, const struct set *set, const struct row *un
   return row;
 }
 
+/* Returns the gait of that name, one of the tables, or NULL. */
+static const struct scallop_gait *gait_named(const char *name)
+{
+  static const double c[] = { 0, 0, 0, 10, -15, 6 };
+  static struct scallop_polynomial minimum_jerk;
+  if (strcmp(name, "minimum-jerk") != 0)
+    return scallop_gait_named(name);
+  scallop_make_polynomial(&minimum_jerk, name, c, 5, NULL);
+  return &minimum_jerk.gait;
+}
+
 static void add_rows(void)
 {
-  enum { GAITS = 2, TIMES = 4 };
+  enum { GAITS = 2, ALL_GAITS, TIMES = 4 };
   static const struct scallop_gait *const gaits[GAITS] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
-  static struct set many[CHOICES][GAITS], few[ANY][GAITS], small_T[GAITS][TIMES], one;
+  static struct set many[CHOICES][ALL_GAITS], few[ANY][GAITS], small_T[GAITS][TIMES], one;
   const struct row *unit = NULL;
   for (int choice = REGULAR; choice <= ANY; choice++)
-    for (int g = 0; g < GAITS; g++) {
-      const struct set *set = fill(&many[choice][g], MANY, gaits[g], (enum choice)choice, false);
+    for (int g = 0; g < ALL_GAITS; g++) {
+      const struct scallop_gait *gait = g < GAITS ? gaits[g] : gait_named("minimum-jerk");
+      const struct set *set = fill(&many[choice][g], MANY, gait, (enum choice)choice, false);
       unit = unit ? unit : add(FLOOR, set, NULL);
       add(STEADY, set, unit);
       add(BATCH, set, unit);
@@ -358,12 +371,13 @@ static void repeat(const char *name, const char *choice_name, const char *gait_n
 {
   static struct set set;
   struct row row = { .set = &set };
-  const struct scallop_gait *gait = scallop_gait_named(gait_name);
+  const struct scallop_gait *gait = gait_named(gait_name);
   int method = 0, choice = word_place(choice_name, choice_text);
   while (method < INTEGRATORS && strcmp(name, methods[method].name) != 0)
     method++;
   if (!gait || method == INTEGRATORS || choice < 0 || passes < 0)
-    give_up("usage: scallop-bench [floor|steady|batch|period regular|stick-slip|any quadratic|sinusoidal PASSES]");
+    give_up("usage: scallop-bench [floor|steady|batch|period regular|stick-slip|any quadratic|sinusoidal|minimum-jerk "
+            "PASSES]");
   fill(&set, FEW, gait, (enum choice)choice, false);
   double sum = 0;
   for (long i = 0; i < passes; i++)

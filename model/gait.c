@@ -38,8 +38,9 @@ static const struct scallop_piece quadratic_contraction[] = { SCALLOP_RAMP(0, 0.
                                                               SCALLOP_RAMP(0.5, 0, SCALLOP_FROM_END, -1, 4) };
 
 const struct scallop_gait scallop_gait_quadratic = { "quadratic",
-                                                     { { quadratic_extension, 2, 4, -4, 2, 1, true, true },
-                                                       { quadratic_contraction, 2, -4, 4, 2, -1, true, true } } };
+                                                     { { quadratic_extension, 2, 4, -4, 2, 1, true, true, false },
+                                                       { quadratic_contraction, 2, -4, 4, 2, -1, true, true,
+                                                         false } } };
 
 /* Half a cosine: l'(u) = direction (pi/2) sin(pi u) from either end: both ends keep full relative accuracy. */
 
@@ -99,8 +100,8 @@ static const struct scallop_piece sinusoidal_contraction[] = { SINE(0, 0.5, SCAL
 
 const struct scallop_gait scallop_gait_sinusoidal = {
   "sinusoidal",
-  { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1, true, false },
-    { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1, true, false } }
+  { { sinusoidal_extension, 2, SINE_L0, -SINE_L0, 0.5 * PI, 1, true, false, false },
+    { sinusoidal_contraction, 2, -SINE_L0, SINE_L0, 0.5 * PI, -1, true, false, false } }
 };
 
 const struct scallop_gait_family scallop_family_quadratic = {

@@ -374,19 +374,28 @@ static double peak_of(const struct scallop_shape *shape)
   return peak;
 }
 
-/* Returns true if no second difference of the coefficients is positive: l''' <= 0 then. */
-static bool is_concave(const struct plan *plan)
+/* Returns whether |l'| rises at the start with the fourth power of the time or a lower one: a bell is not so level that
+ * rounding counts many times. */
+static bool is_steep(const long double *b) { return b[1] != 0 || b[2] != 0 || b[3] != 0 || b[4] != 0; }
+
+/* By the signs of the second differences of the coefficients: l''' changes its sign no more often than they do. */
+static void set_bends(struct scallop_shape *shape, const struct plan *plan)
 {
-  for (int j = 0; j + 2 <= plan->n; j++)
-    if (plan->b[0][j + 2] - 2 * plan->b[0][j + 1] + plan->b[0][j] > 0)
-      return false;
-  return !plan->turns;
+  int part = 0;
+  shape->bell = shape->concave = !plan->turns;
+  for (int j = 0; j + 2 <= plan->n; j++) {
+    const long double bend = plan->b[0][j + 2] - 2 * plan->b[0][j + 1] + plan->b[0][j];
+    shape->bell = shape->bell && law_is_bell(&part, bend);
+    shape->concave = shape->concave && bend <= 0;
+  }
+  shape->bell = shape->bell && !shape->concave && is_steep(plan->b[0]) && is_steep(plan->b[1]);
 }
 
 static void conclude(struct scallop_polynomial *g, const struct plan *plan, int kind)
 {
   struct scallop_shape *shape = &g->gait.phase[kind];
-  *shape = (struct scallop_shape){ .pieces = g->pieces[kind], .count = plan->count - 1, .concave = is_concave(plan) };
+  *shape = (struct scallop_shape){ .pieces = g->pieces[kind], .count = plan->count - 1 };
+  set_bends(shape, plan);
   const struct scallop_piece *first = &shape->pieces[0], *last = &shape->pieces[shape->count - 1];
   shape->l0 = first->curve->acceleration(first, 0) + 0.0; /* no -0 */
   shape->lT = last->curve->acceleration(last, 0) + 0.0;

@@ -105,24 +105,29 @@ static double peak_of(const struct scallop_shape *shape)
   return (double)peak;
 }
 
-/* Returns true if d|l'|/dt decreases throughout, to the precision of long double. */
-static bool is_concave(const struct scallop_shape *shape, int kind)
+/* By the changes of d|l'|/dt from knot to knot, to the precision of long double. */
+static void set_bends(struct scallop_shape *shape, int kind)
 {
-  long double last = LDBL_MAX;
+  long double last = 0;
+  int part = 0;
+  shape->bell = shape->concave = true;
   for (int i = 0; i < shape->count; i++) {
     const struct scallop_piece *p = &shape->pieces[i];
-    if (p->direction != (kind == SCALLOP_EXTENSION ? 1 : -1))
-      return false;
     struct bernstein f = bernstein_of(p->law);
     bool forward = p->anchor == SCALLOP_FROM_START;
     const long double *b = f.b, range = f.far - f.near;
-    long double first = (forward ? b[1] - b[0] : b[1] - b[2]) / range,
-                then = (forward ? b[2] - b[1] : b[0] - b[1]) / range;
-    if (first > last || then > first)
-      return false;
-    last = then;
+    const long double slope[2] = { (forward ? b[1] - b[0] : b[1] - b[2]) / range,
+                                   (forward ? b[2] - b[1] : b[0] - b[1]) / range };
+    for (int j = i == 0 ? 1 : 0; j < 2; j++) {
+      const long double bend = slope[j] - (j == 0 ? last : slope[0]);
+      shape->bell = shape->bell && law_is_bell(&part, bend);
+      shape->concave = shape->concave && bend <= 0;
+    }
+    last = slope[1];
+    shape->bell = shape->bell && p->direction == (kind == SCALLOP_EXTENSION ? 1 : -1);
   }
-  return true;
+  shape->concave = shape->concave && shape->bell;
+  shape->bell = shape->bell && !shape->concave;
 }
 
 static void conclude(struct scallop_shape *shape, int kind)
@@ -134,7 +139,7 @@ static void conclude(struct scallop_shape *shape, int kind)
   shape->net = 0;
   for (int i = 0; i < shape->count; i++)
     shape->net += shape->pieces[i].direction * fabs(shape->pieces[i].end - shape->pieces[i].begin);
-  shape->concave = is_concave(shape, kind);
+  set_bends(shape, kind);
 }
 
 enum scallop_status scallop_make_spline(struct scallop_spline *s, const char *name,

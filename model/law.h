@@ -18,6 +18,17 @@ static inline bool law_is_sine(const struct scallop_piece *piece)
 /* Returns true if |l'| is the same function of the offset. */
 bool law_same(const struct scallop_law *a, const struct scallop_law *b);
 
+/* Follows the sign of the second derivative of |l'| through a phase. part: 0 at first. Returns false where it has been
+ * positive, then negative, then positive, and is negative again. */
+static inline bool law_is_bell(int *part, long double bend)
+{
+  if (bend > 0 && *part == 1)
+    *part = 2;
+  else if (bend < 0 && *part == 0)
+    *part = 1;
+  return bend >= 0 || *part == 1;
+}
+
 /* Returns |l'| at offset `to` minus |l'| at offset `from`, for a Bernstein law, to a few ulp of (to - from) max
  * |l''|, however near the offsets are to each other. */
 double law_rise(const struct scallop_law *law, double from, double to);

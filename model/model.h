@@ -112,6 +112,7 @@ struct scallop_shape {
   /* Hints for faster methods of the solver; both may be left false. */
   bool concave; /* |l'| is concave, 0 at both ends; the first piece is anchored at the start, the last at the end */
   bool ramps;   /* concave, with two pieces, each a SCALLOP_RAMP */
+  bool bell;    /* the same as concave, but |l'| is convex, then concave, then convex, and no piece is linear */
 };
 
 /* A periodic separation l(t): an extension, then a contraction */

@@ -108,7 +108,8 @@ enum regular_outcome regular_begin(const struct scallop_scaled *s, double *guess
   *guess = 0;
   if (!phase[0].concave || !phase[1].concave) {
     *guess = first_guess(s);
-    return REGULAR_NOT;
+    const bool bells = (phase[0].concave || phase[0].bell) && (phase[1].concave || phase[1].bell);
+    return bells ? REGULAR_BELL : REGULAR_NOT;
   }
   const double e = -phase[0].pieces[0].direction * phase[0].lT, c = -phase[1].pieces[0].direction * phase[1].lT;
   if (!regular_may_be(s, SCALLOP_CONTRACTION, driven, c, s->eps * (b * b)))

@@ -227,6 +227,7 @@ void regular_modes(bool forward, double side, struct scallop_modes modes[2]);
 
 enum regular_outcome {
   REGULAR_MAY_BE,
+  REGULAR_BELL, /* regular_solve_bell must try                                                              */
   REGULAR_NOT,
   CONTRACTION_STICKS, /* a body may stick to the end of the contraction                                   */
   EXTENSION_STICKS    /* of the extension only                                                              */
@@ -239,5 +240,8 @@ enum regular_outcome regular_begin(const struct scallop_scaled *scaled, double *
  * if it has other modes, or rounding hides them; r->c_start is then a velocity to begin a search at, if it is finite.
  * Sets what it takes in *work. */
 bool regular_solve(const struct scallop_scaled *scaled, double side, struct regular *r, struct scallop_work *work);
+
+/* The same of a gait with a bell in one phase or both (bell.c); then without a velocity to begin a search at. */
+bool regular_solve_bell(const struct scallop_scaled *scaled, double side, struct regular *r, struct scallop_work *work);
 
 #endif

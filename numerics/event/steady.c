@@ -245,6 +245,19 @@ static bool may_reverse(const struct scallop_scaled *s)
   return q * fabs(phase[0].lT) > s->eps * (a * a) && q * fabs(phase[1].lT) > s->eps * (b * b);
 }
 
+static bool solve_bell(const struct scallop_scaled *s, double side, struct scallop_steady_result *out,
+                       struct doubt *doubt)
+{
+  struct regular r;
+  if (!regular_solve_bell(s, side, &r, &out->work) || (side < 0 && period_cancels(r.travel, r.size, false)))
+    return false;
+  put_regular(&r, side, out);
+  doubt->delicate = r.delicate;
+  if (side < 0)
+    doubt_displacement(s, r.travel, r.size, doubt);
+  return true;
+}
+
 static enum scallop_status find(const struct scallop_scaled *s, struct scallop_steady_result *out, struct doubt *doubt)
 {
   struct regular regular;
@@ -252,6 +265,11 @@ static enum scallop_status find(const struct scallop_scaled *s, struct scallop_s
   *doubt = (struct doubt){ .left = 1 };
   out->work = (struct scallop_work){ 0 };
   const enum regular_outcome outcome = regular_begin(s, &guess);
+  if (outcome == REGULAR_BELL || outcome == REGULAR_NOT) {
+    if (outcome == REGULAR_BELL && (solve_bell(s, 1, out, doubt) || solve_bell(s, -1, out, doubt)))
+      return SCALLOP_OK;
+    return search(s, outcome, guess, out, doubt);
+  }
   if (outcome == REGULAR_MAY_BE && regular_solve(s, 1, &regular, &out->work)) {
     put_regular(&regular, 1, out);
     doubt->delicate = regular.delicate;
@@ -259,12 +277,12 @@ static enum scallop_status find(const struct scallop_scaled *s, struct scallop_s
   }
   if (outcome == REGULAR_MAY_BE)
     guess = regular.c_start;
-  else if (outcome != REGULAR_NOT && has_ramps(s->gait)) {
+  else if (has_ramps(s->gait)) {
     const double order = outcome == CONTRACTION_STICKS ? 1 : -1;
     if (solve_stuck(s, order, out, doubt) || solve_stuck(s, -order, out, doubt))
       return SCALLOP_OK;
   }
-  if (outcome != REGULAR_NOT && may_reverse(s) && regular_solve(s, -1, &regular, &out->work)) {
+  if (may_reverse(s) && regular_solve(s, -1, &regular, &out->work)) {
     guess = regular.c_start;
     if (!period_cancels(regular.travel, regular.size, false)) {
       put_regular(&regular, -1, out);

@@ -35,6 +35,7 @@ table floor regular quadratic
 table steady regular quadratic
 table steady stick-slip quadratic
 table steady regular sinusoidal
+table steady regular minimum-jerk
 table batch regular quadratic
 table batch stick-slip quadratic
 table batch regular sinusoidal

@@ -45,8 +45,9 @@ static const struct scallop_curve run = { run_length, run_velocity, run_accelera
 static const struct scallop_piece back_extension[] = { THERE_AND_BACK(1) };
 static const struct scallop_piece back_contraction[] = { THERE_AND_BACK(-1) };
 static const struct scallop_gait there_and_back_gait = { "there-and-back",
-                                                         { { back_extension, 4, 8, 8, 3, 0.5, false, false },
-                                                           { back_contraction, 4, -8, -8, 3, -0.5, false, false } } };
+                                                         { { back_extension, 4, 8, 8, 3, 0.5, false, false, false },
+                                                           { back_contraction, 4, -8, -8, 3, -0.5, false, false,
+                                                             false } } };
 
 /* detour: three humps, of 1, 1/2 and 1/2, with the same |l'| in both phases but not the opposite l': + + - and - + - */
 #define HUMPS_2_AND_3 \
@@ -58,8 +59,8 @@ static const struct scallop_piece detour_extension[] = { RUN(0, 0.25, 1, 0, 16),
 static const struct scallop_piece detour_contraction[] = { RUN(0, 0.25, -1, 0, -16), RUN(0.25, 0.5, -1, -8, 16),
                                                            HUMPS_2_AND_3 };
 static const struct scallop_gait detour_gait = { "detour",
-                                                 { { detour_extension, 6, 16, 32, 4, 0.5, false, false },
-                                                   { detour_contraction, 6, -16, 32, 4, -0.5, false, false } } };
+                                                 { { detour_extension, 6, 16, 32, 4, 0.5, false, false, false },
+                                                   { detour_contraction, 6, -16, 32, 4, -0.5, false, false, false } } };
 
 #define REST(from, to) \
   { \
@@ -79,8 +80,8 @@ static const struct scallop_gait detour_gait = { "detour",
 static const struct scallop_piece pause_extension[] = { PAUSE(1) };
 static const struct scallop_piece pause_contraction[] = { PAUSE(-1) };
 static const struct scallop_gait pause_gait = { "pause",
-                                                { { pause_extension, 6, 32, -8, 4, 0.75, false, false },
-                                                  { pause_contraction, 6, -32, 8, 4, -0.75, false, false } } };
+                                                { { pause_extension, 6, 32, -8, 4, 0.75, false, false, false },
+                                                  { pause_contraction, 6, -32, 8, 4, -0.75, false, false, false } } };
 
 /* wait: rest, out to 9/8, rest, back by 1/8, rest */
 #define WAIT(sign) \
@@ -92,8 +93,8 @@ static const struct scallop_gait pause_gait = { "pause",
 static const struct scallop_piece wait_extension[] = { WAIT(1) };
 static const struct scallop_piece wait_contraction[] = { WAIT(-1) };
 static const struct scallop_gait wait_gait = { "wait",
-                                               { { wait_extension, 7, 0, 0, 4.5, 0.375, false, false },
-                                                 { wait_contraction, 7, 0, 0, 4.5, -0.375, false, false } } };
+                                               { { wait_extension, 7, 0, 0, 4.5, 0.375, false, false, false },
+                                                 { wait_contraction, 7, 0, 0, 4.5, -0.375, false, false, false } } };
 
 /* hesitant: out at once, then rest; back in two humps, between which l' touches 0 */
 static struct scallop_piece hesitant_pieces[16];
@@ -115,8 +116,8 @@ __attribute__((constructor)) static void make_hesitant(void)
 static const struct scallop_piece stride_extension[] = { STRIDE(0, 0.5, 1.5), STRIDE(0.5, 1, 0.5) };
 static const struct scallop_piece stride_contraction[] = { STRIDE(0, 0.5, -1.5), STRIDE(0.5, 1, -0.5) };
 static const struct scallop_gait stride_gait = { "stride",
-                                                 { { stride_extension, 2, 0, 0, 1.5, 1, false, false },
-                                                   { stride_contraction, 2, 0, 0, 1.5, -1, false, false } } };
+                                                 { { stride_extension, 2, 0, 0, 1.5, 1, false, false, false },
+                                                   { stride_contraction, 2, 0, 0, 1.5, -1, false, false, false } } };
 
 /* By their polynomial laws: l, l' and l'' at offset u, and where l'' has a value, by bisection, as it is monotone in a
  * piece */
@@ -158,10 +159,11 @@ static const struct scallop_law leaning_first = { SCALLOP_LAW_POLYNOMIAL, 3, .po
 #define LEANING_PEAK 1.514712742658157179 /* at (sqrt 7 - 1)/3 */
 #define LEANING(sign) BY_LAW(0, 0.5, START, sign, leaning_first), BY_LAW(0.5, 0, END, sign, leaning_last)
 static const struct scallop_piece leaning_extension[] = { LEANING(1) }, leaning_contraction[] = { LEANING(-1) };
-static const struct scallop_gait leaning_gait = { "leaning",
-                                                  { { leaning_extension, 2, 4.8, -7.2, LEANING_PEAK, 1, false, false },
-                                                    { leaning_contraction, 2, -4.8, 7.2, LEANING_PEAK, -1, false,
-                                                      false } } };
+static const struct scallop_gait leaning_gait = {
+  "leaning",
+  { { leaning_extension, 2, 4.8, -7.2, LEANING_PEAK, 1, false, false, false },
+    { leaning_contraction, 2, -4.8, 7.2, LEANING_PEAK, -1, false, false, false } }
+};
 #define RAMP_BY_LAW(anchored, sign, bend) \
   { \
     .begin = SCALLOP_FROM_##anchored == SCALLOP_FROM_START ? 0 : 0.5, \
@@ -170,9 +172,9 @@ static const struct scallop_gait leaning_gait = { "leaning",
   }
 static const struct scallop_piece ramps_extension[] = { RAMP_BY_LAW(START, 1, 4), RAMP_BY_LAW(END, 1, -4) },
                                   ramps_contraction[] = { RAMP_BY_LAW(START, -1, -4), RAMP_BY_LAW(END, -1, 4) };
-static const struct scallop_gait ramps_gait = {
-  "ramps", { { ramps_extension, 2, 4, -4, 2, 1, false, false }, { ramps_contraction, 2, -4, 4, 2, -1, false, false } }
-};
+static const struct scallop_gait ramps_gait = { "ramps",
+                                                { { ramps_extension, 2, 4, -4, 2, 1, false, false, false },
+                                                  { ramps_contraction, 2, -4, 4, 2, -1, false, false, false } } };
 
 /* parabola: l' = 6 s (1 - s) in one piece, which has its anchor at one end only, and which a straight line can touch at
  * a rational point */
@@ -182,8 +184,9 @@ static const struct scallop_piece parabola_contraction[] = {
   { .begin = 1, .anchor = SCALLOP_FROM_END, .direction = -1, .law = &parabola_law }
 };
 static const struct scallop_gait parabola_gait = { "parabola",
-                                                   { { parabola_extension, 1, 6, -6, 1.5, 1, false, false },
-                                                     { parabola_contraction, 1, -6, 6, 1.5, -1, false, false } } };
+                                                   { { parabola_extension, 1, 6, -6, 1.5, 1, false, false, false },
+                                                     { parabola_contraction, 1, -6, 6, 1.5, -1, false, false,
+                                                       false } } };
 
 /* The extension of one and the contraction of another */
 static inline struct scallop_gait mixed_gait(const struct scallop_gait *extension,
@@ -212,7 +215,7 @@ static inline void grow_teeth(struct teeth *t)
     t->pieces[kind][TEETH_PIECES - 1] = (struct scallop_piece)SCALLOP_RAMP(0.5 / TEETH, 0, SCALLOP_FROM_END, sign,
                                                                            -sign * 4 * TEETH);
     t->gait.phase[kind] = (struct scallop_shape){
-      t->pieces[kind], TEETH_PIECES, sign * 4 * TEETH, -sign * 4 * TEETH, 2, sign, false, false
+      t->pieces[kind], TEETH_PIECES, sign * 4 * TEETH, -sign * 4 * TEETH, 2, sign, false, false, false
     };
   }
   t->gait.name = "teeth";

@@ -97,9 +97,9 @@ TEST(stops_where_the_length_turns)
 TEST(lets_go_for_a_while)
 {
   static const struct scallop_piece out[] = { BUMP(1) }, back[] = { BUMP(-1) };
-  static const struct scallop_gait bump = {
-    "bump", { { out, 5, 5, -BUMP_FALL, 2, 1, false, false }, { back, 5, -5, BUMP_FALL, 2, -1, false, false } }
-  };
+  static const struct scallop_gait bump = { "bump",
+                                            { { out, 5, 5, -BUMP_FALL, 2, 1, false, false, false },
+                                              { back, 5, -5, BUMP_FALL, 2, -1, false, false, false } } };
   struct scallop_crawler c = { 1, 1, 7, 1, 1, 2, 0.5, &bump };
   struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, 0);
   modes_are(&r.modes, "0+ -+ 0+");

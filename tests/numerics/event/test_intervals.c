@@ -69,8 +69,9 @@ TEST(sawtooth_interval)
 static const struct scallop_piece two_speed_extension[] = { TWO_SPEEDS(1) };
 static const struct scallop_piece two_speed_contraction[] = { TWO_SPEEDS(-1) };
 static const struct scallop_gait two_speed_gait = { "two-speed",
-                                                    { { two_speed_extension, 2, 0, 0, 1.125, 1, false, false },
-                                                      { two_speed_contraction, 2, 0, 0, 1.125, -1, false, false } } };
+                                                    { { two_speed_extension, 2, 0, 0, 1.125, 1, false, false, false },
+                                                      { two_speed_contraction, 2, 0, 0, 1.125, -1, false, false,
+                                                        false } } };
 
 TEST(two_speed_interval)
 {
