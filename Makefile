@@ -55,7 +55,7 @@ tests     := $(addprefix $(B)/,$(notdir $(of_tests)))
 fuzz      := $(addprefix $(B)/,$(notdir $(of_fuzz)))
 program   := $(addprefix $(B)/,scallop $(if $(filter 0,$(WITH_FLINT) $(WITH_GSL)),,scallop-flint.so))
 
-.PHONY: all help docs pictures single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release api layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates faults clean libraries install uninstall
+.PHONY: all help docs pictures single-order check check-report check-cluster reproduce bench-sweeps bench instructions explorer check-explorer bare flint3 release api layers size lint asan fuzz fuzz-programs valgrind matrix coverage gates growth faults clean libraries install uninstall
 .DELETE_ON_ERROR:
 .PRECIOUS: $(B)/%.o
 
@@ -130,12 +130,13 @@ check asan matrix coverage fuzz flint3 faults:
 ## valgrind:   memory errors and leaks in tests, fuzz replays and commands; slow
 ## lint:       layers, wordings (scripts/dev/prose.txt), clang-format, cppcheck and clang-tidy
 ## reproduce:  the main job: the tables of data/, their plots in build/plots/, and a summary
+## growth:     how the cost grows with rows, digits, orders and recordings: exponents by scallop order (needs valgrind)
 ## instructions: instructions by function that the answers of the benchmark take (needs valgrind)
-valgrind lint reproduce instructions bare release:
+valgrind lint reproduce instructions growth bare release:
 	@$(script)
 check valgrind faults: $(program) libraries $(tests) $(fuzz)
 lint: layers
-reproduce: $(program)
+reproduce growth: $(program)
 instructions: $(B)/scallop-bench $(program)
 fuzz-programs: $(fuzz)
 
