@@ -4,15 +4,11 @@
 
 #include "model/gaits.h"
 #include "tests/support/columns.h"
-#include "tests/support/random_crawler.h"
+#include "tests/support/odd_gaits.h"
 #include "tests/support/solved.h"
 
-enum {
-  MOST = MOST_ROWS,
-  NUMBERS = 8,
-  STEADY = 2,
-  KINDS = 3
-}; /* what is solved: an extension, a contraction, the steady state */
+enum { MOST = MOST_ROWS, NUMBERS = 8 };
+enum { STEADY = 2, KINDS = 3 }; /* what is solved: an extension, a contraction, the steady state */
 
 static long most(void) { return check_cases(MOST); }
 
@@ -26,6 +22,11 @@ static struct results {
   struct scallop_modes modes[MOST][2];
   enum scallop_status status[MOST];
 } out, again;
+
+static struct scallop_modes *modes_of(struct results *r, int kind, long i)
+{
+  return kind == STEADY ? r->modes[i] : &r->modes[0][0] + i;
+}
 
 static void fill(struct random *r, long count, enum family one, enum family other, int kind)
 {
@@ -47,55 +48,45 @@ static long solve(int kind, long count, struct results *r, int threads)
                         : scallop_phase_batch(&c, (enum scallop_phase_kind)kind, start, &phases, threads);
 }
 
-static bool same(double a, double b)
-{
-  return (check_relative(a, b, SAME_BITS) && !signbit(a) == !signbit(b)) || (isnan(a) && isnan(b));
-}
-
-/* The same crawler alone: its status and numbers, how many, its regime and modes */
-static enum scallop_status alone(int kind, long i, double number[NUMBERS], int *count, enum scallop_regime *regime,
+/* The same crawler alone, or, of one that fails, nan, no mode and a regime that is as it was */
+static enum scallop_status alone(int kind, long i, double number[NUMBERS], enum scallop_regime *regime,
                                  struct scallop_modes modes[2])
 {
   const struct scallop_crawler c = columns_row(&in, i);
-  struct scallop_steady_result s;
-  struct scallop_phase_result p;
+  struct scallop_steady_result s = { .period.regime = (enum scallop_regime) - 1 };
+  struct scallop_phase_result p = { .regime = (enum scallop_regime) - 1 };
+  const struct scallop_period_result *q = &s.period;
   enum scallop_status status = kind == STEADY ? scallop_steady(&c, &s)
                                               : scallop_phase(&c, (enum scallop_phase_kind)kind, start[i], &p);
-  *count = kind == STEADY ? NUMBERS : 6;
-  if (status < 0)
-    return status;
-  const struct scallop_period_result *q = &s.period;
   const double of_steady[NUMBERS] = { s.froude,        q->v_start,    q->v_mid, q->displacement,
-                                      s.mean_velocity, q->multiplier, s.v_low,  s.v_high };
-  const double of_phase[NUMBERS] = { p.t1, p.dT, p.v_end, p.dx1, p.dx2, p.dxC };
-  memcpy(number, kind == STEADY ? of_steady : of_phase, sizeof of_phase);
+                                      s.mean_velocity, q->multiplier, s.v_low,  s.v_high },
+               of_phase[NUMBERS] = { p.t1, p.dT, p.v_end, p.dx1, p.dx2, p.dxC };
+  for (int k = 0; k < NUMBERS; k++)
+    number[k] = status < 0 ? NAN : kind == STEADY ? of_steady[k] : of_phase[k];
   *regime = kind == STEADY ? q->regime : p.regime;
   modes[0] = kind == STEADY ? q->modes[0] : p.modes;
-  if (kind == STEADY)
-    modes[1] = q->modes[1];
+  modes[1] = q->modes[1];
   return status;
 }
 
-/* True: it failed, alone and among the others; then its regime is as it was */
+/* True: it failed, alone and among the others. */
 static bool check_one(int kind, long i)
 {
-  const struct scallop_modes *got = kind == STEADY ? out.modes[i] : &out.modes[0][0] + i;
-  struct scallop_modes wanted[2] = { { 0 } };
-  double number[NUMBERS] = { 0 };
-  enum scallop_regime regime = SCALLOP_SLIDING;
-  int count;
-  enum scallop_status status = alone(kind, i, number, &count, &regime, wanted);
+  struct scallop_modes wanted[2], *got = modes_of(&out, kind, i);
+  double number[NUMBERS];
+  enum scallop_regime regime;
+  enum scallop_status status = alone(kind, i, number, &regime, wanted);
   assert_int_equal(out.status[i], status);
-  for (int k = 0; k < count; k++)
-    if (!(status < 0 ? isnan(out.number[k][i]) : same(out.number[k][i], number[k])))
+  assert_int_equal(out.regime[i], regime);
+  for (int k = 0; k < (kind == STEADY ? NUMBERS : 6); k++)
+    if (!check_relative(out.number[k][i], number[k], SAME_BITS)
+        || (!isnan(number[k]) && !signbit(out.number[k][i]) != !signbit(number[k])))
       fail_msg("kind %d, crawler %ld, number %d: %.17g, not %.17g", kind, i, k, out.number[k][i], number[k]);
   for (int phase = 0; phase < (kind == STEADY ? 2 : 1); phase++) {
-    int kept = wanted[phase].count < SCALLOP_MODES_KEPT ? wanted[phase].count : SCALLOP_MODES_KEPT;
-    assert_int_equal(got[phase].count, status < 0 ? 0 : wanted[phase].count);
-    if (status >= 0)
-      assert_memory_equal(got[phase].kept, wanted[phase].kept, (size_t)kept * sizeof *wanted[phase].kept);
+    int count = wanted[phase].count, kept = count < SCALLOP_MODES_KEPT ? count : SCALLOP_MODES_KEPT;
+    assert_int_equal(got[phase].count, count);
+    assert_memory_equal(got[phase].kept, wanted[phase].kept, (size_t)kept * sizeof *wanted[phase].kept);
   }
-  assert_int_equal(out.regime[i], status < 0 ? (enum scallop_regime) - 1 : regime);
   return status < 0;
 }
 
@@ -132,19 +123,29 @@ static void every_family(uint64_t seed, int first_kind, int last_kind)
 TEST(every_family_of_steady_states) { every_family(20261121, STEADY, STEADY); }
 TEST(every_family_of_phases) { every_family(20261122, SCALLOP_EXTENSION, SCALLOP_CONTRACTION); }
 
-/* The library's own gaits have two ramps of one slope in both phases. */
-TEST(ramps_of_different_slopes)
+/* The library's own gaits have two ramps of one slope in both phases. And more modes than are kept, and phases of two
+ * kinds. */
+TEST(other_gaits)
 {
   struct random r = { 5 };
   struct scallop_straight skewed;
+  static struct teeth teeth;
+  const struct scallop_gait mixed = mixed_gait(&scallop_gait_quadratic, &scallop_gait_sinusoidal), *const gaits[] = {
+    &skewed.gait, &skewed.gait, &skewed.gait, &teeth.gait, &mixed
+  };
+  int many = 0;
   assert_int_equal(scallop_make_skewed(&skewed, "skewed", (const double[]){ 0.25, 0.625 }), SCALLOP_OK);
   assert_true(skewed.gait.phase[0].ramps && skewed.gait.phase[1].ramps);
+  grow_teeth(&teeth);
   for (int family = 0; family < FAMILIES; family++) {
-    fill(&r, 300, (enum family)family, (enum family)family, STEADY);
-    for (int i = 0; i < 300; i++)
-      in.gait[i] = &skewed.gait;
-    assert_int_equal(solve_and_check(STEADY, 300, 1), 0);
+    fill(&r, 200, (enum family)family, (enum family)family, STEADY);
+    for (int i = 0; i < 200; i++)
+      in.gait[i] = gaits[i % 5];
+    assert_int_equal(solve_and_check(STEADY, 200, 1), 0);
+    for (int i = 3; i < 200; i += 5)
+      many += out.modes[i][0].count > SCALLOP_MODES_KEPT;
   }
+  assert_true(many > 10);
 }
 
 /* Blocks that end anywhere, and no crawler at all; what lies behind the last one is not touched. */
@@ -155,8 +156,7 @@ TEST(every_length)
     fill(&r, 300, ORDINARY, STICK_SLIP, kind);
     for (long n = 0; n < 300; n = n < 140 ? n + 1 : n + 37) {
       assert_int_equal(solve_and_check(kind, n, 1), 0);
-      const struct scallop_modes *behind = kind == STEADY ? out.modes[n] : &out.modes[0][0] + n;
-      assert_true(isnan(out.number[0][n]) && isnan(out.number[5][n]) && behind->count == -1);
+      assert_true(isnan(out.number[0][n]) && isnan(out.number[5][n]) && modes_of(&out, kind, n)->count == -1);
       assert_true((int)out.status[n] == -1 && (int)out.regime[n] == -1);
     }
   }

@@ -62,31 +62,31 @@ static void solve(const struct scallop_crawler *c)
   (void)scallop_trajectory(c, 0, 2, 3, count_sample, &sum);
 }
 
-static void solve_many(const struct scallop_crawler *one)
+static void solve_all(const struct columns *in, long count)
 {
-  static struct columns in;
   static double v[CRAWLERS];
-  for (int i = 0; i < CRAWLERS; i++)
-    columns_put(&in, i, &one[i]);
-  struct scallop_crawlers all = columns_all(&in, CRAWLERS);
+  struct scallop_crawlers all = columns_all(in, count);
   struct scallop_steady_states states = { .v_start = v };
   struct scallop_phases phases = { .v_end = v };
+  for (long i = 0; i < count; i++) {
+    const struct scallop_crawler c = columns_row(in, i);
+    solve(&c);
+  }
   (void)scallop_steady_batch(&all, &states, 1);
-  (void)scallop_phase_batch(&all, SCALLOP_EXTENSION, in.alpha, &phases, 1); /* from any start velocities */
+  (void)scallop_phase_batch(&all, SCALLOP_EXTENSION, in->alpha, &phases, 1); /* from any start velocities */
 }
 
 TEST(no_solve_allocates)
 {
-  static struct scallop_crawler crawlers[CRAWLERS];
+  static struct columns in;
   struct random r = { 20261125 };
-  for (int i = 0; i < CRAWLERS; i++)
-    crawlers[i] = random_crawler(&r, (enum family)(i % FAMILIES), every_gait[i % ALL_GAITS]);
-  solve(&crawlers[0]); /* what the C library does the first time is not ours */
-  solve_many(crawlers);
+  for (int i = 0; i < CRAWLERS; i++) {
+    struct scallop_crawler c = random_crawler(&r, (enum family)(i % FAMILIES), every_gait[i % ALL_GAITS]);
+    columns_put(&in, i, &c);
+  }
+  solve_all(&in, 1); /* what the C library does the first time is not ours */
   long before = counted();
-  for (int i = 0; i < CRAWLERS; i++)
-    solve(&crawlers[i]);
-  solve_many(crawlers);
+  solve_all(&in, CRAWLERS);
   long after = counted();
   assert_true(after == 0 ? before == 0 : after == before + 1);
 }

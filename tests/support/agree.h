@@ -18,6 +18,9 @@ enum { IN_DOUBLE, IN_LONG_DOUBLE, IN_BINARY128, ARITHMETICS };
 struct allowed {
   double units[ARITHMETICS];
 };
+/* Two doubles hold no more than 100 bits. */
+#define ULP_LONG 0x1p-63
+#define ULP_WIDE 0x1p-99
 
 static inline struct motion steady_motion(const struct scallop_crawler *c)
 {

@@ -2,6 +2,8 @@
 #ifndef SCALLOP_TESTS_SUPPORT_CERTIFIED_BALLS_H
 #define SCALLOP_TESTS_SUPPORT_CERTIFIED_BALLS_H
 
+#include <stdio.h>
+
 #include "numerics/wide/wide.h"
 #include "tests/support/random_crawler.h"
 #include "tests/support/scoped.h"
@@ -15,6 +17,19 @@ static inline double apart(const arb_t x, const arb_t y)
   arb_sub(d, x, y, 400);
   arb_get_abs_ubound_arf(most, d, 53);
   return arf_get_d(most, ARF_RND_UP);
+}
+
+/* "m1 m2 F1 F2 L T alpha": each an integer, or a fraction like 6/7, or a decimal */
+static inline void crawler_of_fractions(struct scallop_rational_crawler *c, const char *text,
+                                        const struct scallop_gait *gait)
+{
+  fmpq *const to[PARAMETERS] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  char number[80];
+  for (int i = 0, length; i < PARAMETERS; i++, text += length) {
+    assert_int_equal(sscanf(text, "%79s%n", number, &length), 1);
+    assert_true(strchr(number, '/') ? fmpq_set_str(to[i], number, 10) == 0 : scallop_rational_parse(to[i], number));
+  }
+  c->gait = gait;
 }
 
 static inline void certified(enum scallop_status status, const char *why, const struct scallop_crawler *c)
@@ -43,31 +58,6 @@ static inline void certify_steady(struct scallop_certified_steady *s, const stru
   SCOPED(scallop_rational, exact);
   scallop_rational_of(&exact, c);
   certified(scallop_certified_steady(&exact, digits, s, &why), why, c);
-}
-
-/* A double beside the certified number */
-static inline void check_number(double got, const arb_t wanted, double tolerance, const struct scallop_crawler *c,
-                                const char *what)
-{
-  if (fabs(got - middle(wanted)) <= tolerance)
-    return;
-  print_crawler(c);
-  fail_msg("%s: %.17g, and %.17g is wanted", what, got, middle(wanted));
-}
-
-/* binary128 beside it */
-static inline void check_wide(const struct scallop_wide *got, const arb_t wanted, double tolerance,
-                              const struct scallop_crawler *c)
-{
-  SCOPED(arb, value, low);
-  arb_set_d(value, got->high);
-  arb_set_d(low, got->low);
-  arb_add(value, value, low, 400);
-  double far = apart(value, wanted);
-  if (far <= tolerance)
-    return;
-  print_crawler(c);
-  fail_msg("binary128: %.17g, off by %.3g", got->high, far);
 }
 
 static inline void check_overlap(const arb_t x, const arb_t y, const char *what)

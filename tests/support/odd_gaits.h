@@ -3,10 +3,6 @@
 #ifndef SCALLOP_TESTS_SUPPORT_ODD_GAITS_H
 #define SCALLOP_TESTS_SUPPORT_ODD_GAITS_H
 
-#include <stddef.h>
-
-#include <math.h>
-
 #include "tests/support/random_crawler.h"
 
 static inline double run_velocity(const struct scallop_piece *p, double u) { return p->velocity + p->acceleration * u; }
@@ -37,30 +33,30 @@ static const struct scallop_curve run = { run_length, run_velocity, run_accelera
     .curve = &run \
   }
 
+/* PIECES(1) in the extension and PIECES(-1) in the contraction */
+#define TWO_WAY_GAIT(name, text, PIECES, l0, lT, peak, net) \
+  static const struct scallop_piece name##_out[] = { PIECES(1) }, name##_back[] = { PIECES(-1) }; \
+  enum { name##_count = sizeof name##_out / sizeof *name##_out }; \
+  static const struct scallop_gait name##_gait = { \
+    text, \
+    { { name##_out, name##_count, l0, lT, peak, net, false, false, false }, \
+      { name##_back, name##_count, -(l0), -(lT), peak, -(net), false, false, false } } \
+  }
+
 /* there and back: out to 9/8 until 3/4 of the phase, and back by 1/8 */
 #define THERE_AND_BACK(sign) \
   RUN(0, 0.375, sign, 0, (sign)*8), RUN(0.375, 0.75, sign, (sign)*6, (sign) * -8), \
       RUN(0.75, 0.875, -(sign), (sign)*6, (sign) * -8), SCALLOP_RAMP(0.125, 0, SCALLOP_FROM_END, -(sign), (sign)*8)
-
-static const struct scallop_piece back_extension[] = { THERE_AND_BACK(1) };
-static const struct scallop_piece back_contraction[] = { THERE_AND_BACK(-1) };
-static const struct scallop_gait there_and_back_gait = { "there-and-back",
-                                                         { { back_extension, 4, 8, 8, 3, 0.5, false, false, false },
-                                                           { back_contraction, 4, -8, -8, 3, -0.5, false, false,
-                                                             false } } };
+TWO_WAY_GAIT(there_and_back, "there-and-back", THERE_AND_BACK, 8, 8, 3, 0.5);
 
 /* detour: three humps, of 1, 1/2 and 1/2, with the same |l'| in both phases but not the opposite l': + + - and - + - */
-#define HUMPS_2_AND_3 \
-  RUN(0.5, 0.625, 1, -16, 32), RUN(0.625, 0.75, 1, 24, -32), RUN(0.75, 0.875, -1, 24, -32), \
-      SCALLOP_RAMP(0.125, 0, SCALLOP_FROM_END, -1, 32)
-
-static const struct scallop_piece detour_extension[] = { RUN(0, 0.25, 1, 0, 16), RUN(0.25, 0.5, 1, 8, -16),
-                                                         HUMPS_2_AND_3 };
-static const struct scallop_piece detour_contraction[] = { RUN(0, 0.25, -1, 0, -16), RUN(0.25, 0.5, -1, -8, 16),
-                                                           HUMPS_2_AND_3 };
+#define DETOUR(sign) \
+  RUN(0, 0.25, sign, 0, (sign)*16), RUN(0.25, 0.5, sign, (sign)*8, (sign) * -16), RUN(0.5, 0.625, 1, -16, 32), \
+      RUN(0.625, 0.75, 1, 24, -32), RUN(0.75, 0.875, -1, 24, -32), SCALLOP_RAMP(0.125, 0, SCALLOP_FROM_END, -1, 32)
+static const struct scallop_piece detour_out[] = { DETOUR(1) }, detour_back[] = { DETOUR(-1) };
 static const struct scallop_gait detour_gait = { "detour",
-                                                 { { detour_extension, 6, 16, 32, 4, 0.5, false, false, false },
-                                                   { detour_contraction, 6, -16, 32, 4, -0.5, false, false, false } } };
+                                                 { { detour_out, 6, 16, 32, 4, 0.5, false, false, false },
+                                                   { detour_back, 6, -16, 32, 4, -0.5, false, false, false } } };
 
 #define REST(from, to) \
   { \
@@ -76,12 +72,7 @@ static const struct scallop_gait detour_gait = { "detour",
   RUN(0, 0.125, sign, 0, (sign)*32), RUN(0.125, 0.25, sign, (sign)*8, (sign) * -32), REST(0.25, 0.375), \
       REST(0.375, 0.5), RUN(0.5, 0.75, sign, (sign) * -4, (sign)*8), \
       SCALLOP_RAMP(0.25, 0, SCALLOP_FROM_END, sign, (sign) * -8)
-
-static const struct scallop_piece pause_extension[] = { PAUSE(1) };
-static const struct scallop_piece pause_contraction[] = { PAUSE(-1) };
-static const struct scallop_gait pause_gait = { "pause",
-                                                { { pause_extension, 6, 32, -8, 4, 0.75, false, false, false },
-                                                  { pause_contraction, 6, -32, 8, 4, -0.75, false, false, false } } };
+TWO_WAY_GAIT(pause, "pause", PAUSE, 32, -8, 4, 0.75);
 
 /* wait: rest, out to 9/8, rest, back by 1/8, rest */
 #define WAIT(sign) \
@@ -89,12 +80,7 @@ static const struct scallop_gait pause_gait = { "pause",
       RUN(0.375, 0.625, sign, (sign)*11.25, (sign) * -18), REST(0.625, 0.75), \
       RUN(0.75, 0.8125, -(sign), (sign)*24, (sign) * -32), RUN(0.8125, 0.875, -(sign), (sign) * -28, (sign)*32), \
       REST_AT_LAST(0.125)
-
-static const struct scallop_piece wait_extension[] = { WAIT(1) };
-static const struct scallop_piece wait_contraction[] = { WAIT(-1) };
-static const struct scallop_gait wait_gait = { "wait",
-                                               { { wait_extension, 7, 0, 0, 4.5, 0.375, false, false, false },
-                                                 { wait_contraction, 7, 0, 0, 4.5, -0.375, false, false, false } } };
+TWO_WAY_GAIT(wait, "wait", WAIT, 0, 0, 4.5, 0.375);
 
 /* hesitant: out at once, then rest; back in two humps, between which l' touches 0 */
 static struct scallop_piece hesitant_pieces[16];
@@ -113,11 +99,8 @@ __attribute__((constructor)) static void make_hesitant(void)
 }
 
 /* stride: l' = 3/2, then 1/2, with jumps */
-static const struct scallop_piece stride_extension[] = { STRIDE(0, 0.5, 1.5), STRIDE(0.5, 1, 0.5) };
-static const struct scallop_piece stride_contraction[] = { STRIDE(0, 0.5, -1.5), STRIDE(0.5, 1, -0.5) };
-static const struct scallop_gait stride_gait = { "stride",
-                                                 { { stride_extension, 2, 0, 0, 1.5, 1, false, false, false },
-                                                   { stride_contraction, 2, 0, 0, 1.5, -1, false, false, false } } };
+#define STRIDES(sign) STRIDE(0, 0.5, (sign)*1.5), STRIDE(0.5, 1, (sign)*0.5)
+TWO_WAY_GAIT(stride, "stride", STRIDES, 0, 0, 1.5, 1);
 
 /* By their polynomial laws: l, l' and l'' at offset u, and where l'' has a value, by bisection, as it is monotone in a
  * piece */
@@ -156,25 +139,15 @@ static const struct scallop_law leaning_first = { SCALLOP_LAW_POLYNOMIAL, 3, .po
     .begin = (from), .end = (to), .anchor = SCALLOP_FROM_##anchored, .direction = (sign), .curve = &law_curve, \
     .law = &(exactly) \
   }
-#define LEANING_PEAK 1.514712742658157179 /* at (sqrt 7 - 1)/3 */
 #define LEANING(sign) BY_LAW(0, 0.5, START, sign, leaning_first), BY_LAW(0.5, 0, END, sign, leaning_last)
-static const struct scallop_piece leaning_extension[] = { LEANING(1) }, leaning_contraction[] = { LEANING(-1) };
-static const struct scallop_gait leaning_gait = {
-  "leaning",
-  { { leaning_extension, 2, 4.8, -7.2, LEANING_PEAK, 1, false, false, false },
-    { leaning_contraction, 2, -4.8, 7.2, LEANING_PEAK, -1, false, false, false } }
-};
-#define RAMP_BY_LAW(anchored, sign, bend) \
+TWO_WAY_GAIT(leaning, "leaning", LEANING, 4.8, -7.2, 1.514712742658157179, 1); /* the peak at (sqrt 7 - 1)/3 */
+#define RAMP_BY_LAW(from, to, anchored, sign, bend) \
   { \
-    .begin = SCALLOP_FROM_##anchored == SCALLOP_FROM_START ? 0 : 0.5, \
-    .end = SCALLOP_FROM_##anchored == SCALLOP_FROM_START ? 0.5 : 0, .anchor = SCALLOP_FROM_##anchored, \
-    .direction = (sign), .linear = true, .acceleration = (bend), .curve = &scallop_curve_linear, .law = &one_ramp \
+    .begin = (from), .end = (to), .anchor = SCALLOP_FROM_##anchored, .direction = (sign), .linear = true, \
+    .acceleration = (bend), .curve = &scallop_curve_linear, .law = &one_ramp \
   }
-static const struct scallop_piece ramps_extension[] = { RAMP_BY_LAW(START, 1, 4), RAMP_BY_LAW(END, 1, -4) },
-                                  ramps_contraction[] = { RAMP_BY_LAW(START, -1, -4), RAMP_BY_LAW(END, -1, 4) };
-static const struct scallop_gait ramps_gait = { "ramps",
-                                                { { ramps_extension, 2, 4, -4, 2, 1, false, false, false },
-                                                  { ramps_contraction, 2, -4, 4, 2, -1, false, false, false } } };
+#define RAMPS(sign) RAMP_BY_LAW(0, 0.5, START, sign, 4 * (sign)), RAMP_BY_LAW(0.5, 0, END, sign, -4 * (sign))
+TWO_WAY_GAIT(ramps, "ramps", RAMPS, 4, -4, 2, 1);
 
 /* parabola: l' = 6 s (1 - s) in one piece, which has its anchor at one end only, and which a straight line can touch at
  * a rational point */

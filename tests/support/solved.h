@@ -24,6 +24,15 @@ static inline struct scallop_crawler with_gait(const struct scallop_gait *gait)
   return c;
 }
 
+/* The same gait, which does not say what it is: no short cut is taken */
+static inline struct scallop_gait walked_gait(const struct scallop_gait *gait)
+{
+  struct scallop_gait copy = *gait;
+  for (int kind = 0; kind < 2; kind++)
+    copy.phase[kind].concave = copy.phase[kind].ramps = false;
+  return copy;
+}
+
 static inline struct scallop_phase_result phase_of(const struct scallop_crawler *c, int kind, double v0)
 {
   struct scallop_phase_result r;

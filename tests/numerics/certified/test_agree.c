@@ -1,7 +1,6 @@
 /* Tables of crawlers, each solved in double, long double, binary128 and balls (tests/support/agree.h): of every family,
  * with gaits of every kind that model.h allows. The certified solver is written apart from the others. */
 #include <float.h>
-#include <stdlib.h>
 
 #include "compare/points/gaits.h"
 #include "tests/support/agree.h"
@@ -15,64 +14,41 @@ static struct random_gait made;
 static struct scallop_polynomial made_far;
 static struct rises made_rises;
 
-static enum scallop_phase_kind either(struct random *r)
-{
-  return random_below(r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-}
-
 /* A phase of the crawler from any start */
 static struct motion any_phase(struct random *r, const struct scallop_crawler *c)
 {
-  enum scallop_phase_kind kind = either(r);
+  enum scallop_phase_kind kind = random_below(r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
   return phase_motion(c, kind, random_start(r, c, kind));
-}
-
-static struct scallop_crawler of_family(struct random *r, int i, const struct scallop_gait *gait)
-{
-  return random_crawler(r, (enum family)(i % FAMILIES), gait);
-}
-
-static struct motion phase_of_any_gait(struct random *r, int i)
-{
-  struct scallop_crawler c = of_family(r, i / ALL_GAITS, every_gait[i % ALL_GAITS]);
-  return any_phase(r, &c);
-}
-
-static struct motion steady_of_smooth_gait(struct random *r, int i)
-{
-  struct scallop_crawler c = of_family(r, i / SMOOTH_GAITS, every_gait[i % SMOOTH_GAITS]);
-  return steady_motion(&c);
-}
-
-static struct motion steady_of_papers_gait(struct random *r, int i)
-{
-  struct scallop_crawler c = of_family(r, i, every_gait[i % 2]);
-  return steady_motion(&c);
 }
 
 /* Gaits whose l' changes its sign, rests or jumps within a phase, with more modes than are kept, and with phases of two
  * kinds; all but the last have a steady state to certify. Where rounding is not magnified: ordinary crawlers, some of
  * them stuck for a while, some with equal forces */
 enum { ODD = 12, CONTINUOUS = 11 };
-static struct scallop_crawler odd_crawler(struct random *r, int i, int gaits)
+static const struct scallop_gait *const odd_gaits[ODD] = { &there_and_back_gait, &detour_gait, &teeth.gait,
+                                                           &pause_gait,          &wait_gait,   &hesitant_gait,
+                                                           &curved_first,        &curved_last, &jerk_last,
+                                                           &leaning_gait,        &ramps_gait,  &stride_gait };
+static struct motion of_odd_gait(struct random *r, int i)
 {
-  static const struct scallop_gait *const odd[ODD] = { &there_and_back_gait, &detour_gait, &teeth.gait,
-                                                       &pause_gait,          &wait_gait,   &hesitant_gait,
-                                                       &curved_first,        &curved_last, &jerk_last,
-                                                       &leaning_gait,        &ramps_gait,  &stride_gait };
   static const enum family families[] = { STICK_SLIP, ORDINARY, ORDINARY, EQUAL_FORCES };
-  return random_crawler(r, families[i / ODD % 4], odd[i % gaits]);
+  bool steady = i % 4 == 0;
+  struct scallop_crawler c = random_crawler(r, families[i / ODD % 4], odd_gaits[i / 4 % (steady ? CONTINUOUS : ODD)]);
+  return steady ? steady_motion(&c) : any_phase(r, &c);
 }
 
-static struct motion odd_phase(struct random *r, int i)
+/* Of every family and gait, five phases for each steady state */
+static struct motion of_any_gait(struct random *r, int i)
 {
-  struct scallop_crawler c = odd_crawler(r, i, ODD);
-  return any_phase(r, &c);
+  bool steady = i % 6 == 0;
+  int gaits = steady ? SMOOTH_GAITS : ALL_GAITS;
+  struct scallop_crawler c = random_crawler(r, (enum family)(i / 6 / gaits % FAMILIES), every_gait[i / 6 % gaits]);
+  return steady ? steady_motion(&c) : any_phase(r, &c);
 }
 
-static struct motion odd_steady(struct random *r, int i)
+static struct motion steady_of_papers_gait(struct random *r, int i)
 {
-  struct scallop_crawler c = odd_crawler(r, i, CONTINUOUS);
+  const struct scallop_crawler c = random_crawler(r, (enum family)(i / 2 % FAMILIES), every_gait[i % 2]);
   return steady_motion(&c);
 }
 
@@ -106,19 +82,6 @@ static struct motion of_far_turning_gait(struct random *r, int i)
   return i % 2 ? any_phase(r, &c) : steady_motion(&c);
 }
 
-/* l' constant out and back, also with a jump in one phase only */
-static struct motion of_constant_gait(struct random *r, int i)
-{
-  static const char *const texts[] = { "constant:0", "constant:0", "constant:0,0.125", "constant:0.25,0" };
-  static const enum family families[] = { ORDINARY, STICK_SLIP, SMALL_PERIOD };
-  struct scallop_crawler c;
-  do
-    c = random_crawler(r, families[random_below(r, 3)], gait_of_text(texts[i % 4]).gait);
-  while (fabs(c.F1 - c.F2) > 0.9 * (c.F1 + c.F2) || fabs(c.F1 - c.F2) < 1e-3 * (c.F1 + c.F2)
-         || fabs(c.alpha - 0.5) < 1e-3);
-  return steady_motion(&c);
-}
-
 /* l rises within 1e-2 to 1e-10 of a phase: three phases and a steady state of each gait. Of one crawler in three
  * friction does much within a rise. */
 static struct motion of_rises(struct random *r, int i)
@@ -133,13 +96,49 @@ static struct motion of_rises(struct random *r, int i)
   return i % 4 < 3 ? phase : steady_motion(&c);
 }
 
-/* A spline of a thousand pieces, as through data: out, back a little, out; a dwell; and the other way. The last motion
- * is a steady state. */
-static struct scallop_gait drawn;
+static double drawn_length(double s)
+{
+  double pi = 3.14159265358979323846, part = s < 1. / 3 ? 1.2 * s : s < 0.5 ? 0.4 : 0.4 + 1.2 * (s - 0.5);
+  double wave = sin(pi * part), l = (1 - cos(pi * part)) / 2 + 0.1 * wave * wave * sin(6 * pi * part);
+  return fmin(fmax(l, 0), 1);
+}
+
+/* A spline of a thousand pieces, as through data: out, back a little, out; a dwell; and the other way. Each direction,
+ * and none, is among them. */
+enum { KNOTS = 513, DRAWN_PIECES = 4 * KNOTS };
+static struct scallop_piece drawn_pieces[DRAWN_PIECES];
+static struct scallop_law drawn_laws[DRAWN_PIECES];
+static struct scallop_spline drawn = { .pieces = drawn_pieces, .laws = drawn_laws };
+static void draw_spline(void)
+{
+  static struct scallop_knot knots[2][KNOTS];
+  const struct scallop_knot *const both[2] = { knots[0], knots[1] };
+  const int count[2] = { KNOTS, KNOTS };
+  struct random r = { 20261302 };
+  for (int kind = 0; kind < 2; kind++) {
+    for (int i = 0; i < KNOTS; i++) {
+      bool end = i == 0 || i == KNOTS - 1;
+      double s = (i + (end ? 0 : random_between(&r, -0.3, 0.3))) / (KNOTS - 1), l = end ? i > 0 : drawn_length(s);
+      knots[kind][i] = (struct scallop_knot){ scallop_knot_round(s), scallop_knot_round(kind == 0 ? l : 1 - l), 0 };
+    }
+    rises_slopes(knots[kind], KNOTS);
+  }
+  assert_true(scallop_spline_pieces(count) <= DRAWN_PIECES);
+  assert_int_equal(scallop_make_spline(&drawn, "drawn", both, count), SCALLOP_OK);
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = &drawn.gait.phase[kind];
+    int seen[3] = { 0 };
+    for (int i = 0; i < shape->count; i++)
+      seen[shape->pieces[i].direction + 1]++;
+    assert_true(seen[0] > 10 && seen[1] > 10 && seen[2] > 10 && shape->peak <= 4);
+  }
+}
+
+/* The error does not grow with the pieces. The last motion is a steady state. */
 static struct motion of_many_pieces(struct random *r, int i)
 {
-  const struct scallop_crawler last = { 2, 1, 9, 1, 3, 0.5, 0.8, &drawn };
-  struct scallop_crawler c = random_crawler(r, i % 3 == 0 ? STICK_SLIP : ORDINARY, &drawn);
+  const struct scallop_crawler last = { 2, 1, 9, 1, 3, 0.5, 0.8, &drawn.gait };
+  struct scallop_crawler c = random_crawler(r, i % 3 == 0 ? STICK_SLIP : ORDINARY, &drawn.gait);
   return i == 24 ? steady_motion(&last) : any_phase(r, &c);
 }
 
@@ -154,9 +153,9 @@ static struct unit natural(const struct motion *m)
 
 static struct unit with_friction(const struct motion *m)
 {
+  const struct scallop_crawler *c = &m->crawler;
   struct unit u = natural(m);
-  if (m->of == OF_PHASE)
-    u.length += (m->crawler.F1 + m->crawler.F2) * u.time / (m->crawler.m1 + m->crawler.m2) * u.time;
+  u.length += m->of == OF_PHASE ? (c->F1 + c->F2) * u.time / (c->m1 + c->m2) * u.time : 0;
   u.velocity = u.length / u.time;
   return u;
 }
@@ -178,112 +177,57 @@ static struct unit of_both_rates(const struct motion *m)
   return (struct unit){ rate, 10 * c->L, c->T, 1 };
 }
 
-static struct unit of_constant_rates(const struct motion *m)
-{
-  const struct scallop_crawler *c = &m->crawler;
-  double size = (1 / c->alpha + 1 / (1 - c->alpha) + crawler_eps(c)) / (1 - fabs(c->F1 - c->F2) / (c->F1 + c->F2));
-  return (struct unit){ size * c->L / c->T, size * c->L, c->T, 1 };
-}
+/* Where there are no units of their own: the bound of numerics.h, 8 units, or 8 * 2^-52 of the number where that is
+ * more; and whether all must be solved, or refused. */
+#define OFF_BY(...) { { __VA_ARGS__ } }, false, false
+#define BOUND(solved, to_epsilon) NULL, { { 0 } }, solved, to_epsilon
+static const struct asked {
+  const char *what;
+  uint64_t seed;
+  int count;
+  struct motion (*draw)(struct random *r, int i);
+  struct unit (*unit_of)(const struct motion *m);
+  struct allowed allowed;
+  bool solved, to_epsilon;
+} all[] = {
+  /* Condition numbers of these families are below 1e4 or so. */
+  { "steady states of the paper's gaits", 20261201, 60, steady_of_papers_gait, of_both_rates,
+    OFF_BY(1e4 * DBL_EPSILON, 1e4 * ULP_LONG, 1e4 * ULP_WIDE) },
+  { "odd gaits", 20261101, 76 * ODD, of_odd_gait, natural, OFF_BY(1e-12, 1e-15, 1e-27) },
+  { "turning", 20261213, 40, of_turning_gait, of_largest_rate, OFF_BY(1e-13, 1e-16, 1e-28) },
+  { "turning far and hardly", 20261214, 48, of_far_turning_gait, of_largest_rate, OFF_BY(1e-13, 1e-16, 1e-28) },
+  { "a spline of many pieces", 20261303, 25, of_many_pieces, with_friction, OFF_BY(2 * DBL_EPSILON, 0, 1e-27) },
+  { "any gait", 20260701, 168 * ALL_GAITS, of_any_gait, BOUND(true, true) },
+  { "families of gaits", 20261212, 2 * 20 * WITHOUT_TURN, of_made_gait, BOUND(false, false) },
+  { "steep rises", 20261501, 4 * 36, of_rises, BOUND(true, false) },
+};
 
-/* Two doubles hold no more than 100 bits. */
-#define ULP_LONG 0x1p-63
-#define ULP_WIDE 0x1p-99
-static void all_agree(uint64_t seed, int count, struct motion (*draw)(struct random *r, int i),
-                      struct unit (*unit_of)(const struct motion *m), struct allowed allowed)
+static void judge(const struct asked *t, struct motion m)
 {
-  struct random r = { seed };
-  for (int i = 0; i < check_cases(count); i++) {
-    const struct motion m = draw(&r, i);
-    const struct unit unit = unit_of(&m);
-    agree(&m, &unit, &allowed);
+  if (t->unit_of) {
+    const struct unit unit = t->unit_of(&m);
+    agree(&m, &unit, &t->allowed);
+    return;
   }
-}
-#define ALLOWED(...) ((struct allowed){ { __VA_ARGS__ } })
-
-/* Condition numbers of these families are below 1e4 or so. */
-TEST(steady_states_of_the_papers_gaits)
-{
-  all_agree(20261201, 60, steady_of_papers_gait, of_both_rates,
-            ALLOWED(1e4 * DBL_EPSILON, 1e4 * ULP_LONG, 1e4 * ULP_WIDE));
+  const struct scallop_shape *phase = m.crawler.gait->phase;
+  bool spline = strcmp(m.crawler.gait->name, "spline") == 0;
+  enum stress_outcome outcome = bound_is_kept(&m, spline ? phase[0].count + phase[1].count : 0, t->to_epsilon);
+  assert_true(!t->solved || outcome == STRESS_SOLVED || outcome == STRESS_REFUSED);
 }
 
-TEST(odd_phases) { all_agree(20261101, 60 * ODD, odd_phase, natural, ALLOWED(1e-12, 1e-15, 1e-27)); }
-TEST(odd_steady_states) { all_agree(20261102, 24 * CONTINUOUS, odd_steady, natural, ALLOWED(1e-12, 1e-15, 1e-27)); }
+static const struct asked *under_test;
+static void name_the_culprit(void) { print_error("%s\n", under_test->what); }
 
-TEST(turning) { all_agree(20261213, 60, of_turning_gait, of_largest_rate, ALLOWED(1e-13, 1e-16, 1e-28)); }
-
-TEST(turning_far_and_hardly)
+TEST(all_agree)
 {
-  all_agree(20261214, 64, of_far_turning_gait, of_largest_rate, ALLOWED(1e-13, 1e-16, 1e-28));
-}
-
-TEST(constant_rates)
-{
-  all_agree(2026112204, 60, of_constant_gait, of_constant_rates, ALLOWED(16 * DBL_EPSILON, 16 * ULP_LONG, 1e-28));
-}
-
-static double drawn_length(double s)
-{
-  double pi = 3.14159265358979323846, part = s < 1. / 3 ? 1.2 * s : s < 0.5 ? 0.4 : 0.4 + 1.2 * (s - 0.5);
-  double wave = sin(pi * part), l = (1 - cos(pi * part)) / 2 + 0.1 * wave * wave * sin(6 * pi * part);
-  return fmin(fmax(l, 0), 1);
-}
-
-enum { KNOTS = 513 };
-static void draw_phase(struct random *r, struct scallop_knot *k, bool up)
-{
-  for (int i = 0; i < KNOTS; i++) {
-    double s = (i + (i == 0 || i == KNOTS - 1 ? 0 : random_between(r, -0.3, 0.3))) / (KNOTS - 1);
-    double l = i == 0 ? 0 : i == KNOTS - 1 ? 1 : drawn_length(s);
-    k[i] = (struct scallop_knot){ scallop_knot_round(s), scallop_knot_round(up ? l : 1 - l), 0 };
+  check_failed = name_the_culprit;
+  for (under_test = all; under_test < all + sizeof all / sizeof *all; under_test++) {
+    struct random r = { under_test->seed };
+    for (int i = 0; i < check_cases(under_test->count); i++)
+      judge(under_test, under_test->draw(&r, i));
   }
-  rises_slopes(k, KNOTS);
+  check_failed = NULL;
 }
-
-/* The error does not grow with the pieces. Each direction, and none, is among them. */
-TEST(a_spline_through_many_knots)
-{
-  static struct scallop_knot knots[2][KNOTS];
-  const struct scallop_knot *const both[2] = { knots[0], knots[1] };
-  const int count[2] = { KNOTS, KNOTS };
-  struct random r = { 20261302 };
-  for (int kind = 0; kind < 2; kind++)
-    draw_phase(&r, knots[kind], kind == 0);
-  size_t pieces = (size_t)scallop_spline_pieces(count);
-  struct scallop_spline spline = { .pieces = calloc(pieces, sizeof *spline.pieces),
-                                   .laws = calloc(pieces, sizeof *spline.laws) };
-  assert_int_equal(scallop_make_spline(&spline, "drawn", both, count), SCALLOP_OK);
-  for (int kind = 0; kind < 2; kind++) {
-    const struct scallop_shape *shape = &spline.gait.phase[kind];
-    int seen[3] = { 0 };
-    for (int i = 0; i < shape->count; i++)
-      seen[shape->pieces[i].direction + 1]++;
-    assert_true(seen[0] > 10 && seen[1] > 10 && seen[2] > 10 && shape->peak <= 4);
-  }
-  drawn = spline.gait;
-  all_agree(20261303, 25, of_many_pieces, with_friction, ALLOWED(2 * DBL_EPSILON, 0, 1e-27));
-  free(spline.pieces);
-  free(spline.laws);
-}
-
-/* 8 units */
-static void all_keep_the_bound(uint64_t seed, int count, struct motion (*draw)(struct random *r, int i), bool solved,
-                               bool to_epsilon)
-{
-  struct random r = { seed };
-  for (int i = 0; i < check_cases(count); i++) {
-    const struct motion m = draw(&r, i);
-    const struct scallop_shape *phase = m.crawler.gait->phase;
-    bool spline = strcmp(m.crawler.gait->name, "spline") == 0;
-    enum stress_outcome outcome = bound_is_kept(&m, spline ? phase[0].count + phase[1].count : 0, to_epsilon);
-    assert_true(!solved || outcome == STRESS_SOLVED || outcome == STRESS_REFUSED);
-  }
-}
-
-TEST(bound_for_phases) { all_keep_the_bound(20260701, 140 * ALL_GAITS, phase_of_any_gait, true, true); }
-TEST(bound_for_steady_states) { all_keep_the_bound(20260702, 28 * SMOOTH_GAITS, steady_of_smooth_gait, true, true); }
-TEST(bound_for_families_of_gaits) { all_keep_the_bound(20261212, 2 * 36 * WITHOUT_TURN, of_made_gait, false, false); }
-TEST(bound_for_steep_rises) { all_keep_the_bound(20261501, 4 * 54, of_rises, true, false); }
 
 /* Three rises of 1e-8 between dwells: dx1 was off by 7e6 units. */
 TEST(steps_of_a_motor)
@@ -306,6 +250,7 @@ static int make_gaits(void **state)
 {
   (void)state;
   grow_teeth(&teeth);
+  draw_spline();
   curved_first = mixed_gait(&scallop_gait_sinusoidal, &scallop_gait_quadratic);
   curved_last = mixed_gait(&scallop_gait_quadratic, &scallop_gait_sinusoidal);
   jerk_last = mixed_gait(&scallop_gait_quadratic, &minimum_jerk_gait);

@@ -1,5 +1,5 @@
-/* The certified solver against 50-digit values of a third program, and against itself with more digits. Against the
- * other solvers: test_agree.c. */
+/* The certified solver against 50-digit values of a third program, against itself with more digits, and against laws of
+ * motion that it does not use. Against the other solvers: test_agree.c. */
 #include "tests/support/agree.h"
 #include "tests/support/reference.h"
 
@@ -93,4 +93,94 @@ TEST(a_thousand_digits_of_a_small_period)
   arb_div_ui(limit, limit, 37, 4000);
   CHECK_NEAR(apart(s.displacement, limit), 0, 10 * 1e-119);
   assert_false(arb_overlaps(s.displacement, limit));
+}
+
+/* dx2 - dx1 = +-L; dxC is their mean; d v_end / d v0 is what a change of v0 by 1e-40 makes of it. True: slid through
+ * three modes */
+static bool check_laws(const struct scallop_crawler *doubles, enum scallop_phase_kind kind, double v0)
+{
+  SCOPED(arb, x, y);
+  SCOPED(fmpq, start, change);
+  SCOPED(scallop_rational, c);
+  SCOPED(scallop_certified_phase, p, moved);
+  scallop_rational_of(&c, doubles);
+  scallop_rational_set_double(start, v0);
+  assert_int_equal(scallop_certified_phase(&c, kind, start, 80, &p, NULL), SCALLOP_OK);
+  arb_sub(x, p.dx2, p.dx1, 400);
+  arb_set_fmpq(y, c.L, 400);
+  arb_mul_si(y, y, kind == SCALLOP_EXTENSION ? 1 : -1, 400);
+  check_overlap(x, y, "dx2 - dx1");
+  arb_add(x, p.dx2, p.dx1, 400);
+  arb_mul_2exp_si(y, p.dxC, 1);
+  check_overlap(x, y, "dxC");
+  assert_true(scallop_rational_parse(change, "1e-40"));
+  fmpq_add(start, start, change);
+  if (scallop_certified_phase(&c, kind, start, 80, &moved, NULL) == SCALLOP_OK
+      && (v0 == 0 || modes_alike(&p.modes, &moved.modes))) {
+    arb_sub(x, moved.v_end, p.v_end, 400);
+    arb_set_fmpq(y, change, 400);
+    arb_div(x, x, y, 400);
+    CHECK_NEAR(apart(x, p.multiplier), 0, 1e-10);
+  }
+  return p.regime == SCALLOP_SLIDING && p.modes.count == 3;
+}
+
+TEST(phases_obey_laws)
+{
+  struct random r = { 20260704 };
+  int slid = 0;
+  for (int i = 0; i < 60 * SMOOTH_GAITS; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % SMOOTH_GAITS]);
+    enum scallop_phase_kind kind = i / SMOOTH_GAITS % 2 ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
+    slid += check_laws(&c, kind, random_start(&r, &c, kind));
+  }
+  assert_true(slid > 30);
+}
+
+/* Where the rear body, 1 of an extension, is at the first and at the last change of mode, whether it turns then or body
+ * 2 does: in the quadratic gait l = 2 L (t/tau)^2 at both ends, where both bodies go the same way. */
+TEST(turning_places)
+{
+  static const struct {
+    double F1, v0;
+    const char *modes;
+    int first, last; /* the way that both go; 0: they do not */
+  } phases[] = { { 4, 3, "++ -+ ++", 1, 1 }, { 4, 0, "-+ ++", 0, 1 }, { 0.7, 0, "-+ --", 0, -1 } };
+  for (int i = 0; i < 3; i++) {
+    const struct scallop_crawler c = { 1.3, 0.8, phases[i].F1, 1.9, 3, 1.1, 0.6, &scallop_gait_quadratic };
+    const struct motion m = phase_motion(&c, SCALLOP_EXTENSION, phases[i].v0);
+    double tau = c.alpha * c.T, M = c.m1 + c.m2, slowing = (c.F1 + c.F2) / M / 2,
+           way = c.m2 / M * 2 * c.L / (tau * tau);
+    struct answer a;
+    SCOPED(scallop_certified_phase, p);
+    certify_phase(&p, &c, SCALLOP_EXTENSION, m.v0, 20);
+    modes_are(&p.modes, phases[i].modes);
+    assert_true(answer_in_double(&a, &m) && answer_complete(&a, &m) >= 0);
+    double t1 = middle(p.t1), dT = middle(p.dT), first = m.v0 * t1 - (phases[i].first * slowing + way) * t1 * t1;
+    double last = middle(p.dx1) - (middle(p.v_end) + phases[i].last * slowing * dT - way * dT) * dT;
+    CHECK_RELATIVE(middle(p.at_first), phases[i].first ? first : last, 1e-13);
+    CHECK_RELATIVE(a.value[Q_AT_FIRST].high, middle(p.at_first), 1e-13);
+    CHECK_RELATIVE(middle(p.at_last), last, 1e-13);
+    CHECK_RELATIVE(a.value[Q_AT_LAST].high, middle(p.at_last), 1e-13);
+  }
+}
+
+/* A period that is its own mirror image, half of it late, leads nowhere: whatever the masses and the forces. */
+TEST(mirrored_periods_lead_nowhere)
+{
+  struct random r = { 20260705 };
+  SCOPED(scallop_rational, exact);
+  SCOPED(scallop_certified_steady, s);
+  for (int i = 0; i < 5 * SMOOTH_GAITS; i++) {
+    struct scallop_crawler c = random_crawler(&r, i % 2 ? ORDINARY : STICK_SLIP, every_gait[i % SMOOTH_GAITS]);
+    c.alpha = 0.5;
+    scallop_rational_of(&exact, &c);
+    assert_int_equal(scallop_certified_steady(&exact, 30, &s, NULL), SCALLOP_OK);
+    assert_true(arb_is_zero(s.displacement) && arb_is_zero(s.mean_velocity));
+    arb_neg(s.v_mid, s.v_mid);
+    assert_true(arb_overlaps(s.v_start, s.v_mid));
+    assert_true(fmpq_set_str(exact.alpha, "499999999999/1000000000000", 10) == 0);
+    assert_int_equal(scallop_certified_steady(&exact, 30, &s, NULL), SCALLOP_OK);
+    assert_true(arb_is_zero(s.displacement) == (s.regime == SCALLOP_AT_REST));
+  }
 }

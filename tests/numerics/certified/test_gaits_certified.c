@@ -9,8 +9,6 @@
 
 enum { BITS = 300, PRECISION = 400, ORDER = 14 };
 
-static void ball_of(arb_t x, double value) { arb_set_d(x, value); }
-
 /* The ways of all pieces add up to 1, and where one piece ends the next one has the same l': exactly, as far as 300
  * bits tell. */
 static void laws_fit_together(const struct scallop_shape *shape, int kind)
@@ -18,8 +16,8 @@ static void laws_fit_together(const struct scallop_shape *shape, int kind)
   SCOPED(arb, sum, way, u, v, before);
   for (int i = 0; i < shape->count; i++) {
     const struct scallop_piece *p = &shape->pieces[i];
-    ball_of(u, p->begin);
-    ball_of(v, p->end);
+    arb_set_d(u, p->begin);
+    arb_set_d(v, p->end);
     scallop_ball_way(way, p, u, v, BITS);
     arb_addmul_si(sum, way, p->direction, BITS);
     scallop_ball_speed(way, p, u, BITS);
@@ -47,7 +45,7 @@ static void doubles_follow_the_law(struct random *r, const struct scallop_shape 
     const struct scallop_piece *p = &shape->pieces[i];
     double at = p->begin + (p->end - p->begin) * random_between(r, 0, 1), velocity = p->curve->velocity(p, at);
     double steep = fmax(fabs(p->curve->acceleration(p, p->begin)), fabs(p->curve->acceleration(p, p->end)));
-    ball_of(u, at);
+    arb_set_d(u, at);
     scallop_ball_speed(value, p, u, BITS);
     arb_mul_si(value, value, p->direction, BITS);
     CHECK_NEAR(velocity, middle(value),
@@ -56,24 +54,10 @@ static void doubles_follow_the_law(struct random *r, const struct scallop_shape 
     scallop_ball_rate(value, p, u, BITS);
     arb_mul_si(value, value, p->direction, BITS);
     CHECK_NEAR(p->curve->acceleration(p, at), middle(value), 4 * ulp * (steep + shape->peak));
-    ball_of(begin, p->begin);
+    arb_set_d(begin, p->begin);
     scallop_ball_way(value, p, begin, u, BITS);
     CHECK_NEAR(p->curve->length(p, at) - p->curve->length(p, p->begin), p->direction * middle(value),
                8 * ulp * fmax(1, shape->peak));
-  }
-}
-
-TEST(laws)
-{
-  struct random r = { 20261211 };
-  struct random_gait made;
-  for (int i = 0; i < check_cases(40 * RANDOM_GAITS); i++) {
-    const struct scallop_gait *gait = random_gait(&r, (enum random_gait_kind)(i % RANDOM_GAITS), &made);
-    assert_true(scallop_gait_is_exact(gait) && scallop_gait_is_rational(gait));
-    for (int kind = 0; kind < 2; kind++) {
-      laws_fit_together(&gait->phase[kind], kind);
-      doubles_follow_the_law(&r, &gait->phase[kind]);
-    }
   }
 }
 
@@ -90,17 +74,14 @@ TEST(pieces_that_go_on)
       scallop_make_spline(&s, "", (const struct scallop_knot *const[2]){ out, back }, (const int[2]){ 3, 2 }),
       SCALLOP_OK);
   const struct scallop_piece *p = s.gait.phase[0].pieces;
-  assert_true(scallop_piece_continues(p, p + 1, &turned));
-  assert_true(turned);
-  assert_false(scallop_piece_continues(p + 1, p + 2, &turned));
-  assert_false(turned);
+  assert_true(scallop_piece_continues(p, p + 1, &turned) && turned);
+  assert_true(!scallop_piece_continues(p + 1, p + 2, &turned) && !turned);
   p = gait_of_text("trapezoidal:0.25,0.125").gait->phase[0].pieces;
   assert_false(scallop_piece_continues(p, p + 1, &turned));
-  assert_true(scallop_piece_continues(p + 1, p + 2, &turned));
-  assert_true(turned);
-  p = gait_of_text("polynomial:0,0.5,0,-0.25").gait->phase[0].pieces;
-  for (int i = 0; i + 1 < gait_of_text("polynomial:0,0.5,0,-0.25").gait->phase[0].count; i++)
-    assert_true(scallop_piece_continues(p + i, p + i + 1, &turned));
+  assert_true(scallop_piece_continues(p + 1, p + 2, &turned) && turned);
+  const struct scallop_shape *smooth = &gait_of_text("polynomial:0,0.5,0,-0.25").gait->phase[0];
+  for (int i = 0; i + 1 < smooth->count; i++)
+    assert_true(scallop_piece_continues(smooth->pieces + i, smooth->pieces + i + 1, &turned));
 }
 
 /* l' has the sign that the piece says, also where all of it is next to a turn. */
@@ -114,22 +95,27 @@ static void directions_hold(struct random *r, const struct scallop_shape *shape)
       double at = p->begin + (p->end - p->begin) * part;
       if (at == p->begin || at == p->end)
         continue;
-      ball_of(u, at);
+      arb_set_d(u, at);
       scallop_ball_speed(speed, p, u, BITS);
       assert_true(arb_is_positive(speed));
     }
 }
 
-TEST(laws_of_far_turns)
+/* Gaits of every family, and at last far turns */
+TEST(laws)
 {
-  struct random r = { 20261214 };
-  struct scallop_polynomial polynomial;
-  for (int i = 0; i < FAR_TURNING + check_cases(24); i++) {
-    const struct scallop_gait *gait = i < FAR_TURNING ? gait_of_text(far_turning_texts[i]).gait
-                                                      : far_turning(&r, &polynomial);
+  struct random r = { 20261211 };
+  struct random_gait made;
+  long others = check_cases(40 * RANDOM_GAITS), far = FAR_TURNING + check_cases(24);
+  for (long i = 0; i < others + far; i++) {
+    long turn = i - others;
+    const struct scallop_gait *gait = turn < 0 ? random_gait(&r, (enum random_gait_kind)(i % RANDOM_GAITS), &made)
+                                      : turn < FAR_TURNING ? gait_of_text(far_turning_texts[turn]).gait
+                                                           : far_turning(&r, &made.polynomial);
+    assert_true(scallop_gait_is_exact(gait) && scallop_gait_is_rational(gait));
     for (int kind = 0; kind < 2; kind++) {
       laws_fit_together(&gait->phase[kind], kind);
-      directions_hold(&r, &gait->phase[kind]);
+      (turn < 0 ? doubles_follow_the_law : directions_hold)(&r, &gait->phase[kind]);
     }
   }
 }

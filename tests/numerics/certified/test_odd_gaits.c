@@ -1,47 +1,103 @@
-/* Motions with gaits of every kind that model.h allows: that they are gaits, what integrators make of them, what
- * becomes of more modes than are kept, and of very many pieces. The solvers against each other: test_agree.c. */
+/* Motions with gaits of every kind that model.h allows: dwells, stretches in which l rests, and both bodies are one on
+ * friction F1 + F2 until they rest as well, by hand; what becomes of more modes than are kept. The solvers against each other: test_agree.c, test_integrators.c. */
 #include <float.h>
 
-#include "numerics/integrators/integrator.h"
+#include "asymptotics/derived/branch.h"
 #include "tests/support/agree.h"
-#include "tests/support/columns.h"
 #include "tests/support/odd_gaits.h"
 
-enum { ODD = 8 };
-static struct teeth teeth;
-static struct scallop_gait curved_last;
-static const struct scallop_gait *const odd_gaits[ODD] = { &there_and_back_gait, &detour_gait, &teeth.gait,
-                                                           &pause_gait,          &wait_gait,   &hesitant_gait,
-                                                           &curved_last,         &stride_gait };
+/* Extensions of tau = 3/4. Body 1 is held whenever it is at rest: its friction is above m2 |l''| + F2. In the dwell at
+ * the start v' = -(F1 + F2)/M = -64: from v0 = 3 both rest after 3/64, 9/128 further on; then body 2 goes out and back.
+ * Above every curve the dwells are nothing special: v' = -64 throughout. nan: not looked at */
+static const struct {
+  const struct scallop_gait *gait;
+  double F1, v0;
+  const char *modes;
+  enum scallop_regime regime;
+  double numbers[6]; /* t1, dT, v_end, dx1, dx2, dxC */
+} extensions[] = {
+  { &wait_gait,
+    127,
+    3,
+    "++ 00 0+ 00 0- 00",
+    SCALLOP_STICK_SLIP,
+    { 3. / 64, 0.75 / 8, 0, 9. / 128, 137. / 128, 73. / 128 } },
+  { &wait_gait, 127, -3, "-- 00 0+ 00 0- 00", SCALLOP_STICK_SLIP, { 3. / 64, 0.75 / 8, 0, -9. / 128, NAN, NAN } },
+  { &wait_gait, 1023, 0, "00 0+ 00 0- 00", SCALLOP_AT_REST, { 0.75 / 8, 0.75 / 8, 0, 0, 1, 0.5 } },
+  { &pause_gait, 127, 1000, "++", SCALLOP_SLIDING, { NAN, NAN, 952, NAN, NAN, 732 } },
+};
 
-static int make_gaits(void **state)
+static struct scallop_crawler anchored(const struct scallop_gait *gait, double F1)
 {
-  (void)state;
-  grow_teeth(&teeth);
-  curved_last = mixed_gait(&scallop_gait_quadratic, &scallop_gait_sinusoidal);
-  return 0;
+  struct scallop_crawler c = with_gait(gait);
+  c.F1 = F1;
+  c.L = 1;
+  return c;
 }
 
-/* Each phase gains the amplitude, and l' is the derivative of l. */
-TEST(gaits_are_gaits)
+TEST(extensions_by_hand)
 {
-  enum { PLACES = 64 }; /* ends of pieces are at multiples of 1/32 */
-  for (int g = 0; g < ODD; g++)
-    for (int kind = 0; kind < 2; kind++) {
-      const enum scallop_phase_kind k = (enum scallop_phase_kind)kind;
-      double l, next, v, length = kind == SCALLOP_EXTENSION ? 0 : 1;
-      scallop_gait_at(odd_gaits[g], k, 0, &l, NULL, NULL);
-      CHECK_NEAR(l, length, 1e-15);
-      scallop_gait_at(odd_gaits[g], k, 1, &l, NULL, NULL);
-      CHECK_NEAR(l, 1 - length, 1e-15);
-      for (int i = 0; i < PLACES; i++) {
-        double s = (i + 0.5) / PLACES, h = 1e-4;
-        scallop_gait_at(odd_gaits[g], k, s - h, &l, NULL, NULL);
-        scallop_gait_at(odd_gaits[g], k, s + h, &next, NULL, NULL);
-        scallop_gait_at(odd_gaits[g], k, s, NULL, &v, NULL);
-        CHECK_NEAR((next - l) / (2 * h), v, 1e-6);
-      }
-    }
+  for (size_t i = 0; i < sizeof extensions / sizeof *extensions; i++) {
+    struct scallop_crawler c = anchored(extensions[i].gait, extensions[i].F1);
+    struct scallop_phase_result r = phase_of(&c, SCALLOP_EXTENSION, extensions[i].v0);
+    const double got[] = { r.t1, r.dT, r.v_end, r.dx1, r.dx2, r.dxC };
+    modes_are(&r.modes, extensions[i].modes);
+    assert_int_equal(r.regime, extensions[i].regime);
+    for (int q = 0; q < 6; q++)
+      if (!isnan(extensions[i].numbers[q]))
+        CHECK_RELATIVE(got[q], extensions[i].numbers[q], q < 3 ? 2e-16 : 1e-15);
+  }
+}
+
+/* Body 1 never moves, whatever body 2 does; with less friction, but fast, no body ever rests. Held by a dwell for any
+ * length of time, and moving otherwise: stick-slip, and the start is forgotten. */
+TEST(periods_by_hand)
+{
+  struct scallop_crawler c = anchored(&wait_gait, 1023);
+  struct scallop_period_result p = period_of(&c, 0);
+  modes_are(&p.modes[SCALLOP_CONTRACTION], "00 0- 00 0+ 00");
+  assert_true(p.v_end == 0 && p.multiplier == 0 && p.displacement == 0 && p.regime == SCALLOP_AT_REST);
+  c = anchored(&pause_gait, 127);
+  p = period_of(&c, 1000);
+  CHECK_EQUAL(p.multiplier, 1);
+  CHECK_RELATIVE(p.balance, -1, 1e-15);
+  c = with_gait(&wait_gait);
+  c.F1 = 60;
+  c.F2 = 50;
+  p = period_of(&c, 0.5);
+  assert_true(p.regime == SCALLOP_STICK_SLIP && p.multiplier == 0 && p.v_end == period_of(&c, -2).v_end);
+}
+
+/* A dwell of a fourth of the time costs a fourth of the friction there is. What the phases of unlike duration bring has
+ * to be more, or it comes to rest there however short the period is: (F1 - F2)/(F1 + F2) (2 alpha - 1) 3/4 = 0.576
+ * here, and 0.225 by default. With phases of one duration what the contraction does is the mirror image of what the
+ * extension does, half a period late. */
+TEST(slides_on)
+{
+  struct scallop_crawler c = with_gait(&pause_gait);
+  c.T = 1. / 64;
+  struct scallop_steady_result s = steady_of(&c);
+  modes_are(&s.period.modes[0], "++ -+ ++ 00 -+ ++");
+  c.F1 = 49;
+  c.alpha = 0.9;
+  s = steady_of(&c);
+  modes_are(&s.period.modes[0], "++ -+ ++ -+ ++");
+  modes_are(&s.period.modes[1], "++ +- ++ +- ++");
+  assert_int_equal(s.period.regime, SCALLOP_SLIDING);
+  CHECK_NEAR(s.period.balance, 0, 1e-15);
+  CHECK_RELATIVE(period_of(&c, s.period.v_start).v_end, s.period.v_start, 1e-15);
+  assert_true(s.period.multiplier > 0 && s.period.multiplier < 1);
+  c.alpha = 0.5;
+  s = steady_of(&c);
+  CHECK_RELATIVE(s.period.v_mid, -s.period.v_start, 1e-13);
+  CHECK_EQUAL(s.period.displacement, 0);
+}
+
+/* There is no series for it, and the reason says that l' is 0 within a phase. */
+TEST(no_series_with_a_dwell)
+{
+  assert_false(branch_is_possible(&pause_gait) || branch_is_possible(&wait_gait) || branch_is_possible(&hesitant_gait));
+  assert_non_null(strstr(branch_impossible, "l' is 0"));
 }
 
 /* With phases of one duration a gait leads nowhere if the contraction does the opposite of the extension, and detour
@@ -60,27 +116,6 @@ TEST(the_same_speeds_in_other_directions)
   }
 }
 
-TEST(integrators)
-{
-  struct random r = { 20261105 };
-  struct scallop_integrator *integrator[2] = { scallop_odeiv_integrator(SCALLOP_ODEIV_RK8PD, 1e-11),
-                                               scallop_cvode_integrator(1e-11) };
-  for (int i = 0; i < check_cases(30 * ODD); i++) {
-    struct scallop_crawler c = random_crawler(&r, i / ODD % 4 ? ORDINARY : STICK_SLIP, odd_gaits[i % ODD]);
-    double v0 = random_start(&r, &c, SCALLOP_EXTENSION), unit = c.L / (c.T * fmin(c.alpha, 1 - c.alpha)) + fabs(v0);
-    struct scallop_period_result exact = period_of(&c, v0);
-    for (int k = 0; k < 2 && integrator[k]; k++) {
-      struct scallop_integrator_period got;
-      assert_int_equal(integrator[k]->period(integrator[k], &c, v0, NULL, &got), SCALLOP_OK);
-      CHECK_NEAR(got.v_mid, exact.v_mid, 1e-7 * unit);
-      CHECK_NEAR(got.v_end, exact.v_end, 1e-7 * unit);
-      CHECK_NEAR(got.displacement, exact.displacement, 1e-7 * unit * c.T);
-    }
-  }
-  for (int k = 0; k < 2; k++)
-    scallop_integrator_destroy(integrator[k]);
-}
-
 static void count_mode(void *context, const struct scallop_interval *interval)
 {
   struct scallop_modes *m = context;
@@ -93,6 +128,8 @@ static void count_mode(void *context, const struct scallop_interval *interval)
 /* All are counted; the text has the first ones, "...", and the last. */
 TEST(modes_beyond_those_kept)
 {
+  struct teeth teeth;
+  grow_teeth(&teeth);
   struct scallop_crawler c = with_gait(&teeth.gait);
   struct scallop_modes counted = { .count = 0 };
   char text[SCALLOP_MODES_TEXT];
@@ -107,94 +144,3 @@ TEST(modes_beyond_those_kept)
   assert_memory_equal(text, "++ -+ ++ -+ ", strlen("++ -+ ++ -+ "));
   assert_string_equal(text + strlen(text) - strlen("++ ... ++"), "++ ... ++");
 }
-
-/* A batch has the modes that one at a time has, all of them where there are more than it keeps. */
-TEST(batch)
-{
-  enum { COUNT = 40 };
-  struct random r = { 20261103 };
-  static struct columns in;
-  double v_start[COUNT];
-  enum scallop_status status[COUNT];
-  static struct scallop_modes modes[COUNT][2];
-  int many = 0;
-  for (int i = 0; i < COUNT; i++) {
-    struct scallop_crawler c = random_crawler(&r, ORDINARY, i < COUNT / 2 ? &curved_last : &teeth.gait);
-    set_eps(&c, random_decades(&r, 1e-3, 1));
-    columns_put(&in, i, &c);
-  }
-  const struct scallop_crawlers all = columns_all(&in, COUNT);
-  struct scallop_steady_states out = { .v_start = v_start, .modes = modes, .status = status };
-  assert_int_equal(scallop_steady_batch(&all, &out, 1), 0);
-  for (int i = 0; i < COUNT; i++) {
-    const struct scallop_crawler c = columns_row(&in, i);
-    struct scallop_steady_result one;
-    assert_int_equal(scallop_steady(&c, &one), status[i]);
-    CHECK_EQUAL(v_start[i], one.period.v_start);
-    assert_true(same_modes(modes[i], one.period.modes));
-    many += modes[i][0].count > SCALLOP_MODES_KEPT;
-  }
-  assert_true(many > 0);
-}
-
-static void check_same_phase(const struct scallop_phase_result *a, const struct scallop_phase_result *b, double way,
-                             double tau, double ulps)
-{
-  assert_true(a->modes.count == b->modes.count && a->regime == b->regime);
-  CHECK_RELATIVE(a->t1, b->t1, 2 * ulps * DBL_EPSILON);
-  CHECK_RELATIVE(a->dT, b->dT, 8 * ulps * DBL_EPSILON);
-  CHECK_NEAR(a->v_end, b->v_end, ulps * DBL_EPSILON * way / tau);
-  CHECK_NEAR(a->dx1, b->dx1, ulps * DBL_EPSILON * way);
-  CHECK_NEAR(a->dx2, b->dx2, ulps * DBL_EPSILON * way);
-  CHECK_NEAR(a->dxC, b->dxC, ulps * DBL_EPSILON * way);
-}
-
-/* A phase does not know what the other one is like. */
-TEST(phases_of_two_kinds)
-{
-  struct random r = { 20261104 };
-  for (int i = 0; i < check_cases(50); i++) {
-    struct scallop_crawler mixed = random_crawler(&r, ORDINARY, &curved_last), pure = mixed;
-    for (int kind = 0; kind < 2; kind++) {
-      double v0 = random_start(&r, &mixed, (enum scallop_phase_kind)kind);
-      pure.gait = kind == SCALLOP_EXTENSION ? &scallop_gait_quadratic : &scallop_gait_sinusoidal;
-      struct scallop_phase_result a = phase_of(&mixed, kind, v0), b = phase_of(&pure, kind, v0);
-      check_same_phase(&a, &b, 1, 1, 0);
-    }
-  }
-}
-
-/* The quadratic gait in very many pieces: the error does not grow with them, nor do the modes change. */
-enum { CUTS = 512 }; /* of each half of a phase */
-
-TEST(cut_up_it_is_the_same)
-{
-  static struct scallop_piece pieces[2][2 * CUTS];
-  struct scallop_gait cut = scallop_gait_quadratic;
-  struct random r = { 20261301 };
-  for (int kind = 0; kind < 2; kind++) {
-    struct scallop_shape *shape = &cut.phase[kind];
-    for (int i = 0; i < 2 * CUTS; i++) {
-      bool late = i >= CUTS;
-      struct scallop_piece *p = &pieces[kind][i];
-      *p = shape->pieces[late];
-      p->begin = (late ? 2 * CUTS - i : i) * (0.5 / CUTS);
-      p->end = (late ? 2 * CUTS - i - 1 : i + 1) * (0.5 / CUTS);
-    }
-    shape->pieces = pieces[kind];
-    shape->count = 2 * CUTS;
-    shape->concave = shape->ramps = false;
-  }
-  for (int i = 0; i < 400; i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 4 == 0 ? STICK_SLIP : ORDINARY, &scallop_gait_quadratic);
-    enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-    double v0 = random_start(&r, &c, kind), tau = scallop_phase_duration(&c, kind);
-    struct scallop_phase_result whole = phase_of(&c, kind, v0);
-    c.gait = &cut;
-    struct scallop_phase_result parts = phase_of(&c, kind, v0);
-    double way = c.L + (fabs(v0) + (c.F1 + c.F2) * tau / (c.m1 + c.m2)) * tau;
-    check_same_phase(&parts, &whole, way, tau, 2);
-  }
-}
-
-int main(void) { return check_run(make_gaits, NULL); }

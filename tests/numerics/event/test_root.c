@@ -27,36 +27,23 @@ static double between(const struct power *p, double from, double to)
   return root_between(power, p, a, b);
 }
 
-TEST(at_the_ends)
+/* A root at an end is that end; simple roots to the last digit, and where f' = 0 as near as f tells; from either side */
+TEST(roots_of_powers)
 {
-  for (int n = 1; n <= 3; n += 2)
-    for (int sign = -1; sign <= 1; sign += 2) {
-      const struct power p = { 0.375, sign, 0, n };
-      CHECK_EQUAL(between(&p, 0.375, 1), 0.375);
-      CHECK_EQUAL(between(&p, 0.125, 0.375), 0.375);
-      CHECK_EQUAL(between(&p, 1, 0.375), 0.375);
+  for (int sign = -1; sign <= 1; sign += 2)
+    for (int n = 1; n <= 5; n++) {
+      const struct power at_end = { 0.375, sign, 0, n }, simple = { 0, sign, -sign * pow(0.3, n), n },
+                         flat = { 0.3, sign, 0, 3 };
+      for (int back = 0; back < 2; back++) {
+        double low = 0.1, high = 1, from = back ? high : low, to = back ? low : high;
+        CHECK_RELATIVE(between(&simple, from, to), 0.3, 4 * DBL_EPSILON);
+        CHECK_NEAR(between(&flat, from, to), 0.3, 1e-6);
+        if (n % 2 == 0)
+          continue;
+        CHECK_EQUAL(between(&at_end, back ? high : 0.375, back ? 0.375 : high), 0.375);
+        CHECK_EQUAL(between(&at_end, back ? 0.375 : low, back ? low : 0.375), 0.375);
+      }
     }
-}
-
-/* Simple roots to the last digit, and from either side */
-TEST(simple_roots)
-{
-  for (int n = 1; n <= 5; n++)
-    for (int sign = -1; sign <= 1; sign += 2) {
-      const struct power p = { 0, sign, -sign * pow(0.3, n), n };
-      CHECK_RELATIVE(between(&p, 0.1, 1), 0.3, 4 * DBL_EPSILON);
-      CHECK_RELATIVE(between(&p, 1, 0.1), 0.3, 4 * DBL_EPSILON);
-    }
-}
-
-/* f' = 0 at the root: as near as f tells. */
-TEST(flat_roots)
-{
-  for (int sign = -1; sign <= 1; sign += 2) {
-    const struct power p = { 0.3, sign, 0, 3 };
-    CHECK_NEAR(between(&p, 0.1, 1), 0.3, 1e-6);
-    CHECK_NEAR(between(&p, 1, 0.1), 0.3, 1e-6);
-  }
 }
 
 struct flattened { /* f = low - u - high u^n */

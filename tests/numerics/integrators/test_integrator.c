@@ -1,21 +1,18 @@
-/* Steady states by simulation and as the root of a period map: on maps whose answer is known, and on GSL's integrators
- * beside the exact solver. What an integrator's steady state is off by is the error of its period over 1 - multiplier.
- */
+/* Steady states by simulation and as the root of a period map, on maps whose answer is known. On integrators, beside
+ * the exact solver: test_all_integrators.c. */
+#include <limits.h>
+
 #include <gsl/gsl_errno.h>
 
-#include "numerics/integrators/integrator.h"
 #include "tests/support/integrators.h"
-
-enum { CRAWLERS = 40, STEPPERS = 2 };
-static const double bound_of[STEPPERS] = { 32, 32 }; /* of tests/numerics/integrators/test_integrators.c */
 
 /* A map whose answer is known, in units where L/T = 1 */
 struct map {
   struct scallop_integrator integrator;
   double (*value)(struct map *map, double v);
   double multiplier, fixed;
-  long calls;
   enum scallop_status status;
+  long calls;
 };
 
 static enum scallop_status map_period(struct scallop_integrator *self, const struct scallop_crawler *c, double v0,
@@ -42,14 +39,12 @@ static struct map map_of(double (*value)(struct map *map, double v), double mult
   };
 }
 
-static struct scallop_crawler unit_crawler(void)
-{
-  return (struct scallop_crawler){ 1, 1, 4, 1, 1, 1, 0.75, &scallop_gait_quadratic };
-}
+static const struct scallop_crawler unit_crawler = { 1, 1, 4, 1, 1, 1, 0.75, &scallop_gait_quadratic };
 
 static double linear(struct map *m, double v) { return m->fixed + m->multiplier * (v - m->fixed); }
 
-/* Friction alone, and then what the multiplier says. */
+/* Friction alone, and then what the multiplier says. A change that stays the same is no reason to end, nor to believe
+ * the end is near. */
 static double braked(struct map *m, double v) { return v > 1 ? v - 1e-3 : linear(m, v); }
 
 static double unsure(struct map *m, double v, double noise)
@@ -74,256 +69,161 @@ static double ending_in_a_cycle(struct map *m, double v)
 static double one_sided(struct map *m, double v) { return v * m->fixed > 0 ? v : v / 2; }
 
 static double escaping(struct map *m, double v) { return linear(m, v) + (v >= 0 ? 1 : -1); }
+static double giving_up(struct map *m, double v) { return m->status = SCALLOP_ECONVERGE, v; }
 
-static struct scallop_integrator_steady simulated(struct map *m, double v0, double tolerance,
-                                                  enum scallop_status wanted)
+enum how { SIMULATED, ROOT };
+static struct scallop_integrator_steady steady(struct map *m, enum how how, double v0, double tolerance,
+                                               enum scallop_status wanted)
 {
+  const struct scallop_crawler *c = &unit_crawler;
   struct scallop_integrator_steady s = { .v_start = NAN };
-  struct scallop_crawler c = unit_crawler();
   m->calls = 0;
-  assert_int_equal(scallop_integrator_simulate(&m->integrator, &c, v0, tolerance, NULL, &s), wanted);
+  assert_int_equal(how == ROOT ? scallop_integrator_root(&m->integrator, c, tolerance, NULL, &s)
+                               : scallop_integrator_simulate(&m->integrator, c, v0, tolerance, NULL, &s),
+                   wanted);
   assert_int_equal(s.periods, wanted == SCALLOP_OK ? m->calls : 0);
+  if (wanted == SCALLOP_OK) {
+    assert_true(s.steps == 3 * s.periods && s.evaluations == 5 * s.periods && s.events == 7 * s.periods);
+    assert_true(how == ROOT ? s.root_iterations > 0 && s.root_iterations < 100 : s.root_iterations == 0);
+  }
   return s;
 }
 
-/* To the tolerance, after few more periods than the change needs to fall to it. */
-TEST(simulates_slow_maps)
+/* To the tolerance; by simulation after few more periods than the change needs to fall to it. */
+TEST(slow_maps)
 {
-  const double multipliers[] = { 0, 3e-3, 0.5, 0.99, 0.9999, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-6, 1e-9 };
-  for (size_t i = 0; i < sizeof multipliers / sizeof *multipliers; i++)
-    for (size_t k = 0; k < sizeof tolerances / sizeof *tolerances; k++) {
+  const double multipliers[] = { 0, 3e-3, 0.5, 0.99, 0.9999, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-6, 1e-9, 0 };
+  for (int i = 0; i < 6; i++)
+    for (int k = 0; k < 4; k++) {
       struct map m = map_of(linear, multipliers[i], -0.385);
-      struct scallop_integrator_steady s = simulated(&m, 1.7, tolerances[k], SCALLOP_OK);
-      CHECK_NEAR(s.v_start, -0.385, 1.385 * tolerances[k]);
-      CHECK_NEAR(s.displacement, 2 * -0.385, 4 * 1.385 * tolerances[k]); /* of a period that began as near */
-      double needed = multipliers[i] > 0 ? log(tolerances[k]) / log(multipliers[i]) : 0;
-      CHECK_AT_MOST((double)s.periods, 1.2 * needed + 4);
-      assert_int_equal(s.steps, 3 * s.periods);
-      assert_int_equal(s.evaluations, 5 * s.periods);
-      assert_int_equal(s.events, 7 * s.periods);
-      assert_int_equal(s.root_iterations, 0);
-    }
-}
-
-/* Begun near the end, where rounding leaves two digits of a change and so none of 1 - m. */
-TEST(rounding_does_not_end_a_simulation)
-{
-  struct map m = map_of(rounded, 1 - 1e-6, -0.385);
-  struct scallop_integrator_steady s = simulated(&m, -0.385 + 1e-7, 1e-9, SCALLOP_OK);
-  CHECK_NEAR(s.v_start, -0.385, 1.385e-9);
-}
-
-/* A change that stays the same is no reason to end, nor to believe the end is near. */
-TEST(simulates_what_is_braked)
-{
-  struct map m = map_of(braked, 0.9, 0.25);
-  struct scallop_integrator_steady s = simulated(&m, 20, 1e-8, SCALLOP_OK);
-  CHECK_NEAR(s.v_start, 0.25, 1.25e-8);
-  assert_true(s.periods > 19000);
-}
-
-/* With a tolerance that the noise of the map does not allow, the simulation ends where the noise does. */
-TEST(noise_ends_a_simulation)
-{
-  const double multipliers[] = { 0.5, 0.99, 0.9999 };
-  for (int i = 0; i < 3; i++)
-    for (int k = 0; k < 2; k++) {
-      struct map m = map_of(noisy, multipliers[i], 0.731);
-      struct scallop_integrator_steady s = simulated(&m, -1, k ? 1e-13 : 0, SCALLOP_OK);
-      CHECK_NEAR(s.v_start, 0.731, 4e-9 / (1 - multipliers[i]));
-      CHECK_AT_MOST((double)s.periods, 60 / (1 - multipliers[i]));
-    }
-  struct map m = map_of(jumping, 0, 0.2);
-  struct scallop_integrator_steady s = simulated(&m, 0.20001, 1e-9, SCALLOP_OK);
-  CHECK_NEAR(s.v_start, 0.2, 3e-6);
-  CHECK_AT_MOST((double)s.periods, 100);
-  m = map_of(ending_in_a_cycle, 0, 0.4);
-  s = simulated(&m, 1.003, 1e-9, SCALLOP_OK);
-  CHECK_NEAR(s.v_start, 0.405, 0.0051);
-  CHECK_AT_MOST((double)s.periods, 100);
-  m = map_of(linear, 1, 0); /* gives back what it is given */
-  assert_int_equal(simulated(&m, 0.3, 1e-9, SCALLOP_OK).periods, 1);
-}
-
-TEST(simulation_passes_failures_on)
-{
-  struct map m = map_of(linear, 3, 0);
-  assert_true(isnan(simulated(&m, 1, 1e-9, SCALLOP_ERANGE).v_start)); /* runs away */
-  m.status = SCALLOP_ECONVERGE;
-  assert_true(isnan(simulated(&m, 1, 1e-9, SCALLOP_ECONVERGE).v_start));
-  assert_true(isnan(simulated(&m, INFINITY, 1e-9, SCALLOP_EDOMAIN).v_start));
-  assert_int_equal(m.calls, 0);
-}
-
-static struct scallop_integrator_steady rooted(struct map *m, double tolerance, enum scallop_status wanted)
-{
-  struct scallop_integrator_steady s = { .v_start = NAN };
-  struct scallop_crawler c = unit_crawler();
-  m->calls = 0;
-  assert_int_equal(scallop_integrator_root(&m->integrator, &c, tolerance, NULL, &s), wanted);
-  assert_int_equal(s.periods, wanted == SCALLOP_OK ? m->calls : 0);
-  return s;
-}
-
-TEST(roots_of_maps)
-{
-  const double multipliers[] = { 0, 0.5, 1 - 1e-6 }, tolerances[] = { 1e-3, 1e-9, 0 };
-  for (int i = 0; i < 3; i++)
-    for (int k = 0; k < 3; k++) {
-      struct map m = map_of(linear, multipliers[i], -0.385);
-      struct scallop_integrator_steady s = rooted(&m, tolerances[k], SCALLOP_OK);
+      struct scallop_integrator_steady s = steady(&m, ROOT, NAN, tolerances[k], SCALLOP_OK);
       CHECK_NEAR(s.v_start, -0.385, 1.385 * tolerances[k] + 4 * DBL_EPSILON / (1 - multipliers[i]));
       CHECK_EQUAL(s.displacement, 2 * s.v_start); /* of the period that starts there */
-      assert_true(s.root_iterations > 0 && s.root_iterations < 20);
-      assert_int_equal(s.steps, 3 * s.periods);
+      assert_true(s.root_iterations < 20);
+      if (k == 3)
+        continue;
+      s = steady(&m, SIMULATED, 1.7, tolerances[k], SCALLOP_OK);
+      CHECK_NEAR(s.v_start, -0.385, 1.385 * tolerances[k]);
+      CHECK_NEAR(s.displacement, 2 * -0.385, 4 * 1.385 * tolerances[k]); /* of a period that began as near */
+      /* of none the third shows that nothing changes */
+      CHECK_AT_MOST((double)s.periods, i == 0 ? 3 : 4 + 1.2 * log(tolerances[k]) / log(multipliers[i]));
     }
-  struct map m = map_of(linear, 0.5, 3.99); /* the fastest that l' goes against a centre of mass at rest is 4 */
-  CHECK_NEAR(rooted(&m, 1e-9, SCALLOP_OK).v_start, 3.99, 5e-9);
-  m = map_of(linear, 0.5, -3.99);
-  CHECK_NEAR(rooted(&m, 1e-9, SCALLOP_OK).v_start, -3.99, 5e-9);
-  m = map_of(noisy, 0.99, 0.731);
-  CHECK_NEAR(rooted(&m, 0, SCALLOP_OK).v_start, 0.731, 2e-9 / (1 - 0.99));
-  m = map_of(jumping, 0, 0.2);
-  CHECK_NEAR(rooted(&m, 1e-12, SCALLOP_OK).v_start, 0.2, 1.2e-12);
 }
 
-/* A map that does not slow down what is too fast has no root that could be trusted. */
-TEST(no_root)
-{
-  struct map m = map_of(escaping, 1, 0);
-  assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
-  m = map_of(linear, 1, 0); /* nor one that changes nothing */
-  assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
-  for (int side = -1; side <= 1; side += 2) {
-    m = map_of(one_sided, 0, side);
-    assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
-  }
-  m = map_of(linear, 0.5, 4.1); /* nor one with a root beyond what anything can drive */
-  assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ECONVERGE).v_start));
-  m.status = SCALLOP_ERANGE;
-  assert_true(isnan(rooted(&m, 1e-9, SCALLOP_ERANGE).v_start));
-}
+/* Where the search ends, at most `within` off, with at least and at most so many periods; or how it fails. With a
+ * tolerance that the noise of the map does not allow a simulation ends where the noise does. A map that does not slow
+ * down what is too fast has no root that could be trusted, nor has one that changes nothing, or whose root is beyond
+ * what anything can drive: 4 is the fastest that l' goes against a centre of mass at rest. */
+#define FAILS(wanted) NAN, 0, 0, 0, wanted
+static const struct search {
+  const char *what;
+  enum how how;
+  double (*value)(struct map *map, double v);
+  double multiplier, fixed, v0, tolerance, end, within;
+  long least, most;
+  enum scallop_status wanted;
+} searches[] = {
+  { "rounding leaves none of 1 - m", SIMULATED, rounded, 1 - 1e-6, -0.385, -0.385 + 1e-7, 1e-9, -0.385, 1.385e-9, 0,
+    LONG_MAX, SCALLOP_OK },
+  { "braked", SIMULATED, braked, 0.9, 0.25, 20, 1e-8, 0.25, 1.25e-8, 19001, LONG_MAX, SCALLOP_OK },
+  { "noise", SIMULATED, noisy, 0.5, 0.731, -1, 0, 0.731, 8e-9, 0, 120, SCALLOP_OK },
+  { "noise", SIMULATED, noisy, 0.5, 0.731, -1, 1e-13, 0.731, 8e-9, 0, 120, SCALLOP_OK },
+  { "noise", SIMULATED, noisy, 0.99, 0.731, -1, 0, 0.731, 4e-7, 0, 6000, SCALLOP_OK },
+  { "noise", SIMULATED, noisy, 0.99, 0.731, -1, 1e-13, 0.731, 4e-7, 0, 6000, SCALLOP_OK },
+  { "noise", SIMULATED, noisy, 0.9999, 0.731, -1, 0, 0.731, 4e-5, 0, 600000, SCALLOP_OK },
+  { "noise", SIMULATED, noisy, 0.9999, 0.731, -1, 1e-13, 0.731, 4e-5, 0, 600000, SCALLOP_OK },
+  { "to and fro", SIMULATED, jumping, 0, 0.2, 0.20001, 1e-9, 0.2, 3e-6, 0, 100, SCALLOP_OK },
+  { "a cycle at last", SIMULATED, ending_in_a_cycle, 0, 0.4, 1.003, 1e-9, 0.405, 0.0051, 0, 100, SCALLOP_OK },
+  { "gives back what it is given", SIMULATED, linear, 1, 0, 0.3, 1e-9, 0.3, 0, 1, 1, SCALLOP_OK },
+  { "runs away", SIMULATED, linear, 3, 0, 1, 1e-9, FAILS(SCALLOP_ERANGE) },
+  { "gives up", SIMULATED, giving_up, 0, 0, 1, 1e-9, FAILS(SCALLOP_ECONVERGE) },
+  { "no start", SIMULATED, linear, 3, 0, INFINITY, 1e-9, FAILS(SCALLOP_EDOMAIN) },
+  { "fast", ROOT, linear, 0.5, 3.99, 0, 1e-9, 3.99, 5e-9, 0, LONG_MAX, SCALLOP_OK },
+  { "fast backward", ROOT, linear, 0.5, -3.99, 0, 1e-9, -3.99, 5e-9, 0, LONG_MAX, SCALLOP_OK },
+  { "noise", ROOT, noisy, 0.99, 0.731, 0, 0, 0.731, 2e-7, 0, LONG_MAX, SCALLOP_OK },
+  { "a jump", ROOT, jumping, 0, 0.2, 0, 1e-12, 0.2, 1.2e-12, 0, LONG_MAX, SCALLOP_OK },
+  { "not slowed down", ROOT, escaping, 1, 0, 0, 1e-9, FAILS(SCALLOP_ECONVERGE) },
+  { "nothing changes", ROOT, linear, 1, 0, 0, 1e-9, FAILS(SCALLOP_ECONVERGE) },
+  { "slowed down forward only", ROOT, one_sided, 0, -1, 0, 1e-9, FAILS(SCALLOP_ECONVERGE) },
+  { "slowed down backward only", ROOT, one_sided, 0, 1, 0, 1e-9, FAILS(SCALLOP_ECONVERGE) },
+  { "a root beyond", ROOT, linear, 0.5, 4.1, 0, 1e-9, FAILS(SCALLOP_ECONVERGE) },
+  { "gives up", ROOT, giving_up, 0, 0, 0, 1e-9, FAILS(SCALLOP_ECONVERGE) },
+};
 
-static struct scallop_integrator *make(int stepper, double tolerance)
+TEST(known_ends)
 {
-  return scallop_odeiv_integrator((enum scallop_odeiv_stepper)stepper, tolerance);
-}
-
-/* The map's error and the search's tolerance, over 1 - multiplier; once more for a multiplier that differs on the two
- * sides of the steady state. */
-static void compare(const struct scallop_crawler *c, int stepper, double tolerance, double v0)
-{
-  INTEGRATOR(integrator, make(stepper, tolerance));
-  struct scallop_steady_result exact = steady_of(c);
-  double size = fastest_l(c) + fabs(exact.period.v_start);
-  check_steady(integrator, c, v0, tolerance,
-               (bound_of[stepper] + 2) * tolerance * size * 2 / (1 - exact.period.multiplier));
-}
-
-static void agrees_for(const struct scallop_gait *gait)
-{
-  struct random r = { 2718 };
-  int regimes[3] = { 0 };
-  worst_share = 0;
-  for (int i = 0; i < CRAWLERS; i++) {
-    struct scallop_crawler c = random_crawler(&r, i % 2 ? STICK_SLIP : EQUAL_FORCES, gait);
-    set_eps(&c, i % 2 ? random_decades(&r, 1, 300) : random_decades(&r, 0.1, 1));
-    c.F1 *= i % 4 ? 1 : 3;
-    c.alpha = random_between(&r, 0.2, 0.8);
-    struct scallop_steady_result exact = steady_of(&c);
-    regimes[exact.period.regime]++;
-    double v0 = random_start(&r, &c, SCALLOP_EXTENSION);
-    for (int stepper = 0; stepper < STEPPERS; stepper++)
-      compare(&c, stepper, i % 3 ? 1e-9 : 1e-6, v0);
-  }
-  print_message("%s: %d sliding, %d stick-slip, %d at rest; worst %.2g of the bound\n", gait->name, regimes[0],
-                regimes[1], regimes[2], worst_share);
-  for (int i = 0; i < 3; i++)
-    assert_true(regimes[i] >= 3);
-}
-
-TEST(agrees_quadratic) { agrees_for(&scallop_gait_quadratic); }
-TEST(agrees_sinusoidal) { agrees_for(&scallop_gait_sinusoidal); }
-
-/* A body that has been stuck forgets how it began: the third period shows that nothing changes. */
-TEST(forgets_at_once)
-{
-  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct scallop_integrator_steady s;
-  c.T = 6;
-  struct scallop_steady_result exact = steady_of(&c);
-  CHECK_EQUAL(exact.period.multiplier, 0);
-  for (int stepper = 0; stepper < STEPPERS; stepper++) {
-    INTEGRATOR(integrator, make(stepper, 1e-9));
-    assert_int_equal(scallop_integrator_simulate(integrator, &c, 0.37, 1e-9, NULL, &s), SCALLOP_OK);
-    assert_true(s.periods <= 3 && s.events > 0);
-    compare(&c, stepper, 1e-9, 0.37);
+  for (const struct search *k = searches; k < searches + sizeof searches / sizeof *searches; k++) {
+    struct map m = map_of(k->value, k->multiplier, k->fixed);
+    struct scallop_integrator_steady s = steady(&m, k->how, k->v0, k->tolerance, k->wanted);
+    bool as_known = k->wanted == SCALLOP_OK
+                        ? fabs(s.v_start - k->end) <= k->within && s.periods >= k->least && s.periods <= k->most
+                        : isnan(s.v_start) && (m.calls > 0) == isfinite(k->v0);
+    if (!as_known)
+      fail_msg("%s, multiplier %g: ended at %.17g after %ld periods", k->what, k->multiplier, s.v_start, s.periods);
   }
 }
 
-/* T = 1e-4: the change falls by 1e-9 of itself a period, and only patience ends that. */
+/* T = 1e-4: the change falls by 1e-9 of itself a period, and only patience ends that. It ends a search also of a map,
+ * which never asks. The first of the limits ends the search within its first period: nothing is known. */
 TEST(patience_in_a_search)
 {
   struct scallop_crawler c = scallop_crawler_default();
-  INTEGRATOR(integrator, make(SCALLOP_ODEIV_RKF45, 1e-12));
-  struct scallop_integrator_steady s;
-  long left = 0;
-  PATIENCE(patience, left);
-  c.T = 1e-4;
-  assert_int_equal(scallop_integrator_simulate(integrator, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
-  CHECK_EQUAL(s.v_start, 0.25);
-  CHECK_EQUAL(s.displacement, NAN);
-  assert_int_equal(s.periods, 0);
-  left = 0;
-  assert_int_equal(scallop_integrator_root(integrator, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
-  CHECK_EQUAL(s.v_start, NAN);
-  CHECK_EQUAL(s.displacement, NAN);
-  left = 20000;
-  assert_int_equal(scallop_integrator_simulate(integrator, &c, 0.25, 1e-9, &patience, &s), SCALLOP_STOPPED);
-  assert_true(s.periods > 100 && s.v_start != 0.25 && isfinite(s.displacement));
-  left = 60;
-  assert_int_equal(scallop_integrator_root(integrator, &c, 1e-12, &patience, &s), SCALLOP_STOPPED);
-  assert_true(s.periods > 2 && isfinite(s.v_start) && isfinite(s.displacement));
-}
-
-/* It ends a search also of an integrator that never asks. */
-TEST(patience_between_periods)
-{
   struct map m = map_of(linear, 1 - 1e-6, 0.2);
-  struct scallop_crawler c = unit_crawler();
   struct scallop_integrator_steady s;
+  INTEGRATOR(integrator, scallop_odeiv_integrator(SCALLOP_ODEIV_RKF45, 1e-12));
+  c.T = 1e-4;
+  for (int how = SIMULATED; how <= ROOT; how++)
+    for (int begun = 0; begun < 2; begun++) {
+      long left = begun == 0 ? 0 : how == ROOT ? 60 : 20000;
+      PATIENCE(patience, left);
+      assert_int_equal(how == ROOT ? scallop_integrator_root(integrator, &c, 1e-12, &patience, &s)
+                                   : scallop_integrator_simulate(integrator, &c, 0.25, 1e-9, &patience, &s),
+                       SCALLOP_STOPPED);
+      assert_true(begun ? s.periods > (how == ROOT ? 2 : 100) : s.periods == 0);
+      assert_int_equal(isfinite(s.displacement), begun);
+      assert_int_equal(isfinite(s.v_start) && s.v_start != 0.25, begun);
+      assert_int_equal(isfinite(s.v_start), begun || how == SIMULATED);
+    }
   long left = 11;
   PATIENCE(patience, left);
-  assert_int_equal(scallop_integrator_simulate(&m.integrator, &c, 1, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(scallop_integrator_simulate(&m.integrator, &unit_crawler, 1, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 11);
   CHECK_NEAR(s.v_start, 1 - 11 * 0.8e-6, 1e-10);
   left = 3;
-  assert_int_equal(scallop_integrator_root(&m.integrator, &c, 1e-9, &patience, &s), SCALLOP_STOPPED);
+  assert_int_equal(scallop_integrator_root(&m.integrator, &unit_crawler, 1e-9, &patience, &s), SCALLOP_STOPPED);
   assert_int_equal(s.periods, 3);
 }
 
-static void refused(const struct scallop_crawler *c, double v0, double tolerance, enum scallop_status wanted)
-{
-  INTEGRATOR(integrator, make(SCALLOP_ODEIV_RKF45, 1e-9));
-  REFUSES(scallop_integrator_steady, scallop_integrator_simulate(integrator, c, v0, tolerance, NULL, &out), wanted);
-  if (isfinite(v0))
-    REFUSES(scallop_integrator_steady, scallop_integrator_root(integrator, c, tolerance, NULL, &out), wanted);
-}
+#define UNIT 1, 1, 4, 1, 1
+#define LONG(L) 0.008 * (L), 0.002 * (L), L, 1 /* eps = 0.01; the bracket, 1.01 times the fastest, is out of range */
+static const struct refused {
+  struct scallop_crawler crawler;
+  double v0, tolerance;
+  bool simulated, root;
+  enum scallop_status wanted;
+} refused[] = {
+  { { UNIT, 1, 0.75, &scallop_gait_quadratic }, 1, -1e-9, true, true, SCALLOP_EDOMAIN },
+  { { UNIT, 1, 0.75, &scallop_gait_quadratic }, 1, NAN, true, true, SCALLOP_EDOMAIN },
+  { { UNIT, 1, 0.75, &scallop_gait_quadratic }, 1, INFINITY, true, true, SCALLOP_EDOMAIN },
+  { { UNIT, 1, 0.75, &scallop_gait_quadratic }, NAN, 1e-9, true, false, SCALLOP_EDOMAIN },
+  { { UNIT, 1, 0.75, &scallop_gait_quadratic }, -INFINITY, 1e-9, true, false, SCALLOP_EDOMAIN },
+  { { UNIT, 1, 0, &scallop_gait_quadratic }, 1, 1e-9, true, true, SCALLOP_EDOMAIN },
+  { { UNIT, 1e-200, 0.75, &scallop_gait_quadratic }, 1, 1e-9, true, true, SCALLOP_ERANGE },
+  { { 0.5, 0.5, LONG(8.95e307), 0.5, &scallop_gait_quadratic }, 0, 1e-6, false, true, SCALLOP_ERANGE },
+  { { 0.5 / 9, 0.5, LONG(5e307), 0.3, &scallop_gait_quadratic }, 0, 1e-6, false, true, SCALLOP_ERANGE }, /* forward */
+};
 
 TEST(bad_input)
 {
-  const double bad_tolerances[] = { -1e-9, NAN, INFINITY };
-  struct scallop_crawler good = scallop_crawler_default(), c = good;
   struct map m = map_of(linear, 0.5, 0);
-  for (int i = 0; i < 3; i++)
-    refused(&good, 1, bad_tolerances[i], SCALLOP_EDOMAIN);
-  refused(&good, NAN, 1e-9, SCALLOP_EDOMAIN);
-  refused(&good, -INFINITY, 1e-9, SCALLOP_EDOMAIN);
-  c.alpha = 0;
-  refused(&c, 1, 1e-9, SCALLOP_EDOMAIN);
-  c = good;
-  c.T = 1e-200;
-  refused(&c, 1, 1e-9, SCALLOP_ERANGE);
+  for (const struct refused *r = refused; r < refused + sizeof refused / sizeof *refused; r++) {
+    INTEGRATOR(i, scallop_odeiv_integrator(SCALLOP_ODEIV_RKF45, 1e-9));
+    if (r->simulated)
+      REFUSES(scallop_integrator_steady, scallop_integrator_simulate(i, &r->crawler, r->v0, r->tolerance, NULL, &out),
+              r->wanted);
+    if (r->root)
+      REFUSES(scallop_integrator_steady, scallop_integrator_root(i, &r->crawler, r->tolerance, NULL, &out), r->wanted);
+  }
   scallop_integrator_destroy(&m.integrator);
   assert_int_equal(m.calls, -1);
 }

@@ -4,7 +4,6 @@
  * tolerance. */
 #include <gsl/gsl_errno.h>
 
-#include "numerics/integrators/integrator.h"
 #include "tests/support/integrators.h"
 
 enum { CRAWLERS = 40, DECADES = 5 };
@@ -18,6 +17,7 @@ static struct scallop_integrator_period smoothed(const struct scallop_crawler *c
   return p;
 }
 
+/* A period from the steady start, of which steady states may fill an interval */
 static struct scallop_period_result steady_period(const struct scallop_crawler *c)
 {
   struct scallop_steady_result steady;
@@ -60,8 +60,11 @@ static void first_order_in_delta(const struct scallop_gait *gait)
   }
 }
 
-TEST(first_order_quadratic) { first_order_in_delta(&scallop_gait_quadratic); }
-TEST(first_order_sinusoidal) { first_order_in_delta(&scallop_gait_sinusoidal); }
+TEST(error_of_first_order)
+{
+  first_order_in_delta(&scallop_gait_quadratic);
+  first_order_in_delta(&scallop_gait_sinusoidal);
+}
 
 /* A body that sticks and is released goes (delta/4) ln(1/delta) ahead of the exact one, and here nothing in the rest
  * of the phase takes that away: the slope of error/delta against ln(1/delta) is 1/4. */
@@ -104,29 +107,15 @@ TEST(tolerance_controls_error)
   }
 }
 
-/* A tolerance far below delta leaves none of the crossings out. */
-TEST(no_blind_steps)
-{
-  const double delta = 1e-6;
-  struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
-  struct scallop_period_result exact = steady_period(&c);
-  struct scallop_integrator_period p = smoothed(&c, exact.v_start, delta, 1e-12);
-  CHECK_AT_MOST(distance(&c, &p, exact.v_end, exact.displacement), 0.1 * delta);
-}
-
 /* With a wrong Jacobian the implicit steps do not converge, or only short ones do. Body 1 sticks, then body 2. */
 TEST(jacobian_pays)
 {
   struct scallop_crawler c = with_gait(&scallop_gait_sinusoidal);
   c.T = 5;
-  for (int stuck = 1; stuck <= 2; stuck++) {
-    c.F1 = stuck == 1 ? 4 : 1;
-    c.F2 = stuck == 1 ? 1 : 4;
+  for (int i = 0; i < 2; i++, c = exchanged(&c)) {
     struct scallop_period_result exact = steady_period(&c);
     assert_int_equal(exact.regime, SCALLOP_STICK_SLIP);
-    struct scallop_integrator_period p = smoothed(&c, exact.v_start, 1e-4, 1e-8);
-    print_message("%ld steps, %ld evaluations\n", p.steps, p.evaluations);
-    assert_true(p.steps <= 750);
+    assert_true(smoothed(&c, exact.v_start, 1e-4, 1e-8).steps <= 750);
   }
 }
 
@@ -145,7 +134,7 @@ TEST(large_arguments)
 /* Whatever the crawler, delta and tolerance: an answer or a status, soon. */
 TEST(extremes_end)
 {
-  int failed = 0, answered = 0, impatient = 0;
+  int answered = 0;
   struct random r = { 1736 };
   for (int i = 0; i < 600; i++) {
     struct scallop_crawler c = random_crawler(&r, (enum family)random_below(&r, FAMILIES), every_gait[i % ALL_GAITS]);
@@ -153,64 +142,53 @@ TEST(extremes_end)
     INTEGRATOR(integrator, scallop_smoothed_integrator(delta, random_decades(&r, 1e-15, 0.1)));
     long left = 2000;
     PATIENCE(patience, left);
-    struct scallop_integrator_period p = { NAN, NAN, NAN, 0, 0, 0 };
+    struct scallop_integrator_period p;
     enum scallop_status status = integrator->period(integrator, &c, v0, &patience, &p);
-    if (status == SCALLOP_OK)
-      answered += isfinite(p.v_mid) && isfinite(p.v_end) && isfinite(p.displacement);
-    else if (status == SCALLOP_ESTOPPED)
-      impatient++;
-    else
-      failed += status == SCALLOP_ECONVERGE;
+    assert_true(status == SCALLOP_OK ? isfinite(p.v_mid) && isfinite(p.v_end) && isfinite(p.displacement)
+                                     : status == SCALLOP_ESTOPPED || status == SCALLOP_ECONVERGE);
+    answered += status == SCALLOP_OK;
   }
-  print_message("%d answered, %d failed, %d took over 2000 steps\n", answered, failed, impatient);
-  assert_int_equal(answered + failed + impatient, 600);
   assert_true(answered >= 400);
 }
 
-/* Inside a phase: against the period of the same solver, and against the exact motion */
-enum { LOOKS = 41 };
+/* Inside a phase: of `count` samples, as many as are given */
+enum { LOOKS = 50 };
 struct look {
   struct scallop_sample samples[LOOKS];
   int count;
 };
 
-static enum scallop_status look_at(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0,
-                                   double delta, const double *times, int count, struct look *look)
+static struct look look_at(const struct scallop_crawler *c, enum scallop_phase_kind kind, double v0, double delta,
+                           const double *times, int count, enum scallop_status wanted)
 {
+  struct look look = { .count = 0 };
   INTEGRATOR(integrator, scallop_smoothed_integrator(delta, 1e-8 * delta));
   for (int i = 0; i < LOOKS; i++)
-    look->samples[i] = (struct scallop_sample){ .t = i < count ? times[i] : NAN, .x1 = NAN };
-  enum scallop_status status = scallop_smoothed_phase(integrator, c, kind, v0, NULL, look->samples, count);
-  look->count = 0;
-  while (look->count < LOOKS && !isnan(look->samples[look->count].x1))
-    look->count++;
-  return status;
+    look.samples[i] = (struct scallop_sample){ .t = i < count ? times[i] : NAN, .x1 = NAN };
+  assert_int_equal(scallop_smoothed_phase(integrator, c, kind, v0, NULL, look.samples, count), wanted);
+  while (look.count < LOOKS && !isnan(look.samples[look.count].x1))
+    look.count++;
+  return look;
 }
 
 /* Looked at only at its ends, an extension is the very one of the period; a contraction begins with another step. */
 TEST(phase_is_that_of_the_period)
 {
-  struct scallop_crawler c = scallop_crawler_default();
-  for (int i = 0; i < ALL_GAITS; i++)
-    c.gait = every_gait[i];
-  INTEGRATOR(integrator, scallop_smoothed_integrator(0x1p-4, 1e-8 * 0x1p-4));
-  struct scallop_integrator_period p = integrator_period(integrator, &c, 3.1);
-  struct look first = { .count = 0 }, second = first;
-  const double ends[2][2] = { { 0, scallop_phase_duration(&c, SCALLOP_EXTENSION) },
-                              { 0, scallop_phase_duration(&c, SCALLOP_CONTRACTION) } };
-  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 3.1, 0x1p-4, ends[0], 2, &first), SCALLOP_OK);
-  assert_int_equal(look_at(&c, SCALLOP_CONTRACTION, p.v_mid, 0x1p-4, ends[1], 2, &second), SCALLOP_OK);
-  assert_true(first.count == 2 && second.count == 2);
-  const struct scallop_sample *a = first.samples, *b = second.samples;
-  CHECK_EQUAL(a[0].x1, 0);
-  CHECK_EQUAL(a[0].l, 0);
-  CHECK_EQUAL(b[0].x1, 0);
-  CHECK_EQUAL(b[0].x2, c.L);
-  CHECK_RELATIVE(a[1].x2 - a[1].x1, c.L, 4 * DBL_EPSILON);
-  CHECK_EQUAL(b[1].t, ends[1][1]);
-  CHECK_NEAR(b[1].l, 0, 4 * DBL_EPSILON * c.L);
-  CHECK_NEAR(a[1].xC - a[0].xC + b[1].xC - b[0].xC, p.displacement, 1e-7 * c.L);
-  if (!c.gait->phase[0].pieces[0].jump) { /* else the bodies begin and end with velocities of their own */
+  for (int i = 0; i < ALL_GAITS; i++) {
+    struct scallop_crawler c = with_gait(every_gait[i]);
+    const double ends[2][2] = { { 0, scallop_phase_duration(&c, SCALLOP_EXTENSION) },
+                                { 0, scallop_phase_duration(&c, SCALLOP_CONTRACTION) } };
+    struct scallop_integrator_period p = smoothed(&c, 3.1, 0x1p-4, 1e-8 * 0x1p-4);
+    struct look first = look_at(&c, SCALLOP_EXTENSION, 3.1, 0x1p-4, ends[0], 2, SCALLOP_OK),
+                second = look_at(&c, SCALLOP_CONTRACTION, p.v_mid, 0x1p-4, ends[1], 2, SCALLOP_OK);
+    const struct scallop_sample *a = first.samples, *b = second.samples;
+    assert_true(first.count == 2 && second.count == 2);
+    assert_true(a[0].x1 == 0 && a[0].l == 0 && b[0].x1 == 0 && b[0].x2 == c.L && b[1].t == ends[1][1]);
+    CHECK_RELATIVE(a[1].x2 - a[1].x1, c.L, 4 * DBL_EPSILON);
+    CHECK_NEAR(b[1].l, 0, 4 * DBL_EPSILON * c.L);
+    CHECK_NEAR(a[1].xC - a[0].xC + b[1].xC - b[0].xC, p.displacement, 1e-7 * c.L);
+    if (c.gait == &sawtooth_gait) /* the bodies begin and end with velocities of their own */
+      continue;
     CHECK_RELATIVE(a[0].v1, 3.1, 4 * DBL_EPSILON);
     CHECK_NEAR(a[1].v1, p.v_mid, 1e-13 * c.L / c.T);
     CHECK_NEAR(a[1].v2, p.v_mid, 1e-13 * c.L / c.T);
@@ -218,7 +196,6 @@ TEST(phase_is_that_of_the_period)
   }
 }
 
-/* Against the exact motion, at times of all sorts; two may be the same. */
 static bool compare_with(void *context, const struct scallop_sample *exact)
 {
   struct look *look = context;
@@ -230,51 +207,64 @@ static bool compare_with(void *context, const struct scallop_sample *exact)
   CHECK_NEAR(s->xC, exact->xC, 1e-6);
   CHECK_NEAR(s->v1, exact->v1, 1e-5);
   CHECK_NEAR(s->v2, exact->v2, 1e-5);
-  return look->count < LOOKS;
+  return look->count < 41;
 }
 
+/* Against the exact motion; and at times that are the same */
 TEST(samples_follow_the_exact_motion)
 {
-  struct scallop_crawler c = scallop_crawler_default();
+  static const double twice[] = { 0.3, 0.3, 0.30000000000000004, 0.375, 0.375 };
   for (int i = 0; i < 2; i++)
     for (int stuck = 0; stuck < 2; stuck++) {
-      c.gait = i == 0 ? &scallop_gait_quadratic : &scallop_gait_sinusoidal;
+      struct scallop_crawler c = with_gait(every_gait[i]);
+      double times[41];
       c.T = stuck ? 4 : 1;
-      double times[LOOKS];
-      for (int k = 0; k < LOOKS; k++)
+      for (int k = 0; k < 41; k++)
         times[k] = k * c.T / 64;
-      struct look look = { .count = 0 };
-      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, 1e-7, times, LOOKS, &look), SCALLOP_OK);
-      assert_int_equal(look.count, LOOKS);
+      struct look look = look_at(&c, SCALLOP_EXTENSION, 1.3, 1e-7, times, 41, SCALLOP_OK);
+      assert_int_equal(look.count, 41);
       look.count = 0;
       assert_int_equal(scallop_trajectory(&c, 1.3, 1, 64, compare_with, &look), SCALLOP_STOPPED);
-      const double twice[] = { 0.3, 0.3, nextafter(0.3, 1), 0.375, 0.375 };
-      struct look again = { .count = 0 };
-      assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1.3, 1e-3, twice, 5, &again), SCALLOP_OK);
+      struct look again = look_at(&c, SCALLOP_EXTENSION, 1.3, 1e-3, twice, 5, SCALLOP_OK);
       assert_int_equal(again.count, 5);
       CHECK_EQUAL(again.samples[0].v1, again.samples[1].v1);
       CHECK_EQUAL(again.samples[3].x1, again.samples[4].x1);
     }
 }
 
+/* Bad times, count or start: no sample; impatience: that of the start alone */
 TEST(looks_that_end)
 {
-  const double good[] = { 0, 0.2, 0.4 };
-  const double bad[][2] = { { -1e-9, 0.1 }, { 0.2, 0.1 }, { 0.1, 0.8 }, { NAN, 0.1 }, { 0.1, NAN }, { 0.1, INFINITY } };
-  struct scallop_crawler c = scallop_crawler_default();
-  struct look look = { .count = 0 };
-  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, 1e-3, bad[i], 2, &look), SCALLOP_EDOMAIN);
-    assert_int_equal(look.count, 0);
-  }
-  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, 1e-3, good, -1, &look), SCALLOP_EDOMAIN);
-  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, NAN, 1e-3, good, 3, &look), SCALLOP_EDOMAIN);
+  static const double bad[][2] = { { -1e-9, 0.1 }, { 0.2, 0.1 }, { 0.1, 0.8 },
+                                   { NAN, 0.1 },   { 0.1, NAN }, { 0.1, INFINITY } };
+  const struct scallop_crawler c = scallop_crawler_default();
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+    assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, 1e-3, bad[i], 2, SCALLOP_EDOMAIN).count, 0);
+  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, 1, 1e-3, bad[0], -1, SCALLOP_EDOMAIN).count, 0);
+  assert_int_equal(look_at(&c, SCALLOP_EXTENSION, NAN, 1e-3, (double[]){ 0, 0.2 }, 2, SCALLOP_EDOMAIN).count, 0);
   INTEGRATOR(integrator, scallop_smoothed_integrator(1e-3, 1e-9));
   long left = 0;
   PATIENCE(none, left);
   struct scallop_sample samples[] = { { .t = 0 }, { .t = 0.2, .x1 = NAN }, { .t = 0.4, .x1 = NAN } };
   assert_int_equal(scallop_smoothed_phase(integrator, &c, SCALLOP_EXTENSION, 1, &none, samples, 3), SCALLOP_ESTOPPED);
-  assert_true(samples[0].l == 0 && samples[0].v1 != 0 && isnan(samples[1].x1)); /* of the start alone */
+  assert_true(samples[0].l == 0 && samples[0].v1 != 0 && isnan(samples[1].x1));
+}
+
+/* Positions overflow, and then velocities, and not positions: the samples before are given, and are numbers. */
+TEST(samples_out_of_range)
+{
+  static const double v0[] = { -50, 50, 1.45, -0.5, 0.5 };
+  for (int i = 0; i < 5; i++) {
+    double L = i < 3 ? 1e308 : 8e307, T = i < 3 ? 2e3 : 1, force = (i < 3 ? 0.1 : 0.01) * (L / T) / T, times[LOOKS];
+    const struct scallop_crawler c = { 0.5, 0.5, 0.8 * force, 0.2 * force, L, T, 0.5, &scallop_gait_quadratic };
+    for (int k = 0; k < LOOKS; k++)
+      times[k] = k * (T / 2) / LOOKS;
+    const struct look look = look_at(&c, SCALLOP_EXTENSION, v0[i] * (i < 3 ? 2 * (L / T) : L / T), 1e-2, times, LOOKS,
+                                     SCALLOP_ERANGE);
+    assert_true(look.count > 0 && look.count < LOOKS);
+    for (int k = 0; k < look.count; k++)
+      assert_true(isfinite(look.samples[k].x2 - look.samples[k].x1 + look.samples[k].v1 + look.samples[k].v2));
+  }
 }
 
 int main(void)
