@@ -2,6 +2,7 @@
  * are none. */
 #include "asymptotics/formula.h"
 #include "tests/support/cases.h"
+#include "tests/support/random_crawler.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -58,9 +59,56 @@ TEST(operators_bind_as_in_print)
 {
   check_values(
       "1+2*3 = 7|(1+2)*3 = 9|1/2/2 = 0.25|1/(2/2) = 1|7-2-1 = 4|7-(2-1) = 6|-2^2 = -4|(-2)^2 = 4|2^3^2 = 512|"
-      "(2^3)^2 = 64|2^-3 = 0.125|2^-2^2 = 0.0625|-2^-2 = -0.25|2*-3 = -6|2--3 = 5|--3 = 3|-3*-2^2 = 12|8/2*4 = 16|"
-      "2^3*4 = 32|4*2^3 = 32|1-2^2*3/4+5 = 3|2 ^ 3\t* 4  = 32| ( ( 2 ) )  = 2|-(1+2) = -3|2^(1+1) = 4|10-4/2 = 8|"
-      "1--1--1 = 3|6/3-1 = 1|6-3/1 = 3|-1-1 = -2");
+      "(2^3)^2 = 64|2^-2^2 = 0.0625|2*-3 = -6|--3 = 3|2 ^ 3\t* 4  = 32| ( ( 2 ) )  = 2|-(1+2) = -3|2^(1+1) = 4|"
+      "1--1--1 = 3");
+}
+
+/* By multiplication up to 16, as the toolkit has it */
+static double power(double x, double n)
+{
+  double product = 1;
+  if (!(fabs(n) <= 16 && n == trunc(n)))
+    return pow(x, n);
+  for (int left = (int)fabs(n); left > 0; left /= 2, x *= x)
+    if (left % 2)
+      product *= x;
+  return n < 0 ? 1 / product : product;
+}
+
+/* Chains of numbers, some with a minus sign: powers come first, from the right, then the sign in front of them, then
+ * products and quotients from the left, then sums and differences from the left. */
+TEST(chains_of_operators)
+{
+  enum { MOST = 7 };
+  struct random r = { 20261128 };
+  for (int n = 0; n < 20000; n++) {
+    char chain[40 * MOST] = "", operators[MOST + 1] = "";
+    const int count = 1 + random_below(&r, MOST);
+    double x[MOST] = { 0 };
+    bool minus[MOST];
+    for (int i = 0; i < count; i++) {
+      x[i] = (1 + random_below(&r, 24)) / 8.;
+      minus[i] = random_below(&r, 3) == 0;
+      operators[i] = "+-*/^^"[random_below(&r, 6)];
+      snprintf(chain + strlen(chain), 40, "%.*s%s%g", i > 0, &operators[i], minus[i] ? " -" : "", x[i]);
+    }
+    for (int i = count - 1; i >= 0; i--) {
+      x[i] = i + 1 < count && operators[i + 1] == '^' ? power(x[i], x[i + 1]) : x[i];
+      x[i] = minus[i] ? -x[i] : x[i];
+    }
+    double wanted = 0, term = x[0];
+    char before = '+'; /* the term */
+    for (int i = 1; i <= count; i++) {
+      if (i == count || operators[i] == '+' || operators[i] == '-') {
+        wanted = before == '+' ? wanted + term : wanted - term;
+        before = operators[i];
+        term = x[i < count ? i : 0];
+      } else if (operators[i] != '^')
+        term = operators[i] == '*' ? term * x[i] : term / x[i];
+    }
+    if (!check_near(value(chain), wanted, 0))
+      fail_msg("%s = %.17g, not %.17g", chain, value(chain), wanted);
+  }
 }
 
 TEST(numbers_are_decimal)
@@ -70,27 +118,23 @@ TEST(numbers_are_decimal)
       "0.1 = 0.1|1.7976931348623157e308 = 0x1.fffffffffffffp+1023");
 }
 
-TEST(functions)
+TEST(functions_and_names)
 {
   check_values(
       "abs(x) = 2.385|abs(-x) = 2.385|pi = 0x1.921fb54442d18p+1|min(F1,F2) = 1.5|max(F1,F2) = 4.25|min(3,1,2) = 1|"
-      "max(1, 3, 2, -7) = 3|max(2,1)-min(1,max(0,0.5))*2^2 = 0|sqrt(4)^3 = 8|-abs(-3)^2 = -9");
-  CHECK_EQUAL(value("sqrt(2)"), sqrt(2));
-  CHECK_EQUAL(value("exp(1)"), exp(1));
-  CHECK_EQUAL(value("log(T)"), log(0.3));
-  CHECK_EQUAL(value("log10 (1000)"), log10(1000));
-  CHECK_EQUAL(value("sin(T)"), sin(0.3));
-  CHECK_EQUAL(value("cos(T)"), cos(0.3));
-  CHECK_EQUAL(value("asin(T)"), asin(0.3));
-  CHECK_EQUAL(value("sin(pi/2) + 2*pi"), 1 + 2 * 0x1.921fb54442d18p+1);
-  CHECK_EQUAL(value("log10(abs(x))"), log10(2.385));
-}
-
-TEST(names_of_every_kind)
-{
-  check_values("series:dT.15*2 = 15|min_+1 = 12|exp = 13|exp(0)*exp = 13");
-  CHECK_EQUAL(value("F1/F2"), 4.25 / 1.5);
-  CHECK_EQUAL(value("T*x/F2"), 0.3 * -2.385 / 1.5);
+      "max(1, 3, 2, -7) = 3|max(2,1)-min(1,max(0,0.5))*2^2 = 0|sqrt(4)^3 = 8|-abs(-3)^2 = -9|series:dT.15*2 = 15|"
+      "min_+1 = 12|exp = 13|exp(0)*exp = 13");
+  const struct {
+    const char *text;
+    double wanted;
+  } rounded[] = { { "sqrt(2)", sqrt(2) },          { "exp(1)", exp(1) },
+                  { "log(T)", log(0.3) },          { "log10 (1000)", log10(1000) },
+                  { "sin(T)", sin(0.3) },          { "cos(T)", cos(0.3) },
+                  { "asin(T)", asin(0.3) },        { "sin(pi/2) + 2*pi", 1 + 2 * 0x1.921fb54442d18p+1 },
+                  { "F1/F2", 4.25 / 1.5 },         { "log10(abs(x))", log10(2.385) },
+                  { "T*x/F2", 0.3 * -2.385 / 1.5 } };
+  for (size_t i = 0; i < sizeof rounded / sizeof *rounded; i++)
+    CHECK_EQUAL(value(rounded[i].text), rounded[i].wanted);
 }
 
 TEST(outside_of_domains)
@@ -131,26 +175,16 @@ static double power_of(const char *exponent, double x)
   return formula_double(&formula, given);
 }
 
-/* To 16 by multiplication, each within its half ulps; the next ones are pow's. */
+/* Each within the half ulps of its multiplications */
 TEST(powers)
 {
   char text[20];
   for (double x = -3.7; x < 3.8; x += 0.0137) {
-    double x2 = x * x, x4 = x2 * x2;
-    CHECK_EQUAL(power_of("0", x), 1);
-    CHECK_EQUAL(power_of("1", x), x);
-    CHECK_EQUAL(power_of("2", x), x2);
-    CHECK_EQUAL(power_of("3", x), x * x2);
-    CHECK_EQUAL(power_of("7", x), x * x2 * x4);
-    CHECK_EQUAL(power_of("16", x), x4 * x4 * (x4 * x4));
-    CHECK_EQUAL(power_of("-1", x), 1 / x);
-    CHECK_EQUAL(power_of("-2", x), 1 / x2);
-    CHECK_EQUAL(power_of("17", x), pow(x, 17));
-    CHECK_EQUAL(power_of("-17", x), pow(x, -17));
-    CHECK_EQUAL(power_of("2.5", x), pow(x, 2.5));
-    CHECK_EQUAL(power_of("-0.5", x), pow(x, -0.5));
+    FOR_CASES (n, "2.5|-0.5|17|-17")
+      CHECK_EQUAL(power_of(n, x), pow(x, strtod(n, NULL)));
     for (int n = -16; n <= 16; n++) {
       snprintf(text, sizeof text, "%d", n);
+      CHECK_EQUAL(power_of(text, x), power(x, n));
       CHECK_RELATIVE(power_of(text, x), pow(x, n), 16 * 0x1p-53);
     }
   }
@@ -167,80 +201,63 @@ TEST(the_places_it_uses)
   assert_int_equal(formula_places(&formula, places), 0);
 }
 
-static const char meaning[] = " has no meaning: a formula is of numbers, names, + - * / ^ ( ) and commas";
-static const struct {
-  const char *text, *wrong, *more;
-} formulas[] = {
-  { "", "character 1: there is no formula", "" },
-  { " \t ", "character 4: there is no formula", "" },
-  { "F3", "character 1: 'F3' is no quantity known here", "" },
-  { "T*(F1+foo)", "character 7: 'foo' is no quantity known here", "" },
-  { "T+serie:dT.15", "character 3: 'serie:dT.15' is no quantity known here: did you mean 'series:dT.15'?", "" },
-  { "pi2", "character 1: 'pi2' is no quantity known here", "" },
-  { "pi(2)", "character 1: 'pi' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
-  { "log", "character 1: 'log' is no quantity but a function: '(' is missing after it", "" },
-  { "2*tan(x)", "character 3: 'tan' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
-  { "1+cosine(x)",
-    "character 3: 'cosine' is no function: there are abs sqrt exp log log10 sin cos asin min max: did you mean 'cos'?",
-    "" },
-  { "F1(2)", "character 1: 'F1' is no function: there are abs sqrt exp log log10 sin cos asin min max", "" },
-  { "1+", "character 3: a number, a name or '(' is missing before the end", "" },
-  { "1**2", "character 3: a number, a name or '(' is missing before '*'", "" },
-  { "*2", "character 1: a number, a name or '(' is missing before '*'", "" },
-  { "+2", "character 1: a number, a name or '(' is missing before '+'", "" },
-  { "2^", "character 3: a number, a name or '(' is missing before the end", "" },
-  { "-", "character 2: a number, a name or '(' is missing before the end", "" },
-  { "()", "character 2: a number, a name or '(' is missing before ')'", "" },
-  { "abs()", "character 5: a number, a name or '(' is missing before ')'", "" },
-  { "min(1,)", "character 7: a number, a name or '(' is missing before ')'", "" },
-  { "(1+2", "character 1: this '(' is not closed", "" },
-  { "2*(1+(3)", "character 3: this '(' is not closed", "" },
-  { "abs(1", "character 4: this '(' is not closed", "" },
-  { "1+2)", "character 4: this ')' closes nothing", "" },
-  { "1,2", "character 2: this ',' is not between the arguments of a function", "" },
-  { "(1,2)", "character 3: a function is missing before ','", "" },
-  { "2x", "character 2: an operator is missing before 'x'", "" },
-  { "T F1", "character 3: an operator is missing before 'F'", "" },
-  { "(1)(2)", "character 4: an operator is missing before '('", "" },
-  { "(1 2)", "character 4: an operator or ')' is missing before '2'", "" },
-  { "1.2.3", "character 4: an operator is missing before '.'", "" },
-  { "2e", "character 2: an operator is missing before 'e'", "" },
-  { ".", "character 1: there is no digit beside the point", "" },
-  { "T*.e5", "character 3: there is no digit beside the point", "" },
-  { "0x10", "character 1: a number is decimal, as 16 or 1.6e1", "" },
-  { "1e999", "character 1: the number is too large for a double", "" },
-  { "1+0.01e-999", "character 3: the number is too small for a double", "" },
-  { "1%2", "character 2: '%'", meaning },
-  { "[T]", "character 1: '['", meaning },
-  { "T \n", "character 3: the byte 0x0a", meaning },
-  { "\xce\xb1", "character 1: the byte 0xce", meaning },
-  { "(T]", "character 3: ']'", meaning },
-  { "_x", "character 1: '_'", meaning },
-  { "abs(1,2)", "character 1: abs takes one argument, not 2", "" },
-  { "1+max(T)", "character 3: max takes two arguments or more, not 1", "" },
-};
-
-TEST(what_is_wrong_is_said)
+/* The formula is refused with this message, and nothing changes. */
+static void assert_wrong(const char *text, const char *place, const char *message)
 {
-  for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
-    struct formula formula, before;
-    memset(&formula, 0x5a, sizeof formula);
-    before = formula;
-    const char *wrong = compile(&formula, formulas[i].text);
-    char wanted[200];
-    snprintf(wanted, sizeof wanted, "%s%s", formulas[i].wrong, formulas[i].more);
-    if (!wrong || strcmp(wrong, wanted) != 0)
-      fail_msg("'%s': %s\nwanted: %s", formulas[i].text, wrong ? wrong : "nothing is wrong", wanted);
-    assert_memory_equal(&formula, &before, sizeof formula);
-  }
+  char wanted[FORMULA_MESSAGE];
+  struct formula formula, before;
+  memset(&formula, 0x5a, sizeof formula);
+  before = formula;
+  const char *wrong = compile(&formula, text);
+  snprintf(wanted, sizeof wanted, "character %s: %s", place, message);
+  if (!wrong || strcmp(wrong, wanted) != 0)
+    fail_msg("'%s': %s\nwanted: %s", text, wrong ? wrong : "nothing is wrong", wanted);
+  assert_memory_equal(&formula, &before, sizeof formula);
 }
 
-static void assert_wrong(const char *text, const char *wanted)
+/* Formulas, the place of what is wrong, and what stands for $ in the message */
+TEST(what_is_wrong_is_said)
 {
-  struct formula formula;
-  const char *wrong = compile(&formula, text);
-  assert_non_null(wrong);
-  assert_string_equal(wrong, wanted);
+  static const struct {
+    const char *message, *formulas;
+  } all[] = {
+    { "there is no formula", " = 1 | \t  = 4 " },
+    { "$ is no quantity known here", "F3 = 1 'F3'|T*(F1+foo) = 7 'foo'|pi2 = 1 'pi2'" },
+    { "'serie:dT.15' is no quantity known here: did you mean 'series:dT.15'?", "T+serie:dT.15 = 3 " },
+    { "$ is no function: there are abs sqrt exp log log10 sin cos asin min max",
+      "pi(2) = 1 'pi'|2*tan(x) = 3 'tan'|F1(2) = 1 'F1'" },
+    { "$ is no function: there are abs sqrt exp log log10 sin cos asin min max: did you mean 'cos'?",
+      "1+cosine(x) = 3 'cosine'" },
+    { "'log' is no quantity but a function: '(' is missing after it", "log = 1 " },
+    { "a number, a name or '(' is missing before $",
+      "1+ = 3 the end|1**2 = 3 '*'|*2 = 1 '*'|+2 = 1 '+'|2^ = 3 the end|- = 2 the end|() = 2 ')'|abs() = 5 ')'|"
+      "min(1,) = 7 ')'" },
+    { "this '(' is not closed", "(1+2 = 1 |2*(1+(3) = 3 |abs(1 = 4 " },
+    { "this ')' closes nothing", "1+2) = 4 " },
+    { "this ',' is not between the arguments of a function", "1,2 = 2 " },
+    { "a function is missing before ','", "(1,2) = 3 " },
+    { "an operator is missing before $", "2x = 2 'x'|T F1 = 3 'F'|(1)(2) = 4 '('|1.2.3 = 4 '.'|2e = 2 'e'" },
+    { "an operator or ')' is missing before '2'", "(1 2) = 4 " },
+    { "there is no digit beside the point", ". = 1 |T*.e5 = 3 " },
+    { "a number is decimal, as 16 or 1.6e1", "0x10 = 1 " },
+    { "the number is too large for a double", "1e999 = 1 " },
+    { "the number is too small for a double", "1+0.01e-999 = 3 " },
+    { "$ has no meaning: a formula is of numbers, names, + - * / ^ ( ) and commas",
+      "1%2 = 2 '%'|[T] = 1 '['|T \n = 3 the byte 0x0a|\xce\xb1 = 1 the byte 0xce|(T] = 3 ']'|_x = 1 '_'" },
+    { "abs takes one argument, not 2", "abs(1,2) = 1 " },
+    { "max takes two arguments or more, not 1", "1+max(T) = 3 " },
+  };
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    FOR_CASES (text, all[i].formulas) {
+      char place[LONGEST_CASE], message[200];
+      snprintf(place, sizeof place, "%s", wanted_of(text));
+      char *what = strchr(place, ' ');
+      *what++ = '\0';
+      const char *mark = all[i].message + strcspn(all[i].message, "$");
+      snprintf(message, sizeof message, "%.*s%s%s", (int)(mark - all[i].message), all[i].message, what,
+               mark + (*mark == '$'));
+      assert_wrong(text, place, message);
+    }
 }
 
 enum { LONGEST = 5000 };
@@ -256,37 +273,42 @@ static char *repeated(const char *begin, int count, const char *part, const char
   return text;
 }
 
+/* 128 numbers and 127 operations, and one more of either; what is innermost counts, too */
 TEST(limits)
 {
-  /* 128 numbers and 127 operations, and one more of either */
-  CHECK_EQUAL(value(repeated("1", 127, "+1", "")), 128);
-  CHECK_EQUAL(value(repeated("-1", 127, "+1", "")), 126);
-  assert_wrong(repeated("--1", 127, "+1", ""),
-               "character 256: the formula is too long: it may have 256 numbers, names and operations");
-  assert_wrong(repeated("-1", 128, "+T", ""),
-               "character 258: the formula is too long: it may have 256 numbers, names and operations");
-  /* what is innermost counts, too */
-  static const char *const openings[] = { "(", "-", "2^", "abs(" };
-  for (int i = 0; i < 4; i++) {
-    struct formula formula;
-    char closing[FORMULA_NESTED + 1] = "1";
-    if (strchr(openings[i], '('))
-      memset(closing + 1, ')', FORMULA_NESTED - 1);
-    assert_null(compile(&formula, repeated("", FORMULA_NESTED - 1, openings[i], closing)));
+  static const char too_long[] = "the formula is too long: it may have 256 numbers, names and operations",
+                    nested[] = "too much within one another: 64 parentheses, minus signs and powers are allowed",
+                    no_name[] =
+                        "'nnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnn' is no quantity known here";
+  static const struct {
+    const char *begin;
+    int count;
+    const char *part, *end, *place; /* NULL: it is worth what follows */
+    const char *message;
+    double value;
+  } limits[] = { { "1", 127, "+1", "", NULL, NULL, 128 },
+                 { "-1", 127, "+1", "", NULL, NULL, 126 },
+                 { "--1", 127, "+1", "", "256", too_long, 0 },
+                 { "-1", 128, "+T", "", "258", too_long, 0 },
+                 { "", 63, "(", "1)))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))", NULL, NULL, 1 },
+                 { "", 63, "abs(", "1)))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))))", NULL, NULL, 1 },
+                 { "", 63, "-", "1", NULL, NULL, -1 },
+                 { "", 63, "2^", "0", NULL, NULL, INFINITY },
+                 { "", 64, "(", "1", "65", nested, 0 },
+                 { "1+", 64, "-", "1", "67", nested, 0 },
+                 { "", 64, "2^", "1", "129", nested, 0 },
+                 { "1", 100, "+(1)", "", NULL, NULL, 101 },
+                 { "", 63, "n", "", "1", no_name, 0 },
+                 { "2*", 64, "n", "", "3", "a name of 64 characters: it may have 63", 0 },
+                 { "0.", 1190, "0", "1e1191", NULL, NULL, 1 },
+                 { "2*0.", 1197, "0", "1", "3", "a number of 1200 characters: it may have 1199", 0 } };
+  for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
+    const char *text = repeated(limits[i].begin, limits[i].count, limits[i].part, limits[i].end);
+    if (limits[i].place)
+      assert_wrong(text, limits[i].place, limits[i].message);
+    else
+      CHECK_EQUAL(value(text), limits[i].value);
   }
-  assert_wrong(repeated("", 64, "(", "1"),
-               "character 65: too much within one another: 64 parentheses, minus signs and powers are allowed");
-  assert_wrong(repeated("1+", 64, "-", "1"),
-               "character 67: too much within one another: 64 parentheses, minus signs and powers are allowed");
-  assert_wrong(repeated("", 64, "2^", "1"),
-               "character 129: too much within one another: 64 parentheses, minus signs and powers are allowed");
-  CHECK_EQUAL(value(repeated("1", 100, "+(1)", "")), 101);
-  assert_wrong(
-      repeated("", 63, "n", ""),
-      "character 1: 'nnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnnn' is no quantity known here");
-  assert_wrong(repeated("2*", 64, "n", ""), "character 3: a name of 64 characters: it may have 63");
-  CHECK_EQUAL(value(repeated("0.", 1190, "0", "1e1191")), 1);
-  assert_wrong(repeated("2*0.", 1197, "0", "1"), "character 3: a number of 1200 characters: it may have 1199");
 }
 
 TEST(names_are_asked_once_each_time)

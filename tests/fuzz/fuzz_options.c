@@ -1,11 +1,12 @@
 /* Command lines: the first byte chooses the command, the rest, split at newlines and NULs, its arguments. It is read
- * and not run. Each argument is also read as a number and as every parameter, and held against strtod. */
+ * and not run. Each argument is also given to every parameter. */
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "tests/fuzz/target.h"
+#include "tests/support/solved.h"
 
 enum { MOST = 40 };
 
@@ -75,57 +76,31 @@ static void judge(const struct arguments *a, const char *text)
     fuzz_fail("the operand is missing, or not wanted, in\n%s", text);
 }
 
-static bool is_number(const char *text, double *value)
-{
-  char *end;
-  *value = strtod(text, &end);
-  return *text != '\0' && !isspace((unsigned char)*text) && *end == '\0' && isfinite(*value);
-}
-
-/* strtod takes more numbers than read_number only where digits are lost, below the normal range. */
-static void judge_number(const char *text)
-{
-  double wanted, got = NAN;
-  bool number = is_number(text, &wanted), read = read_number(text, &got);
-  if (read && !(number && got == wanted && signbit(got) == signbit(wanted)))
-    fuzz_fail("'%s' is read as %a, strtod has %a", text, got, wanted);
-  if (!read && number && isnormal(wanted))
-    fuzz_fail("'%s' is refused, and is %a", text, wanted);
-}
-
-static bool same_numbers(const struct scallop_crawler *a, const struct scallop_crawler *b)
-{
-  double x[CRAWLER_NUMBERS], y[CRAWLER_NUMBERS];
-  bool same = a->gait == b->gait;
-  crawler_numbers(a, x);
-  crawler_numbers(b, y);
-  for (int i = 0; i < CRAWLER_NUMBERS; i++)
-    same = same && same_bits(x[i], y[i]);
-  return same;
-}
-
 static void judge_parameters(const char *text)
 {
   struct point o = point_initial(NULL);
   for (const char *const *name = crawler_parameters; *name; name++) {
-    const struct scallop_crawler before = o.crawler;
+    struct scallop_crawler before = o.crawler;
     const char *wrong = point_set(&o, *name, text);
-    if (wrong && (!same_numbers(&before, &o.crawler) || *wrong == '\0'))
+    bool same = before.gait == o.crawler.gait;
+    for (int i = 0; i < PARAMETERS; i++)
+      same = same && same_bits(*parameter(&before, i), *parameter(&o.crawler, i));
+    if (wrong && (!same || *wrong == '\0'))
       fuzz_fail("%s was refused '%s', and changed", *name, text);
     if (scallop_crawler_check(&o.crawler, NULL) != SCALLOP_OK)
       fuzz_fail("%s may be '%s'", *name, text);
   }
 }
 
-/* False with a message, or with help; the arguments are as they were. */
+/* Refused with a message, or help; the arguments are as they were. */
 static void judge_line(const struct command *command, char *text, size_t size)
 {
-  char *arguments[MOST] = { (char *)"scallop", (char *)command->name }, *before;
+  char *arguments[MOST] = { (char *)"scallop", (char *)command->name };
   struct arguments read;
   struct written w;
   enum exit_code code;
   int count = split(text, size, arguments);
-  before = fuzz_text((const uint8_t *)text, size);
+  char *before = fuzz_text((const uint8_t *)text, size);
   written_begin(&w);
   enum reading reading = options_read(&read, command, commands, count, arguments, &code);
   written_end(&w);
@@ -135,10 +110,8 @@ static void judge_line(const struct command *command, char *text, size_t size)
     judge(&read, text);
   else if (reading == READ_REFUSED && !(code == EXIT_USAGE && w.err_size > 0))
     fuzz_fail("exit code %d without a word for\n%s", (int)code, text);
-  for (int i = 2; i < count; i++) {
-    judge_number(arguments[i]);
+  for (int i = 2; i < count; i++)
     judge_parameters(arguments[i]);
-  }
   options_free(&read);
   written_free(&w);
   free(before);

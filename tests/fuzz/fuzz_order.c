@@ -7,52 +7,50 @@
 
 #include "tests/fuzz/target.h"
 
-struct row {
-  double order, low, high;
-  int points;
-  char verdict[24];
-};
+enum { MOST = 24 };
 
-/* The cells of a line, split in place: name, y, ... */
-static int split(char *line, char *cells[], int most)
+/* The cells of a line, which ends where it is split: order, y, ... */
+static int split(char *line, char *cells[MOST])
 {
-  int count = 0;
-  for (char *cell = line; cell && count < most; count++) {
-    cells[count] = cell;
-    cell = strchr(cell, '\t');
-    if (cell)
-      *cell++ = '\0';
+  for (int count = 1;; count++) {
+    cells[count - 1] = line;
+    line += strcspn(line, "\t");
+    if (*line == '\0' || count == MOST)
+      return count;
+    *line++ = '\0';
   }
-  return count;
 }
 
-static int column(char *const cells[], int count, const char *name)
+static const char *cell_named(char *const names[], char *const cells[], int count, const char *name)
 {
   for (int i = 0; i < count; i++)
-    if (strcmp(cells[i], name) == 0)
-      return i;
+    if (strcmp(names[i], name) == 0)
+      return cells[i];
   fuzz_fail("no column %s", name);
 }
 
-static void judge_row(const struct row *r, const char *reason, const char *expect)
+static void judge_row(char *const names[], char *const cells[], int count, const char *expect)
 {
-  bool pass = strcmp(r->verdict, "pass") == 0, measured = strcmp(r->verdict, "measured") == 0;
+  const char *verdict = cell_named(names, cells, count, "verdict"), *reason = cell_named(names, cells, count, "reason");
+  double order = strtod(cell_named(names, cells, count, "order"), NULL),
+         low = strtod(cell_named(names, cells, count, "order_low"), NULL),
+         high = strtod(cell_named(names, cells, count, "order_high"), NULL);
+  int points = atoi(cell_named(names, cells, count, "points"));
+  bool pass = strcmp(verdict, "pass") == 0, measured = strcmp(verdict, "measured") == 0;
   if (*reason == '\0')
-    fuzz_fail("no reason for %s", r->verdict);
+    fuzz_fail("no reason for %s", verdict);
   if ((pass && !expect) || (measured && expect))
-    fuzz_fail("verdict %s where %s is expected", r->verdict, expect ? expect : "nothing");
+    fuzz_fail("verdict %s where %s is expected", verdict, expect ? expect : "nothing");
   if (strncmp(reason, "exact", 5) == 0 ? pass || measured : !pass && !measured)
     return;
-  if (!(r->points >= 3 && isfinite(r->low) && isfinite(r->high) && r->low - 1e-4 <= r->order
-        && r->order <= r->high + 1e-4))
-    fuzz_fail("%s: order %g, from %g to %g, from %d points", r->verdict, r->order, r->low, r->high, r->points);
-  if (pass && fabs(r->order - strtod(expect, NULL)) > 0.1001)
-    fuzz_fail("pass for order %g where %s is expected", r->order, expect);
+  if (!(points >= 3 && isfinite(low) && isfinite(high) && low - 1e-4 <= order && order <= high + 1e-4))
+    fuzz_fail("%s: order %g, from %g to %g, from %d points", verdict, order, low, high, points);
+  if (pass && fabs(order - strtod(expect, NULL)) > 0.1001)
+    fuzz_fail("pass for order %g where %s is expected", order, expect);
 }
 
 static void judge(char *table, int code, const char *expect)
 {
-  enum { MOST = 24 };
   char *cells[MOST], *names[MOST], *next = NULL;
   int columns = 0, verdicts = 0, well = 0, unread = 0, counted[3];
   for (char *line = table; line && *line; line = next) {
@@ -71,20 +69,16 @@ static void judge(char *table, int code, const char *expect)
     if (*line == '#')
       continue;
     if (columns == 0) {
-      columns = split(line, names, MOST);
+      columns = split(line, names);
       continue;
     }
-    if (split(line, cells, MOST) != columns)
+    if (split(line, cells) != columns)
       fuzz_fail("a row of other than %d cells", columns);
-    struct row r = { strtod(cells[column(names, columns, "order")], NULL),
-                     strtod(cells[column(names, columns, "order_low")], NULL),
-                     strtod(cells[column(names, columns, "order_high")], NULL),
-                     atoi(cells[column(names, columns, "points")]), "" };
-    snprintf(r.verdict, sizeof r.verdict, "%s", cells[column(names, columns, "verdict")]);
-    judge_row(&r, cells[column(names, columns, "reason")], expect);
+    judge_row(names, cells, columns, expect);
+    const char *verdict = cell_named(names, cells, columns, "verdict");
     verdicts++;
-    well += strcmp(r.verdict, expect ? "pass" : "measured") == 0;
-    unread += strcmp(r.verdict, "error") == 0;
+    well += strcmp(verdict, expect ? "pass" : "measured") == 0;
+    unread += strcmp(verdict, "error") == 0;
   }
   fuzz_fail("the table does not end with a summary");
 }

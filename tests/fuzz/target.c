@@ -1,6 +1,7 @@
 #define _GNU_SOURCE
 #include "tests/fuzz/target.h"
 
+#include <regex.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -72,6 +73,14 @@ void written_end(struct written *w)
   real_out = real_err = NULL;
 }
 
+void written_end_read(struct written *w, int code)
+{
+  written_end(w);
+  if (w->out_size > 0 || (w->err_size > 0) != (code != EXIT_DONE) || (code != EXIT_DONE && code != EXIT_USAGE))
+    fuzz_fail("exit code %d, on standard output '%s', on standard error '%s'", code, w->out, w->err);
+  written_free(w);
+}
+
 void written_free(struct written *w)
 {
   free(w->out);
@@ -93,63 +102,6 @@ int fuzz_run(const struct command *command, const char *const *arguments, struct
   options_free(&read);
   written_end(written);
   return (int)code;
-}
-
-/* ---- JSON ---- */
-
-static const char *json_string(const char *at)
-{
-  if (*at++ != '"')
-    return NULL;
-  for (; *at != '"'; at++) {
-    if (*at == '\\')
-      at++;
-    if (*at < 0x20 || *at > 0x7e)
-      return NULL;
-  }
-  return at + 1;
-}
-
-static const char *json_digits(const char *at) { return at + strspn(at, "0123456789"); }
-
-static const char *json_number(const char *at)
-{
-  at += *at == '-';
-  const char *whole = at;
-  at = json_digits(at);
-  if (at == whole || (*whole == '0' && at > whole + 1))
-    return NULL;
-  if (*at == '.') {
-    const char *places = ++at;
-    at = json_digits(at);
-    if (at == places)
-      return NULL;
-  }
-  if (*at == 'e' || *at == 'E') {
-    at += at[1] == '-' || at[1] == '+' ? 2 : 1;
-    const char *exponent = at;
-    at = json_digits(at);
-    if (at == exponent)
-      return NULL;
-  }
-  return at;
-}
-
-static const char *json_value(const char *at)
-{
-  return *at == '"' ? json_string(at) : strncmp(at, "null", 4) == 0 ? at + 4 : json_number(at);
-}
-
-/* One object of names and flat values, to the end of the line; returns what follows it, or NULL. */
-static const char *json_line(const char *at)
-{
-  if (*at != '{')
-    return NULL;
-  do {
-    at = json_string(at + 1 + (at[0] == ','));
-    at = at && strncmp(at, ": ", 2) == 0 ? json_value(at + 2) : NULL;
-  } while (at && strncmp(at, ", ", 2) == 0);
-  return at && strncmp(at, "}\n", 2) == 0 ? at + 2 : NULL;
 }
 
 /* ---- tables ---- */
@@ -178,12 +130,22 @@ static long judge_tsv(const char *text)
   return rows;
 }
 
+#define JSON_STRING "\"([^\"\\[:cntrl:]]|\\\\[\"\\/bfnrtu])*\""
+#define JSON_NUMBER "-?(0|[1-9][0-9]*)([.][0-9]+)?([eE][-+]?[0-9]+)?"
+#define JSON_PAIR JSON_STRING ": (" JSON_STRING "|null|" JSON_NUMBER ")"
+
+/* Each line is an object of names and flat values. */
 static long judge_json(const char *text)
 {
+  static regex_t object;
+  static bool is_compiled;
   long rows = 0;
-  for (const char *next; *text; text = next, rows++) {
-    next = json_line(text);
-    if (!next)
+  if (!is_compiled && regcomp(&object, "^[{]" JSON_PAIR "(, " JSON_PAIR ")*[}]$", REG_EXTENDED | REG_NOSUB) != 0)
+    fuzz_fail("out of memory");
+  is_compiled = true;
+  for (regmatch_t line; *text; text += line.rm_eo + 1, rows++) {
+    line = (regmatch_t){ 0, (regoff_t)strcspn(text, "\n") };
+    if (text[line.rm_eo] != '\n' || regexec(&object, text, 1, &line, REG_STARTEND) != 0)
       fuzz_fail("not JSON: %.300s", text);
   }
   return rows;

@@ -53,6 +53,8 @@ struct written {
 void written_begin(struct written *written);
 void written_end(struct written *written);
 void written_free(struct written *written);
+/* The end where something was read, which is done, or comes with a message and nothing else; frees what was written. */
+void written_end_read(struct written *written, int code);
 
 /* Runs a command with these arguments, NULL-terminated, the command's name left out. Returns its exit code. */
 int fuzz_run(const struct command *command, const char *const *arguments, struct written *written);

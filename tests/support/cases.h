@@ -5,7 +5,7 @@
 
 #include "tests/support/check.h"
 
-enum { LONGEST_CASE = 80 };
+enum { LONGEST_CASE = 120 };
 
 static inline bool next_case(const char **at, char text[LONGEST_CASE])
 {

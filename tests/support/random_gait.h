@@ -49,6 +49,13 @@ static inline bool polynomial_of_slope(struct scallop_polynomial *g, const doubl
   return scallop_make_polynomial(g, "polynomial", c, degree + 1, NULL) == SCALLOP_OK;
 }
 
+/* The polynomial times a + b s */
+static inline void times(double *polynomial, int *degree, double a, double b)
+{
+  for (int k = ++*degree; k >= 0; k--)
+    polynomial[k] = polynomial[k] * a + (k > 0 ? polynomial[k - 1] * b : 0);
+}
+
 /* l' = s^p (1 - s)^q times a random polynomial, which is positive or, turning, has one or two roots. */
 static inline const struct scallop_gait *random_polynomial(struct random *r, bool turning, struct scallop_polynomial *g)
 {
@@ -57,11 +64,9 @@ static inline const struct scallop_gait *random_polynomial(struct random *r, boo
   int rising = 1 + random_below(r, 2), falling = 1 + random_below(r, 2), degree = rising;
   slope[rising] = 1;
   int factors = falling + (turning ? 1 + random_below(r, 2) : random_below(r, 3));
-  for (int i = 0; i < factors; i++) { /* times a + b s */
+  for (int i = 0; i < factors; i++) {
     double a = i < falling ? 1 : turning ? -roots[i - falling] : random_between(r, 0.2, 1);
-    double b = i < falling ? -1 : turning ? 1 : random_between(r, -0.9, 3) * a;
-    for (int k = ++degree; k >= 0; k--)
-      slope[k] = slope[k] * a + (k > 0 ? slope[k - 1] * b : 0);
+    times(slope, &degree, a, i < falling ? -1 : turning ? 1 : random_between(r, -0.9, 3) * a);
   }
   return polynomial_of_slope(g, slope, degree) ? &g->gait : random_polynomial(r, turning, g);
 }
@@ -74,13 +79,12 @@ static inline const struct scallop_gait *far_turning(struct random *r, struct sc
   double slope[MOST + 1] = { 0 }, root = 0;
   int degree = 1 + random_below(r, 2), roots = 1 + random_below(r, 4);
   slope[degree] = 1;
-  for (int i = 0; i <= roots; i++) { /* times a + s, the last one times 1 - s */
+  for (int i = 0; i <= roots; i++) { /* the last one is 1 */
     double closeness = random_decades(r, 1e-9, 0.1), side = random_below(r, 2) ? 1 : -1;
     const double places[] = { random_between(r, 0.02, 0.98), 0.5 + side * closeness, closeness, 1 - closeness,
                               root + 0.02 };
     root = i < roots ? places[random_below(r, 5)] : 1;
-    for (int k = ++degree; k >= 0; k--)
-      slope[k] = (k > 0 ? slope[k - 1] : 0) - root * slope[k];
+    times(slope, &degree, -root, 1);
   }
   return polynomial_of_slope(g, slope, degree) ? &g->gait : far_turning(r, g);
 }
@@ -132,15 +136,21 @@ static inline int random_knots(struct random *r, bool turning, int kind, struct 
   return count;
 }
 
+/* The spline through these knots of the extension and of the contraction */
+static inline enum scallop_status spline_through(struct random_gait *g, const struct scallop_knot *out, int count_out,
+                                                 const struct scallop_knot *back, int count_back)
+{
+  const struct scallop_knot *const knots[2] = { out, back };
+  const int count[2] = { count_out, count_back };
+  g->spline = (struct scallop_spline){ .pieces = g->pieces, .laws = g->laws };
+  return scallop_make_spline(&g->spline, "spline", knots, count);
+}
+
 static inline const struct scallop_gait *random_spline(struct random *r, bool turning, struct random_gait *g)
 {
-  struct scallop_knot knots[2][MOST_KNOTS];
-  int count[2];
-  for (int kind = 0; kind < 2; kind++)
-    count[kind] = random_knots(r, turning, kind, knots[kind]);
-  g->spline = (struct scallop_spline){ .pieces = g->pieces, .laws = g->laws };
-  const struct scallop_knot *const phases[2] = { knots[0], knots[1] };
-  assert_int_equal(scallop_make_spline(&g->spline, "spline", phases, count), SCALLOP_OK);
+  struct scallop_knot out[MOST_KNOTS], back[MOST_KNOTS];
+  const int count_out = random_knots(r, turning, 0, out), count_back = random_knots(r, turning, 1, back);
+  assert_int_equal(spline_through(g, out, count_out, back, count_back), SCALLOP_OK);
   return &g->spline.gait;
 }
 

@@ -1,14 +1,13 @@
 /* Formulas as series: identities that hold for whatever is taken, the same with more terms and bits, the value of a
- * formula of numbers in balls, and an untouched value where it refuses. Read by another parser: fuzz_formula.c. */
+ * formula of numbers in balls, and an untouched value where it refuses. In double: fuzz_formula.c. */
 #include "asymptotics/derived/formula_flint.h"
-
 #include "asymptotics/symbolic/symbolic.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "tests/fuzz/target.h"
-#include "tests/support/scoped.h"
+#include "tests/support/exact.h"
 
 enum { LONGEST = 120, MOST_POWERS = 2 /* of powers: numbers would have millions of digits */ };
 static const struct ring ring = { .length = 6, .precision = 100 }, longer = { .length = 15, .precision = 150 };
@@ -26,63 +25,37 @@ static int place_of(void *context, const char *name)
 
 static const struct formula_names names = { .place = place_of };
 
-static bool evaluate_text(struct series *value, const char *text, const struct ring *in)
+static bool evaluate_in(struct series *value, const char *text, const struct ring *in)
 {
   struct formula formula;
   char message[FORMULA_MESSAGE];
-  struct series values[SYMBOLS];
-  if (formula_read(&formula, text, &names, message))
-    return false;
-  for (int i = 0; i < SYMBOLS; i++)
-    series_init(&values[i]);
+  SCOPED(series, x, h, b);
   SCOPED(fmpq, half);
   SCOPED(arb, pi);
+  if (formula_read(&formula, text, &names, message))
+    return false;
   fmpq_set_si(half, 1, 2);
   arb_const_pi(pi, ring.precision);
-  series_set_x(&values[0]);
-  series_set_rational(&values[1], half);
-  series_set_ball(&values[2], pi);
-  bool evaluated = !formula_series(value, &formula, values, NULL, in, message);
-  for (int i = 0; i < SYMBOLS; i++)
-    series_clear(&values[i]);
-  return evaluated;
+  series_set_x(&x);
+  series_set_rational(&h, half);
+  series_set_ball(&b, pi);
+  return !formula_series(value, &formula, (const struct series[SYMBOLS]){ x, h, b }, NULL, in, message);
 }
 
-/* Evaluates the formula that consists of these parts, NULL-terminated. */
-static bool evaluate(struct series *value, const char *const *parts)
+/* The format has the text once or twice. */
+static bool evaluate(struct series *value, const char *format, const char *text)
 {
-  char formula[3 * LONGEST + 32] = "";
-  for (size_t used = 0; *parts; used = strlen(formula), parts++)
-    snprintf(formula + used, sizeof formula - used, "%s", *parts);
-  return evaluate_text(value, formula, &ring);
-}
-#define EVALUATE(value, ...) evaluate(value, (const char *const[]){ __VA_ARGS__, NULL })
-
-static bool ratio_equal(const struct ratio *a, const struct ratio *b)
-{
-  const fmpz_mpoly_ctx_struct *of = a->names->ring;
-  return fmpz_mpoly_equal(a->over, b->over, of) && fmpz_mpoly_equal(a->under, b->under, of);
+  char formula[3 * LONGEST + 32];
+  snprintf(formula, sizeof formula, format, text, text);
+  return evaluate_in(value, formula, &ring);
 }
 
-static bool are_equal(const struct series *a, const struct series *b)
+/* All coefficients are the same that both know. */
+static bool agree(const struct series *a, const struct series *b)
 {
-  if (a->kind != b->kind || a->first != b->first || a->known != b->known || series_terms(a) != series_terms(b))
-    return false;
-  bool equal = a->kind == SERIES_FRACTIONS ? fmpq_poly_equal(a->rational, b->rational)
-               : a->kind == SERIES_BALLS   ? arb_poly_equal(a->ball, b->ball)
-                                           : true;
-  for (slong k = 0; a->kind == SERIES_NAMED && k < a->named.length; k++)
-    equal = equal && ratio_equal(&a->named.coeffs[k], &b->named.coeffs[k]);
-  return equal;
-}
-
-/* May every coefficient that is known be 0? */
-static bool may_vanish(const struct series *s)
-{
-  if (s->kind != SERIES_BALLS)
-    return series_terms(s) == 0;
-  for (slong i = 0; i < arb_poly_length(s->ball); i++)
-    if (!arb_contains_zero(arb_poly_get_coeff_ptr(s->ball, i)))
+  const slong known = a->known < b->known ? a->known : b->known, first = a->first < b->first ? a->first : b->first;
+  for (slong k = first - 1; k < known && k < first + longer.length; k++)
+    if (!same_coefficient(a, b, k, longer.precision))
       return false;
   return true;
 }
@@ -142,44 +115,26 @@ static void judge_symbolic(const struct series *value, const char *text)
   symbols_end(&s);
 }
 
-/* What is known of it is the same with more terms and bits, if it is taken then. */
-static void judge_known(const struct series *value, const char *text)
-{
-  SCOPED(series, more);
-  SCOPED(arb, a, b);
-  if (!evaluate_text(&more, text, &longer))
-    return;
-  slong known = value->known < more.known ? value->known : more.known;
-  for (slong i = value->first - 1; i < known && i < value->first + longer.length; i++) {
-    series_coefficient(a, value, i, ring.precision);
-    series_coefficient(b, &more, i, longer.precision);
-    if (!arb_overlaps(a, b))
-      fuzz_fail("'%s' has another coefficient of x^%ld with more terms", text, (long)i);
-  }
-}
-
-/* Identities of functions, wherever all of them are taken */
-static void judge_functions(const char *t)
-{
-  SCOPED(series, zero);
-  if (EVALUATE(&zero, "exp(log(", t, "))-(", t, ")") && !may_vanish(&zero))
-    fuzz_fail("exp(log(%s)) is something else", t);
-  if (EVALUATE(&zero, "sin(", t, ")^2+cos(", t, ")^2-1") && !may_vanish(&zero))
-    fuzz_fail("sin^2 + cos^2 of '%s' is not 1", t);
-}
-
+/* Identities, wherever both sides are taken; what is taken once is taken with more around it. */
 static void judge(const struct series *value, const char *text)
 {
-  SCOPED(series, other, negative);
-  if (!EVALUATE(&other, " (", text, " ) ") || !are_equal(value, &other))
-    fuzz_fail("in parentheses '%s' is something else", text);
-  series_neg(&negative, value);
-  if (!EVALUATE(&other, "-(", text, ")") || !are_equal(&negative, &other))
-    fuzz_fail("-(%s) is not minus that", text);
-  if (!EVALUATE(&other, "(", text, ")-(", text, ")") || !may_vanish(&other))
-    fuzz_fail("'%s' minus itself is not 0", text);
-  if (EVALUATE(&other, "(", text, ")/(", text, ")-1") && !may_vanish(&other))
-    fuzz_fail("'%s' over itself is not 1", text);
+  static const struct {
+    const char *format;
+    int factor; /* the formula is so many times value */
+    bool must_be_taken;
+  } identities[] = { { " (%s) ", 1, true },       { "-(%s)", -1, true },        { "(%s)-(%s)", 0, true },
+                     { "(%s)/(%s)-1", 0, false }, { "exp(log(%s))", 1, false }, { "sin(%s)^2+cos(%s)^2-1", 0, false } };
+  SCOPED(series, got, wanted, more);
+  for (size_t i = 0; i < sizeof identities / sizeof *identities; i++) {
+    series_set_si(&wanted, identities[i].factor);
+    series_mul(&wanted, &wanted, value, &ring);
+    if (!evaluate(&got, identities[i].format, text) ? identities[i].must_be_taken : !agree(&got, &wanted))
+      fuzz_fail("%s of '%s' is something else", identities[i].format, text);
+    if (i < 2 && (got.kind != value->kind || got.known != value->known))
+      fuzz_fail("%s of '%s' is known to another power", identities[i].format, text);
+  }
+  if (evaluate_in(&more, text, &longer) && !agree(value, &more))
+    fuzz_fail("'%s' has other coefficients with more terms and bits", text);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
@@ -196,13 +151,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
   SCOPED(series, value, untouched);
   series_set_si(&untouched, 22);
   series_set(&value, &untouched);
-  if (EVALUATE(&value, text)) {
+  if (evaluate_in(&value, text, &ring)) {
     judge_in_balls(&value, text);
     judge_symbolic(&value, text);
-    judge_known(&value, text);
     judge(&value, text);
-    judge_functions(text);
-  } else if (!are_equal(&value, &untouched))
+  } else if (value.kind != untouched.kind || !agree(&value, &untouched))
     fuzz_fail("'%s' is refused, and something changed", text);
   free(text);
   return 0;

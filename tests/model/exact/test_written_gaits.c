@@ -2,6 +2,7 @@
 #include "compare/points/gaits.h"
 #include "compare/points/point_flint.h"
 #include "model/exact/fractions.h"
+#include "tests/support/cases.h"
 #include "tests/support/certified_balls.h"
 #include "tests/support/scratch_folder.h"
 
@@ -11,14 +12,8 @@ static const struct scallop_gait *gait_of(const char *text)
 {
   struct gait_result answer = gait_of_text(text);
   if (!answer.gait)
-    print_error("%s\n", answer.wrong);
-  assert_non_null(answer.gait);
+    fail_msg("%s", answer.wrong);
   return answer.gait;
-}
-
-static struct scallop_crawler any_crawler(struct random *r)
-{
-  return random_crawler(r, random_below(r, 2) ? ORDINARY : STICK_SLIP, &scallop_gait_quadratic);
 }
 
 static void solve(struct scallop_certified_steady *s, const struct scallop_crawler *c, const struct scallop_gait *gait)
@@ -34,7 +29,7 @@ static void solve(struct scallop_certified_steady *s, const struct scallop_crawl
 /* Both gaits move a crawler alike to 50 digits; unlike: they differ, by less than rounding of their numbers can do. */
 static void compare(struct random *r, const struct scallop_gait *one, const struct scallop_gait *other, bool alike)
 {
-  struct scallop_crawler c = any_crawler(r);
+  struct scallop_crawler c = random_crawler(r, random_below(r, 2) ? ORDINARY : STICK_SLIP, &scallop_gait_quadratic);
   SCOPED(scallop_certified_steady, a, b);
   solve(&a, &c, one);
   solve(&b, &c, other);
@@ -82,14 +77,9 @@ TEST(fractions_by_hand)
   _fmpq_vec_clear(x, 4);
 }
 
-/* Ramps of a decimal are those of the trapezoid, and R = 0 is a limit of R to more digits than doubles have. */
+/* R = 0 is a limit of R to more digits than doubles have. */
 TEST(constant_speeds)
 {
-  struct random r = { 20261517 };
-  for (int i = 0; i < 6; i++) {
-    compare(&r, written_gait(gait_of("constant:0.1")), written_gait(gait_of("trapezoidal:0.1,0.1")), true);
-    compare(&r, written_gait(gait_of("constant:0.1,0.3")), written_gait(gait_of("trapezoidal:0.1,0.1,0.3,0.3")), true);
-  }
   struct scallop_crawler c = { 1, 2, 4, 1, 10, 1, 0.75, &scallop_gait_quadratic };
   SCOPED(scallop_certified_steady, s, near);
   solve(&s, &c, written_gait(gait_of("constant:0")));
@@ -108,51 +98,45 @@ TEST(without_a_law)
   scallop_exact_clear(&exact);
 }
 
-/* Coefficients times one decimal: the same gait. */
-TEST(polynomials)
+/* The same gait in other decimals: coefficients times one decimal; ramps of a decimal are those of the trapezoid;
+ * UP + DOWN = 1 of decimals, as of the doubles nearest to them or only nearly so. */
+TEST(the_same_decimals)
 {
   static const int shapes[4][5] = { { 0, 3, -2 }, { 0, 0, 10, -15, 6 }, { 0, 6, -8, 3 }, { 0, 0, 4, -3 } };
   struct random r = { 20261513 };
   for (int i = 0; i < TRIES; i++) {
-    const int *shape = shapes[i % 4];
     char text[2][WORD] = { "polynomial:", "polynomial:" };
     int scale = 1 + random_below(&r, 99999);
-    for (int k = 0; k < (shape[4] ? 5 : shape[3] ? 4 : 3); k++)
+    for (int k = 0; k < 5 && (k < 3 || shapes[i % 4][k] != 0); k++)
       for (int j = 0; j < 2; j++)
         snprintf(text[j] + strlen(text[j]), WORD - strlen(text[j]), j ? "%s%d" : "%s%de-5", k ? "," : "",
-                 j ? shape[k] : shape[k] * scale);
+                 shapes[i % 4][k] * (j ? 1 : scale));
+    compare(&r, written_gait(gait_of(text[0])), written_gait(gait_of(text[1])), true);
+    double up = random_between(&r, 0.1, 0.9);
+    snprintf(text[0], WORD, "trapezoidal:%.6f,%.6f", up, 1 - up);
+    snprintf(text[1], WORD, "skewed:%.6f", up);
     compare(&r, written_gait(gait_of(text[0])), written_gait(gait_of(text[1])), true);
   }
+  for (int i = 0; i < 6; i++) {
+    compare(&r, written_gait(gait_of("constant:0.1")), written_gait(gait_of("trapezoidal:0.1,0.1")), true);
+    compare(&r, written_gait(gait_of("constant:0.1,0.3")), written_gait(gait_of("trapezoidal:0.1,0.1,0.3,0.3")), true);
+  }
 }
 
-/* Whose doubles stand for them */
+/* Whose doubles stand for them. The third length differs from the second in the decimals only: a rest in doubles, and
+ * in the fractions none. */
 TEST(as_doubles)
 {
-  static const char *const texts[] = { "quadratic",
-                                       "sinusoidal",
-                                       "polynomial:0,1.5,-1.0000000000000000001",
-                                       "polynomial:0,-0.5,2,-1.25",
-                                       "measured:level.txt",
-                                       "measured:level-back.txt" };
-  /* the third length differs from the second in the decimals only: a rest in doubles, and in the fractions none */
   write_text("level.txt", "0 0\n1 0.5\n2 0.50000000000000000001\n3 1\n4 0\n");
   write_text("level-back.txt", "0 0\n1 1\n2 0.50000000000000000001\n3 0.5\n4 0\n");
-  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-    assert_true(written_gait(gait_of(texts[i])) == gait_of(texts[i]));
+  FOR_CASES (text, "quadratic|sinusoidal|polynomial:0,1.5,-1.0000000000000000001|polynomial:0,-0.5,2,-1.25|"
+                   "measured:level.txt|measured:level-back.txt")
+    assert_true(written_gait(gait_of(text)) == gait_of(text));
 }
 
-/* UP + DOWN = 1 of decimals, as of the doubles nearest to them or only nearly so; symmetries of decimals, not of
- * doubles. */
-TEST(edges)
+/* Of decimals, not of doubles */
+TEST(symmetries)
 {
-  struct random r = { 20261516 };
-  for (int i = 0; i < TRIES; i++) {
-    char text[WORD], skewed[WORD];
-    double up = random_between(&r, 0.1, 0.9);
-    snprintf(text, sizeof text, "trapezoidal:%.6f,%.6f", up, 1 - up);
-    snprintf(skewed, sizeof skewed, "skewed:%.6f", up);
-    compare(&r, written_gait(gait_of(text)), written_gait(gait_of(skewed)), true);
-  }
   const struct scallop_gait *alike = gait_of("skewed:0.3,0.3"), *nearly = gait_of("skewed:0.3,0.30000000000000000001");
   assert_true(scallop_gait_mirrors(written_gait(alike)) && scallop_gait_mirrors(nearly));
   assert_false(scallop_gait_mirrors(written_gait(nearly)));

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "model/families.h"
+#include "model/measured/curve_gait.h"
 #include "model/measured/measured.h"
 #include "numerics/numerics.h"
 #include "tests/support/check.h"
@@ -65,16 +66,25 @@ static double displacement(const struct scallop_crawler *c)
   return c->gait && scallop_steady(c, &s) >= 0 ? s.period.displacement : NAN;
 }
 
+static struct scallop_measured *measured_by(const struct rows *rows, enum scallop_fit fit, double sigma)
+{
+  const struct scallop_measured_options options = { .fit = fit, .sigma = sigma };
+  const char *why = NULL;
+  struct scallop_measured *m = scallop_measured_new(rows->t, rows->l, rows->count, &options, "x", &why);
+  if (!m)
+    fail_msg("%s", why);
+  return m;
+}
+static struct scallop_measured *measured_with(const struct rows *rows, enum scallop_fit fit)
+{
+  return measured_by(rows, fit, 0);
+}
+
 /* The displacement with the measured gait; *error: what is said of it */
 static double answer(const struct scallop_crawler *true_one, const struct rows *rows, double *error)
 {
-  const char *why;
   double others[SCALLOP_MEASURED_OTHERS];
-  struct scallop_measured *m = scallop_measured_new(rows->t, rows->l, rows->count, NULL, "x", &why);
-  if (!m) {
-    fail_msg("%s", why);
-    return NAN;
-  }
+  struct scallop_measured *m = measured_with(rows, SCALLOP_FIT_CHOSEN);
   struct scallop_crawler c = with_gait(*true_one, scallop_measured_gait(m, SCALLOP_MEASURED_BEST));
   double value = displacement(&c);
   for (int i = 0; i < SCALLOP_MEASURED_OTHERS; i++) {
@@ -89,26 +99,22 @@ static double answer(const struct scallop_crawler *true_one, const struct rows *
 static const struct scallop_gait *some_gait(union scallop_made_gait *made, int which)
 {
   static const struct {
-    const char *family;
+    const struct scallop_gait_family *family;
     double x[7];
     int count;
-  } gaits[GAITS] = { { "quadratic", { 0 }, 0 },
-                     { "sinusoidal", { 0 }, 0 },
-                     { "polynomial", { 0, 0, 10, -15, 6 }, 5 },
-                     { "trapezoidal", { 0.25, 0.25 }, 2 },
-                     { "skewed", { 0.3 }, 1 },
-                     { "constant", { 0.1 }, 1 },
-                     { "trapezoidal", { 0.1, 0.4 }, 2 },
-                     { "polynomial", { 0, 0, 0, 35, -84, 70, -20 }, 7 } };
-  const struct scallop_gait *fixed = scallop_gait_named(gaits[which].family);
-  const struct scallop_gait_family *family = NULL;
-  const char *why = NULL;
-  for (int i = 0; !fixed && (family = scallop_gait_family(i)); i++)
-    if (strcmp(family->name, gaits[which].family) == 0)
-      break;
-  if (!fixed)
+  } gaits[GAITS] = { { &scallop_family_quadratic, { 0 }, 0 },
+                     { &scallop_family_sinusoidal, { 0 }, 0 },
+                     { &scallop_family_polynomial, { 0, 0, 10, -15, 6 }, 5 },
+                     { &scallop_family_trapezoidal, { 0.25, 0.25 }, 2 },
+                     { &scallop_family_skewed, { 0.3 }, 1 },
+                     { &scallop_family_constant, { 0.1 }, 1 },
+                     { &scallop_family_trapezoidal, { 0.1, 0.4 }, 2 },
+                     { &scallop_family_polynomial, { 0, 0, 0, 35, -84, 70, -20 }, 7 } };
+  const struct scallop_gait_family *family = gaits[which].family;
+  const char *why;
+  if (!family->fixed)
     assert_int_equal(scallop_make_gait(made, family, "x", gaits[which].x, gaits[which].count, &why), SCALLOP_OK);
-  return fixed ? fixed : &made->gait;
+  return family->fixed ? family->fixed : &made->gait;
 }
 
 struct tally {
@@ -116,7 +122,7 @@ struct tally {
   double width[NOISES], error[NOISES]; /* sums of logarithms, in units of L */
 };
 
-static void one_recording(struct tally *tally, struct random *r)
+static void one_recording(struct tally *tally, struct random *r, int most_rows)
 {
   static struct rows rows;
   union scallop_made_gait made;
@@ -125,7 +131,9 @@ static void one_recording(struct tally *tally, struct random *r)
   struct scallop_crawler c = { random_between(r, 0.5, 1.5),  random_between(r, 0.5, 1.5), random_between(r, 0.5, 4.5),
                                random_between(r, 0.5, 4.5),  random_between(r, 1, 10),    random_decades(r, 0.2, 3),
                                random_between(r, 0.3, 0.75), some_gait(&made, which) };
-  struct recording how = { .count = (int)random_decades(r, 20, 2000), .periods = 1, .start = random_between(r, 0, 1) };
+  struct recording how = { .count = (int)random_decades(r, 20, most_rows),
+                           .periods = 1,
+                           .start = random_between(r, 0, 1) };
   how.noise = loud > 0 ? random_decades(r, low[loud], high[loud]) : 0;
   how.jitter = random_below(r, 2) ? random_between(r, 0, 0.4) : 0;
   how.drift = random_below(r, 3) == 0 ? how.noise * random_between(r, 0, 1) : 0;
@@ -141,23 +149,17 @@ static void one_recording(struct tally *tally, struct random *r)
 static void print_tally(const struct tally *tally)
 {
   const char *const noises[NOISES] = { "0", "0.01 to 0.3 %", "0.3 to 2 %" };
-  for (int i = 0; i < NOISES; i++) {
-    int inside = 0, all = 0;
-    for (int k = 0; k < GAITS; k++) {
-      inside += tally->inside[i][k];
-      all += tally->all[i][k];
+  int inside[NOISES + GAITS] = { 0 }, all[NOISES + GAITS] = { 0 };
+  for (int i = 0; i < NOISES * GAITS; i++)
+    for (int row = 0; row < 2; row++) {
+      inside[row ? NOISES + i % GAITS : i / GAITS] += tally->inside[i / GAITS][i % GAITS];
+      all[row ? NOISES + i % GAITS : i / GAITS] += tally->all[i / GAITS][i % GAITS];
     }
-    printf("| %s | %d | %.1f %% | %.1e | %.1e |\n", noises[i], all, 100. * inside / all, exp(tally->error[i] / all),
-           exp(tally->width[i] / all));
-  }
-  for (int k = 0; k < GAITS; k++) {
-    int inside = 0, all = 0;
-    for (int i = 0; i < NOISES; i++) {
-      inside += tally->inside[i][k];
-      all += tally->all[i][k];
-    }
-    printf("gait %d: %d of %d\n", k, inside, all);
-  }
+  for (int i = 0; i < NOISES; i++)
+    printf("| %s | %d | %.1f %% | %.1e | %.1e |\n", noises[i], all[i], 100. * inside[i] / all[i],
+           exp(tally->error[i] / all[i]), exp(tally->width[i] / all[i]));
+  for (int k = 0; k < GAITS; k++)
+    printf("gait %d: %d of %d\n", k, inside[NOISES + k], all[NOISES + k]);
 }
 
 TEST(the_truth_lies_inside)
@@ -167,7 +169,7 @@ TEST(the_truth_lies_inside)
   struct tally tally = { .width = { 0 } };
   int inside = 0, many = wanted ? atoi(wanted) : (int)check_cases(40);
   for (int i = 0; i < many; i++)
-    one_recording(&tally, &r);
+    one_recording(&tally, &r, wanted ? 2000 : 400); /* 2000 take ten times as long */
   for (int i = 0; i < NOISES * GAITS; i++)
     inside += tally.inside[i / GAITS][i % GAITS];
   if (wanted)
@@ -178,16 +180,6 @@ TEST(the_truth_lies_inside)
 static struct scallop_crawler issue_crawler(union scallop_made_gait *made)
 {
   return (struct scallop_crawler){ 0.8, 1.7, 2.2, 0.9, 3, 0.5, 0.6, some_gait(made, 2) };
-}
-
-static struct scallop_measured *measured_with(const struct rows *rows, enum scallop_fit fit)
-{
-  const struct scallop_measured_options options = { .fit = fit };
-  const char *why = NULL;
-  struct scallop_measured *m = scallop_measured_new(rows->t, rows->l, rows->count, &options, "x", &why);
-  if (!m)
-    fail_msg("%s", why);
-  return m;
 }
 
 /* Minimum jerk, whose l'' is 0 at the turns: what monotone slopes get wrong by a fifth. */
@@ -289,12 +281,12 @@ TEST(periods_are_folded)
   static struct rows rows;
   union scallop_made_gait made;
   struct random r = { 5 };
-  for (int i = 0; i < 12; i++) {
+  for (int i = 0; i < GAITS; i++) {
     struct scallop_crawler c = issue_crawler(&made);
     const struct recording how = {
-      .count = 400 + 50 * i, .periods = 1.7 + 0.6 * i, .start = random_between(&r, 0, 1), .noise = i % 2 ? 0.005 : 0
+      .count = 250 + 30 * i, .periods = 1.7 + 0.9 * i, .start = random_between(&r, 0, 1), .noise = i % 2 ? 0.005 : 0
     };
-    c.gait = some_gait(&made, i % GAITS);
+    c.gait = some_gait(&made, i);
     record(&rows, &c, &how, &r);
     struct scallop_measured *m = measured_with(&rows, SCALLOP_FIT_CHOSEN);
     struct scallop_measured_gait g = scallop_measured_gait(m, SCALLOP_MEASURED_BEST);
@@ -344,10 +336,8 @@ TEST(noise)
   const struct recording how = { .count = 1500, .periods = 1, .start = 0.3, .noise = 0.01 };
   record(&rows, &c, &how, &r);
   for (double sigma = 0; sigma < 0.03 * c.L; sigma += 0.0125 * c.L) {
-    const struct scallop_measured_options options = { .fit = SCALLOP_FIT_PHASES, .sigma = sigma };
-    const char *why;
     double squares = 0;
-    struct scallop_measured *m = scallop_measured_new(rows.t, rows.l, rows.count, &options, "x", &why);
+    struct scallop_measured *m = measured_by(&rows, SCALLOP_FIT_PHASES, sigma);
     for (int i = 0; i < rows.count; i++)
       squares += pow(rows.l[i] - scallop_measured_length(m, rows.t[i]), 2) / rows.count;
     CHECK_RELATIVE(sqrt(squares), sigma > 0 ? sigma : 0.01 * c.L, sigma > 0 ? 1e-3 : 0.05);
@@ -357,19 +347,23 @@ TEST(noise)
 
 TEST(what_is_no_recording)
 {
-  const double t[] = { 0, 1, 2, 3, 4, 5 }, rest[6] = { 1, 1, 1, 1, 1, 1 }, away[] = { 0, 1, 2, 3, 4, 5 },
-               huge[] = { -1e308, 1e308, 0, 0, 0, 0 };
-  const char *why = NULL;
-  assert_null(scallop_measured_new(t, away, 3, NULL, "x", &why));
-  assert_non_null(strstr(why, "fewer than four"));
-  assert_null(scallop_measured_new(rest, away, 6, NULL, "x", &why));
-  assert_non_null(strstr(why, "fewer than four"));
-  assert_null(scallop_measured_new(t, rest, 6, NULL, "x", &why));
-  assert_non_null(strstr(why, "the same throughout"));
-  assert_null(scallop_measured_new(t, away, 6, NULL, "x", &why));
-  assert_non_null(strstr(why, "not periodic"));
-  assert_null(scallop_measured_new(t, huge, 6, NULL, "x", &why));
-  assert_non_null(strstr(why, "overflow"));
+  static const double t[] = { 0, 1, 2, 3, 4, 5 }, rest[6] = { 1, 1, 1, 1, 1, 1 },
+                      huge[] = { -1e308, 1e308, 0, 0, 0, 0 };
+  static const struct {
+    const double *t, *l;
+    int count;
+    const char *why;
+  } refused[] = { { t, t, 3, "fewer than four" },
+                  { rest, t, 6, "fewer than four" },
+                  { t, rest, 6, "the same throughout" },
+                  { t, t, 6, "not periodic" },
+                  { t, huge, 6, "overflow" } };
+  for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+    const char *why = "";
+    assert_null(scallop_measured_new(refused[i].t, refused[i].l, refused[i].count, NULL, "x", &why));
+    if (!strstr(why, refused[i].why))
+      fail_msg("%s, and not %s", why, refused[i].why);
+  }
 }
 
 TEST(an_interval)
@@ -384,4 +378,70 @@ TEST(an_interval)
   others[SCALLOP_MEASURED_MODELS] = 2;
   others[SCALLOP_MEASURED_OTHERS - 1] = 0;
   CHECK_NEAR(scallop_measured_error(1, others), sqrt(4.25), 1e-15);
+}
+
+/* ---- the gait of a curve ---- */
+
+enum { KNOTS = 4 };
+
+static const char *made(struct curve_gait *gait, struct scallop_knot knots[KNOTS])
+{
+  const struct curve curve = { knots, KNOTS, 1 };
+  return gait_of_curve(gait, &curve, "x");
+}
+
+/* l' keeps its sign within each piece, and is 0 at the ends of the phases. */
+static void check_gait(const struct curve_gait *g)
+{
+  for (int kind = 0; kind < 2; kind++) {
+    const struct scallop_shape *shape = &g->spline.gait.phase[kind];
+    for (int i = 0; i < shape->count; i++) {
+      const struct scallop_piece *p = &shape->pieces[i];
+      for (int k = 1; k < 8; k++)
+        assert_true(p->direction * p->curve->velocity(p, p->begin + k * (p->end - p->begin) / 8) >= 0);
+    }
+    CHECK_EQUAL(shape->pieces[0].curve->velocity(&shape->pieces[0], shape->pieces[0].begin), 0);
+  }
+}
+
+/* Turns that lie almost on a knot, by a slope there; at three times the mean slope, and an ulp more, l' is 0 at the
+ * other end of the piece; two turns between two knots, where l goes back in between, in either phase. */
+TEST(gaits_of_curves)
+{
+  static const struct {
+    double slope[3], L, alpha; /* at the first, second and fourth knot; how far L may be from 1, and alpha from 1/2 */
+    int back;                  /* the phase in which l goes back; -1: none */
+    bool upside_down;
+  } curves[] = {
+    { { 1e-9, 3, -3 }, 1e-9, 1e-7, -1, false },      { { -1e-9, 3, -3 }, 1e-9, 1e-7, -1, false },
+    { { 0, 3, -3 }, 1e-9, 1e-7, -1, false },         { { 0.5, 3, -3 }, 0.05, 0.05, -1, false },
+    { { -0.5, 3, -3 }, 0.05, 0.05, -1, false },      { { 0, 6 * (1 + 0x1p-52), -6 }, 0, INFINITY, -1, false },
+    { { 0, -4, -3 }, INFINITY, INFINITY, 0, false }, { { 0, -4, -3 }, INFINITY, INFINITY, 1, true }
+  };
+  for (size_t i = 0; i < sizeof curves / sizeof *curves; i++) {
+    const double *slope = curves[i].slope;
+    struct scallop_knot knots[KNOTS] = {
+      { 0, 0, slope[0] }, { 0.25, 0.5, slope[1] }, { 0.5, 1, 0 }, { 0.75, 0.5, slope[2] }
+    };
+    struct curve_gait g;
+    for (int k = 0; curves[i].upside_down && k < KNOTS; k++)
+      knots[k] = (struct scallop_knot){ knots[k].time, 1 - knots[k].length, -knots[k].slope };
+    assert_null(made(&g, knots));
+    check_gait(&g);
+    CHECK_NEAR(g.L, 1, curves[i].L);
+    CHECK_NEAR(g.alpha, 0.5, curves[i].alpha);
+    assert_true(curves[i].back < 0 || fabs(g.spline.gait.phase[curves[i].back].net) < 1);
+    curve_gait_free(&g);
+  }
+}
+
+TEST(curves_that_are_no_gait)
+{
+  struct scallop_knot rest[KNOTS] = { { 0, 1, 0 }, { 0.25, 1, 0 }, { 0.5, 1, 0 }, { 0.75, 1, 0 } },
+                      near[KNOTS] = { { 0.25 - 0x1p-54, 0.9, 0 }, { 0.25, 1, 0 }, { 0.5, 0.5, -2 }, { 0.75, 0, 0 } };
+  struct curve_gait g;
+  assert_string_equal(made(&g, rest), "l is the same throughout: there is no gait in that");
+  curve_gait_free(&g);
+  assert_non_null(made(&g, near));
+  curve_gait_free(&g);
 }

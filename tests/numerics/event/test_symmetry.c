@@ -103,7 +103,7 @@ static void in_binary_units(struct random *r, const struct scallop_crawler *c)
 {
   struct units u = { ldexp(1, random_below(r, 41) - 20), ldexp(1, random_below(r, 41) - 20),
                      ldexp(1, random_below(r, 41) - 20) };
-  const struct view v = { in_units(c, &u), u.length / u.time, u.length, u.time, false, false, false };
+  const struct view v = { in_units(c, &u), u.length / u.time, u.length, u.time, false, false };
   same_crawler(&v, c, random_start(r, c, SCALLOP_EXTENSION));
 }
 
