@@ -36,26 +36,21 @@ static inline int fill(bool orders)
   return 0;
 }
 
-/* Its row about every_gait[g]. conditions: all of them, or NULL for any */
-static inline const struct claim_row *find(const char *claim, int g, const char *conditions, bool inside)
-{
-  for (const struct claim_row *row = claims.rows; row < claims.rows + claims.count; row++)
-    if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, every_gait[g]->name) == 0 && row->inside == inside
-        && (!conditions || strcmp(row->conditions, conditions) == 0))
-      return row;
-  fail_msg("no row %s, %s", claim, every_gait[g]->name);
-  return claims.rows;
-}
-
-/* ... whose conditions hold the text */
-static inline const struct claim_row *row_of(const char *claim, int g, const char *conditions)
+/* Its first row about every_gait[g] whose conditions hold the text, among those of the paper, the others, or all */
+enum which_rows { OUTSIDE, INSIDE, ALL_ROWS };
+static inline const struct claim_row *find(const char *claim, int g, const char *conditions, int which)
 {
   for (const struct claim_row *row = claims.rows; row < claims.rows + claims.count; row++)
     if (strcmp(row->claim, claim) == 0 && strcmp(row->gait, every_gait[g]->name) == 0
-        && strstr(row->conditions, conditions))
+        && strstr(row->conditions, conditions) && (which == ALL_ROWS || row->inside == (which == INSIDE)))
       return row;
   fail_msg("no row %s, %s, %s", claim, every_gait[g]->name, conditions);
   return claims.rows;
+}
+
+static inline const struct claim_row *row_of(const char *claim, int g, const char *conditions)
+{
+  return find(claim, g, conditions, ALL_ROWS);
 }
 
 /* The numbers behind a text in what was measured: as many as sscanf is to read */

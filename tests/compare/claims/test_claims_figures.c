@@ -145,14 +145,14 @@ TEST(onset_of_sticking)
   static const char *const whose[] = { "the paper's crawler, from rest, F1/F2 = 2, 10, 40",
                                        "the default crawler of claims, from rest, F1/F2 = 2, 10, 40" };
   for (int k = 0; k < 2; k++) {
-    const struct claim_row *row = find("velocity_change_is_not_monotone", 0, whose[k], k == 0);
+    const struct claim_row *row = find("velocity_change_is_not_monotone", 0, whose[k], k == 0 ? INSIDE : OUTSIDE);
     double peak[3], least, delta = 39. / 41, before = delta * (399. / 400) * (399. / 400);
     READ_NUMBERS(row, "dvC peaks at ", 3, "%lf, %lf, %lf", &peak[0], &peak[1], &peak[2]);
     for (int i = 0; i < 3; i++) {
       double d = (ratios[i] - 1) / (ratios[i] + 1), s = (sqrt((3 + d) * (3 + d) + 4 * d) - (3 + d)) / 2;
       CHECK_NEAR(peak[i], sqrt(s / d), 1e-6);
     }
-    row = find("displacement_grows_with_duration", 0, whose[k], k == 0);
+    row = find("displacement_grows_with_duration", 0, whose[k], k == 0 ? INSIDE : OUTSIDE);
     READ_NUMBERS(row, "least d(dxC) over d((F1-F2)T^2/(2M)), 400 durations up to sticking: ", 1, "%lf", &least);
     CHECK_NEAR(least, 1 - (1 + delta) / delta * (integral(delta) - integral(before)) / (delta - before), 1e-6);
   }
@@ -161,7 +161,7 @@ TEST(onset_of_sticking)
 /* Where T alone is varied, mean velocity is given in L/T0, T0 being the T of the crawler. */
 TEST(speeds_where_T_is_varied)
 {
-  const struct claim_row *row = find("mean_velocity_peaks_where_v_start_is_0", 0, by_period, true);
+  const struct claim_row *row = find("mean_velocity_peaks_where_v_start_is_0", 0, by_period, INSIDE);
   struct scallop_crawler c = scallop_crawler_default();
   double speed, highest, at, T0;
   READ_NUMBERS(row, "<U> T0/L is ", 4, "%lf there, highest %lf at T = %lf; T0 = %lf", &speed, &highest, &at, &T0);
@@ -190,7 +190,7 @@ TEST(without_a_boundary)
 TEST(example_moves_backward)
 {
   for (int g = 0; g < 2; g++) {
-    const struct claim_row *row = find("longer_extension_moves_forward", g, NULL, true);
+    const struct claim_row *row = find("longer_extension_moves_forward", g, "", INSIDE);
     struct scallop_crawler c = { .L = 1, .gait = scallop_gait_named(row->gait) };
     assert_int_equal(sscanf(row->reason, "scallop steady --m1 %lf --m2 %lf --F1 %lf --F2 %lf --L 1 --T %lf --alpha %lf",
                             &c.m1, &c.m2, &c.F1, &c.F2, &c.T, &c.alpha),

@@ -57,12 +57,6 @@ static void draw(struct subject *s, struct random *r, const struct scallop_gait 
   fmpq_set_si(s->pi_squared, 9 + random_below(r, 90), 10);
 }
 
-static void set_order(fmpq_t larger, fmpq_t smaller)
-{
-  if (fmpq_cmp(larger, smaller) < 0)
-    fmpq_swap(larger, smaller);
-}
-
 /* Right below the remainder that they state. Two gain an order from l0 = -lT, by F1 M (v0/m2)^2 (1/l0^2 - 1/lT^2) in
  * T^4: not so for the trapezoid. */
 static void check_right(struct subject *s, const struct scallop_formula *f, enum scallop_phase_kind kind)
@@ -81,34 +75,31 @@ static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &sc
 enum { GAITS = 3 };
 
 /* From rest the body that turns has the larger friction. */
-static void set_start(struct subject *s, enum scallop_setting start, bool equal_forces, enum scallop_phase_kind kind)
+static void set_at_rest(struct subject *s, bool equal_forces, enum scallop_phase_kind kind)
 {
-  struct scallop_rational_crawler *c = &s->crawler;
-  bool rear_is_1 = kind == SCALLOP_EXTENSION;
-  if (start == SCALLOP_MOVING_EXTENSION)
-    return;
+  fmpq *F1 = s->crawler.F1, *F2 = s->crawler.F2;
   fmpq_zero(s->v0);
-  set_order(rear_is_1 ? c->F1 : c->F2, rear_is_1 ? c->F2 : c->F1);
+  if (kind == SCALLOP_EXTENSION ? fmpq_cmp(F1, F2) < 0 : fmpq_cmp(F2, F1) < 0)
+    fmpq_swap(F1, F2);
   if (equal_forces)
-    fmpq_mul_si(c->F2, c->F1, 1);
+    fmpq_set(F2, F1);
 }
 
 TEST(corrected_phases)
 {
-  static const enum scallop_setting starts[] = { SCALLOP_MOVING_EXTENSION, SCALLOP_AT_REST_START,
-                                                 SCALLOP_AT_REST_START };
-  enum { STARTS = sizeof starts / sizeof *starts, LAST = STARTS - 1 };
+  enum { MOVES, RESTS, RESTS_EQUAL, STARTS };
   struct random r = { 20260862 };
   SCOPED(subject, s);
   for (int i = 0; i < check_cases(20 * GAITS * STARTS); i++) {
     enum scallop_phase_kind kind = random_below(&r, 2) ? SCALLOP_EXTENSION : SCALLOP_CONTRACTION;
-    enum scallop_setting start = starts[i / GAITS % STARTS];
+    const int start = i / GAITS % STARTS;
     draw(&s, &r, gaits[i % GAITS]);
-    bool equal_forces = i / GAITS % STARTS == LAST;
-    set_start(&s, start, equal_forces, kind);
+    if (start != MOVES)
+      set_at_rest(&s, start == RESTS_EQUAL, kind);
     expand_phase(&s, kind);
     for (const struct scallop_formula *f = scallop_corrected; f->name; f++)
-      if (f->setting == start && equal_forces == (f->when != NULL))
+      if (f->setting == (start == MOVES ? SCALLOP_MOVING_EXTENSION : SCALLOP_AT_REST_START)
+          && (start == RESTS_EQUAL) == (f->when != NULL))
         check_right(&s, f, kind);
   }
 }

@@ -83,7 +83,7 @@ for made in poor/bin/scallop poor/lib/python3*/site-packages/crawling_scallop/li
 done
 tested poor
 finish "a wheel that needs C's library only"
-sh "$root/tests/compare/command/cli_order.sh" poor/bin/scallop >said || note "$(grep -m 2 FAIL said)"
+/usr/bin/python3 "$root/tests/support/cases.py" poor/bin/scallop "$root/tests/compare/command/cli_order.cases" >said || note "$(grep -m 2 FAIL said)"
 tool=$scratch/poor/bin/scallop
 run 0 steady --F1 3 --T 0.5
 "$build/scallop" steady --F1 3 --T 0.5 | cmp -s out - || note "another steady state"

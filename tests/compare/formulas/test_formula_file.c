@@ -96,10 +96,9 @@ static bool is_dT(const char *name) { return strcmp(name, "dT") == 0; }
 /* What is refused leaves nothing that could be used after its file is closed, and names are asked about. */
 TEST(formula_files_forgotten_and_read_again)
 {
-  static const char
-      good[] = "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; } );",
-      taken[] =
-          "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; }, { name = \"dT\"; of = \"t1\"; text = \"1\"; } );";
+  static const char good[] = "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; } );",
+                    taken[] = "formulas = ( { name = \"a\"; of = \"dT\"; text = \"T\"; },\n"
+                              "{ name = \"dT\"; of = \"t1\"; text = \"1\"; } );";
   struct said said;
   formula_files_free();
   for (int i = 0; i < 3; i++) {
@@ -108,10 +107,8 @@ TEST(formula_files_forgotten_and_read_again)
     formula_files_free();
     said_begin(&said);
     enum exit_code code = formula_file_read("test", "x.cfg", taken, is_dT);
-    said_end(&said);
+    assert_non_null(strstr(said_end(&said), "x.cfg:2: 'dT' cannot be the name of a formula"));
     assert_int_equal(code, EXIT_USAGE);
-    assert_non_null(
-        strstr(said.text, "x.cfg:1: 'dT' cannot be the name of a formula: there is a quantity of this name"));
     formula_files_free();
     assert_null(user_formula(0));
   }

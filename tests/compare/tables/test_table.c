@@ -1,6 +1,6 @@
 /* Tables: what a cell looks like, and what is left of a table that fails. What a whole command writes has its tests in
- * tests/compare/command/cli_*.sh. */
-#include "compare/answers/request.h"
+ * tests/compare/command/cli_*. */
+#include "compare/tables/table.h"
 #include "model/version.h"
 #include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"
@@ -16,45 +16,31 @@ static void write_row(struct table *t, double number, const char *text)
   table_text(t, text);
 }
 
-TEST(cells_follow_the_format)
+/* Cells follow the format. Names of files, say, may have line breaks and whatever separates cells: they begin no row
+ * and no cell. */
+TEST(cells_and_texts)
 {
   static const char *const wanted[] = {
-    "# note\nT\tstatus\n0.667\ta \"quoted\" text\nnan\tok\n",
-    "{\"T\": 0.667, \"status\": \"a \\\"quoted\\\" text\"}\n{\"T\": null, \"status\": \"ok\"}\n",
+    "# formulas: a?b?c?d?e\nT\tstatus\n0.667\ta\\|\"b\" c d,e\nnan\tok\n",
+    "{\"T\": 0.667, \"status\": \"a\\\\|\\\"b\\\" c d,e\"}\n{\"T\": null, \"status\": \"ok\"}\n",
+    "T,status\n0.667,\"a\\|\"\"b\"\" c d,e\"\nnan,ok\n",
+    "| T | status |\n| --- | --- |\n| 0.667 | a\\\\\\|\"b\" c d,e |\n| nan | ok |\n",
+    "# formulas: a?b?c?d?e\n    T  status\n0.667  a\\|\"b\" c d,e\n  nan  ok\n"
   };
-  for (int i = 0; i < 2; i++) {
-    struct style o = i == 0 ? tsv : json;
-    struct table t;
-    o.digits = 3;
-    assert_true(table_open(&t, &o));
-    table_note(&t, "note");
-    table_columns(&t, columns);
-    table_begin_rows(&t);
-    write_row(&t, 2.0 / 3, "a \"quoted\"\ttext");
-    write_row(&t, NAN, "ok");
-    assert_true(table_close(&t));
-    assert_holds("table", wanted[i]);
-    assert_int_equal(entries(true), 1);
-  }
-}
-
-/* Names of files, say, may have line breaks and whatever separates cells. */
-TEST(a_text_begins_no_row_and_no_cell)
-{
-  static const char *const wanted[] = { "# formulas: a?b?c?d?e\nT\tstatus\n0\ta\\|b c d,e\n",
-                                        "{\"T\": 0, \"status\": \"a\\\\|b c d,e\"}\n", "T,status\n0,\"a\\|b c d,e\"\n",
-                                        "| T | status |\n| --- | --- |\n| 0 | a\\\\\\|b c d,e |\n",
-                                        "# formulas: a?b?c?d?e\nT  status\n0  a\\|b c d,e\n" };
   for (int i = 0; i <= FORMAT_TABLE; i++) {
-    struct style o = { .command = "test", .output = "table", .format = (enum format)i, .has_format = true };
+    struct style o = {
+      .command = "test", .output = "table", .format = (enum format)i, .has_format = true, .digits = 3
+    };
     struct table t;
     assert_true(table_open(&t, &o));
     table_note(&t, "formulas: %s", "a\nb\rc\td\033e");
     table_columns(&t, columns);
     table_begin_rows(&t);
-    write_row(&t, 0, "a\\|b\nc\td,e");
+    write_row(&t, 2.0 / 3, "a\\|\"b\"\nc\td,e");
+    write_row(&t, NAN, "ok");
     assert_true(table_close(&t));
     assert_holds("table", wanted[i]);
+    assert_int_equal(entries(true), 1);
   }
 }
 
@@ -112,25 +98,6 @@ TEST(aligned_rows_come_in_blocks)
   entries(true);
 }
 
-/* Not what varies or is not used; no line where nothing is left. */
-TEST(parameters_that_do_not_hold_are_not_said)
-{
-  static const char *const some[] = { "m1", "F1", "T", NULL };
-  struct point p = point_initial(NULL);
-  struct table t;
-  p.written[0] = "1e0";
-  p.written[6] = "0.750";
-  for (int i = 0; i < 3; i++) {
-    assert_true(table_open(&t, &tsv));
-    note_parameters(&t, &p, i == 0 ? some : i == 1 ? NULL : crawler_parameters, i == 1);
-    assert_true(table_close(&t));
-    assert_holds("table", i == 0   ? "# parameters: m2=1 F2=1 L=10 alpha=0.75 gait=quadratic\n"
-                          : i == 1 ? "# parameters: m1=1e0 m2=1 F1=4 F2=1 L=10 T=1 alpha=0.750 gait=quadratic\n"
-                                   : "");
-  }
-  entries(true);
-}
-
 struct measured_row {
   double order;
   long row;
@@ -172,19 +139,6 @@ TEST(columns_join_name_and_value)
   entries(true);
 }
 
-TEST(an_abandoned_table_leaves_nothing)
-{
-  struct table t;
-  write_text("table", "earlier");
-  assert_true(table_open(&t, &tsv));
-  table_columns(&t, columns);
-  table_begin_rows(&t);
-  write_row(&t, 1, "ok");
-  table_abandon(&t);
-  assert_holds("table", "earlier");
-  assert_int_equal(entries(true), 1);
-}
-
 TEST(a_failed_write_is_told_once)
 {
   const struct style full = { .command = "test", .output = "/dev/full" };
@@ -203,18 +157,6 @@ TEST(a_failed_write_is_told_once)
   said_end(&said);
   assert_true(!failed_at_first && failed && !closed);
   assert_string_equal(said.text, "scallop test: cannot write /dev/full: No space left on device\n");
-}
-
-TEST(a_refused_output_is_named)
-{
-  const struct style missing = { .command = "test", .output = "missing/table" };
-  struct table t;
-  struct said said;
-  said_begin(&said);
-  bool opened = table_open(&t, &missing);
-  said_end(&said);
-  assert_false(opened);
-  assert_string_equal(said.text, "scallop test: cannot write missing/table: No such file or directory\n");
 }
 
 int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -49,6 +49,12 @@ static struct file open_and_write(const char *name)
   return f;
 }
 
+static void written(const char *name)
+{
+  struct file f = open_and_write(name);
+  assert_int_equal(file_close(&f, true), 0);
+}
+
 TEST(keeps_or_drops)
 {
   for (int replaces = 0; replaces <= 1; replaces++)
@@ -74,16 +80,14 @@ TEST(permissions_and_links)
   mode_t mask = umask(027);
   fresh(NULL);
   for (int i = 0; i < 2; i++) {
-    struct file f = open_and_write("table");
-    assert_int_equal(file_close(&f, true), 0);
+    written("table");
     assert_int_equal(stat("table", &there), 0);
     assert_int_equal(there.st_mode & 07777, i == 0 ? 0640 : 0604);
     chmod("table", 0604);
   }
   umask(mask);
   assert_int_equal(symlink("table", "link"), 0);
-  struct file f = open_and_write("link");
-  assert_int_equal(file_close(&f, true), 0);
+  written("link");
   assert_holds("table", "new link");
   assert_true(lstat("link", &there) == 0 && S_ISLNK(there.st_mode));
   assert_int_equal(entries(false), 2);
@@ -113,42 +117,36 @@ TEST(refuses_what_cannot_be_written)
   assert_int_equal(lowest_free(), before);
   assert_int_equal(entries(false), 2);
   name[255] = '\0'; /* the longest name */
-  f = open_and_write(name);
-  assert_int_equal(file_close(&f, true), 0);
+  written(name);
   assert_int_equal(entries(false), 3);
 }
 
-static void assert_not_kept(int *fails, int error, int wanted)
-{
-  fresh("earlier");
-  int before = lowest_free();
-  struct file f = open_and_write("table");
-  *fails = error;
-  assert_int_equal(file_close(&f, true), wanted);
-  *fails = 0;
-  assert_holds("table", wanted == 0 ? "new table" : "earlier");
-  assert_int_equal(entries(false), 1);
-  assert_int_equal(lowest_free(), before);
-}
-
+/* Of a write that fails: to the disk, but for EINVAL, which says that there is no disk; of the name; and, last, of what
+ * is in the buffer */
 TEST(the_earlier_file_stays)
 {
+  static const struct {
+    int sync, rename, limit, wanted;
+  } cases[] = { { ENOSPC, 0, 0, ENOSPC }, { EINVAL, 0, 0, 0 }, { 0, EIO, 0, EIO }, { 0, 0, 2, EFBIG } };
   struct rlimit before, tight;
-  assert_not_kept(&sync_fails, ENOSPC, ENOSPC);
-  assert_not_kept(&sync_fails, EINVAL, 0); /* no disk */
-  assert_not_kept(&rename_fails, EIO, EIO);
-  fresh("earlier"); /* the last write, out of the buffer, fails */
   signal(SIGXFSZ, SIG_IGN);
   getrlimit(RLIMIT_FSIZE, &before);
-  tight = before;
-  tight.rlim_cur = 2;
-  struct file f = open_and_write("table");
-  setrlimit(RLIMIT_FSIZE, &tight);
-  int error = file_close(&f, true);
-  setrlimit(RLIMIT_FSIZE, &before);
-  assert_int_equal(error, EFBIG);
-  assert_holds("table", "earlier");
-  assert_int_equal(entries(false), 1);
+  for (int i = 0; i < 4; i++) {
+    fresh("earlier");
+    int lowest = lowest_free();
+    struct file f = open_and_write("table");
+    sync_fails = cases[i].sync, rename_fails = cases[i].rename;
+    tight = before;
+    if (cases[i].limit > 0)
+      tight.rlim_cur = (rlim_t)cases[i].limit;
+    setrlimit(RLIMIT_FSIZE, &tight);
+    int error = file_close(&f, true);
+    setrlimit(RLIMIT_FSIZE, &before);
+    assert_int_equal(error, cases[i].wanted);
+    assert_holds("table", error == 0 ? "new table" : "earlier");
+    assert_int_equal(entries(false), 1);
+    assert_int_equal(lowest_free(), lowest);
+  }
 }
 
 TEST(several_at_once)
@@ -193,8 +191,9 @@ TEST(whatever_ends_the_process)
 {
   static const int signals[] = { SIGHUP, SIGINT, SIGTERM };
   for (int i = 0; i < 6; i++) {
+    const int by = signals[i % 3];
     fresh("earlier");
-    assert_int_equal(WTERMSIG(ends_by(i < 3 ? signals[i] : 0, i < 3 ? 0 : signals[i - 3])), signals[i % 3]);
+    assert_int_equal(WTERMSIG(ends_by(i < 3 ? by : 0, i < 3 ? 0 : by)), by);
     assert_holds("table", "earlier");
     assert_int_equal(entries(false), 1);
   }

@@ -1,7 +1,6 @@
 /* Files of NumPy: a file does not depend on the order in which its rows came, nor on how they were shared out. */
 #include "compare/tables/table.h"
 #include "compare/text/values.h"
-#include "tests/support/said.h"
 #include "tests/support/scratch_folder.h"
 
 static const struct style npy = { .command = "test", .output = "table", .format = FORMAT_NPY, .has_format = true };
@@ -70,19 +69,6 @@ TEST(parts_make_the_same_file)
       assert_string_equal(records + 72, "-");
   }
   free(bytes[0]);
-}
-
-TEST(a_pipe_is_refused)
-{
-  struct style to_pipe = npy;
-  struct table t;
-  to_pipe.output = "/dev/null";
-  struct said said;
-  said_begin(&said);
-  bool opened = table_open(&t, &to_pipe);
-  said_end(&said);
-  assert_false(opened);
-  assert_non_null(strstr(said.text, "--format npy needs -o FILE"));
 }
 
 int main(void) { return check_run(scratch_begin, scratch_end); }

@@ -41,20 +41,6 @@ TEST(the_clock_never_falls)
   CHECK_EQUAL(stopwatch_long_enough(&slow), 2500);
 }
 
-static double count_up(void *context)
-{
-  long *calls = context;
-  return (double)++*calls;
-}
-
-TEST(a_batch_calls_so_often)
-{
-  long calls = 0;
-  double seconds = stopwatch_batch(count_up, &calls, 1234);
-  assert_int_equal(calls, 1234);
-  assert_true(seconds >= 0);
-}
-
 static double busy(void *context)
 {
   double end = stopwatch_now() + *(const double *)context;
@@ -70,21 +56,17 @@ TEST(passes_fill_the_time)
   long passes = stopwatch_passes(busy, &half_a_millisecond,
                                  1.5e-3); /* fewer than 4 only where something else got in between */
   assert_true(passes >= 1 && passes <= 4);
-  double start = stopwatch_now();
-  assert_true(stopwatch_batch(busy, &half_a_millisecond, 3) >= 3 * half_a_millisecond);
-  assert_true(stopwatch_now() - start >= 3 * half_a_millisecond);
+  double start = stopwatch_now(), took = stopwatch_batch(busy, &half_a_millisecond, 3);
+  assert_true(took >= 3 * half_a_millisecond && took < 4 * (stopwatch_now() - start));
 }
 
 TEST(a_limit_ends)
 {
-  struct stopwatch_limit over = { .end = stopwatch_now() };
-  assert_false(stopwatch_is_running(&over));
   double start = stopwatch_now();
-  struct stopwatch_limit limit = { .end = start + 0.02 };
-  long answers = 0;
+  struct stopwatch_limit over = { .end = start }, limit = { .end = start + 0.02 };
+  assert_false(stopwatch_is_running(&over));
+  assert_true(stopwatch_is_running(&limit));
   while (stopwatch_is_running(&limit))
-    answers++;
-  double took = stopwatch_now() - start;
-  assert_true(took >= 0.02);
-  assert_true(answers > 0);
+    ;
+  assert_true(stopwatch_now() - start >= 0.02);
 }

@@ -77,6 +77,11 @@ def test_arrays_in_memory() -> None:
     for same in (F1[::-1].copy()[::-1], wide[:, 1], read_only, F1.astype(">f8"), unaligned, F1.astype(object)):
         before = same.tolist()
         assert (s.steady(F1=same).displacement == wanted).all() and same.tolist() == before
+    square = F1.reshape(4, 5)
+    for same in (np.asfortranarray(square), np.tile(square, (2, 2))[:4, 5:]):
+        assert (s.steady(F1=same).displacement == wanted.reshape(4, 5)).all()
+    for kind in (np.float32, np.int64, np.uint8, np.longdouble):
+        assert (s.steady(F1=np.array([2, 3, 5], kind)).displacement == s.steady(F1=[2.0, 3.0, 5.0]).displacement).all()
     with pytest.raises(s.DomainError, match="do not broadcast"):
         s.steady(F1=[1, 2, 3], T=[1, 2])
 
