@@ -55,17 +55,14 @@ static inline void set_small_T(struct scallop_rational_crawler *c, double eps)
 
 static inline void print_exact_crawler(const struct scallop_rational_crawler *c)
 {
-  char *text[7];
-  fmpq *all[] = { ((struct scallop_rational_crawler *)c)->m1,   ((struct scallop_rational_crawler *)c)->m2,
-                  ((struct scallop_rational_crawler *)c)->F1,   ((struct scallop_rational_crawler *)c)->F2,
-                  ((struct scallop_rational_crawler *)c)->L,    ((struct scallop_rational_crawler *)c)->T,
-                  ((struct scallop_rational_crawler *)c)->alpha };
-  for (int i = 0; i < 7; i++)
-    text[i] = fmpq_get_str(NULL, 10, all[i]);
-  print_error("m1=%s m2=%s F1=%s F2=%s L=%s T=%s alpha=%s %s\n", text[0], text[1], text[2], text[3], text[4], text[5],
-              text[6], c->gait->name);
-  for (int i = 0; i < 7; i++)
-    flint_free(text[i]);
+  static const char *const names[] = { "m1", "m2", "F1", "F2", "L", "T", "alpha" };
+  const fmpq *const all[] = { c->m1, c->m2, c->F1, c->F2, c->L, c->T, c->alpha };
+  for (int i = 0; i < 7; i++) {
+    char *text = fmpq_get_str(NULL, 10, all[i]);
+    print_error("%s=%s ", names[i], text);
+    flint_free(text);
+  }
+  print_error("%s\n", c->gait->name);
 }
 
 /* The largest and the smallest that |x| can be */
@@ -100,15 +97,11 @@ static inline bool same_coefficient(const struct series *a, const struct series 
 {
   SCOPED(fmpq, p, q);
   SCOPED(arb, x, y);
-  bool same;
   if (series_rational_coefficient(p, a, power) && series_rational_coefficient(q, b, power))
-    same = fmpq_equal(p, q);
-  else {
-    series_coefficient(x, a, power, precision);
-    series_coefficient(y, b, power, precision);
-    same = arb_overlaps(x, y);
-  }
-  return same;
+    return fmpq_equal(p, q);
+  series_coefficient(x, a, power, precision);
+  series_coefficient(y, b, power, precision);
+  return arb_overlaps(x, y);
 }
 
 #endif

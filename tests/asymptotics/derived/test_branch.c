@@ -77,19 +77,12 @@ TEST(more_crossings_than_there_is_room_for)
   }
 }
 
-static void set_offset(struct subject *s, double u)
-{
-  SCOPED(arb, at);
-  arb_set_d(at, u);
-  series_set_ball(&s->branch.crossing[0].offset, at);
-}
-
 /* At the plateau, where the slope of the curve is that of the line: no time is
  * the crossing. */
 TEST(crossings_along_the_curve)
 {
   const struct ring ring = { 4, PRECISION };
-  SCOPED(arb, before);
+  SCOPED(arb, at);
   SCOPED(series, c, eps, one);
   SCOPED(lift, lift);
   SUBJECT(s, &trapezoid_gait);
@@ -107,11 +100,12 @@ TEST(crossings_along_the_curve)
     s.branch.crossing[0].piece = &s.phase.shape->pieces[along];
     s.branch.crossing[0].curve = 0;
     s.branch.crossing[0].to = 1;
-    set_offset(&s, u);
+    arb_set_d(at, u);
+    series_set_ball(&s.branch.crossing[0].offset, at);
     assert_int_equal(lift_phase(&lift, &s.branch, &in_series, &eps, &c, &one, CROSSINGS_KNOWN, &ring), !along);
     assert_int_equal(lift_phase(&lift, &s.branch, &in_series, &eps, &c, &one, CROSSINGS_ANEW, &ring), !along);
-    series_coefficient(before, &s.branch.crossing[0].offset, 0, PRECISION);
-    CHECK_NEAR(middle(before), u, 1e-30);
+    series_coefficient(at, &s.branch.crossing[0].offset, 0, PRECISION);
+    CHECK_NEAR(middle(at), u, 1e-30);
   }
 }
 

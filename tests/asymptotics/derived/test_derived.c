@@ -3,6 +3,7 @@
 #include <stdlib.h>
 
 #include "tests/support/exact.h"
+#include "tests/support/odd_gaits.h"
 #include "tests/support/solved.h"
 
 enum { ORDER = 16, TERMS = 11, TIMES = 2 }; /* expanded so far, compared so far, at T and T/8 */
@@ -63,36 +64,27 @@ static bool terms_are_right(const struct quantity *q, const fmpq_t *T, slong pre
   return true;
 }
 
-static void print_worst(const char *what)
-{
-  print_message("%d %s: error/term - 1 at most %.2g at T, %.2g at T/8\n", compared, what, worst[0], worst[1]);
-  compared = 0;
-  worst[0] = worst[1] = 0;
-}
-
-/* The expansions and the certified answers of one motion, a phase or the steady state (STEADY) */
+/* The expansion and the certified answers of one motion, a phase or the steady state (STEADY) */
 enum { NUMBERS = 8, STEADY = 2 };
 struct motion {
   int kind;
-  struct scallop_expansion phase;
-  struct scallop_expansion steady;
-  struct scallop_certified_phase phase_at[TIMES];
-  struct scallop_certified_steady steady_at[TIMES];
+  struct scallop_expansion e;
+  struct scallop_certified_phase phase[TIMES];
+  struct scallop_certified_steady steady[TIMES];
   fmpq_t T[TIMES];
 };
 #define MOTION(of) \
-  of(scallop_expansion, &s->phase) of(scallop_expansion, &s->steady) of(scallop_certified_phase, &s->phase_at[0]) \
-      of(scallop_certified_phase, &s->phase_at[1]) of(scallop_certified_steady, &s->steady_at[0]) \
-          of(scallop_certified_steady, &s->steady_at[1]) of(fmpq, s->T[0]) of(fmpq, s->T[1])
+  of(scallop_expansion, &s->e) of(scallop_certified_phase, &s->phase[0]) of(scallop_certified_phase, &s->phase[1]) \
+      of(scallop_certified_steady, &s->steady[0]) of(scallop_certified_steady, &s->steady[1]) of(fmpq, s->T[0]) \
+          of(fmpq, s->T[1])
 SCOPED_PARTS(motion, struct motion, MOTION)
 
 /* How many numbers the motion has: those of switches come last */
 static int list(struct quantity q[NUMBERS], const struct motion *m)
 {
-  const struct scallop_expansion *e = &m->phase;
-  const struct scallop_expansion *s = &m->steady;
-  const struct scallop_certified_phase *p = m->phase_at;
-  const struct scallop_certified_steady *c = m->steady_at;
+  const struct scallop_expansion *e = &m->e;
+  const struct scallop_certified_phase *p = m->phase;
+  const struct scallop_certified_steady *c = m->steady;
   const struct quantity of_phase[NUMBERS] = { { "v_end", &e->v_end, { p[0].v_end, p[1].v_end } },
                                               { "dx1", &e->dx1, { p[0].dx1, p[1].dx1 } },
                                               { "dx2", &e->dx2, { p[0].dx2, p[1].dx2 } },
@@ -102,11 +94,11 @@ static int list(struct quantity q[NUMBERS], const struct motion *m)
                                               { "at_first", &e->rear_at_first, { p[0].at_first, p[1].at_first } },
                                               { "at_last", &e->rear_at_last, { p[0].at_last, p[1].at_last } } };
   const struct quantity of_steady[NUMBERS] = {
-    { "v_start", &s->v_start, { c[0].v_start, c[1].v_start } },
-    { "v_mid", &s->v_mid, { c[0].v_mid, c[1].v_mid } },
-    { "displacement", &s->displacement, { c[0].displacement, c[1].displacement } },
-    { "mean_velocity", &s->mean_velocity, { c[0].mean_velocity, c[1].mean_velocity } },
-    { "friction_work", &s->friction_work, { c[0].friction_work, c[1].friction_work } },
+    { "v_start", &e->v_start, { c[0].v_start, c[1].v_start } },
+    { "v_mid", &e->v_mid, { c[0].v_mid, c[1].v_mid } },
+    { "displacement", &e->displacement, { c[0].displacement, c[1].displacement } },
+    { "mean_velocity", &e->mean_velocity, { c[0].mean_velocity, c[1].mean_velocity } },
+    { "friction_work", &e->friction_work, { c[0].friction_work, c[1].friction_work } },
   };
   memcpy(q, m->kind == STEADY ? of_steady : of_phase, sizeof of_phase);
   return m->kind == STEADY ? 5 : e->switches ? 8 : 4;
@@ -127,15 +119,14 @@ static bool certify(struct motion *m, const struct scallop_rational_crawler *cra
     fmpq_div_2exp(m->T[t], crawler->T, 3 * (ulong)t);
     fmpq_div(there.T, m->T[t], fraction);
     enum scallop_phase_kind kind = (enum scallop_phase_kind)m->kind;
-    right = (steady ? scallop_certified_steady(&there, digits, &m->steady_at[t], why)
-                    : scallop_certified_phase(&there, kind, v0, digits, &m->phase_at[t], why))
+    right = (steady ? scallop_certified_steady(&there, digits, &m->steady[t], why)
+                    : scallop_certified_phase(&there, kind, v0, digits, &m->phase[t], why))
             == SCALLOP_OK;
     if (steady)
-      both_modes(m->steady_at[t].modes, modes);
+      both_modes(m->steady[t].modes, modes);
     else
-      scallop_modes_text(&m->phase_at[t].modes, modes);
-    right = right && strcmp(modes, steady ? m->steady.modes : m->phase.modes) == 0
-            && (steady || m->phase_at[t].switches == m->phase.switches);
+      scallop_modes_text(&m->phase[t].modes, modes);
+    right = right && strcmp(modes, m->e.modes) == 0 && (steady || m->phase[t].switches == m->e.switches);
   }
   return right;
 }
@@ -160,9 +151,9 @@ static void check_motion(const struct scallop_rational_crawler *crawler, int kin
   char modes[BOTH_MODES_TEXT] = "";
   const char *why = "";
   m.kind = kind;
-  enum scallop_status status = kind == STEADY ? scallop_expand_steady(crawler, ORDER, scale->precision, &m.steady, &why)
+  enum scallop_status status = kind == STEADY ? scallop_expand_steady(crawler, ORDER, scale->precision, &m.e, &why)
                                               : scallop_expand_phase(crawler, (enum scallop_phase_kind)kind, v0, ORDER,
-                                                                     scale->precision, NULL, &m.phase, &why);
+                                                                     scale->precision, NULL, &m.e, &why);
   if (kind == STEADY && status == SCALLOP_EUNDECIDED && rests_on_a_plateau(crawler)) {
     undecided++;
     return;
@@ -173,8 +164,7 @@ static void check_motion(const struct scallop_rational_crawler *crawler, int kin
   if (right)
     return;
   print_exact_crawler(crawler);
-  fail_msg("kind %d, v0=%g: %s; modes %s for T -> 0, %s last", kind, fraction_d(v0), why,
-           kind == STEADY ? m.steady.modes : m.phase.modes, modes);
+  fail_msg("kind %d, v0=%g: %s; modes %s for T -> 0, %s last", kind, fraction_d(v0), why, m.e.modes, modes);
 }
 
 /* Phases from rest and with a velocity of either sign, of the size that friction gives in a phase with eps = 1; or the
@@ -194,76 +184,63 @@ static void check(const struct scallop_rational_crawler *crawler, bool steady, s
     }
 }
 
-static const struct scallop_gait *const gaits[] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal, &trapezoid_gait,
-                                                    &minimum_jerk_gait };
-enum { WITH_SERIES_OF_PHASES = 3, GAITS = 4 };
+enum { WITH_SERIES_OF_PHASES = 3 }; /* the first of every_gait */
 
-/* Of small fractions, with either body stronger and alpha on either side of 1/2; every tenth with equal forces */
-static void ordinary_crawlers(uint64_t seed, bool steady, int count)
-{
-  struct random r = { seed };
-  SCOPED(scallop_rational, c);
-  int kinds = steady ? GAITS : WITH_SERIES_OF_PHASES;
-  for (int i = 0; i < count * kinds; i++) {
-    random_exact_crawler(&c, &r, gaits[i % kinds]);
-    if (!steady && i % 10 == 9)
-      fmpq_set(c.F2, c.F1);
-    set_small_T(&c, ordinary.eps);
-    check(&c, steady, &r, &ordinary);
-  }
-  print_worst(steady ? "terms of steady states" : "terms of phases");
-}
-
-TEST(phases_of_ordinary_crawlers) { ordinary_crawlers(20260821, false, 10); }
-TEST(steady_states_of_ordinary_crawlers) { ordinary_crawlers(20260824, true, 16); }
-
-static void wild_crawlers(uint64_t seed, bool steady)
+/* Crawlers of small fractions, with either body stronger and alpha on either side of 1/2; a sixth with equal forces;
+ * with alpha = 1/2, where v_start is of the order of T, and the body moves nowhere, or F1 = F2, where nothing moves;
+ * wild ones */
+enum drawn { ORDINARY_ONES, SOME_EQUAL, GO_NOWHERE, WILD };
+static void draw(struct scallop_rational_crawler *c, struct random *r, const struct scallop_gait *gait,
+                 enum drawn drawn, int i)
 {
   static const enum family families[] = { EXTREME_RATIOS, NEARLY_EQUAL_FORCES, ALPHA_EDGE };
+  if (drawn == WILD) {
+    struct scallop_crawler w = random_crawler(r, families[i % 3], gait);
+    if (families[i % 3] == NEARLY_EQUAL_FORCES)
+      w.F2 = w.F1 * (1 + random_decades(r, 1e-8, 1e-3) * (random_below(r, 2) ? 1 : -1));
+    scallop_rational_of(c, &w);
+  } else
+    random_exact_crawler(c, r, gait);
+  if (drawn == GO_NOWHERE && i % 4 != 3)
+    fmpq_set_si(c->alpha, 1, 2);
+  if ((drawn == GO_NOWHERE && i % 4 >= 2) || (drawn == SOME_EQUAL && i % 6 == 5))
+    fmpq_set(c->F2, c->F1);
+}
+
+static void check_drawn(const char *what, bool steady, enum drawn drawn, const struct scallop_gait *const *gaits,
+                        int count, int each, uint64_t seed)
+{
   struct random r = { seed };
-  SCOPED(scallop_rational, exact);
-  for (int i = 0; i < 3 * WITH_SERIES_OF_PHASES; i++) {
-    enum family family = families[i / WITH_SERIES_OF_PHASES];
-    struct scallop_crawler c = random_crawler(&r, family, gaits[i % WITH_SERIES_OF_PHASES]);
-    if (family == NEARLY_EQUAL_FORCES)
-      c.F2 = c.F1 * (1 + random_decades(&r, 1e-8, 1e-3) * (random_below(&r, 2) ? 1 : -1));
-    scallop_rational_of(&exact, &c);
-    set_small_T(&exact, wild.eps);
-    check(&exact, steady, &r, &wild);
+  const struct scale *scale = drawn == WILD ? &wild : &ordinary;
+  SCOPED(scallop_rational, c);
+  for (int i = 0; i < count * each; i++) {
+    draw(&c, &r, gaits[i % count], drawn, i / count);
+    set_small_T(&c, scale->eps);
+    check(&c, steady, &r, scale);
   }
-  print_message("%d without a power series\n", undecided);
-  print_worst(steady ? "terms of wild steady states" : "terms of wild phases");
+  print_message("%d terms of %s: error/term - 1 at most %.2g at T, %.2g at T/8; %d without a power series\n", compared,
+                what, worst[0], worst[1], undecided);
+  compared = undecided = 0;
+  worst[0] = worst[1] = 0;
 }
 
-TEST(phases_of_wild_crawlers) { wild_crawlers(20260822, false); }
-TEST(steady_states_of_wild_crawlers) { wild_crawlers(20260825, true); }
-
-/* l' = 1 throughout: a small velocity changes no mode. */
-TEST(phases_of_the_sawtooth)
+TEST(phases)
 {
-  struct random r = { 20260823 };
-  SCOPED(scallop_rational, c);
-  for (int i = 0; i < 10; i++) {
-    random_exact_crawler(&c, &r, &sawtooth_gait);
-    set_small_T(&c, ordinary.eps);
-    check(&c, false, &r, &ordinary);
-  }
-  print_worst("terms of the sawtooth");
+  check_drawn("phases", false, SOME_EQUAL, every_gait, WITH_SERIES_OF_PHASES, 6, 20260821);
+  check_drawn("wild phases", false, WILD, every_gait, WITH_SERIES_OF_PHASES, 3, 20260822);
+  /* l' = 1 throughout: a small velocity changes no mode */
+  check_drawn("phases of the sawtooth", false, ORDINARY_ONES, every_gait + SAWTOOTH, 1, 5, 20260823);
 }
 
-/* alpha = 1/2: v_start is of the order of T, and the body moves nowhere. F1 = F2: nothing moves. */
-TEST(steady_states_that_go_nowhere)
+/* The sine and the ramps of the quadratic gait in one gait, and a gait of one piece, whose crossings are found wherever
+ * they are */
+TEST(steady_states)
 {
-  struct random r = { 20260826 };
-  SCOPED(scallop_rational, c);
-  for (int i = 0; i < 10 * WITH_SERIES_OF_PHASES; i++) {
-    random_exact_crawler(&c, &r, gaits[i % WITH_SERIES_OF_PHASES]);
-    if (i % 4 != 3)
-      fmpq_set_si(c.alpha, 1, 2);
-    if (i % 4 >= 2)
-      fmpq_set(c.F2, c.F1);
-    set_small_T(&c, ordinary.eps);
-    check(&c, true, &r, &ordinary);
-  }
-  print_worst("terms of steady states that go nowhere");
+  const struct scallop_gait mixed[] = { mixed_gait(&scallop_gait_quadratic, &scallop_gait_sinusoidal),
+                                        mixed_gait(&scallop_gait_sinusoidal, &scallop_gait_quadratic) };
+  const struct scallop_gait *const others[] = { &parabola_gait, &mixed[0], &mixed[1] };
+  check_drawn("steady states", true, ORDINARY_ONES, every_gait, SMOOTH_GAITS, 8, 20260824);
+  check_drawn("steady states of other gaits", true, ORDINARY_ONES, others, 3, 3, 20260827);
+  check_drawn("wild steady states", true, WILD, every_gait, WITH_SERIES_OF_PHASES, 3, 20260825);
+  check_drawn("steady states that go nowhere", true, GO_NOWHERE, every_gait, WITH_SERIES_OF_PHASES, 4, 20260826);
 }
