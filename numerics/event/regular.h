@@ -241,7 +241,7 @@ enum regular_outcome regular_begin(const struct scallop_scaled *scaled, double *
  * Sets what it takes in *work. */
 bool regular_solve(const struct scallop_scaled *scaled, double side, struct regular *r, struct scallop_work *work);
 
-/* The same of a gait with a bell in one phase or both (bell.c); then without a velocity to begin a search at. */
+/* The same of a gait with a bell in one phase or both; then without a velocity to begin a search at. */
 bool regular_solve_bell(const struct scallop_scaled *scaled, double side, struct regular *r, struct scallop_work *work);
 
 #endif

@@ -1,8 +1,8 @@
 /* The exact solver against 50-digit values (tests/support/reference.tsv, made by scripts/python/reference.py).
  *
  * The bound: BOUND ulp times the larger of the result and its absolute condition number (sum over the inputs p of |p
- * dq/dp|, in the table). For nearly equal forces and nearly symmetric timing the displacement is also held to 1e-15 L. The largest
- * error of each number is printed, in those ulp. */
+ * dq/dp|, in the table). For nearly equal forces and nearly symmetric timing the displacement is also held to 1e-15 L.
+ * The largest error of each number is printed, in those ulp. */
 #include <float.h>
 
 #include "tests/support/reference.h"

@@ -1,5 +1,5 @@
 /* Gaits of which |l'| is convex, then concave, then convex in each phase: which they are, and the steady states that
- * numerics/event/bell.c solves without a search, within the bound. */
+ * numerics/event/regular.c solves without a search, within the bound. */
 #include <math.h>
 
 #include "compare/points/gaits.h"

@@ -8,8 +8,8 @@
 enum { CRAWLERS = 1500, DIGITS = 40 };
 
 /* A crawler with one steady state, F1 > F2 and the extension the longer phase (others are seen in a mirror:
- * test_symmetry.c); and how near to rounding that is, in L/T: the velocities that meet, over what is left until there is
- * an interval of them */
+ * test_symmetry.c); and how near to rounding that is, in L/T: the velocities that meet, over what is left until there
+ * is an interval of them */
 static struct scallop_crawler next_crawler(struct random *r, double *size)
 {
   static const enum family families[] = { ORDINARY, STICK_SLIP, SMALL_PERIOD };

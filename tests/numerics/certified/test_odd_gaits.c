@@ -1,5 +1,6 @@
 /* Motions with gaits of every kind that model.h allows: dwells, stretches in which l rests, and both bodies are one on
- * friction F1 + F2 until they rest as well, by hand; what becomes of more modes than are kept. The solvers against each other: test_agree.c, test_integrators.c. */
+ * friction F1 + F2 until they rest as well, by hand; what becomes of more modes than are kept. The solvers against
+ * each other: test_agree.c, test_integrators.c. */
 #include <float.h>
 
 #include "asymptotics/derived/branch.h"

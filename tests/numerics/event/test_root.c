@@ -27,7 +27,7 @@ static double between(const struct power *p, double from, double to)
   return root_between(power, p, a, b);
 }
 
-/* A root at an end is that end; simple roots to the last digit, and where f' = 0 as near as f tells; from either side */
+/* A root at an end is that end; simple roots to the last digit, and where f' = 0 as near as f tells; from both sides */
 TEST(roots_of_powers)
 {
   for (int sign = -1; sign <= 1; sign += 2)
