@@ -265,7 +265,7 @@ void left_out_init(struct left_out *l)
 
 void left_out_clear(struct left_out *l)
 {
-  free(l->term);
+  free(l->term); /* cppcheck-suppress ctuuninitvar ; left_out_init comes first */
   fmpq_clear(l->coefficient);
 }
 
