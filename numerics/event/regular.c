@@ -168,10 +168,9 @@ static bool move(const struct regular_phase *p, double at[2])
 /* Returns whether the phase has the modes that were assumed. */
 static bool confirms(const struct scallop_shape *shape, double side, const struct regular_phase *p)
 {
-  if (!(p->t < 0.5 && p->u < 0.5 && p->up > 0 && side * p->down > 0))
-    return false;
+  const bool inside = p->t < 0.5 && p->u < 0.5 && p->up > 0 && side * p->down > 0;
   if (side > 0)
-    return true;
+    return inside;
   const double first = p->up * p->t + p->up_offset, last = p->down * p->u + p->down_offset;
   const double after = p->t - first / p->between, before = p->u + last / p->between; /* where c is 0 */
   const bool back = before < 0.5;
@@ -180,7 +179,7 @@ static bool confirms(const struct scallop_shape *shape, double side, const struc
   const double speed = there.slope * zero + there.offset;
   const bool falls = back == (there.slope > 0);
   const double q = falls ? p->q : -p->q_last, level = falls ? first : -last;
-  return p->between < 0 && (q * speed >= level || q * fabs(there.slope) >= -p->between);
+  return inside && p->between < 0 && (q * speed >= level || q * fabs(there.slope) >= -p->between);
 }
 
 /* Returns whether the last digits of the crossings decide the multiplier, as walk_meet.h tells it: near the peak, where
