@@ -65,7 +65,7 @@ static inline const struct scallop_gait *random_polynomial(struct random *r, boo
   slope[rising] = 1;
   int factors = falling + (turning ? 1 + random_below(r, 2) : random_below(r, 3));
   for (int i = 0; i < factors; i++) {
-    double a = i < falling ? 1 : turning ? -roots[i - falling] : random_between(r, 0.2, 1);
+    double a = i < falling ? 1 : turning ? -roots[(i - falling) % 2] : random_between(r, 0.2, 1);
     times(slope, &degree, a, i < falling ? -1 : turning ? 1 : random_between(r, -0.9, 3) * a);
   }
   return polynomial_of_slope(g, slope, degree) ? &g->gait : random_polynomial(r, turning, g);
