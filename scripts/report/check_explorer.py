@@ -341,9 +341,9 @@ class Check:
     def stopped(self):
         """Escape and the button stop the work on a long table, the button goes on with it, and another input takes its place."""
         running = lambda seen: seen[-1]["shown"] and "Computing" in seen[-1]["said"]  # noqa: E731
-        self.page.run("explorer.change({ F1: '5' })")
+        self.page.run("explorer.change({ m2: '5' })")  # a new map as well: the longest work
         self.expect(running(self.watched(running, 5)), "no progress is shown after another input")
-        for F1, stop in (6, lambda: self.key("Escape", "Escape", 27)), (7, lambda: self.page.run("document.getElementById('work-stop')?.click()")):
+        for m2, stop in (6, lambda: self.key("Escape", "Escape", 27)), (7, lambda: self.page.run("document.getElementById('work-stop')?.click()")):
             stop()
             self.pause(0.5)
             first = self.page.run(WORK)
@@ -355,7 +355,7 @@ class Check:
             self.page.run("document.getElementById('work-stop')?.click()")
             goes_on = self.watched(lambda seen: not seen[-1]["said"].startswith("Stopped at "), 5)[-1]
             self.expect(not goes_on["said"].startswith("Stopped at "), f"the work does not go on: {goes_on}")
-            self.page.run(f"explorer.change({{ F1: '{F1}' }})")
+            self.page.run(f"explorer.change({{ m2: '{m2}' }})")
             self.expect(running(self.watched(running, 5)), "no progress is shown after a third input")
         before = self.answers()
         self.page.run("document.getElementById('usual').click()")
