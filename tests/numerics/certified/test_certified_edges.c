@@ -150,6 +150,7 @@ TEST(domain)
   no_jump[1].velocity = 0;
   no_jump[1].acceleration = 2;
   exact.gait = &unmarked;
+  unmarked.phase[0].count = 1;
   for (int i = 0; i < 2; i++) {
     unmarked.phase[0].pieces = &no_jump[i];
     assert_int_equal(scallop_certified_steady(&exact, 20, &s, NULL), SCALLOP_EDOMAIN);
