@@ -306,14 +306,14 @@ static const struct scallop_gait *gait_named(const char *name)
 
 static void add_rows(void)
 {
-  enum { GAITS = 2, ALL_GAITS, TIMES = 4 };
-  static const struct scallop_gait *const gaits[GAITS] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal };
+  enum { GAITS = 2, ALL_GAITS, TIMES = 4 }; /* the integrators, and small T, with the first two */
+  const struct scallop_gait *const gaits[ALL_GAITS] = { &scallop_gait_quadratic, &scallop_gait_sinusoidal,
+                                                        gait_named("minimum-jerk") };
   static struct set many[CHOICES][ALL_GAITS], few[ANY][GAITS], small_T[GAITS][TIMES], one;
   const struct row *unit = NULL;
   for (int choice = REGULAR; choice <= ANY; choice++)
     for (int g = 0; g < ALL_GAITS; g++) {
-      const struct scallop_gait *gait = g < GAITS ? gaits[g] : gait_named("minimum-jerk");
-      const struct set *set = fill(&many[choice][g], MANY, gait, (enum choice)choice, false);
+      const struct set *set = fill(&many[choice][g], MANY, gaits[g], (enum choice)choice, false);
       unit = unit ? unit : add(FLOOR, set, NULL);
       add(STEADY, set, unit);
       add(BATCH, set, unit);

@@ -105,29 +105,29 @@ static double peak_of(const struct scallop_shape *shape)
   return (double)peak;
 }
 
-/* By the changes of d|l'|/dt from knot to knot, to the precision of long double. */
+/* By the changes of d|l'|/dt from knot to knot, to the precision of long double; neither if l rests or goes back. */
 static void set_bends(struct scallop_shape *shape, int kind)
 {
   long double last = 0;
   int part = 0;
-  shape->bell = shape->concave = true;
+  bool bell = true, concave = true;
   for (int i = 0; i < shape->count; i++) {
     const struct scallop_piece *p = &shape->pieces[i];
+    if (p->direction != (kind == SCALLOP_EXTENSION ? 1 : -1))
+      return;
     struct bernstein f = bernstein_of(p->law);
     bool forward = p->anchor == SCALLOP_FROM_START;
     const long double *b = f.b, range = f.far - f.near;
-    const long double slope[2] = { (forward ? b[1] - b[0] : b[1] - b[2]) / range,
-                                   (forward ? b[2] - b[1] : b[0] - b[1]) / range };
+    const long double first = (forward ? b[1] - b[0] : b[1] - b[2]) / range,
+                      then = (forward ? b[2] - b[1] : b[0] - b[1]) / range, bend[2] = { first - last, then - first };
     for (int j = i == 0 ? 1 : 0; j < 2; j++) {
-      const long double bend = slope[j] - (j == 0 ? last : slope[0]);
-      shape->bell = shape->bell && law_is_bell(&part, bend);
-      shape->concave = shape->concave && bend <= 0;
+      bell = bell && law_is_bell(&part, bend[j]);
+      concave = concave && bend[j] <= 0;
     }
-    last = slope[1];
-    shape->bell = shape->bell && p->direction == (kind == SCALLOP_EXTENSION ? 1 : -1);
+    last = then;
   }
-  shape->concave = shape->concave && shape->bell;
-  shape->bell = shape->bell && !shape->concave;
+  shape->concave = concave;
+  shape->bell = bell && !concave;
 }
 
 static void conclude(struct scallop_shape *shape, int kind)

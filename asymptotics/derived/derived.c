@@ -73,10 +73,11 @@ static void way_to(struct series *way, const struct lift *l, int i, const struct
   series_set(&t, from_end ? &l->left.at[i] : &l->when.at[i]);
   if (from_end)
     series_neg(&t, &t);
+  const bool exact =
+      p->has_laws || (t.kind != SERIES_BALLS && scallop_exact_speed_series(&speed, piece, anchor, p->pi_squared, ring));
   if (p->has_laws)
     series_set(&speed, &p->law.at[i]);
-  if (!p->has_laws
-      && (t.kind == SERIES_BALLS || !scallop_exact_speed_series(&speed, piece, anchor, p->pi_squared, ring)))
+  if (!exact)
     way_in_balls(way, piece, &t, ring);
   else {
     series_truncate(&speed, ring->length);

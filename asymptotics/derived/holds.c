@@ -22,8 +22,8 @@ struct region_line { /* c = a + b s in one region of one phase                  
   struct edge from, to;
   slong precision;
 };
-#define SEGMENT(of) of(arb, s->a) of(arb, s->b) of(arb, s->eps) of(edge, &s->from) of(edge, &s->to)
-SCOPED_PARTS(segment, struct region_line, SEGMENT)
+#define LINE_PARTS(of) of(arb, s->a) of(arb, s->b) of(arb, s->eps) of(edge, &s->from) of(edge, &s->to)
+SCOPED_PARTS(region_line, struct region_line, LINE_PARTS)
 
 /* Computes the distance of c from curve j, positive in the region, at offset u, and its derivative by u. */
 static void distance_inside(arb_t gap, arb_t slope, const struct region_line *g, const struct scallop_piece *piece,
@@ -261,7 +261,7 @@ static const char *phase_holds(const struct branch *b, const struct phase_consta
                                slong precision)
 {
   const int last = p->shape->count - 1;
-  SCOPED(segment, g);
+  SCOPED(region_line, g);
   g.p = p;
   g.precision = precision;
   arb_set(g.a, c);

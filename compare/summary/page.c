@@ -114,7 +114,7 @@ static void write_velocities(const struct page *p)
             digits_of_value(p, Q_MULTIPLIER), multiplier);
 }
 
-static void write_stretches(const struct page *p)
+static void write_segments(const struct page *p)
 {
   struct mode_segment segment[MAX_SEGMENTS];
   char words[MODE_WORDS];
@@ -138,7 +138,7 @@ static void write_motion(const struct page *p)
     fprintf(p->file, "  This is one of many steady motions: %s.\n", answer_status_text(status, p->answer));
   if (p->answer->regime != SCALLOP_AT_REST)
     write_velocities(p);
-  write_stretches(p);
+  write_segments(p);
   if (p->is_recorded)
     write_intervals(p);
 }

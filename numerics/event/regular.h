@@ -227,7 +227,7 @@ void regular_modes(bool forward, double side, struct scallop_modes modes[2]);
 
 enum regular_outcome {
   REGULAR_MAY_BE,
-  REGULAR_BELL, /* regular_solve_bell must try                                                              */
+  REGULAR_BELL, /* the same, for regular_solve_bell                                                     */
   REGULAR_NOT,
   CONTRACTION_STICKS, /* a body may stick to the end of the contraction                                   */
   EXTENSION_STICKS    /* of the extension only                                                              */

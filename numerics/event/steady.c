@@ -245,16 +245,17 @@ static bool may_reverse(const struct scallop_scaled *s)
   return q * fabs(phase[0].lT) > s->eps * (a * a) && q * fabs(phase[1].lT) > s->eps * (b * b);
 }
 
-static bool solve_bell(const struct scallop_scaled *s, double side, struct scallop_steady_result *out,
-                       struct doubt *doubt)
+/* Takes over the solution with the regular modes. Returns false if much of the displacement cancels: its parts have one
+ * sign for side = 1. */
+static bool take_regular(const struct scallop_scaled *s, const struct regular *r, double side,
+                         struct scallop_steady_result *out, struct doubt *doubt)
 {
-  struct regular r;
-  if (!regular_solve_bell(s, side, &r, &out->work) || (side < 0 && period_cancels(r.travel, r.size, false)))
+  if (side < 0 && period_cancels(r->travel, r->size, false))
     return false;
-  put_regular(&r, side, out);
-  doubt->delicate = r.delicate;
+  put_regular(r, side, out);
+  doubt->delicate = r->delicate;
   if (side < 0)
-    doubt_displacement(s, r.travel, r.size, doubt);
+    doubt_displacement(s, r->travel, r->size, doubt);
   return true;
 }
 
@@ -265,31 +266,24 @@ static enum scallop_status find(const struct scallop_scaled *s, struct scallop_s
   *doubt = (struct doubt){ .left = 1 };
   out->work = (struct scallop_work){ 0 };
   const enum regular_outcome outcome = regular_begin(s, &guess);
-  if (outcome == REGULAR_BELL || outcome == REGULAR_NOT) {
-    if (outcome == REGULAR_BELL && (solve_bell(s, 1, out, doubt) || solve_bell(s, -1, out, doubt)))
+  for (int side = 1; outcome == REGULAR_BELL && side >= -1; side -= 2)
+    if (regular_solve_bell(s, side, &regular, &out->work) && take_regular(s, &regular, side, out, doubt))
       return SCALLOP_OK;
+  if (outcome == REGULAR_BELL || outcome == REGULAR_NOT)
     return search(s, outcome, guess, out, doubt);
-  }
-  if (outcome == REGULAR_MAY_BE && regular_solve(s, 1, &regular, &out->work)) {
-    put_regular(&regular, 1, out);
-    doubt->delicate = regular.delicate;
-    return SCALLOP_OK;
-  }
-  if (outcome == REGULAR_MAY_BE)
+  if (outcome == REGULAR_MAY_BE) {
+    if (regular_solve(s, 1, &regular, &out->work) && take_regular(s, &regular, 1, out, doubt))
+      return SCALLOP_OK;
     guess = regular.c_start;
-  else if (has_ramps(s->gait)) {
+  } else if (has_ramps(s->gait)) {
     const double order = outcome == CONTRACTION_STICKS ? 1 : -1;
     if (solve_stuck(s, order, out, doubt) || solve_stuck(s, -order, out, doubt))
       return SCALLOP_OK;
   }
   if (may_reverse(s) && regular_solve(s, -1, &regular, &out->work)) {
     guess = regular.c_start;
-    if (!period_cancels(regular.travel, regular.size, false)) {
-      put_regular(&regular, -1, out);
-      doubt->delicate = regular.delicate;
-      doubt_displacement(s, regular.travel, regular.size, doubt);
+    if (take_regular(s, &regular, -1, out, doubt))
       return SCALLOP_OK;
-    }
   }
   return search(s, outcome, guess, out, doubt);
 }

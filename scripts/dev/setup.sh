@@ -43,7 +43,7 @@ lint                  | clang-tidy clang-format cppcheck | found clang-tidy && f
 fuzz matrix core.wasm | clang                         | found clang
 fuzz                  | libclang-rt-dev               | there /usr/lib/llvm-*/lib/clang/*/lib/linux/libclang_rt.fuzzer-*
 coverage              | gcovr                         | found gcovr
-valgrind instructions | valgrind                      | found valgrind
+valgrind instructions growth | valgrind               | found valgrind
 release               | mmdebstrap                    | found mmdebstrap
 core.wasm             | lld                           | found wasm-ld
 core.wasm             | binaryen                      | found wasm-opt
